@@ -1,0 +1,47 @@
+# How every file of the house is compiled: the language, the warnings, the sanitizers, and the floating-point
+# rules on which bit-exact replay rests.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+set(ONGGI_SANITIZE "" CACHE STRING "address,undefined | thread | fuzzer")
+string(COMPARE EQUAL "${ONGGI_SANITIZE}" "fuzzer" ONGGI_FUZZ)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(onggi_options INTERFACE)
+target_include_directories(onggi_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_definitions(onggi_options INTERFACE ONGGI_VERSION="${PROJECT_VERSION}")
+target_compile_options(onggi_options INTERFACE
+    -Wall -Wextra -Wpedantic -Werror
+    -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
+    -Wcast-qual -Wformat=2 -Wundef -Wunused
+    # No fused multiply-add behind our back: the same source gives the same bits everywhere.
+    -ffp-contract=off
+    # std::sqrt is one exact instruction; nobody reads errno after it.
+    -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(onggi_options INTERFACE -Wduplicated-cond -Wlogical-op)
+endif()
+
+if(ONGGI_FUZZ)
+    target_compile_options(onggi_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+        -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(onggi_options INTERFACE -fsanitize=address,undefined)
+elseif(ONGGI_SANITIZE)
+    target_compile_options(onggi_options INTERFACE -fsanitize=${ONGGI_SANITIZE} -fno-omit-frame-pointer -O1)
+    target_link_options(onggi_options INTERFACE -fsanitize=${ONGGI_SANITIZE})
+    if(ONGGI_SANITIZE MATCHES "undefined")
+        target_compile_options(onggi_options INTERFACE -fno-sanitize-recover=undefined)
+    endif()
+endif()

@@ -1,0 +1,20 @@
+# Third parties, all from Debian 12. Each is used in one room only; tests/house/allowed_includes.txt says which.
+
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+if(NOT ONGGI_FUZZ)
+    find_package(PNG REQUIRED)
+    find_package(glfw3 3.3 REQUIRED)
+    find_package(Vulkan REQUIRED)
+    find_package(TinyGLTF REQUIRED)
+    find_package(CLI11 REQUIRED)
+    find_package(GTest REQUIRED)
+    find_package(benchmark REQUIRED)
+    pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
+    find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+endif()

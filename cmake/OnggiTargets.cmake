@@ -1,0 +1,28 @@
+# onggi_library(NAME SOURCES ... LINKS ... PRIVATE_LINKS ...): a room of the house.
+function(onggi_library NAME)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    if(ARG_SOURCES)
+        add_library(${NAME} STATIC ${ARG_SOURCES})
+        target_link_libraries(${NAME} PUBLIC onggi_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+    else()
+        add_library(${NAME} INTERFACE)
+        target_link_libraries(${NAME} INTERFACE onggi_options ${ARG_LINKS})
+    endif()
+endfunction()
+
+# onggi_test(NAME SOURCES ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ...): one GoogleTest program, one
+# ctest entry. Labels: unit, paper, replay, golden, device, export, stress, house, cli, web.
+function(onggi_test NAME)
+    cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})
+    add_executable(${NAME} ${ARG_SOURCES})
+    target_link_libraries(${NAME} PRIVATE onggi_options ${ARG_LINKS} GTest::gtest GTest::gtest_main)
+    target_compile_definitions(${NAME} PRIVATE
+        ONGGI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" ONGGI_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 60)
+    endif()
+    add_test(NAME ${NAME} COMMAND ${NAME})
+    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+        ENVIRONMENT "${ARG_ENVIRONMENT}")
+endfunction()

@@ -1,0 +1,21 @@
+// glm, with the choices of this house made once: radians, depth 0..1, no SIMD types behind our back (the
+// tick's bits must not depend on the compiler's instruction set). The only file that includes glm.
+#pragma once
+
+#define GLM_FORCE_RADIANS
+#define GLM_FORCE_DEPTH_ZERO_TO_ONE
+#define GLM_FORCE_XYZW_ONLY
+#define GLM_FORCE_PURE
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace onggi {
+
+using glm::dvec2;
+using glm::dvec3;
+using glm::mat4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+}  // namespace onggi
