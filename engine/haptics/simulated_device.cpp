@@ -1,19 +1,10 @@
 #include "engine/haptics/simulated_device.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace onggi::haptics {
 
 void SimulatedDevice::set_target(const ToolState& target) noexcept {
-    const dvec3& at = target.position_mm;
-    if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z) ||
-        !std::isfinite(target.radius_mm)) {
-        return;
-    }
-    target_.put({.position_mm = glm::clamp(at, -kWorkspaceMm, kWorkspaceMm),
-                 .radius_mm = std::clamp(target.radius_mm, kMinToolRadiusMm, kMaxToolRadiusMm),
-                 .wheel_button = target.wheel_button});
+    last_target_ = within_limits(target, last_target_);
+    target_.put(last_target_);
 }
 
 Result<void> SimulatedDevice::open() {

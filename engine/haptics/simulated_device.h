@@ -28,8 +28,7 @@ class SimulatedDevice final : public HapticDevice {
     explicit SimulatedDevice(const SimulatedDeviceModel& model = {}) : model_(model) {}
 
     // Main thread, any time, wait-free: where the hand wants the tool to be, its radius and the wheel button.
-    // What is not finite is ignored and the last good target stays; position and radius are brought within
-    // the limits of tool_state.h.
+    // Brought within the limits of tool_state.h.
     void set_target(const ToolState& target) noexcept;
 
     // Never fails. The tool starts at rest at the target.
@@ -43,6 +42,7 @@ class SimulatedDevice final : public HapticDevice {
 
   private:
     SimulatedDeviceModel model_;
+    ToolState last_target_;  // main thread only
     jobs::Mailbox<ToolState> target_;
     // Haptic thread only.
     dvec3 position_mm_{0.0};

@@ -17,7 +17,7 @@ namespace onggi::jobs {
 // (or empty): most calls touch no cache line that the other side writes.
 template <typename T>
 class SpscRing {
-    static_assert(std::is_nothrow_copy_assignable_v<T> && std::is_nothrow_default_constructible_v<T>);
+    static_assert(std::is_nothrow_copy_assignable_v<T>);
 
   public:
     // Any thread. Holds at least `capacity` values (rounded up to a power of two); the only allocation.
