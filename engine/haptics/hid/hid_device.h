@@ -25,10 +25,10 @@ namespace onggi::haptics {
 
 struct HidDeviceOptions {
     HidKind kind = HidKind::kUnknown;
-    hid::ToolReach reach;
-    hid::SpaceMouseMapping space_mouse;
-    hid::DualSenseMapping dual_sense;
-    hid::PidMapping joystick;  // its reach is taken from above
+    hid::ToolReach reach = {};
+    hid::SpaceMouseMapping space_mouse = {};
+    hid::DualSenseMapping dual_sense = {};
+    hid::PidMapping joystick = {};  // its reach is taken from above
 };
 
 class HidDevice final : public HapticDevice {
