@@ -1,27 +1,35 @@
 // The paper's clay: a stack of thin cylinders that a spherical tool presses smaller while the wheel turns.
-// G. Han, J. Kim, S. Choi, "Virtual Pottery Modeling with Force Feedback Using Cylindrical Element Method".
-// Pure functions on plain state: any one thread at a time; the tick allocates nothing and cannot fail.
+// Any one thread at a time; the tick allocates nothing, calls nothing outside this room and cannot fail.
+// Units: mm, N, s, rad. Frame: +Y up along the wheel axis, origin at the centre of the wheel head.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "engine/math/math.h"
+#include "game/clay/aligned_floats.h"
+#include "game/clay/contact_kernel.h"
 
 namespace onggi::clay {
 
 constexpr int kMinElements = 100;
 constexpr int kMaxElements = 200000;
 
+// The tool radii the equations are used with. Outside them the tick takes the nearest.
+constexpr double kSmallestToolMm = 2.0;
+constexpr double kLargestToolMm = 40.0;
+
 // The lump before anyone has touched it.
 struct PaperLump {
-    int element_count = 2000;
+    int element_count = 2000;  // N, kMinElements to kMaxElements
     double height_mm = 200.0;  // H
     double radius_mm = 60.0;   // R_0
 };
 
-// Constants of the equations, with the paper's values where it gives them.
+// Constants of the equations, with the paper's values where it gives them. Set them only after check().
 struct PaperParameters {
     double rate_hz = 1000.0;                        // f, the tick rate
     double softness_c1_per_mm = 10.0;               // c1 of Eq. (2); c1 r1 > 1 is enforced
@@ -33,9 +41,61 @@ struct PaperParameters {
     double minimum_radius_mm = 2.0;                 // R_min, the floor of Eq. (2)
 };
 
-// Everything of the clay that a tick reads and writes.
+// Refuses what the equations cannot be ticked with: a number that is not finite, a rate outside 100 to
+// 10000 Hz, a c1 with which the smallest tool would have c1 r1 <= 1. The message names the parameter.
+Result<void> check(const PaperParameters& parameters);
+
+// What the tick is told of the hand. A position that is not finite counts as no contact.
+struct ToolInput {
+    dvec3 position_mm{0.0};      // p2, centre of the tool's sphere (the haptic interface point)
+    double radius_mm = 10.0;     // r1
+    bool wheel_turning = false;  // the paper's stylus button
+};
+
+// What the clay does to the tool in one tick.
+struct ContactForces {
+    int contacts = 0;        // n of Eq. (5): elements in contact
+    dvec3 stiffness_n{0.0};  // F_s, Eq. (5)
+    dvec3 viscosity_n{0.0};  // F_v, Eq. (6)
+    dvec3 friction_n{0.0};   // F_f, Eq. (7)
+    int first_touched = 0;   // the rings whose radius changed lie in
+    int touched_count = 0;   // [first_touched, first_touched + touched_count); 0: none did
+
+    [[nodiscard]] dvec3 total_n() const;  // F, Eq. (3)
+};
+
+// The cylindrical element method of G. Han, J. Kim and S. Choi, "Virtual Pottery Modeling with Force Feedback
+// Using Cylindrical Element Method": sections IV (elements, collision, deformation) and V (forces).
+//
+// A tick goes in the paper's order, section III.B: position, collision Eq. (1), deformation Eq. (2),
+// stiffness Eq. (4) and (5), viscosity Eq. (6), friction Eq. (7), their sum Eq. (3).
+//
+//   symbol        here                       meaning
+//   r1            radius_mm                  radius of the tool's sphere
+//   r2, radius_t  radii_mm()[i], R_i         radius of element i, before and after the tick
+//   r3            distance of p2 from the wheel axis
+//   h1, h2        position_mm.y, y_i         height of the tool; of the element, (i + 0.5) H/N
+//   theta         rc_i = r1 cos(theta)       half width of the sphere at the element's height
+//   p1            nearest to the axis of the sphere's surface at the element's height
+//   p2, p3        position_mm and its projection on the axis
+//   d1            depth, |proximity| after the deformation
+//   v1, v2        velocity of the tool; angular velocity of the wheel
+//   c1, c2, c3, K fields of PaperParameters
+//   n             contacts, and in Eq. (7) the axis +Y
+//
+// Differs: Eq. (2) as printed removes the share 1/(c1 r1) of the depth a tick, so the clay would be softer at
+// a
+//   faster rate. The share taken here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the
+//   same clay at every other rate.
+// Differs: Eq. (2) stops at R_min, so that no element vanishes.
+// Differs: p1 of Eq. (4) lies on the tool, not on the element. Both agree at first touch; on the element the
+//   direction divides by zero at r3 = R_i and pulls inward beyond it.
+// Differs: every element is not visited. Elements the sphere cannot reach are left out by arithmetic on their
+//   index; the result is the same as if they had been tested.
+// Differs: on the axis, where e_r has no direction, the last one is kept; +X before there was any.
 class PaperClay {
   public:
+    // Precondition: count within its limits, height and radius finite and above zero.
     explicit PaperClay(const PaperLump& lump = {});
 
     [[nodiscard]] int element_count() const { return element_count_; }
@@ -43,14 +103,47 @@ class PaperClay {
     [[nodiscard]] double element_height_mm() const { return height_mm_ / element_count_; }
     // R_i, bottom first, element_count() of them.
     [[nodiscard]] std::span<const float> radii_mm() const;
-    // For a recorded start state and for tests: sets all radii. Precondition: as many as elements, all
-    // finite.
-    void set_radii_mm(std::span<const float> radii_mm);
+    // For a snapshot. Precondition: out holds element_count().
+    void copy_radii_mm(std::span<float> out) const;
+    // Sets the radii of the elements first, first + 1, ... Precondition: they exist; all finite and above
+    // zero.
+    void set_radii_mm(std::span<const float> radii_mm, int first = 0);
 
     // sum of pi R_i^2 H/N, mm^3, in double.
     [[nodiscard]] double volume_mm3() const;
+
+    // One step of 1/f. Precondition: check(parameters) holds.
+    ContactForces tick(const ToolInput& tool, const PaperParameters& parameters) noexcept;
+
     // Of all that a later tick depends on, for replay checks. No allocation.
     [[nodiscard]] std::uint64_t state_hash() const;
+    // The same as bytes, little-endian, with which a recording starts; and back. Refuses a wrong size, a
+    // count out of its limits and a number that is not finite. kMaxStartStateBytes bounds what a reader need
+    // hold.
+    [[nodiscard]] std::vector<std::byte> start_state() const;
+    static Result<PaperClay> from_start_state(std::span<const std::byte> bytes);
+
+    // All kernels give the same bits; the fastest this processor has is chosen at construction. For tests.
+    void use_kernel(KernelVariant variant);
+    [[nodiscard]] KernelVariant kernel() const { return kernel_; }
+
+  private:
+    double deformation_share(double tool_radius_mm, const PaperParameters& parameters) noexcept;
+    void update_largest_radius();
+
+    int element_count_ = 0;
+    double height_mm_ = 0.0;
+    AlignedFloats radii_mm_;  // R_i rounded to float; padded to whole blocks of eight
+    AlignedFloats carry_mm_;  // what the rounding left over, so that steps below half an ulp add up
+    dvec3 previous_position_mm_{0.0};
+    bool has_previous_ = false;         // false before the first tick: v1 = 0 there
+    dvec3 radial_unit_{1.0, 0.0, 0.0};  // e_r
+    float largest_radius_mm_ = 0.0F;    // no element is larger: radii only shrink
+    KernelVariant kernel_;
+    // The last share of Eq. (2) and what it was worked out from. A memory, not a state: never hashed.
+    double share_of_c1_r1_ = 0.0;
+    double share_of_rate_hz_ = 0.0;
+    double share_ = 0.0;
 };
 
 }  // namespace onggi::clay

@@ -1,0 +1,59 @@
+// Which contact kernel runs: asked of the processor once, never inside the tick.
+#include "game/clay/contact_kernel.h"
+
+#include "game/clay/contact_kernel_variants.h"
+
+namespace onggi::clay {
+
+bool is_supported(KernelVariant variant) {
+#if ONGGI_X86_KERNELS
+    // The compiler's CPUID query, which also asks whether the system saves the wide registers.
+    switch (variant) {
+        case KernelVariant::kPlain:
+            return true;
+        case KernelVariant::kSse:
+            return __builtin_cpu_supports("sse4.1") != 0;
+        case KernelVariant::kAvx2:
+            return __builtin_cpu_supports("avx2") != 0;
+    }
+    return false;
+#else
+    return variant == KernelVariant::kPlain;
+#endif
+}
+
+KernelVariant best_kernel() {
+    if (is_supported(KernelVariant::kAvx2)) return KernelVariant::kAvx2;
+    if (is_supported(KernelVariant::kSse)) return KernelVariant::kSse;
+    return KernelVariant::kPlain;
+}
+
+const char* name(KernelVariant variant) {
+    switch (variant) {
+        case KernelVariant::kPlain:
+            return "plain";
+        case KernelVariant::kSse:
+            return "sse4.1";
+        case KernelVariant::kAvx2:
+            return "avx2";
+    }
+    return "unknown";
+}
+
+void find_contacts(KernelVariant variant, const ContactQuery& query, ContactSums& sums) noexcept {
+#if ONGGI_X86_KERNELS
+    switch (variant) {
+        case KernelVariant::kAvx2:
+            return find_contacts_avx2(query, sums);
+        case KernelVariant::kSse:
+            return find_contacts_sse(query, sums);
+        case KernelVariant::kPlain:
+            break;
+    }
+#else
+    static_cast<void>(variant);
+#endif
+    find_contacts_plain(query, sums);
+}
+
+}  // namespace onggi::clay

@@ -1,0 +1,20 @@
+// Power, sine and cosine from + - x / only. The tick may not ask libm: its last bits change with the
+// processor's fused multiply-add, and a recording would no longer replay. Within 1e-12 of libm, tested.
+// Any thread; no allocation, fit for the tick.
+#pragma once
+
+namespace onggi::clay {
+
+// base^exponent for base in (0, 1] and exponent from 0.1 to 10. Below the range of base: 0; above: 1.
+[[nodiscard]] double power(double base, double exponent) noexcept;
+
+// A turn as the unit vector it takes +X to.
+struct Rotation {
+    double cosine = 1.0;
+    double sine = 0.0;
+};
+
+// The rotation by an angle, |angle_rad| <= 1000.
+[[nodiscard]] Rotation rotation_by(double angle_rad) noexcept;
+
+}  // namespace onggi::clay

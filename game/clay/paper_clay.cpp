@@ -1,0 +1,214 @@
+#include "game/clay/paper_clay.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "game/clay/exact_math.h"
+
+namespace onggi::clay {
+namespace {
+
+constexpr double kPaperRateHz = 1000.0;
+
+// Nearer to the axis than this, x^2 + z^2 is no longer a normal number and e_r has no direction.
+constexpr double kOnAxisMm = 1e-150;
+
+// How far beyond the largest radius an element is still given to the kernel. Far more than all rounding in
+// the kernel together, and far less than an element is wide.
+constexpr double kReachSlackMm = 1e-4;
+
+std::size_t padded(int element_count) {
+    return static_cast<std::size_t>((element_count + kLanes - 1) / kLanes * kLanes);
+}
+
+// The elements [first, end); none if they are equal.
+struct Elements {
+    int first = 0;
+    int end = 0;
+};
+
+struct Stack {
+    int count;
+    double element_height_mm;
+
+    [[nodiscard]] double centre_mm(int i) const { return (i + 0.5) * element_height_mm; }
+    [[nodiscard]] int clamped(int i) const { return std::clamp(i, 0, count); }
+};
+
+// The elements that the sphere may touch, found without visiting any: the height test |y_i - h1| <= r1 of
+// section IV.A, and, where the tool's centre is outside all clay, how much of the sphere is inside it at all.
+Elements reachable(const Stack& stack, double h1, double r1, double r3, double largest_radius_mm) {
+    const double pitch = stack.element_height_mm;
+    const double margin = r1 + 2.0 * pitch;
+    if (h1 < -margin || h1 > stack.count * pitch + margin) return {};  // so that the casts below are safe
+
+    // Contact needs rc_i > r3 - R_i, and R_i is at most the largest radius.
+    const double needed_half_width = r3 - (largest_radius_mm + kReachSlackMm);
+    if (needed_half_width >= r1) return {};
+    if (needed_half_width > 0.0) {
+        const double half_height = std::sqrt(r1 * r1 - needed_half_width * needed_half_width);
+        const int first = static_cast<int>((h1 - half_height) / pitch - 0.5) - 1;
+        const int end = static_cast<int>((h1 + half_height) / pitch - 0.5) + 3;
+        return {stack.clamped(first), stack.clamped(end)};
+    }
+
+    // The tool's centre may be inside the clay: there the height test decides contact, so it is made exactly.
+    int first = stack.clamped(static_cast<int>((h1 - r1) / pitch - 0.5) - 1);
+    int end = stack.clamped(static_cast<int>((h1 + r1) / pitch - 0.5) + 3);
+    while (first < end && h1 - stack.centre_mm(first) > r1)
+        ++first;
+    while (end > first && stack.centre_mm(end - 1) - h1 > r1)
+        --end;
+    return {first, end};
+}
+
+// The eight lanes, added in pairs: the same order in every build.
+double sum_of(const std::array<float, kLanes>& lanes) {
+    const auto lane = [&](std::size_t i) { return static_cast<double>(lanes[i]); };
+    return ((lane(0) + lane(4)) + (lane(2) + lane(6))) + ((lane(1) + lane(5)) + (lane(3) + lane(7)));
+}
+
+bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+dvec3 ContactForces::total_n() const {
+    return stiffness_n + viscosity_n + friction_n;  // Eq. (3)
+}
+
+PaperClay::PaperClay(const PaperLump& lump)
+    : element_count_(lump.element_count),
+      height_mm_(lump.height_mm),
+      radii_mm_(padded(lump.element_count), static_cast<float>(lump.radius_mm)),
+      carry_mm_(padded(lump.element_count), 0.0F),
+      kernel_(best_kernel()) {
+    assert(lump.element_count >= kMinElements && lump.element_count <= kMaxElements);
+    assert(std::isfinite(lump.height_mm) && lump.height_mm > 0.0);
+    assert(std::isfinite(lump.radius_mm) && lump.radius_mm > 0.0);
+    update_largest_radius();
+}
+
+std::span<const float> PaperClay::radii_mm() const {
+    return {radii_mm_.data(), static_cast<std::size_t>(element_count_)};
+}
+
+void PaperClay::copy_radii_mm(std::span<float> out) const {
+    const std::span<const float> radii = radii_mm();
+    assert(out.size() == radii.size());
+    std::copy(radii.begin(), radii.end(), out.begin());
+}
+
+void PaperClay::set_radii_mm(std::span<const float> radii_mm, int first) {
+    assert(first >= 0 && radii_mm.size() <= static_cast<std::size_t>(element_count_ - first));
+    std::copy(radii_mm.begin(), radii_mm.end(), radii_mm_.begin() + first);
+    std::fill_n(carry_mm_.begin() + first, radii_mm.size(), 0.0F);
+    if (radii_mm.size() == static_cast<std::size_t>(element_count_)) {
+        update_largest_radius();
+    } else {
+        for (const float radius : radii_mm)
+            largest_radius_mm_ = std::max(largest_radius_mm_, radius);
+    }
+}
+
+void PaperClay::update_largest_radius() {
+    const std::span<const float> radii = radii_mm();
+    largest_radius_mm_ = *std::max_element(radii.begin(), radii.end());
+}
+
+double PaperClay::volume_mm3() const {
+    double squares_mm2 = 0.0;
+    for (const float radius : radii_mm()) {
+        squares_mm2 += static_cast<double>(radius) * static_cast<double>(radius);
+    }
+    return std::numbers::pi * squares_mm2 * element_height_mm();
+}
+
+void PaperClay::use_kernel(KernelVariant variant) {
+    assert(is_supported(variant));
+    kernel_ = variant;
+}
+
+// Eq. (2)'s 1/(c1 r1) at the rate f. Tool and rate seldom change, so the last answer is kept.
+double PaperClay::deformation_share(double tool_radius_mm, const PaperParameters& parameters) noexcept {
+    const double c1_r1 = parameters.softness_c1_per_mm * tool_radius_mm;
+    if (c1_r1 != share_of_c1_r1_ || parameters.rate_hz != share_of_rate_hz_) {
+        share_of_c1_r1_ = c1_r1;
+        share_of_rate_hz_ = parameters.rate_hz;
+        const double paper_share = 1.0 / c1_r1;
+        share_ = parameters.rate_hz == kPaperRateHz
+                     ? paper_share
+                     : 1.0 - power(1.0 - paper_share, kPaperRateHz / parameters.rate_hz);
+    }
+    return share_;
+}
+
+ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& parameters) noexcept {
+    ContactForces forces;
+    if (!is_finite(tool.position_mm) || !std::isfinite(tool.radius_mm)) return forces;
+
+    // Position.
+    const dvec3 p2 = tool.position_mm;
+    const double r1 = std::clamp(tool.radius_mm, kSmallestToolMm, kLargestToolMm);
+    const dvec3 v1 = has_previous_ ? (p2 - previous_position_mm_) * parameters.rate_hz : dvec3(0.0);
+    previous_position_mm_ = p2;
+    has_previous_ = true;
+    const double h1 = p2.y;
+    const double r3 = std::sqrt(p2.x * p2.x + p2.z * p2.z);
+    if (r3 > kOnAxisMm) radial_unit_ = {p2.x / r3, 0.0, p2.z / r3};
+
+    // Collision Eq. (1), deformation Eq. (2) and the sums of Eq. (4) and (5), element by element.
+    const Stack stack{element_count_, element_height_mm()};
+    const Elements elements = reachable(stack, h1, r1, r3, static_cast<double>(largest_radius_mm_));
+    if (elements.first >= elements.end) return forces;
+    const int nearest = static_cast<int>(h1 / stack.element_height_mm);
+    const double reach_mm = r3 - r1;
+    const auto reach_rounded_mm = static_cast<float>(reach_mm);
+    const ContactQuery query{
+        .radii_mm = radii_mm_.data(),
+        .carry_mm = carry_mm_.data(),
+        .first = elements.first,
+        .end = elements.end,
+        .nearest = nearest,
+        .nearest_offset_mm = static_cast<float>(stack.centre_mm(nearest) - h1),
+        .element_height_mm = static_cast<float>(stack.element_height_mm),
+        .tool_radius_mm = static_cast<float>(r1),
+        .reach_mm = reach_rounded_mm,
+        .reach_rest_mm = static_cast<float>(reach_mm - static_cast<double>(reach_rounded_mm)),
+        .share = tool.wheel_turning ? static_cast<float>(deformation_share(r1, parameters)) : 0.0F,
+        .minimum_radius_mm = static_cast<float>(parameters.minimum_radius_mm),
+        .deform = tool.wheel_turning,
+    };
+    ContactSums sums;
+    find_contacts(kernel_, query, sums);
+    if (sums.contacts == 0) return forces;
+
+    forces.contacts = sums.contacts;
+    if (sums.first_changed >= 0) {
+        forces.first_touched = sums.first_changed;
+        forces.touched_count = sums.last_changed - sums.first_changed + 1;
+    }
+
+    // Eq. (4): K d1_i times (p2 - p1_i)/|p2 - p1_i| = (rc_i/r1) e_r + ((h1 - y_i)/r1) e_Y; Eq. (5): their
+    // mean.
+    const double stiffness_n_per_mm =
+        tool.wheel_turning ? parameters.stiffness_turning_n_per_mm : parameters.stiffness_standing_n_per_mm;
+    const double scale = stiffness_n_per_mm / (r1 * sums.contacts);
+    forces.stiffness_n = radial_unit_ * (scale * sum_of(sums.depth_times_half_width));
+    forces.stiffness_n.y = -scale * sum_of(sums.depth_times_height);
+
+    // Eq. (6). From zero, so that a tool at rest feels 0 and not -0.
+    forces.viscosity_n = dvec3(0.0) - v1 * parameters.viscosity_c2_n_s_per_mm;
+
+    // Eq. (7): (p3 - p2)/|p3 - p2| is -e_r, and -e_r x e_Y points the way the surface turns.
+    if (tool.wheel_turning) {
+        const double size_n = parameters.friction_c3_n_s_per_mm * parameters.wheel_speed_rad_s * r3;
+        forces.friction_n = {size_n * radial_unit_.z, 0.0, 0.0 - size_n * radial_unit_.x};
+    }
+    return forces;
+}
+
+}  // namespace onggi::clay

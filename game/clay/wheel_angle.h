@@ -1,0 +1,37 @@
+// Where the wheel stands, as a unit vector that each tick turns a little: no angle grows without bound, and
+// no sine is asked of libm. One thread at a time; fit for the tick.
+#pragma once
+
+#include "game/clay/exact_math.h"
+
+namespace onggi::clay {
+
+class WheelAngle {
+  public:
+    WheelAngle() = default;
+    // From a recorded state. Precondition: a unit vector.
+    explicit WheelAngle(const Rotation& heading) : heading_(heading) {}
+
+    // Turns by step_rad, counter-clockwise seen from above.
+    void turn(double step_rad) noexcept {
+        if (step_rad != step_rad_) {  // the step is the same tick after tick while the speed is
+            step_rad_ = step_rad;
+            step_ = rotation_by(step_rad);
+        }
+        const double cosine = heading_.cosine * step_.cosine - heading_.sine * step_.sine;
+        const double sine = heading_.sine * step_.cosine + heading_.cosine * step_.sine;
+        // One Newton step towards length 1. Rounding moves the length by 1e-16 a tick, which this undoes.
+        const double scale = 1.5 - 0.5 * (cosine * cosine + sine * sine);
+        heading_ = {cosine * scale, sine * scale};
+    }
+
+    // Cosine and sine of the angle turned since the start.
+    [[nodiscard]] const Rotation& heading() const { return heading_; }
+
+  private:
+    Rotation heading_;
+    Rotation step_;  // remembers rotation_by(step_rad_); not a state
+    double step_rad_ = 0.0;
+};
+
+}  // namespace onggi::clay
