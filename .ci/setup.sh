@@ -1,0 +1,52 @@
+# What ./run and ./check share: packages, builds, words on the terminal. Sourced, never run.
+# Works for a person who is not root: sudo is asked for only to install.
+
+say() { printf '%s\n' "onggi: $*"; }
+die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
+
+packages_to_run=(
+    g++ cmake ninja-build pkg-config ccache
+    libglfw3-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev
+    libcli11-dev libfmt-dev libpng-dev zlib1g-dev
+    mesa-vulkan-drivers)
+packages_to_check=(
+    clang-14 clang-format-14 libclang-rt-14-dev libgtest-dev libbenchmark-dev vulkan-validationlayers
+    xvfb xauth xdotool umockdev git)
+packages_for_web=(chromium)
+
+# install_packages NAME...: installs those that are missing, after saying so.
+install_packages() {
+    command -v dpkg-query >/dev/null || { say "not a Debian system: taking it that these are installed: $*"; return; }
+    local missing=() name
+    for name in "$@"; do
+        [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+    done
+    [ ${#missing[@]} -eq 0 ] && return
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || die 3 "as root, install: apt-get install --no-install-recommends ${missing[*]}"
+        as_root=(sudo)
+    fi
+    say "installing Debian packages: ${missing[*]}"
+    local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -qq)
+    "${as_root[@]}" "${apt[@]}" update >/dev/null || say "the package lists could not be refreshed; trying with those there are"
+    "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null ||
+        die 3 "these Debian packages could not be installed: ${missing[*]}"
+}
+
+# build PRESET [CMAKE OPTION ...] [-- TARGET ...]: configures and builds; all targets where none is named.
+build() {
+    local preset=$1 options=() targets=()
+    shift
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1"); shift; done
+    [ $# -gt 0 ] && shift
+    [ $# -gt 0 ] && targets=(--target "$@")
+    # The same source in two checkouts compiles once.
+    export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+    mkdir -p build
+    say "building $preset"
+    cmake --preset "$preset" "${options[@]}" >"build/$preset-configure.log" 2>&1 ||
+        { tail -n 20 "build/$preset-configure.log" >&2; die 1 "configuring $preset failed"; }
+    cmake --build --preset "$preset" -j "$(nproc)" "${targets[@]}" >"build/$preset-build.log" 2>&1 ||
+        { tail -n 60 "build/$preset-build.log" >&2; die 1 "building $preset failed"; }
+}

@@ -1,0 +1,55 @@
+// quoted: foreign text made fit to stand inside a one-line message. Any thread; allocates.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace onggi {
+
+// How many bytes at the start of `text` make one well-formed UTF-8 character that can be shown; 0 if none do.
+inline std::size_t shown_character_length(std::string_view text) {
+    if (text.empty()) return 0;
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+    if (byte(0) < 0x80) return byte(0) >= 0x20 && byte(0) != 0x7f ? 1 : 0;
+    std::size_t length = 0;
+    if (byte(0) >= 0xc3 && byte(0) <= 0xdf)
+        length = 2;  // c2 opens the C1 control characters as well: left out
+    if (byte(0) >= 0xe0 && byte(0) <= 0xef) length = 3;
+    if (byte(0) >= 0xf0 && byte(0) <= 0xf4) length = 4;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t at = 1; at < length; ++at) {
+        if ((byte(at) & 0xc0U) != 0x80) return 0;
+    }
+    return length;
+}
+
+// `text` between single quotes: what a terminal could not show is written \xNN, and what is long is cut after
+// `most_bytes`, so that a binary file cannot spoil the one line its refusal gets.
+inline std::string quoted(std::string_view text, std::size_t most_bytes = 40) {
+    static constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string shown = "'";
+    std::size_t at = 0;
+    while (at < text.size() && at < most_bytes) {
+        const std::size_t length = shown_character_length(text.substr(at));
+        if (length > 0) {
+            shown += text.substr(at, length);
+            at += length;
+            continue;
+        }
+        const auto byte = static_cast<unsigned char>(text[at++]);
+        shown += "\\x";
+        shown += kDigits[byte >> 4U];
+        shown += kDigits[byte & 15U];
+    }
+    shown += at < text.size() ? "...'" : "'";
+    return shown;
+}
+
+// The same for the name of a file: whole, because a name cut short names nothing, and without quotes.
+inline std::string shown_path(std::string_view path) {
+    const std::string name = quoted(path, path.size());
+    return name.substr(1, name.size() - 2);
+}
+
+}  // namespace onggi

@@ -1,0 +1,70 @@
+// The order of a frame: systems, each a free function, run phase by phase, and within a phase in the order in
+// which they were added. Main thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "engine/ecs/registry.h"
+
+namespace onggi::ecs {
+
+// A frame's phases, in running order.
+enum class Phase {
+    kReceive,  // what arrived since the last frame becomes components: snapshots, input
+    kAnimate,  // what moves by itself: camera, lights
+    kExtract,  // what the renderer needs is gathered
+};
+constexpr std::size_t kPhaseCount = 3;
+
+constexpr std::string_view phase_name(Phase phase) {
+    switch (phase) {
+        case Phase::kReceive:
+            return "receive";
+        case Phase::kAnimate:
+            return "animate";
+        case Phase::kExtract:
+            return "extract";
+    }
+    return "";
+}
+
+// Context: what a frame brings and takes away besides the registry (elapsed time, the draw list).
+template <typename Context>
+class Schedule {
+  public:
+    using System = void (*)(Registry&, Context&);
+
+    Schedule& add(Phase phase, std::string_view name, System system) {
+        phases_[static_cast<std::size_t>(phase)].push_back({name, system});
+        return *this;
+    }
+
+    void run(Registry& registry, Context& context) const {
+        for (const auto& systems : phases_) {
+            for (const Entry& entry : systems)
+                entry.system(registry, context);
+        }
+    }
+
+    // In running order, for people and tests.
+    [[nodiscard]] std::vector<std::string_view> names() const {
+        std::vector<std::string_view> names;
+        for (const auto& systems : phases_) {
+            for (const Entry& entry : systems)
+                names.push_back(entry.name);
+        }
+        return names;
+    }
+
+  private:
+    struct Entry {
+        std::string_view name;
+        System system;
+    };
+    std::array<std::vector<Entry>, kPhaseCount> phases_;
+};
+
+}  // namespace onggi::ecs

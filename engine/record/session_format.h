@@ -1,0 +1,51 @@
+// The session file, `.onggi`: what stands at its start, and the bounds of what it may hold. README.md gives
+// the bytes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "engine/math/math.h"
+
+namespace onggi::record {
+
+// Not text, and spoilt by every kind of line-end conversion.
+constexpr std::string_view kMagic{"\x89ONGGI\r\n", 8};
+constexpr std::uint16_t kMajorVersion = 1;
+constexpr std::uint16_t kMinorVersion = 0;
+constexpr std::uint32_t kHashInterval = 1000;  // ticks; a state hash, and a block, every so many
+
+// What a file may hold at most; more is damage or malice, not a session.
+constexpr std::uint32_t kMaxElements = 200000;
+constexpr std::uint32_t kMaxSectors = 4096;
+constexpr std::uint64_t kMaxStartStateBytes = std::uint64_t{64} << 20U;
+constexpr double kMinSessionRateHz = 100.0;
+constexpr double kMaxSessionRateHz = 10000.0;
+constexpr double kMaxSessionSeconds = 24.0 * 3600.0;
+constexpr std::uint64_t kMaxSessionBytes = std::uint64_t{2} << 30U;
+
+// Which clay the start state speaks of. The numbers are in files: never renumber.
+enum class ClayModel : std::uint32_t { kPaper = 1, kStudio = 2 };
+
+// What the whole session rests on. The start state itself is opaque here: the clay writes and reads it.
+struct SessionHeader {
+    double rate_hz = 1000.0;
+    std::uint32_t element_count = 2000;
+    std::uint32_t sector_count = 1;  // 1: a clay that is round everywhere
+    ClayModel clay_model = ClayModel::kPaper;
+    std::uint64_t start_state_hash = 0;  // before the first tick
+
+    friend bool operator==(const SessionHeader&, const SessionHeader&) = default;
+};
+
+// What is kept of a tick's force: enough to name the tick at which a replay begins to feel different.
+[[nodiscard]] std::uint32_t force_check(const dvec3& force_n) noexcept;
+
+// Whether a file's first bytes are those of a session, whole or damaged.
+[[nodiscard]] constexpr bool opens_a_session(std::string_view start) {
+    return start.substr(0, kMagic.size()) == kMagic;
+}
+
+}  // namespace onggi::record

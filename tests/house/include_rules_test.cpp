@@ -1,0 +1,120 @@
+// The house's rules, read from the files themselves.
+#include "tests/house/include_rules.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace onggi::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// Every C++ file of the house, by its path from the root.
+std::map<std::string, std::string> sources() {
+    std::map<std::string, std::string> found;
+    const fs::path root = ONGGI_SOURCE_DIR;
+    for (const char* wing : {"engine", "game", "shaders", "tests"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(root / wing)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".h" && extension != ".cpp") continue;
+            if (entry.path().string().find("node_modules") != std::string::npos) continue;
+            found[fs::relative(entry.path(), root).string()] = read_text(entry.path());
+        }
+    }
+    return found;
+}
+
+IncludeRules house_rules() {
+    auto rules =
+        parse_include_rules(read_text(fs::path(ONGGI_SOURCE_DIR) / "tests/house/allowed_includes.txt"));
+    EXPECT_TRUE(rules) << (rules ? "" : rules.error().message);
+    return rules ? std::move(rules).value() : IncludeRules{};
+}
+
+TEST(House, EveryIncludeIsAllowed) {
+    const IncludeRules rules = house_rules();
+    const auto files = sources();
+    ASSERT_GT(files.size(), 20U) << "the house was not found";
+    for (const auto& [path, text] : files) {
+        for (const std::string& violation : violations(rules, path, text))
+            ADD_FAILURE() << violation;
+    }
+}
+
+TEST(House, EveryHeaderSaysWhatItIsAndIsIncludedOnce) {
+    for (const auto& [path, text] : sources()) {
+        if (!path.ends_with(".h")) continue;
+        EXPECT_TRUE(text.starts_with("//")) << path << ": expected a comment that says what this file is";
+        EXPECT_NE(text.find("#pragma once"), std::string::npos) << path;
+    }
+}
+
+TEST(House, NoFileHoldsTwoConcepts) {
+    for (const auto& [path, text] : sources()) {
+        EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 450)
+            << path << ": is there a second concept inside?";
+    }
+}
+
+TEST(House, EveryRoomHasAReadme) {
+    const fs::path root = ONGGI_SOURCE_DIR;
+    for (const char* wing : {"engine", "game"}) {
+        for (const auto& room : fs::directory_iterator(root / wing)) {
+            if (!room.is_directory()) continue;
+            EXPECT_TRUE(fs::exists(room.path() / "README.md")) << room.path();
+        }
+    }
+    for (const char* folder : {"engine", "game", "shaders", "assets", "tests"}) {
+        EXPECT_TRUE(fs::exists(root / folder / "README.md")) << folder;
+    }
+}
+
+TEST(House, TheClayCitesEveryEquationOfThePaper) {
+    std::string clay;
+    for (const auto& [path, text] : sources()) {
+        if (path.starts_with("game/clay/")) clay += text;
+    }
+    for (int equation = 1; equation <= 7; ++equation) {
+        EXPECT_NE(clay.find(fmt::format("Eq. ({})", equation)), std::string::npos)
+            << "Eq. (" << equation << ")";
+    }
+}
+
+TEST(IncludeRules, CatchWhatTheyForbid) {
+    const IncludeRules rules = house_rules();
+    const auto count = [&](std::string_view path, std::string_view text) {
+        return violations(rules, path, text).size();
+    };
+
+    EXPECT_EQ(count("engine/ecs/registry.cpp", "#include \"game/clay/paper_clay.h\"\n"), 1U);
+    EXPECT_EQ(count("game/clay/paper_clay.cpp", "#include \"engine/jobs/spsc_ring.h\"\n"), 1U);
+    EXPECT_EQ(count("game/clay/paper_clay.cpp", "  # include <thread>\n#include <mutex>\n"), 2U);
+    EXPECT_EQ(count("game/wheel/scene.cpp", "#include <glm/glm.hpp>\n"), 1U);
+    EXPECT_EQ(count("engine/render/renderer.cpp", "#include <vulkan/vulkan.h>\n"), 1U);
+    EXPECT_EQ(count("game/haptic/tick.cpp", "const double y = std::sin(x);\n"), 1U);
+    EXPECT_EQ(count("attic/old.cpp", "#include \"engine/core/result.h\"\n"), 1U);
+
+    EXPECT_EQ(count("game/clay/paper_clay.cpp", "#include \"engine/core/hash.h\"\n#include <vector>\n"), 0U);
+    EXPECT_EQ(count("engine/vk/vulkan.h", "#include <vulkan/vulkan.h>\n"), 0U);
+    EXPECT_EQ(count("game/app/main.cpp", "#include \"engine/files/atomic_file.h\"\n"), 0U);
+}
+
+TEST(IncludeRules, RejectATableLineTheyDoNotUnderstand) {
+    EXPECT_FALSE(parse_include_rules("rooom engine/core:\n"));
+    EXPECT_FALSE(parse_include_rules("room engine/core\n"));
+}
+
+}  // namespace
+}  // namespace onggi::house
