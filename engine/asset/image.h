@@ -1,16 +1,36 @@
-// A picture in memory. Any thread; plain data.
+// A picture in memory, and PNG, the one form in which pictures leave and enter. Any thread; touches no file.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
+
+#include "engine/core/result.h"
 
 namespace onggi::asset {
 
-// Eight bits a channel, sRGB, rows from the top, width x height x 4 bytes (red, green, blue, alpha).
+// width x height pixels, rows from the top, four bytes a pixel: red, green, blue (sRGB-encoded), alpha
+// (straight).
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
+
+    friend bool operator==(const Image&, const Image&) = default;
 };
+
+// The largest side that is written or read: a PNG's header may claim 2^31 in a few bytes, and nothing is
+// allocated for such a claim.
+constexpr int kMaxImageSide = 8192;
+
+// 8-bit RGBA PNG (ISO/IEC 15948). The same picture gives the same bytes: no time or text is stored.
+// kBadInput if a side is outside 1..kMaxImageSide or rgba does not hold width x height x 4 bytes.
+Result<std::vector<std::byte>> encode_png(const Image& image);
+
+// Any PNG, turned into 8-bit RGBA. `name` is what the message calls the file. kBadInput if the bytes are not
+// a PNG, are cut short, fail a checksum, or claim a side above kMaxImageSide.
+Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace onggi::asset

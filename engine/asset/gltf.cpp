@@ -1,0 +1,178 @@
+// See gltf.h. The only file that includes tinygltf. Any thread.
+#include "engine/asset/gltf.h"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <sstream>
+
+#include "engine/asset/mesh_rules.h"
+#include "engine/asset/utf8.h"
+
+namespace onggi::asset {
+namespace {
+
+// Appends the values' bytes as a buffer view of their own and gives its index. GLB is little-endian, as are
+// all machines this builds for. Views start at multiples of four, which covers every component type.
+template <typename T>
+int add_view(tinygltf::Model& model, const std::vector<T>& values, int target) {
+    std::vector<unsigned char>& data = model.buffers[0].data;
+    data.resize((data.size() + 3) / 4 * 4);
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = data.size();
+    view.byteLength = values.size() * sizeof(T);
+    view.target = target;
+    data.resize(data.size() + view.byteLength);
+    std::memcpy(data.data() + view.byteOffset, values.data(), view.byteLength);
+    model.bufferViews.push_back(std::move(view));
+    return static_cast<int>(model.bufferViews.size()) - 1;
+}
+
+int add_accessor(tinygltf::Model& model, int view, int component_type, int type, std::size_t count) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = view;
+    accessor.byteOffset = 0;
+    accessor.componentType = component_type;
+    accessor.type = type;
+    accessor.count = count;
+    model.accessors.push_back(std::move(accessor));
+    return static_cast<int>(model.accessors.size()) - 1;
+}
+
+int add_vectors(tinygltf::Model& model, const std::vector<vec3>& vectors) {
+    static_assert(sizeof(vec3) == 3 * sizeof(float), "written as it lies in memory");
+    const int view = add_view(model, vectors, TINYGLTF_TARGET_ARRAY_BUFFER);
+    return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, vectors.size());
+}
+
+// The bounds are those of the floats themselves: glTF 2.0, section 3.6.2.5, wants them exact.
+void set_bounds(tinygltf::Accessor& accessor, const std::vector<vec3>& vectors) {
+    vec3 low(std::numeric_limits<float>::max());
+    vec3 high(std::numeric_limits<float>::lowest());
+    for (const vec3& v : vectors) {
+        low = glm::min(low, v);
+        high = glm::max(high, v);
+    }
+    accessor.minValues = {double{low.x}, double{low.y}, double{low.z}};
+    accessor.maxValues = {double{high.x}, double{high.y}, double{high.z}};
+}
+
+int add_indices(tinygltf::Model& model, const Mesh& mesh) {
+    // 65,535 itself is the primitive-restart value and no index.
+    if (mesh.positions_m.size() <= std::numeric_limits<std::uint16_t>::max()) {
+        const std::vector<std::uint16_t> narrow(mesh.indices.begin(), mesh.indices.end());
+        const int view = add_view(model, narrow, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+        return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR,
+                            narrow.size());
+    }
+    const int view = add_view(model, mesh.indices, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                        mesh.indices.size());
+}
+
+void add_mesh(tinygltf::Model& model, const Mesh& mesh, const std::string& name) {
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.material = 0;
+    const int positions = add_vectors(model, mesh.positions_m);
+    set_bounds(model.accessors[static_cast<std::size_t>(positions)], mesh.positions_m);
+    primitive.attributes["POSITION"] = positions;
+    primitive.attributes["NORMAL"] = add_vectors(model, mesh.normals);
+    primitive.indices = add_indices(model, mesh);
+    tinygltf::Mesh out;
+    out.name = name;
+    out.primitives.push_back(std::move(primitive));
+    model.meshes.push_back(std::move(out));
+}
+
+void add_material(tinygltf::Model& model, const Material& material) {
+    tinygltf::Material out;
+    out.name = valid_utf8(material.name);
+    const dvec3& colour = material.base_colour_linear;
+    out.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, 1.0};
+    out.pbrMetallicRoughness.roughnessFactor = material.roughness;
+    out.pbrMetallicRoughness.metallicFactor = material.metallic;
+    model.materials.push_back(std::move(out));
+}
+
+Result<void> add_extras(tinygltf::Model& model, const std::vector<Extra>& extras) {
+    if (extras.empty()) return {};
+    tinygltf::Value::Object fields;
+    for (const auto& [name, value] : extras) {
+        if (const double* number = std::get_if<double>(&value)) {
+            // JSON has no word for these; the library would write null.
+            if (!std::isfinite(*number)) {
+                return bad_input(fmt::format("glTF extras: field {}: expected a finite number", name));
+            }
+            fields[valid_utf8(name)] = tinygltf::Value(*number);
+        } else {
+            fields[valid_utf8(name)] = tinygltf::Value(valid_utf8(std::get<std::string>(value)));
+        }
+    }
+    model.asset.extras = tinygltf::Value(std::move(fields));
+    return {};
+}
+
+Result<void> check_material(const Material& material) {
+    const auto within = [](double number) { return number >= 0.0 && number <= 1.0; };
+    const dvec3& colour = material.base_colour_linear;
+    if (within(colour.x) && within(colour.y) && within(colour.z) && within(material.roughness) &&
+        within(material.metallic)) {
+        return {};
+    }
+    return bad_input("glTF material: expected colour, roughness and metallic within 0 to 1");
+}
+
+Result<std::vector<std::byte>> write_in_memory(const tinygltf::Model& model) {
+    std::ostringstream stream;
+    try {
+        tinygltf::TinyGLTF writer;
+        constexpr bool kPretty = false;
+        constexpr bool kBinary = true;
+        if (!writer.WriteGltfSceneToStream(&model, stream, kPretty, kBinary) || !stream) {
+            return failed("glTF: the library could not write the scene");
+        }
+    } catch (const std::exception& problem) {
+        // Names are made valid UTF-8 before; this is for what the library's JSON writer may object to
+        // besides.
+        return failed(fmt::format("glTF: the library refused the scene: {}", problem.what()));
+    }
+    const std::string text = stream.str();
+    std::vector<std::byte> bytes(text.size());
+    std::memcpy(bytes.data(), text.data(), text.size());
+    return bytes;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> encode_glb(const GltfContent& content) {
+    if (const Result<void> good = check_mesh(content.mesh); !good) return good.error();
+    if (const Result<void> good = check_material(content.material); !good) return good.error();
+
+    tinygltf::Model model;
+    model.asset.version = "2.0";
+    model.asset.generator = valid_utf8(content.generator);
+    if (const Result<void> good = add_extras(model, content.extras); !good) return good.error();
+
+    model.buffers.emplace_back();
+    const std::string name = valid_utf8(content.name);
+    add_material(model, content.material);
+    add_mesh(model, content.mesh, name);
+    tinygltf::Node node;
+    node.name = name;
+    node.mesh = 0;
+    model.nodes.push_back(std::move(node));
+    tinygltf::Scene scene;
+    scene.nodes = {0};
+    model.scenes.push_back(std::move(scene));
+    model.defaultScene = 0;
+    return write_in_memory(model);
+}
+
+}  // namespace onggi::asset

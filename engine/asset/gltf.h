@@ -1,0 +1,42 @@
+// Writes glTF 2.0 in its binary form, GLB (ISO/IEC 12113). Any thread; gives bytes and touches no file:
+// tinygltf 2.7 reports success for a file that it could not open, so putting bytes on a disk is for
+// engine/files.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/asset/mesh.h"
+#include "engine/core/result.h"
+
+namespace onggi::asset {
+
+// The metallic-roughness material of glTF 2.0, section 3.9.2, without textures.
+struct Material {
+    std::string name;
+    dvec3 base_colour_linear{1.0};  // linear Rec. 709 reflectance, 0 to 1
+    double roughness = 1.0;         // 0 mirror to 1 matt
+    double metallic = 0.0;
+};
+
+// A field of asset.extras: what a museum's database may read without a 3D library.
+using Extra = std::pair<std::string, std::variant<double, std::string>>;
+
+// One mesh of one material at the origin of one scene.
+struct GltfContent {
+    std::string name;       // of mesh and node; any bytes, made valid UTF-8
+    std::string generator;  // program and version
+    Mesh mesh;
+    Material material;
+    std::vector<Extra> extras;
+};
+
+// The same content gives the same bytes. Indices take 16 bits while the vertices allow it. kBadInput if the
+// mesh is empty, an index points past the vertices, there is not one normal a vertex, or a number is not
+// finite; kFailed if the library fails.
+Result<std::vector<std::byte>> encode_glb(const GltfContent& content);
+
+}  // namespace onggi::asset

@@ -1,0 +1,46 @@
+// See mesh_rules.h. Any thread.
+#include "engine/asset/mesh_rules.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace onggi::asset {
+namespace {
+
+bool is_finite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+Result<void> check_mesh(const Mesh& mesh) {
+    const std::size_t vertices = mesh.positions_m.size();
+    if (mesh.indices.empty()) return bad_input("mesh: expected at least one triangle, found none");
+    if (mesh.indices.size() % 3 != 0) {
+        return bad_input(
+            fmt::format("mesh: expected three indices a triangle, found {} indices", mesh.indices.size()));
+    }
+    if (vertices > kMaxVertices || mesh.triangle_count() > kMaxTriangles) {
+        return bad_input(fmt::format("mesh: expected at most {} vertices and {} triangles, found {} and {}",
+                                     kMaxVertices, kMaxTriangles, vertices, mesh.triangle_count()));
+    }
+    if (mesh.normals.size() != vertices) {
+        return bad_input(fmt::format("mesh: expected a normal for each of {} vertices, found {}", vertices,
+                                     mesh.normals.size()));
+    }
+    for (std::size_t i = 0; i < vertices; ++i) {
+        if (!is_finite(mesh.positions_m[i]) || !is_finite(mesh.normals[i])) {
+            return bad_input(fmt::format("mesh: vertex {}: expected finite numbers", i));
+        }
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (mesh.indices[i] >= vertices) {
+            return bad_input(fmt::format("mesh: triangle {}: expected an index below {}, found {}", i / 3,
+                                         vertices, mesh.indices[i]));
+        }
+    }
+    return {};
+}
+
+}  // namespace onggi::asset

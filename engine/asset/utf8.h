@@ -1,0 +1,14 @@
+// Valid UTF-8 out of any bytes. Any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace onggi::asset {
+
+// Each byte that cannot belong to a well-formed sequence (The Unicode Standard 15.0, table 3-7: no overlong
+// forms, no surrogates, nothing above U+10FFFF) becomes U+FFFD. Well-formed text comes back unchanged. JSON
+// writers throw on anything else, and a visitor's words must not end the program.
+std::string valid_utf8(std::string_view bytes);
+
+}  // namespace onggi::asset

@@ -1,0 +1,149 @@
+// See pot_profile.h. Any thread but the haptic one.
+#include "game/share/pot_profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace onggi::share {
+namespace {
+
+constexpr double kLedgeSteepness = 4.0;
+constexpr double kLedgeVolumeShare = 1e-3;
+
+// Replacing a step between two elements by a straight slope takes pi h/6 (a - b)^2 of clay away; the halves
+// of the two elements that it spans hold pi h/2 (a^2 + b^2).
+bool is_ledge(double below_mm, double above_mm, double element_height_mm) {
+    const double step = std::abs(below_mm - above_mm);
+    const double lost_share = step * step / (3.0 * (below_mm * below_mm + above_mm * above_mm));
+    return step > kLedgeSteepness * element_height_mm && lost_share > kLedgeVolumeShare;
+}
+
+// A tolerance larger than the pot is thick must not carry the line through the axis.
+ProfilePoint on_line(const ProfilePoint& anchor, double slope, double y_mm) {
+    return {y_mm, std::max(0.5 * kMinRadiusMm, anchor.radius_mm + slope * (y_mm - anchor.y_mm))};
+}
+
+// Thins one stretch of rising heights, [first, last], and appends it. A line leaves the anchor, and each
+// point that it passes narrows the range of slopes that stay within the tolerance of all points so far. When
+// a point leaves nothing of the range, the line ends at the height of the point before, on the slope within
+// the range that is nearest to that point's own. Each point is looked at once or twice, so that noise costs
+// no more than smoothness. (The idea is the "swinging door" of process historians, with a free end point.)
+void append_thinned(Profile& out, const ProfilePoint* first, const ProfilePoint* last, double tolerance_mm) {
+    out.push_back(*first);
+    ProfilePoint anchor = *first;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    double end_slope = 0.0;
+    for (const ProfilePoint* point = first + 1; point <= last;) {
+        const double run = point->y_mm - anchor.y_mm;
+        const double rise = point->radius_mm - anchor.radius_mm;
+        const double next_low = std::max(low, (rise - tolerance_mm) / run);
+        const double next_high = std::min(high, (rise + tolerance_mm) / run);
+        if (next_low <= next_high) {
+            low = next_low;
+            high = next_high;
+            end_slope = std::clamp(rise / run, low, high);
+            ++point;
+            continue;
+        }
+        // Never at the first point after an anchor: there the range is still open on both sides.
+        const double y_mm = (point - 1)->y_mm;
+        anchor = on_line(anchor, end_slope, y_mm);
+        out.push_back(anchor);
+        low = -std::numeric_limits<double>::infinity();
+        high = std::numeric_limits<double>::infinity();
+    }
+    if (last != first) out.push_back(on_line(anchor, end_slope, last->y_mm));
+}
+
+}  // namespace
+
+double clay_volume_mm3(const PotShape& shape) {
+    if (shape.radii_mm.empty()) return 0.0;
+    double sum_of_squares = 0.0;
+    for (const float radius_mm : shape.radii_mm)
+        sum_of_squares += double{radius_mm} * double{radius_mm};
+    return std::numbers::pi * sum_of_squares * shape.height_mm / static_cast<double>(shape.radii_mm.size());
+}
+
+Result<void> check_shape(const PotShape& shape) {
+    if (!(shape.height_mm >= kMinHeightMm && shape.height_mm <= kMaxHeightMm)) {
+        return bad_input(fmt::format("pot: expected a height of {} to {} mm, found {}", kMinHeightMm,
+                                     kMaxHeightMm, shape.height_mm));
+    }
+    if (shape.radii_mm.empty() || shape.radii_mm.size() > kMaxElementCount) {
+        return bad_input(
+            fmt::format("pot: expected 1 to {} elements, found {}", kMaxElementCount, shape.radii_mm.size()));
+    }
+    for (std::size_t i = 0; i < shape.radii_mm.size(); ++i) {
+        const double radius_mm{shape.radii_mm[i]};
+        if (!(radius_mm >= kMinRadiusMm && radius_mm <= kMaxRadiusMm)) {
+            return bad_input(fmt::format("pot: element {}: expected a radius of {} to {} mm, found {}", i,
+                                         kMinRadiusMm, kMaxRadiusMm, radius_mm));
+        }
+    }
+    return {};
+}
+
+Profile full_profile(const PotShape& shape) {
+    const std::size_t count = shape.radii_mm.size();
+    const double element_height_mm = shape.height_mm / static_cast<double>(count);
+    Profile profile;
+    profile.reserve(count + 2);
+    profile.push_back({0.0, double{shape.radii_mm.front()}});
+    for (std::size_t i = 0; i < count; ++i) {
+        const double radius_mm{shape.radii_mm[i]};
+        if (i > 0) {
+            const double below_mm{shape.radii_mm[i - 1]};
+            if (is_ledge(below_mm, radius_mm, element_height_mm)) {
+                const double boundary_mm = static_cast<double>(i) * element_height_mm;
+                profile.push_back({boundary_mm, below_mm});
+                profile.push_back({boundary_mm, radius_mm});
+            }
+        }
+        profile.push_back({(static_cast<double>(i) + 0.5) * element_height_mm, radius_mm});
+    }
+    profile.push_back({shape.height_mm, double{shape.radii_mm.back()}});
+    return profile;
+}
+
+Profile simplified(const Profile& profile, double tolerance_mm) {
+    // A ledge that the tolerance swallows is two points at one height, which a line cannot pass: they become
+    // one between them.
+    Profile rising;
+    rising.reserve(profile.size());
+    for (const ProfilePoint& point : profile) {
+        const bool on_last = !rising.empty() && point.y_mm <= rising.back().y_mm;
+        if (on_last && std::abs(point.radius_mm - rising.back().radius_mm) <= 2.0 * tolerance_mm) {
+            rising.back().radius_mm = 0.5 * (rising.back().radius_mm + point.radius_mm);
+        } else {
+            rising.push_back(point);
+        }
+    }
+    Profile out;
+    const ProfilePoint* const end = rising.data() + rising.size();
+    for (const ProfilePoint* first = rising.data(); first < end;) {
+        const ProfilePoint* last = first;
+        while (last + 1 < end && (last + 1)->y_mm > last->y_mm)
+            ++last;
+        append_thinned(out, first, last, tolerance_mm);
+        first = last + 1;
+    }
+    return out;
+}
+
+double volume_mm3(const Profile& profile) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const double a = profile[i - 1].radius_mm;
+        const double b = profile[i].radius_mm;
+        sum += (profile[i].y_mm - profile[i - 1].y_mm) * (a * a + a * b + b * b) / 3.0;
+    }
+    return std::numbers::pi * sum;
+}
+
+}  // namespace onggi::share
