@@ -52,6 +52,7 @@ class Pacer {
     // The first deadline is one period from now.
     Pacer(Clock& clock, const PacerOptions& options)
         : clock_(clock),
+          leave_rest_(options.leave_rest),
           period_ns_(1e9 / options.rate_hz),
           guard_ns_(options.wait == WaitMode::kHybrid ? default_guard_ns(options.rate_hz) : 0),
           origin_ns_(clock.now_ns() + static_cast<std::int64_t>(period_ns_)),
