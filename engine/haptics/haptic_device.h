@@ -29,7 +29,8 @@ class HapticDevice {
     [[nodiscard]] virtual DeviceCapabilities capabilities() const = 0;
 
     // Haptic thread, once a tick each, in this order. Wait-free: no lock, allocation or system call.
-    // read: where the tool is now. tick counts from 0; dt_s is the fixed step.
+    // read: where the tool is now. tick counts from 0, none left out; dt_s is the time since the last read:
+    // one step, two at most however many periods the loop had to skip.
     [[nodiscard]] virtual ToolState read(std::uint64_t tick, double dt_s) noexcept = 0;
     // write: the limited force on the tool, N, wheel frame. Held until the next tick.
     virtual void write(const dvec3& force_n) noexcept = 0;

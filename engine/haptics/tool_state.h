@@ -2,6 +2,9 @@
 // it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/math/math.h"
 
 namespace onggi::haptics {
@@ -18,5 +21,21 @@ struct ToolState {
 constexpr double kMinToolRadiusMm = 2.0;
 constexpr double kMaxToolRadiusMm = 40.0;
 constexpr double kWorkspaceMm = 1000.0;  // each coordinate within +-
+
+// The tool brought within those limits, so that a recording never holds one that no reader would take. What
+// is not a finite number is replaced by the last good tool's. Any thread; fit for the tick.
+[[nodiscard]] inline ToolState within_limits(const ToolState& tool, const ToolState& last_good) noexcept {
+    const dvec3& at = tool.position_mm;
+    ToolState good = tool;
+    if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) {
+        good.position_mm = glm::clamp(at, -kWorkspaceMm, kWorkspaceMm);
+    } else {
+        good.position_mm = last_good.position_mm;
+    }
+    good.radius_mm = std::isfinite(tool.radius_mm)
+                         ? std::clamp(tool.radius_mm, kMinToolRadiusMm, kMaxToolRadiusMm)
+                         : last_good.radius_mm;
+    return good;
+}
 
 }  // namespace onggi::haptics

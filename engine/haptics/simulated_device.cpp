@@ -1,0 +1,41 @@
+#include "engine/haptics/simulated_device.h"
+
+namespace onggi::haptics {
+
+void SimulatedDevice::set_target(const ToolState& target) noexcept {
+    last_target_ = within_limits(target, last_target_);
+    target_.put(last_target_);
+}
+
+Result<void> SimulatedDevice::open() {
+    velocity_mm_s_ = force_n_ = dvec3(0.0);
+    at_rest_ = true;
+    return {};
+}
+
+DeviceCapabilities SimulatedDevice::capabilities() const {
+    return {.name = "simulated device (mouse or touch)",
+            .force_axes = 3,
+            .peak_force_n = 3.3,
+            .continuous_force_n = 3.3,
+            .max_stiffness_n_per_mm = 0.5,
+            .position_resolution_mm = 0.0};
+}
+
+ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
+    const ToolState& target = target_.latest();
+    if (at_rest_) {
+        position_mm_ = target.position_mm;
+        at_rest_ = false;
+    }
+    // N on a mass in kg is m/s^2; the tool moves in mm.
+    constexpr double kMmPerM = 1000.0;
+    const double step_over_mass = dt_s / model_.mass_kg * kMmPerM;
+    const dvec3 push_n = model_.coupling_n_per_mm * (target.position_mm - position_mm_) + force_n_;
+    velocity_mm_s_ =
+        (velocity_mm_s_ + push_n * step_over_mass) / (1.0 + model_.damping_n_s_per_mm * step_over_mass);
+    position_mm_ += velocity_mm_s_ * dt_s;
+    return {.position_mm = position_mm_, .radius_mm = target.radius_mm, .wheel_button = target.wheel_button};
+}
+
+}  // namespace onggi::haptics

@@ -1,0 +1,54 @@
+// A haptic device for those who have none: mouse or touch says where the hand wants to be, a small mass on a
+// spring (a virtual coupling) follows, and the clay's force pushes that mass back. The visitor sees the tool
+// lag behind the hand where the clay resists. It is a device like any other to the rest of the program.
+//
+// m a = k (target - x) - b v + F, advanced by semi-implicit Euler with the damping taken implicitly:
+//     v' = (v + dt/m (k (target - x) + F)) / (1 + b dt/m),   x' = x + dt v'.
+// Against a wall of stiffness K and viscosity c, both felt one tick late, it is stable (Jury's criterion) if
+//     (k + K) dt^2/m < 4 + 2 (b - c) dt/m   and   c dt/m < 2 + b dt/m.
+// With the values below and the clay's K = 0.5 N/mm, c = 0.002 N s/mm: 3.5 < 6 and 1 < 4 at 100 Hz, with more
+// to spare at every higher rate.
+#pragma once
+
+#include "engine/haptics/haptic_device.h"
+#include "engine/jobs/mailbox.h"
+
+namespace onggi::haptics {
+
+struct SimulatedDeviceModel {
+    double mass_kg = 0.02;
+    // 3.3 N hold the tool 16.5 mm behind the hand.
+    double coupling_n_per_mm = 0.2;
+    // Critical: 2 sqrt(k m), no overshoot; the tool settles in about 60 ms.
+    double damping_n_s_per_mm = 0.004;
+};
+
+class SimulatedDevice final : public HapticDevice {
+  public:
+    explicit SimulatedDevice(const SimulatedDeviceModel& model = {}) : model_(model) {}
+
+    // Main thread, any time, wait-free: where the hand wants the tool to be, its radius and the wheel button.
+    // Brought within the limits of tool_state.h.
+    void set_target(const ToolState& target) noexcept;
+
+    // Never fails. The tool starts at rest at the target.
+    Result<void> open() override;
+    void close() noexcept override {}
+    [[nodiscard]] DeviceCapabilities capabilities() const override;
+
+    // Moves the mass by dt_s under the force last written.
+    [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
+    void write(const dvec3& force_n) noexcept override { force_n_ = force_n; }
+
+  private:
+    SimulatedDeviceModel model_;
+    ToolState last_target_;  // main thread only
+    jobs::Mailbox<ToolState> target_;
+    // Haptic thread only.
+    dvec3 position_mm_{0.0};
+    dvec3 velocity_mm_s_{0.0};
+    dvec3 force_n_{0.0};
+    bool at_rest_ = true;  // the next read starts at the target
+};
+
+}  // namespace onggi::haptics

@@ -1,0 +1,84 @@
+// A thread that does one thing at a fixed rate, punctually: the loop, its thread and its real-time set-up.
+#pragma once
+
+#include <atomic>
+#include <latch>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "engine/core/result.h"
+#include "engine/jobs/pacer.h"
+#include "engine/jobs/thread_setup.h"
+
+namespace onggi::jobs {
+
+// What a job does, once a period.
+class PeriodicWork {
+  public:
+    virtual ~PeriodicWork() = default;
+
+    // The job's thread. No lock, allocation or system call. False ends the job.
+    [[nodiscard]] virtual bool tick(const Period& period) noexcept = 0;
+};
+
+// The loop itself, on any clock. Ends when the work says so or `stop` is set; at most one period later.
+template <PacerClock Clock>
+void run_fixed_rate(Pacer<Clock>& pacer, PeriodicWork& work, const std::atomic<bool>& stop) noexcept {
+    bool more = true;
+    while (more && !stop.load(std::memory_order_relaxed)) {
+        const Period period = pacer.wait_for_next();
+        more = work.tick(period);
+        pacer.finish(period);
+    }
+}
+
+enum class RealTimePolicy {
+    kEnforce,  // a refusal is an error, and the job does not start (kiosk)
+    kIgnore,   // a refusal is recorded, and the job runs as well as it can (tests, development)
+};
+
+struct FixedRateJobOptions {
+    std::string thread_name = "onggi-haptic";  // at most 15 letters
+    PacerOptions pacing;
+    RealTimeRequest real_time;
+    RealTimePolicy policy = RealTimePolicy::kIgnore;
+};
+
+// Every method belongs to the one thread that owns the job, unless it says otherwise.
+class FixedRateJob {
+  public:
+    explicit FixedRateJob(FixedRateJobOptions options) : options_(std::move(options)) {}
+    ~FixedRateJob() { stop(); }
+
+    FixedRateJob(const FixedRateJob&) = delete;
+    FixedRateJob& operator=(const FixedRateJob&) = delete;
+
+    // Starts the thread and waits until it has set itself up. `work` must outlive the job's run.
+    // Errors: kSystemLacks under kEnforce when anything was refused, naming the first lack and its remedy;
+    // kFailed when no thread can be made. Precondition: not running.
+    Result<void> start(PeriodicWork& work);
+    // Ends the loop within about a period and joins the thread. Harmless when it does not run.
+    void stop() noexcept;
+
+    // Any thread: the loop has ended, by itself or by stop().
+    [[nodiscard]] bool finished() const noexcept { return finished_.load(std::memory_order_acquire); }
+
+    // After start().
+    [[nodiscard]] const RealTimeReport& real_time() const noexcept { return report_; }
+    // After stop(): the whole run.
+    [[nodiscard]] const TickStats& stats() const noexcept { return stats_; }
+
+  private:
+    void run(PeriodicWork& work, std::latch& set_up) noexcept;
+
+    FixedRateJobOptions options_;
+    RealTimeReport report_;
+    TickStats stats_;
+    std::atomic<bool> go_{false};  // the owner has seen the report
+    std::atomic<bool> stop_{false};
+    std::atomic<bool> finished_{true};
+    std::jthread thread_;
+};
+
+}  // namespace onggi::jobs

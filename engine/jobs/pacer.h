@@ -1,0 +1,143 @@
+// Waits for the periods of a fixed rate and keeps the books: who was late, what was skipped, how long it all
+// took. The clock is a parameter, so that tests drive it by a virtual one. One thread; times in ns.
+//
+// Deadline k lies at origin + k / rate, never at a running sum, so the rate does not drift.
+// A loop that comes late runs once, in the period it finds itself in: the periods gone by are skipped and
+// counted, never replayed in a bunch.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "engine/jobs/clock.h"
+#include "engine/jobs/tick_stats.h"
+
+namespace onggi::jobs {
+
+enum class WaitMode {
+    kHybrid,  // sleep until shortly before the deadline, then spin: punctual to 0.1 us, costs core time
+    kSleep,   // sleep only: cheap, late by the kernel's wake-up time (5 to 50 us)
+};
+
+// How long before a deadline the hybrid wait leaves its sleep: longer than a usual wake-up (p99 about 40 us),
+// and never so long that the spinning takes half the core.
+[[nodiscard]] inline std::int64_t default_guard_ns(double rate_hz) {
+    constexpr double kLongestNs = 150'000.0;
+    constexpr double kShareOfPeriod = 0.4;
+    return static_cast<std::int64_t>(std::min(kLongestNs, kShareOfPeriod * 1e9 / rate_hz));
+}
+
+struct PacerOptions {
+    double rate_hz = 1000.0;  // above 0
+    WaitMode wait = WaitMode::kHybrid;
+    // Never take more than 90 % of the core, even when overloaded. A real-time thread that does not sleep is
+    // stopped by the kernel for 50 ms in every second; a thread without that power need not care.
+    bool leave_rest = true;
+};
+
+// One period as its work sees it.
+struct Period {
+    std::uint64_t index = 0;       // which deadline this is, skipped ones counted
+    std::uint64_t tick = 0;        // how often the work has run before
+    std::uint64_t skipped = 0;     // periods that went by since the last tick
+    std::int64_t deadline_ns = 0;  // of `index`
+    std::int64_t start_ns = 0;     // when the work really began
+    double dt_s = 0.0;             // time to advance: one period, two at most however many were skipped
+};
+
+template <PacerClock Clock>
+class Pacer {
+  public:
+    // The first deadline is one period from now.
+    Pacer(Clock& clock, const PacerOptions& options)
+        : clock_(clock),
+          leave_rest_(options.leave_rest),
+          period_ns_(1e9 / options.rate_hz),
+          guard_ns_(options.wait == WaitMode::kHybrid ? default_guard_ns(options.rate_hz) : 0),
+          origin_ns_(clock.now_ns() + static_cast<std::int64_t>(period_ns_)),
+          awake_since_ns_(clock.now_ns()) {}
+
+    // Waits for the next deadline (not at all if it is past) and says which period has begun.
+    Period wait_for_next() noexcept {
+        const std::uint64_t awaited = stats_.ticks == 0 ? 0 : last_index_ + 1;
+        const std::int64_t awaited_ns = deadline_ns(awaited);
+        const std::int64_t start_ns = wait_until(awaited_ns);
+
+        Period period;
+        period.index = std::max(awaited, index_at(start_ns));
+        period.tick = stats_.ticks;
+        period.skipped = period.index - awaited;
+        period.deadline_ns = deadline_ns(period.index);
+        period.start_ns = start_ns;
+        constexpr double kMostPeriods = 2.0;
+        period.dt_s = std::min(kMostPeriods, 1.0 + static_cast<double>(period.skipped)) * period_ns_ * 1e-9;
+
+        last_index_ = period.index;
+        stats_.skipped_periods += period.skipped;
+        // Against the deadline that was waited for: a skip must not make a late wake-up look small.
+        stats_.wake_latency_ns.record(start_ns - awaited_ns);
+        ++stats_.ticks;
+        return period;
+    }
+
+    // To be called when the period's work is done.
+    void finish(const Period& period) noexcept {
+        const std::int64_t end_ns = clock_.now_ns();
+        stats_.tick_ns.record(end_ns - period.start_ns);
+        if (end_ns > deadline_ns(period.index + 1)) ++stats_.overrun_periods;
+    }
+
+    [[nodiscard]] const TickStats& stats() const noexcept { return stats_; }
+    [[nodiscard]] std::int64_t deadline_ns(std::uint64_t index) const noexcept {
+        return origin_ns_ + static_cast<std::int64_t>(static_cast<double>(index) * period_ns_);
+    }
+
+  private:
+    // The last period whose deadline is not after the time.
+    [[nodiscard]] std::uint64_t index_at(std::int64_t time_ns) const noexcept {
+        if (time_ns <= origin_ns_) return 0;
+        auto index = static_cast<std::uint64_t>(static_cast<double>(time_ns - origin_ns_) / period_ns_);
+        // The division may be off by one in its last bit; the deadlines themselves decide.
+        while (deadline_ns(index + 1) <= time_ns)
+            ++index;
+        while (index > 0 && deadline_ns(index) > time_ns)
+            --index;
+        return index;
+    }
+
+    std::int64_t wait_until(std::int64_t deadline_ns) noexcept {
+        const std::int64_t now_ns = clock_.now_ns();
+        // A ninth of all time awake is owed as rest: 90 % awake, 10 % asleep. Usual sleeps pay it many times.
+        if (leave_rest_) rest_owed_ns_ += (now_ns - awake_since_ns_) / kAwakePerRest;
+        std::int64_t wake_ns = deadline_ns - guard_ns_;
+        if (rest_owed_ns_ >= kLeastRestNs) wake_ns = std::max(wake_ns, now_ns + rest_owed_ns_);
+        awake_since_ns_ = now_ns;
+        if (wake_ns > now_ns) {
+            clock_.sleep_until_ns(wake_ns);
+            awake_since_ns_ = clock_.now_ns();
+            rest_owed_ns_ = std::max<std::int64_t>(0, rest_owed_ns_ - (awake_since_ns_ - now_ns));
+        }
+        std::int64_t start_ns = awake_since_ns_;
+        while (start_ns < deadline_ns) {
+            clock_.relax();
+            start_ns = clock_.now_ns();
+        }
+        return start_ns;
+    }
+
+    static constexpr std::int64_t kAwakePerRest = 9;
+    static constexpr std::int64_t kLeastRestNs = 100'000;  // shorter sleeps cost more than they give
+
+    Clock& clock_;
+    bool leave_rest_;
+    double period_ns_;
+    std::int64_t guard_ns_;
+    std::int64_t origin_ns_;
+    std::int64_t awake_since_ns_;
+    std::int64_t rest_owed_ns_ = 0;
+    std::uint64_t last_index_ = 0;
+    TickStats stats_;
+};
+
+}  // namespace onggi::jobs

@@ -1,0 +1,67 @@
+// A bounded queue from one thread to one other, first in first out, for streams of which nothing may be lost
+// silently: commands, tick records, log items. One producer thread, one consumer thread, both wait-free.
+// A full ring refuses; whether that is a drop to be counted is the caller's affair.
+#pragma once
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "engine/jobs/triple_buffer.h"
+
+namespace onggi::jobs {
+
+// Each side keeps its own copy of the other's index and looks at the shared one only when the copy says full
+// (or empty): most calls touch no cache line that the other side writes.
+template <typename T>
+class SpscRing {
+    static_assert(std::is_nothrow_copy_assignable_v<T>);
+
+  public:
+    // Any thread. Holds at least `capacity` values (rounded up to a power of two); the only allocation.
+    explicit SpscRing(std::size_t capacity)
+        : slots_(std::bit_ceil(capacity < 2 ? std::size_t{2} : capacity)) {}
+
+    SpscRing(const SpscRing&) = delete;
+    SpscRing& operator=(const SpscRing&) = delete;
+
+    [[nodiscard]] std::size_t capacity() const noexcept { return slots_.size(); }
+
+    // Producer thread. False, and nothing done, when the ring is full.
+    [[nodiscard]] bool try_push(const T& value) noexcept {
+        const std::size_t tail = producer_.own.load(std::memory_order_relaxed);
+        if (tail - producer_.other == slots_.size()) {
+            producer_.other = consumer_.own.load(std::memory_order_acquire);
+            if (tail - producer_.other == slots_.size()) return false;
+        }
+        slots_[tail & (slots_.size() - 1)] = value;
+        producer_.own.store(tail + 1, std::memory_order_release);
+        return true;
+    }
+
+    // Consumer thread. False, and `value` untouched, when the ring is empty.
+    [[nodiscard]] bool try_pop(T& value) noexcept {
+        const std::size_t head = consumer_.own.load(std::memory_order_relaxed);
+        if (head == consumer_.other) {
+            consumer_.other = producer_.own.load(std::memory_order_acquire);
+            if (head == consumer_.other) return false;
+        }
+        value = slots_[head & (slots_.size() - 1)];
+        consumer_.own.store(head + 1, std::memory_order_release);
+        return true;
+    }
+
+  private:
+    // Indices count for ever and are masked on use, so full and empty never look alike.
+    struct alignas(kCacheLine) Side {
+        std::atomic<std::size_t> own{0};  // written by this side, read by both
+        std::size_t other = 0;            // this side's last look at the other's
+    };
+    std::vector<T> slots_;
+    Side producer_;
+    Side consumer_;
+};
+
+}  // namespace onggi::jobs

@@ -1,0 +1,84 @@
+// Which core the haptic thread gets, what the kernel grants it, and what each refusal costs.
+// The order matters: choose the core, keep the main thread off it *before* Vulkan is created (software Vulkan
+// starts workers that inherit the mask), and only then start the haptic thread, which sets itself up.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+
+namespace onggi::jobs {
+
+// The core of the haptic thread and the cores of everybody else. core is -1 when nothing could be learned.
+struct CoreChoice {
+    int core = -1;
+    std::vector<int> others;  // empty: there is one core only, and it is shared
+
+    [[nodiscard]] bool shared() const { return others.empty(); }
+};
+
+// The last core that the process may use: core 0 serves most interrupts. `allowed` ascending.
+[[nodiscard]] CoreChoice choose_haptic_core(std::span<const int> allowed);
+// The same from the calling thread's own mask. Main thread, before it is kept off any core.
+[[nodiscard]] CoreChoice choose_haptic_core();
+
+enum class Grant : std::uint8_t { kNotAsked, kGranted, kRefused };
+
+// One thing asked of the kernel.
+struct Granted {
+    Grant grant = Grant::kNotAsked;
+    int error = 0;  // errno of a refusal
+};
+
+// Main thread, before Vulkan is created and before any other thread starts: restricts it, and all that it
+// will start, to the other cores. Where one other core is left, software Vulkan is also told to draw in its
+// callers' threads and to leave out its disk-cache thread, which would reset its own mask; variables that the
+// user has set are respected. Does nothing on a shared core.
+Granted keep_this_thread_off_haptic_core(const CoreChoice& choice);
+
+// What a thread that keeps deadlines asks for.
+struct RealTimeRequest {
+    CoreChoice core;
+    int fifo_priority = 80;  // 1 to 99; above the kernel's threaded interrupts at 50
+    bool lock_memory = true;
+};
+
+// What is missing, in words for a person: one line each, without a full stop.
+struct RealTimeLack {
+    std::string what;
+    std::string cost;
+    std::string remedy;
+};
+
+struct RealTimeReport {
+    CoreChoice core;
+    Granted pinning;
+    Granted fifo;
+    Granted memory_lock;
+
+    // The names the stats file uses.
+    [[nodiscard]] const char* scheduler() const { return fifo.grant == Grant::kGranted ? "fifo" : "other"; }
+    // Nothing was refused. (A single core, shared, is a lack but no refusal.)
+    [[nodiscard]] bool nothing_refused() const {
+        return pinning.grant != Grant::kRefused && fifo.grant != Grant::kRefused &&
+               memory_lock.grant != Grant::kRefused;
+    }
+    // Refusals first, then what the machine itself lacks.
+    [[nodiscard]] std::vector<RealTimeLack> lacks() const;
+};
+
+// The calling thread: pins itself to the core, locks the process's memory, touches its stack, and asks for
+// SCHED_FIFO last, so that nothing slow happens under it. Goes on after a refusal and records it.
+[[nodiscard]] RealTimeReport set_up_this_thread(const RealTimeRequest& request);
+
+// Finds out what would be granted, on a thread of its own that ends at once; the process is left as it was,
+// but for memory locked before, which is unlocked. Any thread that is not real-time; takes a few ms.
+[[nodiscard]] RealTimeReport probe_real_time(const RealTimeRequest& request);
+
+// Tells the kernel the name of the calling thread, at most 15 letters, as `top -H` shows it.
+void name_this_thread(const char* name);
+
+}  // namespace onggi::jobs

@@ -1,0 +1,47 @@
+// Where the picture is taken from, and the way back from a pixel into the world. Any thread; plain functions.
+// mm and rad; pixels count from the top left corner, y down.
+#pragma once
+
+#include <optional>
+
+#include "engine/math/math.h"
+
+namespace onggi::render {
+
+struct Camera {
+    vec3 eye_mm{0.0F, 100.0F, 1000.0F};
+    vec3 target_mm{0.0F};
+    float vertical_fov_rad = 0.5F;
+    float near_mm = 50.0F;
+    float far_mm = 6000.0F;
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+// World to Vulkan clip space: y down, depth 0 at near and 1 at far.
+[[nodiscard]] mat4 view_projection(const Camera& camera, int width_px, int height_px);
+
+struct Ray {
+    dvec3 origin_mm;
+    dvec3 direction;  // unit length
+};
+
+// The ray from the eye through a point of the picture, in pixels (0.5, 0.5 is the centre of the first).
+[[nodiscard]] Ray ray_through(const Camera& camera, int width_px, int height_px, dvec2 pixel);
+
+// Where the ray meets the vertical plane that holds the axis x = z = 0 and faces the eye; nothing if it runs
+// along that plane or meets it behind the eye.
+[[nodiscard]] std::optional<dvec3> meet_axis_plane(const Ray& ray, const Camera& camera);
+
+// A world point in pixels and its depth along the view in mm; nothing if it is not in front of the eye.
+struct Projected {
+    dvec2 pixel;
+    double depth_mm;
+};
+[[nodiscard]] std::optional<Projected> project(const Camera& camera, int width_px, int height_px,
+                                               dvec3 point_mm);
+
+// How many pixels one mm spans at the camera's target.
+[[nodiscard]] double pixels_per_mm(const Camera& camera, int height_px);
+
+}  // namespace onggi::render

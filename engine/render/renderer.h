@@ -1,0 +1,68 @@
+// Draws a Scene into whatever takes frames: a swapchain or an unseen image. Main thread only, one frame in
+// flight: a second one would be a frame of delay that the hand sees.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/core/result.h"
+#include "engine/render/scene.h"
+#include "engine/vk/device.h"
+#include "engine/vk/frame_target.h"
+
+namespace onggi::render {
+
+// How light becomes eight bits. Done in the shader: the target is plain UNORM, because encoding in an _SRGB
+// target is neither quick nor the same on every processor under lavapipe.
+enum class Transfer {
+    kExactSrgb,   // IEC 61966-2-1
+    kSquareRoot,  // the live window on a processor: close to sRGB, 1.25 times quicker
+};
+
+struct RendererDesc {
+    VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
+    int samples = 4;      // 1 or 4 a pixel
+    bool cached = false;  // keep what stands still in images and copy them each frame; needs samples = 1
+    Transfer transfer = Transfer::kExactSrgb;
+    int sectors = 128;           // of a lathe: 64 at 720p, 96 at 1080p
+    int max_rings = 256;         // hard cap, 16 to kMaxRings
+    float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
+
+    friend bool operator==(const RendererDesc&, const RendererDesc&) = default;
+};
+
+// For a screenshot, and for the moving picture on this kind of device and at this size.
+[[nodiscard]] RendererDesc still_desc(VkFormat colour_format);
+[[nodiscard]] RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px);
+
+// What the last frame took, for tests and for whoever watches.
+struct FrameStats {
+    int rings = 0;
+    float ring_error_px = 0.0F;  // the tolerance that met the cap
+    bool still_life_drawn = false;
+    bool shadow_drawn = false;
+    std::uint64_t bytes_uploaded = 0;
+};
+
+class Renderer {
+  public:
+    // The device must outlive the renderer.
+    static Result<std::unique_ptr<Renderer>> create(vk::Device& device, const RendererDesc& desc);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Waits for the frame before, then records and submits this one. False if the target takes no frame just
+    // now (minimised, resizing).
+    Result<bool> draw(const Scene& scene, vk::FrameTarget& target);
+
+    [[nodiscard]] const FrameStats& stats() const;
+    [[nodiscard]] const RendererDesc& desc() const;
+
+  private:
+    struct Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,51 @@
+// What a person did to the window, as plain data. Any thread. Pixels count from the top left corner, y down,
+// in the units of the drawn picture (not the desktop's scaled ones).
+#pragma once
+
+#include <variant>
+
+namespace onggi::window {
+
+enum class Key {
+    kUnknown,
+    kEscape,
+    kSpace,
+    kEnter,
+    kLeftBracket,
+    kRightBracket,
+    kPlus,
+    kMinus,
+    kE,
+    kF,
+    kQ,
+    kR,
+    kS,
+    kF11,
+};
+enum class MouseButton { kLeft, kRight, kMiddle };
+
+struct KeyEvent {
+    Key key = Key::kUnknown;
+    bool pressed = false;  // a held key repeats as pressed
+    bool repeat = false;
+};
+struct ButtonEvent {
+    MouseButton button = MouseButton::kLeft;
+    bool pressed = false;
+};
+struct PointerEvent {
+    double x_px = 0.0;
+    double y_px = 0.0;
+};
+struct ScrollEvent {
+    double steps = 0.0;  // positive: away from the person
+};
+struct ResizeEvent {
+    int width = 0;  // both 0 while minimised
+    int height = 0;
+};
+struct CloseEvent {};
+
+using Event = std::variant<KeyEvent, ButtonEvent, PointerEvent, ScrollEvent, ResizeEvent, CloseEvent>;
+
+}  // namespace onggi::window
