@@ -45,13 +45,12 @@ std::string known_commands(CLI::App& program) {
 
 }  // namespace
 
-CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& description) {
-    CLI::App* command = program.add_subcommand(name, description);
-    command->set_version_flag("--version", program.get_name() + " " + ONGGI_VERSION);
-    return command;
-}
-
 int run_command_line(CLI::App& program, int argc, const char* const* argv, const int& exit_status) {
+    const std::string version = program.get_name() + " " + ONGGI_VERSION;
+    program.set_version_flag("--version", version);
+    for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+        command->set_version_flag("--version", version);
+    }
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     const bool asks_program = !words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "--version");
     const bool has_default = command_named(program, kDefaultCommand) != nullptr;

@@ -3,16 +3,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
 #include <string_view>
 
 #include "engine/core/result.h"
 
 namespace onggi::app {
 
-// A command of the program with --help and --version. Each command has a file of its own with a function
-// `void add_..._command(CLI::App& program, int& exit_status)` that registers it; main lists them.
-CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& description);
+// A command's own file registers it with `void add_..._command(CLI::App& program, int& exit_status)`: it leaves
+// its exit code there. main lists the commands; each has --help and --version.
 
 // Runs the command that the words name; the words are those of main(). Without a command it is the kiosk,
 // where the program has one. Gives the exit code: what the command left in `exit_status`, or 2 with one line

@@ -3,6 +3,8 @@
 #include <csignal>
 
 #include "game/app/command_line.h"
+#include "game/app/devices_command.h"
+#include "game/app/doctor_command.h"
 #include "game/app/replay_command.h"
 #include "game/app/throw_command.h"
 
@@ -11,9 +13,10 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
 
     CLI::App program{"A potter's wheel one can feel", "onggi"};
-    program.set_version_flag("--version", std::string("onggi ") + ONGGI_VERSION);
     int exit_status = 0;
     onggi::app::add_throw_command(program, exit_status);
     onggi::app::add_replay_command(program, exit_status);
+    onggi::app::add_devices_command(program, exit_status);
+    onggi::app::add_doctor_command(program, exit_status);
     return onggi::app::run_command_line(program, argc, argv, exit_status);
 }
