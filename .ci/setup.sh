@@ -10,8 +10,8 @@ packages_to_run=(
     libcli11-dev libfmt-dev libpng-dev zlib1g-dev
     mesa-vulkan-drivers)
 packages_to_check=(
-    clang-14 libclang-rt-14-dev libgtest-dev libbenchmark-dev vulkan-validationlayers
-    xvfb xauth xdotool git)
+    clang-14 clang-format-14 libclang-rt-14-dev libgtest-dev libbenchmark-dev vulkan-validationlayers
+    xvfb xauth xdotool umockdev git)
 packages_for_web=(chromium)
 
 # install_packages NAME...: installs those that are missing, after saying so.

@@ -1,0 +1,21 @@
+#include "game/app/devices_command.h"
+
+#include <cstdio>
+#include <vector>
+
+#include "game/app/finding.h"
+#include "game/app/system_probes.h"
+
+namespace onggi::app {
+
+void add_devices_command(CLI::App& program, int& exit_status) {
+    CLI::App* command =
+        program.add_subcommand("devices", "List what there is to hold and feel the clay with");
+    command->callback([&exit_status] {
+        const std::vector<Finding> findings = probe_haptic_devices();
+        std::fputs(findings_as_text(findings).c_str(), stdout);
+        exit_status = any_lacking(findings) ? exit_code(ErrorKind::kSystemLacks) : 0;
+    });
+}
+
+}  // namespace onggi::app

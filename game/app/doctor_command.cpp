@@ -1,0 +1,101 @@
+#include "game/app/doctor_command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/jobs/thread_setup.h"
+#include "engine/vk/physical_device.h"
+#include "game/app/finding.h"
+#include "game/app/system_probes.h"
+
+namespace onggi::app {
+namespace {
+
+using Verdict = Finding::Verdict;
+
+std::vector<Finding> probe_vulkan() {
+    Finding none{.subject = "vulkan",
+                 .verdict = Verdict::kLacking,
+                 .cost = "no picture: no window and no --screenshot; pots can still be thrown and exported",
+                 .remedy = "apt-get install mesa-vulkan-drivers"};
+    const auto devices = vk::describe_devices();
+    if (!devices || devices->empty()) {
+        none.found = devices ? "no device" : devices.error().message;
+        return {none};
+    }
+    std::vector<Finding> findings;
+    bool one_is_chosen = false;
+    for (const vk::DeviceDescription& device : *devices) {
+        std::string words = fmt::format("device {}: {}, {}, {} {}, Vulkan {}", device.index, device.name,
+                                        vk::type_name(device.type), device.driver, device.driver_info,
+                                        vk::version_name(device.api_version));
+        if (!device.lacks.empty()) words += ", lacks " + device.lacks;
+        if (device.chosen) words += ", chosen";
+        one_is_chosen = one_is_chosen || device.chosen;
+        findings.push_back({.subject = "vulkan",
+                            .verdict = device.chosen ? Verdict::kGood : Verdict::kNote,
+                            .found = std::move(words)});
+    }
+    if (!one_is_chosen) {
+        none.found = "no device that can be used, or ONGGI_VULKAN_DEVICE names none of these";
+        findings.push_back(std::move(none));
+    }
+    return findings;
+}
+
+std::vector<Finding> probe_haptic_loop() {
+    const jobs::CoreChoice choice = jobs::choose_haptic_core();
+    const jobs::RealTimeReport report = jobs::probe_real_time({.core = choice});
+    std::vector<Finding> findings;
+    if (choice.core >= 0 && !choice.shared()) {
+        findings.push_back({.subject = "cores",
+                            .found = fmt::format("the haptic loop gets core {}, everything else {}",
+                                                 choice.core, fmt::join(choice.others, ", "))});
+    }
+    for (const jobs::RealTimeLack& lack : report.lacks()) {
+        findings.push_back({.subject = "real time",
+                            .verdict = Verdict::kLacking,
+                            .found = lack.what,
+                            .cost = lack.cost,
+                            .remedy = lack.remedy});
+    }
+    if (report.nothing_refused()) {
+        findings.push_back(
+            {.subject = "real time", .found = "SCHED_FIFO, locked memory and a pinned thread"});
+    }
+    return findings;
+}
+
+int examine(bool strict) {
+    std::vector<Finding> findings;
+    const auto add = [&](std::vector<Finding> more) {
+        findings.insert(findings.end(), std::make_move_iterator(more.begin()),
+                        std::make_move_iterator(more.end()));
+    };
+    add(probe_vulkan());
+    findings.push_back(probe_display());
+    add(probe_haptic_loop());
+    add(probe_haptic_devices());
+    findings.push_back(probe_disk(std::filesystem::current_path()));
+    findings.push_back(probe_fonts(font_folders()));
+
+    std::fputs(findings_as_text(findings).c_str(), stdout);
+    return strict && any_lacking(findings) ? exit_code(ErrorKind::kSystemLacks) : 0;
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& program, int& exit_status) {
+    CLI::App* command = program.add_subcommand(
+        "doctor", "Say what this machine has and lacks: Vulkan, real time, cores, devices, disk, display");
+    const auto strict = std::make_shared<bool>(false);
+    command->add_flag("--strict", *strict, "exit with 3 where something is lacking");
+    command->callback([strict, &exit_status] { exit_status = examine(*strict); });
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,51 @@
+#include "game/app/finding.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "game/app/system_probes.h"
+
+namespace onggi::app {
+namespace {
+
+using Verdict = Finding::Verdict;
+
+TEST(Findings, SayWhatALackCostsAndHowToMendIt) {
+    const std::vector<Finding> findings{
+        {.subject = "cores", .found = "two"},
+        {.subject = "disk",
+         .verdict = Verdict::kLacking,
+         .found = "full",
+         .cost = "nothing is kept",
+         .remedy = "tidy up"},
+    };
+    EXPECT_EQ(findings_as_text(findings),
+              "good     cores  two\n"
+              "lacking  disk   full\n"
+              "                costs: nothing is kept\n"
+              "                mend: tidy up\n");
+    EXPECT_TRUE(any_lacking(findings));
+    EXPECT_FALSE(any_lacking(std::span(findings).first(1)));
+}
+
+TEST(SystemProbes, SeeAFolderThatIsNotThere) {
+    EXPECT_EQ(probe_disk("/no/such/folder").verdict, Verdict::kLacking);
+    EXPECT_NE(probe_disk("/no/such/folder").found.find("/no/such/folder"), std::string::npos);
+}
+
+TEST(SystemProbes, NameTheFontsThatAreMissing) {
+    const Finding nothing = probe_fonts({"/no/such/folder"});
+    EXPECT_EQ(nothing.verdict, Verdict::kNote);
+    EXPECT_NE(nothing.found.find("NanumSquareRound"), std::string::npos);
+    EXPECT_NE(nothing.found.find("fonts-noto-core"), std::string::npos);
+}
+
+TEST(SystemProbes, AlwaysFindTheSimulatedTool) {
+    const std::vector<Finding> devices = probe_haptic_devices();
+    ASSERT_FALSE(devices.empty());
+    EXPECT_NE(devices.front().found.find("simulated"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace onggi::app
