@@ -18,7 +18,7 @@ namespace onggi::haptic {
 
 struct HapticJobOptions {
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
-    jobs::RealTimeRequest real_time;
+    jobs::RealTimeRequest real_time{};
     jobs::RealTimePolicy policy = jobs::RealTimePolicy::kIgnore;
     std::uint64_t run_ticks = 0;  // how long a lump lasts, e.g. a gesture's ticks; 0: until told otherwise
     bool repeat = false;          // after run_ticks: again on a fresh lump, or the end
