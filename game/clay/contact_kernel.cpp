@@ -1,6 +1,8 @@
 // Which contact kernel runs: asked of the processor once, never inside the tick.
 #include "game/clay/contact_kernel.h"
 
+#include <cstddef>
+
 #include "game/clay/contact_kernel_variants.h"
 
 namespace onggi::clay {
@@ -38,6 +40,17 @@ const char* name(KernelVariant variant) {
             return "avx2";
     }
     return "unknown";
+}
+
+void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned stopped) noexcept {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        if ((stopped >> lane & 1U) == 0) continue;
+        const Deformed deformed = stopped_at_floor(block.radius_mm[lane], block.carry_mm[lane],
+                                                   block.depth_mm[lane], minimum_radius_mm);
+        block.new_radius_mm[lane] = deformed.radius_mm;
+        block.new_carry_mm[lane] = deformed.carry_mm;
+        block.new_depth_mm[lane] = deformed.depth_mm;
+    }
 }
 
 void find_contacts(KernelVariant variant, const ContactQuery& query, ContactSums& sums) noexcept {
