@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kDefaultCommand = "kiosk";
 
 CLI::App* command_named(CLI::App& program, std::string_view name) {
-    const auto commands = program.get_subcommands([&](CLI::App* command) { return command->get_name() == name; });
+    const auto commands =
+        program.get_subcommands([&](CLI::App* command) { return command->get_name() == name; });
     return commands.empty() ? nullptr : commands.front();
 }
 
@@ -30,7 +31,8 @@ int print(CLI::App& program, const CLI::Success& asked) {
 // "onggi throw: --rate: ... (see onggi throw --help)", on one line whatever the words were.
 int refuse_usage(const CLI::App& program, const CLI::ParseError& error) {
     std::string words = program.get_name();
-    for (const CLI::App* command : program.get_subcommands()) words += " " + command->get_name();
+    for (const CLI::App* command : program.get_subcommands())
+        words += " " + command->get_name();
     std::cerr << fmt::format("{}: {} (see {} --help)\n", words, shown_path(error.what()), words);
     return exit_code(ErrorKind::kBadInput);
 }
@@ -52,7 +54,8 @@ int run_command_line(CLI::App& program, int argc, const char* const* argv, const
         command->set_version_flag("--version", version);
     }
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    const bool asks_program = !words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "--version");
+    const bool asks_program =
+        !words.empty() && (words[0] == "--help" || words[0] == "-h" || words[0] == "--version");
     const bool has_default = command_named(program, kDefaultCommand) != nullptr;
     if (has_default && !asks_program && (words.empty() || words[0].starts_with('-'))) {
         words.insert(words.begin(), std::string(kDefaultCommand));
@@ -82,6 +85,8 @@ int report(const Error& error) {
     return exit_code(error.kind);
 }
 
-void remark(std::string_view line) { std::cerr << "onggi: " << line << '\n'; }
+void remark(std::string_view line) {
+    std::cerr << "onggi: " << line << '\n';
+}
 
 }  // namespace onggi::app

@@ -9,8 +9,8 @@
 
 namespace onggi::app {
 
-// A command's own file registers it with `void add_..._command(CLI::App& program, int& exit_status)`: it leaves
-// its exit code there. main lists the commands; each has --help and --version.
+// A command's own file registers it with `void add_..._command(CLI::App& program, int& exit_status)`: it
+// leaves its exit code there. main lists the commands; each has --help and --version.
 
 // Runs the command that the words name; the words are those of main(). Without a command it is the kiosk,
 // where the program has one. Gives the exit code: what the command left in `exit_status`, or 2 with one line

@@ -26,8 +26,8 @@ std::optional<T> number_in(std::string_view text) {
 }
 
 template <typename T>
-CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::optional<T>& number, T least, T most,
-                         const std::string& kind, const std::string& description) {
+CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::optional<T>& number, T least,
+                         T most, const std::string& kind, const std::string& description) {
     const auto read = [&number, name, least, most](const CLI::results_t& words) {
         const auto found = number_in<T>(words.at(0));
         if (!found || !(*found >= least && *found <= most)) {
@@ -60,8 +60,9 @@ void add_rate_option(CLI::App& command, InputOptions& options) {
 
 void add_clay_options(CLI::App& command, InputOptions& options) {
     const auto known = [](const std::string& name) {
-        return name == "paper" ? std::string{}
-                               : fmt::format("expected one of the clays there are (paper), found {}", quoted(name));
+        return name == "paper"
+                   ? std::string{}
+                   : fmt::format("expected one of the clays there are (paper), found {}", quoted(name));
     };
     command.add_option("--clay", options.clay, "the clay's model, for a gesture: paper")
         ->type_name("NAME")
@@ -80,9 +81,8 @@ CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
             return side && *side >= kMinSide && *side <= kMaxSide;
         };
         if (!fits(width) || !fits(height)) {
-            throw CLI::ValidationError("--size",
-                                       fmt::format("expected WIDTHxHEIGHT, each {} to {}, found {}", kMinSide,
-                                                   kMaxSide, quoted(text)));
+            throw CLI::ValidationError("--size", fmt::format("expected WIDTHxHEIGHT, each {} to {}, found {}",
+                                                             kMinSide, kMaxSide, quoted(text)));
         }
         size = {*width, *height};
         return true;

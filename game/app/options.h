@@ -22,8 +22,8 @@ struct PictureSize {
 
 // The file, as the command's one word without dashes.
 void add_input_file(CLI::App& command, InputOptions& options);
-void add_rate_option(CLI::App& command, InputOptions& options);   // --rate HZ
-void add_clay_options(CLI::App& command, InputOptions& options);  // --clay NAME, --elements N
+void add_rate_option(CLI::App& command, InputOptions& options);      // --rate HZ
+void add_clay_options(CLI::App& command, InputOptions& options);     // --clay NAME, --elements N
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size);  // --size WxH
 
 // An option with a plain decimal number within bounds: no hexadecimal, no "nan", whatever the locale.

@@ -41,8 +41,9 @@ Result<LoadedSession> session_in_file(const std::string& file) {
     }
     const auto elements = static_cast<std::uint32_t>(start->state.clay.element_count());
     if (elements != header.element_count) {
-        return bad_input(fmt::format("{}: expected {} elements as the header says, found {} in the start state",
-                                     shown_path(file), header.element_count, elements));
+        return bad_input(
+            fmt::format("{}: expected {} elements as the header says, found {} in the start state",
+                        shown_path(file), header.element_count, elements));
     }
     return LoadedSession{std::move(session).value(), std::move(start).value()};
 }
@@ -99,9 +100,10 @@ Result<LoadedSession> load_session(const std::string& file) {
 
 std::optional<std::string> remark_on_cut(const record::Session& session, const std::string& file) {
     if (session.is_complete()) return std::nullopt;
-    return fmt::format("{}: cut short: expected the end marker, found the end of the file at byte {}; plays {} "
-                       "ticks, up to the last whole block at byte {}",
-                       shown_path(file), session.file_bytes(), session.tick_count(), session.usable_bytes());
+    return fmt::format(
+        "{}: cut short: expected the end marker, found the end of the file at byte {}; plays {} "
+        "ticks, up to the last whole block at byte {}",
+        shown_path(file), session.file_bytes(), session.tick_count(), session.usable_bytes());
 }
 
 record::SessionHeader session_header(const haptic::Start& start) {

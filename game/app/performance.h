@@ -34,7 +34,8 @@ struct LoadedSession {
 [[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
 
 // "FILE: cut short ..." for a session that does not end with its end marker.
-[[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session, const std::string& file);
+[[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
+                                                       const std::string& file);
 
 // The header and the start state with which a recording of this performance begins.
 [[nodiscard]] record::SessionHeader session_header(const haptic::Start& start);

@@ -21,8 +21,9 @@ struct Difference {
 
 // Simulates the session from `start`, and compares the force of every tick and the state wherever its hash is
 // stored. `reached`, if any, is told of every tick.
-[[nodiscard]] std::optional<Difference> find_difference(const record::Session& session, haptic::Start start,
-                                                        const std::function<void(std::uint64_t)>& reached = {});
+[[nodiscard]] std::optional<Difference> find_difference(
+    const record::Session& session, haptic::Start start,
+    const std::function<void(std::uint64_t)>& reached = {});
 
 void add_replay_command(CLI::App& program, int& exit_status);
 

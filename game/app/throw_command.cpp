@@ -50,7 +50,8 @@ Result<void> throw_pot(const ThrowOptions& options) {
 }  // namespace
 
 void add_throw_command(CLI::App& program, int& exit_status) {
-    CLI::App* command = program.add_subcommand("throw", "throw a gesture or session in simulated time, without a window");
+    CLI::App* command =
+        program.add_subcommand("throw", "throw a gesture or session in simulated time, without a window");
     const auto options = std::make_shared<ThrowOptions>();
     add_input_file(*command, options->input);
     add_clay_options(*command, options->input);
@@ -63,7 +64,8 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     add_output("--profile", outputs.profile, "F.csv", "the pot's outline, one row an element");
     add_output("--forces", outputs.forces, "F.csv", "the forces, one row a tick");
     add_output("--export", outputs.model, "F.glb|F.stl", "the pot as a solid");
-    CLI::Option* screenshot = add_output("--screenshot", outputs.screenshot, "F.png", "a picture; needs Vulkan");
+    CLI::Option* screenshot =
+        add_output("--screenshot", outputs.screenshot, "F.png", "a picture; needs Vulkan");
     add_size_option(*command, outputs.size)->needs(screenshot);
     add_output("--save", outputs.session, "F.onggi", "the session, for replay");
     add_output("--stats", outputs.stats, "F.json", "what the ticks cost");

@@ -23,7 +23,8 @@ Result<void> check_endings(const ThrowOutputs& outputs) {
         if (auto kind = share::export_kind_of(*outputs.model); !kind) return kind.error();
     }
     if (outputs.screenshot && !outputs.screenshot->ends_with(".png")) {
-        return bad_input(fmt::format("{}: expected a picture's ending (.png)", shown_path(*outputs.screenshot)));
+        return bad_input(
+            fmt::format("{}: expected a picture's ending (.png)", shown_path(*outputs.screenshot)));
     }
     return {};
 }
@@ -78,8 +79,9 @@ Result<OutputWriter> OutputWriter::create(const ThrowOutputs& outputs, const hap
         writer.forces_.emplace(std::move(file).value());
     }
     if (outputs.session) {
-        auto session = record::SessionWriter::create(*outputs.session, session_header(start),
-                                                     haptic::start_state_bytes(start.state, start.parameters));
+        auto session =
+            record::SessionWriter::create(*outputs.session, session_header(start),
+                                          haptic::start_state_bytes(start.state, start.parameters));
         if (!session) return session.error();
         writer.session_.emplace(std::move(session).value());
     }
@@ -121,12 +123,14 @@ Result<void> OutputWriter::finish(const haptic::HapticState& state, const haptic
     if (done && outputs_.model) done = prepare(*outputs_.model, model_bytes(*outputs_.model, state.clay));
     if (done && outputs_.profile) done = prepare_text(*outputs_.profile, profile_table(state.clay));
     if (done && outputs_.stats) {
-        done = prepare_text(*outputs_.stats, common_stats(tick_, tick_ns, rate_hz_, state.clay).dump(2) + "\n");
+        done =
+            prepare_text(*outputs_.stats, common_stats(tick_, tick_ns, rate_hz_, state.clay).dump(2) + "\n");
     }
     if (done && forces_) done = forces_->prepare();
     if (done && session_) done = session_->prepare(state.hash());
 
-    for (std::size_t i = 0; done && i < prepared_.size(); ++i) done = prepared_[i].commit();
+    for (std::size_t i = 0; done && i < prepared_.size(); ++i)
+        done = prepared_[i].commit();
     if (done && forces_) done = forces_->commit();
     if (done && session_) done = session_->commit();
     return done;
