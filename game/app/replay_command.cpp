@@ -72,7 +72,7 @@ std::optional<Difference> find_difference(const record::Session& session, haptic
 
 void add_replay_command(CLI::App& program, int& exit_status) {
     CLI::App* command =
-        program.add_subcommand("replay", "simulate a session again and compare it with its recording");
+        program.add_subcommand("replay", "Simulate a session again and compare it with its recording");
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("file", options->file, "a recorded session")->type_name("SESSION.onggi")->required();
     command->add_flag("--validate", options->validate, "compare every stored hash; exit 1 where one differs")
