@@ -38,7 +38,7 @@ Result<void> validate(const std::string& file) {
                                      [&](std::uint64_t tick) { progress.reached(tick); });
     }
     if (difference) return failed(fmt::format("{}: {}", shown_path(file), sentence_for(*difference)));
-    std::cout << fmt::format("{}: {} ticks replayed, every force and all {} stored states are the same\n",
+    std::cout << fmt::format("{}: {} ticks replayed: every force and every stored state ({}) is the same\n",
                              shown_path(file), loaded->session.tick_count(),
                              loaded->session.blocks().size() + 1);
     std::cout.flush();
