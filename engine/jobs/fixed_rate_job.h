@@ -40,8 +40,8 @@ enum class RealTimePolicy {
 
 struct FixedRateJobOptions {
     std::string thread_name = "onggi-haptic";  // at most 15 letters
-    PacerOptions pacing;
-    RealTimeRequest real_time;
+    PacerOptions pacing{};
+    RealTimeRequest real_time{};
     RealTimePolicy policy = RealTimePolicy::kIgnore;
 };
 

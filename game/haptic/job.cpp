@@ -43,10 +43,9 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
 bool HapticWork::tick(const jobs::Period& period) noexcept {
     skipped_periods_ += period.skipped;
     obey_commands();
-    const bool lump_is_done = options_.run_ticks != 0 && state_.ticks >= options_.run_ticks;
-    if (lump_is_done) put_on_fresh_lump();
+    if (run_is_over()) put_on_fresh_lump();
 
-    const haptics::ToolState tool = device_->read(state_.ticks, period.dt_s);
+    const haptics::ToolState tool = device_->read(ticks_of_run(), period.dt_s);
     const TickResult result = haptic::tick(state_, tool, parameters_);
     device_->write(result.limited_force_n);
     keep_record(result);
@@ -54,9 +53,8 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
     lump_is_fresh_ = false;
 
     const bool time_is_up = options_.end_periods != 0 && period.index + 1 >= options_.end_periods;
-    const bool last_lump_is_done =
-        options_.run_ticks != 0 && !options_.repeat && state_.ticks >= options_.run_ticks;
-    return !time_is_up && !last_lump_is_done;
+    const bool last_run_is_over = run_is_over() && !options_.repeat;
+    return !time_is_up && !last_run_is_over;
 }
 
 const Snapshot& HapticWork::newest_snapshot() noexcept {
