@@ -16,7 +16,7 @@ bool is_supported(KernelVariant variant) {
         case KernelVariant::kSse:
             return __builtin_cpu_supports("sse4.1") != 0;
         case KernelVariant::kAvx2:
-            return __builtin_cpu_supports("avx2") != 0;
+            return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("popcnt") != 0;
     }
     return false;
 #else
@@ -42,9 +42,10 @@ const char* name(KernelVariant variant) {
     return "unknown";
 }
 
-void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned stopped) noexcept {
+void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned lanes) noexcept {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        if ((stopped >> lane & 1U) == 0) continue;
+        const bool in_contact = (lanes >> lane & 1U) != 0;
+        if (!in_contact || block.new_radius_mm[lane] > minimum_radius_mm) continue;
         const Deformed deformed = stopped_at_floor(block.radius_mm[lane], block.carry_mm[lane],
                                                    block.depth_mm[lane], minimum_radius_mm);
         block.new_radius_mm[lane] = deformed.radius_mm;

@@ -8,7 +8,7 @@ namespace onggi::clay {
 
 void find_contacts_plain(const ContactQuery& query, ContactSums& sums) noexcept {
     const float r1 = query.tool_radius_mm;
-    ChangedRange changed_range;
+    ContactRange range;
     for (int i = query.first; i < query.end; ++i) {
         float& radius = query.radii_mm[i];
         float& carry = query.carry_mm[i];
@@ -20,6 +20,7 @@ void find_contacts_plain(const ContactQuery& query, ContactSums& sums) noexcept 
         // Eq. (1), the proximity with its sign turned.
         float depth = ((radius - query.reach_mm) + (carry - query.reach_rest_mm)) - sag;
         if (!(depth > 0.0F)) continue;
+        range.add(i, 1U);
 
         if (query.deform) {
             // Eq. (2), with the rounding error carried on to the next tick.
@@ -30,7 +31,6 @@ void find_contacts_plain(const ContactQuery& query, ContactSums& sums) noexcept 
             if (deformed.radius_mm <= query.minimum_radius_mm) {
                 deformed = stopped_at_floor(radius, carry, depth, query.minimum_radius_mm);
             }
-            if (deformed.radius_mm != radius) changed_range.add(i, 1U);
             radius = deformed.radius_mm;
             carry = deformed.carry_mm;
             depth = deformed.depth_mm;
@@ -42,7 +42,7 @@ void find_contacts_plain(const ContactQuery& query, ContactSums& sums) noexcept 
         sums.depth_times_height[lane] += depth * dy;
         ++sums.contacts;
     }
-    changed_range.store(sums);
+    range.store(sums);
 }
 
 }  // namespace onggi::clay

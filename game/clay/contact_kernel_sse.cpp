@@ -17,13 +17,13 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
     float* const radii = query.radii_mm;
     float* const carries = query.carry_mm;
     const bool deform = query.deform;
+    const bool floor_in_reach = is_floor_in_reach(query);
     const __m128 pitch = _mm_set1_ps(query.element_height_mm);
     const __m128 offset = _mm_set1_ps(query.nearest_offset_mm);
     const __m128 r1 = _mm_set1_ps(query.tool_radius_mm);
     const __m128 reach = _mm_set1_ps(query.reach_mm);
     const __m128 reach_rest = _mm_set1_ps(query.reach_rest_mm);
     const __m128 share = _mm_set1_ps(query.share);
-    const __m128 minimum = _mm_set1_ps(query.minimum_radius_mm);
 
     // Elements are numbered from the nearest one: small numbers, exact as floats.
     const __m128i before_first = _mm_set1_epi32(query.first - query.nearest - 1);
@@ -36,7 +36,7 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
     __m128 widths[2] = {_mm_setzero_ps(), _mm_setzero_ps()};
     __m128 heights[2] = {_mm_setzero_ps(), _mm_setzero_ps()};
     __m128i contacts = _mm_setzero_si128();
-    ChangedRange changed_range;
+    ContactRange range;
 
     for (int block = block_start(query.first); block < query.end; block += kLanes) {
         for (int half = 0; half < 2; ++half, k = _mm_add_epi32(k, next_half)) {
@@ -52,7 +52,9 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
             const __m128i inside = _mm_and_si128(_mm_cmpgt_epi32(k, before_first), _mm_cmpgt_epi32(end, k));
             const __m128 touching =
                 _mm_and_ps(_mm_cmpgt_ps(depth, _mm_setzero_ps()), _mm_castsi128_ps(inside));
-            if (_mm_movemask_ps(touching) == 0) continue;
+            const auto lanes = static_cast<unsigned>(_mm_movemask_ps(touching));
+            if (lanes == 0) continue;
+            range.add(start, lanes);
 
             if (deform) {
                 // Eq. (2), with the rounding error carried on to the next tick.
@@ -61,8 +63,7 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
                 __m128 moved = _mm_add_ps(radius, step);
                 __m128 rest = _mm_sub_ps(step, _mm_sub_ps(moved, radius));
                 __m128 left = _mm_sub_ps(depth, taken);
-                const __m128 stopped = _mm_and_ps(_mm_cmple_ps(moved, minimum), touching);
-                if (const int lanes = _mm_movemask_ps(stopped); lanes != 0) [[unlikely]] {
+                if (floor_in_reach) [[unlikely]] {
                     FloorBlock at_floor{};
                     _mm_store_ps(at_floor.radius_mm.data(), radius);
                     _mm_store_ps(at_floor.carry_mm.data(), carry);
@@ -70,7 +71,7 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
                     _mm_store_ps(at_floor.new_radius_mm.data(), moved);
                     _mm_store_ps(at_floor.new_carry_mm.data(), rest);
                     _mm_store_ps(at_floor.new_depth_mm.data(), left);
-                    stop_at_floor(at_floor, query.minimum_radius_mm, static_cast<unsigned>(lanes));
+                    stop_at_floor(at_floor, query.minimum_radius_mm, lanes);
                     moved = _mm_load_ps(at_floor.new_radius_mm.data());
                     rest = _mm_load_ps(at_floor.new_carry_mm.data());
                     left = _mm_load_ps(at_floor.new_depth_mm.data());
@@ -80,9 +81,6 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
                 const __m128 deformed = _mm_blendv_ps(radius, moved, touching);
                 _mm_store_ps(radii + start, deformed);
                 _mm_store_ps(carries + start, _mm_blendv_ps(carry, rest, touching));
-                const __m128i same = _mm_cmpeq_epi32(_mm_castps_si128(deformed), _mm_castps_si128(radius));
-                changed_range.add(start,
-                                  ~static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(same))) & 0xFU);
             }
 
             // Eq. (4) and the sum of Eq. (5).
@@ -100,7 +98,7 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
     _mm_storeu_si128(reinterpret_cast<__m128i*>(counts.data()), contacts);
     for (const int count : counts)
         sums.contacts += count;
-    changed_range.store(sums);
+    range.store(sums);
 }
 
 }  // namespace onggi::clay

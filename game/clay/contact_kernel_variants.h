@@ -52,9 +52,16 @@ inline Deformed stopped_at_floor(float radius_mm, float carry_mm, float depth_mm
     return {.radius_mm = floor, .carry_mm = 0.0F, .depth_mm = depth_mm - room};
 }
 
-// The same for a block in which at least one lane has. It is seldom needed, so the wide variants keep it out
-// of their registers: they hand over memory. In: R, carry, depth before and R', carry', d1 as they would be
-// without a floor; out: the last three.
+// Whether any element may come down to R_min in this tick. One in contact is left with R' >= R - depth =
+// r3 - rc >= r3 - r1, so a tool further out than that needs no look at the floor.
+inline bool is_floor_in_reach(const ContactQuery& query) {
+    constexpr float kSlackMm = 1e-3F;  // far more than all rounding
+    return query.reach_mm < query.minimum_radius_mm + kSlackMm;
+}
+
+// The floor for a block, where it is in reach. That is seldom, so the wide variants keep it out of their
+// registers: they hand over memory. In: R, carry, depth before and R', carry', d1 as they would be without a
+// floor; out: the last three.
 struct FloorBlock {
     alignas(32) std::array<float, kLanes> radius_mm;
     alignas(32) std::array<float, kLanes> carry_mm;
@@ -63,26 +70,25 @@ struct FloorBlock {
     alignas(32) std::array<float, kLanes> new_carry_mm;
     alignas(32) std::array<float, kLanes> new_depth_mm;
 };
-// Bit b of stopped: lane b has come down.
-void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned stopped) noexcept;
+// Bit b of lanes: lane b is in contact.
+void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned lanes) noexcept;
 
-// The first and the last element whose radius changed.
-class ChangedRange {
+// The first and the last element in contact.
+class ContactRange {
   public:
-    // Bit b of changed: element start + b did. Elements come in rising order.
-    void add(int start, unsigned changed) {
-        if (changed == 0) return;
+    // Bit b of lanes: element start + b is; at least one. Elements come in rising order.
+    void add(int start, unsigned lanes) {
         if (first_start_ < 0) {
             first_start_ = start;
-            first_bits_ = changed;
+            first_bits_ = lanes;
         }
         last_start_ = start;
-        last_bits_ = changed;
+        last_bits_ = lanes;
     }
     void store(ContactSums& sums) const {
         if (first_start_ < 0) return;
-        sums.first_changed = first_start_ + std::countr_zero(first_bits_);
-        sums.last_changed = last_start_ + static_cast<int>(std::bit_width(last_bits_)) - 1;
+        sums.first_contact = first_start_ + std::countr_zero(first_bits_);
+        sums.last_contact = last_start_ + static_cast<int>(std::bit_width(last_bits_)) - 1;
     }
 
   private:

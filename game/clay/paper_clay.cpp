@@ -187,9 +187,9 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
     if (sums.contacts == 0) return forces;
 
     forces.contacts = sums.contacts;
-    if (sums.first_changed >= 0) {
-        forces.first_touched = sums.first_changed;
-        forces.touched_count = sums.last_changed - sums.first_changed + 1;
+    if (tool.wheel_turning) {
+        forces.first_touched = sums.first_contact;
+        forces.touched_count = sums.last_contact - sums.first_contact + 1;
     }
 
     // Eq. (4): K d1_i times (p2 - p1_i)/|p2 - p1_i| = (rc_i/r1) e_r + ((h1 - y_i)/r1) e_Y; Eq. (5): their

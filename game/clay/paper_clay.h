@@ -58,7 +58,7 @@ struct ContactForces {
     dvec3 stiffness_n{0.0};  // F_s, Eq. (5)
     dvec3 viscosity_n{0.0};  // F_v, Eq. (6)
     dvec3 friction_n{0.0};   // F_f, Eq. (7)
-    int first_touched = 0;   // the rings whose radius changed lie in
+    int first_touched = 0;   // the elements Eq. (2) changed lie in
     int touched_count = 0;   // [first_touched, first_touched + touched_count); 0: none did
 
     [[nodiscard]] dvec3 total_n() const;  // F, Eq. (3)

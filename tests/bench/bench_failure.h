@@ -7,6 +7,5 @@
 namespace onggi::bench {
 
 void fail(benchmark::State& state, const char* message);
-bool any_failed();
 
 }  // namespace onggi::bench
