@@ -19,6 +19,7 @@ LiveRun modest_run(std::uint64_t tick_count, std::optional<double> seconds) {
     run.wait = jobs::WaitMode::kSleep;
     run.real_time.fifo_priority = 0;
     run.real_time.lock_memory = false;
+    run.real_time.wakeful_cores = false;
     return run;
 }
 
