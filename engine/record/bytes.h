@@ -1,4 +1,4 @@
-// Inside engine/record only: numbers as little-endian bytes, whatever the machine's own order.
+// Numbers as little-endian bytes, whatever the machine's own order: for what a session file holds.
 // Reading allocates nothing and is fit for the tick.
 #pragma once
 

@@ -24,6 +24,7 @@ struct Material {
     float groove_pitch_mm = 0.0F;  // rings left by a lathe tool around +Y; 0: none
     float groove_tilt = 0.0F;      // how far those rings tilt the normal, as a slope
     float grain = 0.0F;            // uneven colour, as a fraction of the albedo
+    float grain_stretch = 1.0F;    // how much longer along X than across: wood
 };
 
 // Clay and its like: a rough body with a film of water on it.
@@ -67,6 +68,7 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh;
         Material material;
         vec3 position_mm{0.0F};
+        bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
     std::vector<Part> parts;
     std::uint64_t revision = 0;
@@ -104,12 +106,20 @@ struct Backdrop {
 
 constexpr int kMaxSpheres = 2;
 
+// Where the lathe and the spheres may cast shadows: the ground y = 0 and all still life below it. Whatever
+// moves further out than this casts none.
+struct ShadowRegion {
+    float half_width_mm = 150.0F;  // of the region, across the light
+    float height_mm = 230.0F;      // of the tallest thing that casts
+};
+
 struct Scene {
     Camera camera;
     DirectionalLight key;
     Environment environment;
     Backdrop backdrop;
     std::shared_ptr<const StillLife> still_life;
+    ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
     std::vector<Sphere> spheres;  // at most kMaxSpheres are drawn and cast shadows
 };
