@@ -63,7 +63,7 @@ int run_command_line(CLI::App& program, int argc, const char* const* argv, const
     try {
         if (words.empty() || (!words[0].starts_with('-') && command_named(program, words[0]) == nullptr)) {
             throw CLI::RequiredError(fmt::format("expected a command ({}), found {}", known_commands(program),
-                                                 words.empty() ? "none" : quoted(words[0])),
+                                                 words.empty() ? "none" : in_quotes(words[0])),
                                      CLI::ExitCodes::RequiredError);
         }
         std::reverse(words.begin(), words.end());  // as CLI11 takes them

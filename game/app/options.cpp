@@ -32,7 +32,7 @@ CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::option
         const auto found = number_in<T>(words.at(0));
         if (!found || !(*found >= least && *found <= most)) {
             throw CLI::ValidationError(
-                name, fmt::format("expected {} to {}, found {}", least, most, quoted(words.at(0))));
+                name, fmt::format("expected {} to {}, found {}", least, most, in_quotes(words.at(0))));
         }
         number = *found;
         return true;
@@ -62,7 +62,7 @@ void add_clay_options(CLI::App& command, InputOptions& options) {
     const auto known = [](const std::string& name) {
         return name == "paper"
                    ? std::string{}
-                   : fmt::format("expected one of the clays there are (paper), found {}", quoted(name));
+                   : fmt::format("expected one of the clays there are (paper), found {}", in_quotes(name));
     };
     command.add_option("--clay", options.clay, "the clay's model, for a gesture: paper")
         ->type_name("NAME")
@@ -82,7 +82,7 @@ CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
         };
         if (!fits(width) || !fits(height)) {
             throw CLI::ValidationError("--size", fmt::format("expected WIDTHxHEIGHT, each {} to {}, found {}",
-                                                             kMinSide, kMaxSide, quoted(text)));
+                                                             kMinSide, kMaxSide, in_quotes(text)));
         }
         size = {*width, *height};
         return true;

@@ -10,9 +10,9 @@ namespace onggi::app {
 // What to throw: a hand, and for a gesture the rate and the clay it does not bring itself.
 struct InputOptions {
     std::string file;  // a gesture or a session, told apart by content
-    std::optional<double> rate_hz;
-    std::optional<int> element_count;
-    std::optional<std::string> clay;
+    std::optional<double> rate_hz = {};
+    std::optional<int> element_count = {};
+    std::optional<std::string> clay = {};
 };
 
 struct PictureSize {

@@ -38,7 +38,7 @@ Result<void> validate(const std::string& file) {
                                      [&](std::uint64_t tick) { progress.reached(tick); });
     }
     if (difference) return failed(fmt::format("{}: {}", shown_path(file), sentence_for(*difference)));
-    std::cout << fmt::format("{}: {} ticks replayed, every force and all {} stored states are the same\n",
+    std::cout << fmt::format("{}: {} ticks replayed: every force and every stored state ({}) is the same\n",
                              shown_path(file), loaded->session.tick_count(),
                              loaded->session.blocks().size() + 1);
     std::cout.flush();
@@ -72,7 +72,7 @@ std::optional<Difference> find_difference(const record::Session& session, haptic
 
 void add_replay_command(CLI::App& program, int& exit_status) {
     CLI::App* command =
-        program.add_subcommand("replay", "simulate a session again and compare it with its recording");
+        program.add_subcommand("replay", "Simulate a session again and compare it with its recording");
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("file", options->file, "a recorded session")->type_name("SESSION.onggi")->required();
     command->add_flag("--validate", options->validate, "compare every stored hash; exit 1 where one differs")

@@ -51,7 +51,7 @@ Result<void> throw_pot(const ThrowOptions& options) {
 
 void add_throw_command(CLI::App& program, int& exit_status) {
     CLI::App* command =
-        program.add_subcommand("throw", "throw a gesture or session in simulated time, without a window");
+        program.add_subcommand("throw", "Throw a gesture or session in simulated time, without a window");
     const auto options = std::make_shared<ThrowOptions>();
     add_input_file(*command, options->input);
     add_clay_options(*command, options->input);

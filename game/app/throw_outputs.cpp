@@ -60,8 +60,10 @@ Result<void> check_outputs(const ThrowOutputs& outputs) {
                               outputs.session, outputs.stats}) {
         if (!place) continue;
         if (auto checked = files::check_output_place(*place); !checked) return checked;
+        // Absolute first: what is not there yet would otherwise stay as it was written.
         std::error_code ignored;
-        if (!places.insert(std::filesystem::weakly_canonical(*place, ignored)).second) {
+        const auto absolute = std::filesystem::absolute(*place, ignored);
+        if (!places.insert(std::filesystem::weakly_canonical(absolute, ignored)).second) {
             return bad_input(
                 fmt::format("{}: expected a file of its own for each output, found two for this one",
                             shown_path(*place)));
