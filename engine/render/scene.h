@@ -67,6 +67,7 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh;
         Material material;
         vec3 position_mm{0.0F};
+        bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
     std::vector<Part> parts;
     std::uint64_t revision = 0;
@@ -104,12 +105,20 @@ struct Backdrop {
 
 constexpr int kMaxSpheres = 2;
 
+// Where the lathe and the spheres may cast shadows: the ground y = 0 and all still life below it. Whatever
+// moves further out than this casts none.
+struct ShadowRegion {
+    float half_width_mm = 150.0F;  // of the region, across the light
+    float height_mm = 230.0F;      // of the tallest thing that casts
+};
+
 struct Scene {
     Camera camera;
     DirectionalLight key;
     Environment environment;
     Backdrop backdrop;
     std::shared_ptr<const StillLife> still_life;
+    ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
     std::vector<Sphere> spheres;  // at most kMaxSpheres are drawn and cast shadows
 };
