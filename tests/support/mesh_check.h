@@ -44,7 +44,7 @@ struct ExpectedPot {
     double max_radius_m = 0.0;
     double volume_tolerance = 1e-3;      // relative
     double radius_tolerance_m = 2e-5;    // of the largest radius
-    double min_normal_agreement = 0.75;  // cosine between a vertex's normal and each of its faces'
+    double min_normal_agreement = 0.93;  // cosine between a vertex's normal and each of its faces'
 };
 
 // Each fault one sentence, at most one a kind; none for a sound pot: no unreferenced vertex, no degenerate

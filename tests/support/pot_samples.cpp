@@ -6,6 +6,11 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <stdexcept>
+
+#include "engine/files/read_file.h"
+#include "engine/haptics/gesture.h"
+#include "game/clay/paper_clay.h"
 
 namespace onggi::support {
 namespace {
@@ -82,8 +87,26 @@ PotSample pressed_lump(int element_count) {
     });
 }
 
+PotSample thrown_vase() {
+    const Result<std::string> text =
+        files::read_file(ONGGI_SOURCE_DIR "/assets/gestures/vase.csv", haptics::kMaxGestureBytes);
+    if (!text) throw std::runtime_error(text.error().message);
+    const Result<haptics::Gesture> gesture = haptics::parse_gesture(*text, "vase.csv");
+    if (!gesture) throw std::runtime_error(gesture.error().message);
+    const clay::PaperParameters parameters;
+    clay::PaperClay clay;
+    const std::uint64_t ticks = gesture->tick_count(parameters.rate_hz);
+    for (std::uint64_t k = 0; k < ticks; ++k) {
+        const haptics::ToolState tool = gesture->at_tick(k, parameters.rate_hz);
+        clay.tick({tool.position_mm, tool.radius_mm, tool.wheel_button}, parameters);
+    }
+    const auto radii_mm = clay.radii_mm();
+    return {"thrown_vase", clay.height_mm(), {radii_mm.begin(), radii_mm.end()}, true};
+}
+
 std::vector<PotSample> all_pot_samples() {
     std::vector<PotSample> pots;
+    pots.push_back(thrown_vase());
     pots.push_back(turned("straight_2000", 2000, [](double) { return 60.0; }));
     pots.push_back(vase(100));
     pots.push_back(vase(2000));
