@@ -74,6 +74,7 @@ class FixedRateJob {
 
     FixedRateJobOptions options_;
     RealTimeReport report_;
+    WakefulCores wakeful_cores_;  // while the job runs
     TickStats stats_;
     std::atomic<bool> go_{false};  // the owner has seen the report
     std::atomic<bool> stop_{false};

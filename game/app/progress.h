@@ -20,6 +20,11 @@ class Progress {
         if (shown_ && ++calls_ % 1024 == 0) show(done);
     }
 
+    // The same for calls that are rare, such as frames: looks at the clock each time.
+    void reached_rarely(std::uint64_t done) {
+        if (shown_) show(done);
+    }
+
   private:
     void show(std::uint64_t done);
 

@@ -12,13 +12,6 @@ std::size_t hash_capacity(const HapticJobOptions& options) {
     return options.record_capacity / record::kHashInterval + 2;
 }
 
-Snapshot first_snapshot(const HapticState& start) {
-    Snapshot first;
-    first.tool = start.tool;
-    first.radii_mm.assign(start.clay.radii_mm().begin(), start.clay.radii_mm().end());
-    return first;
-}
-
 jobs::FixedRateJobOptions job_options(const HapticParameters& parameters, const HapticJobOptions& options) {
     return {.thread_name = "onggi-haptic",
             .pacing = {.rate_hz = parameters.clay.rate_hz, .wait = options.wait},
@@ -101,16 +94,9 @@ void HapticWork::keep_record(const TickResult& result) noexcept {
 
 void HapticWork::publish(const TickResult& result) noexcept {
     Snapshot& snapshot = snapshots_.writing();
-    snapshot.tick = state_.ticks;
+    fill_snapshot(snapshot, state_, result);
     snapshot.run = run_;
     snapshot.skipped_periods = skipped_periods_;
-    snapshot.tool = state_.tool;
-    snapshot.forces = result.forces;
-    snapshot.limited_force_n = result.limited_force_n;
-    snapshot.fault = state_.safety.fault;
-    snapshot.wheel_direction = {state_.wheel.heading().cosine, state_.wheel.heading().sine};
-    snapshot.wheel_turning = state_.tool.wheel_button;
-    state_.clay.copy_radii_mm(snapshot.radii_mm);
     snapshots_.publish();
 }
 

@@ -23,6 +23,7 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
     options.end_periods = kTicks;
     options.real_time.fifo_priority = 0;  // refused: a test shares the machine with others
     options.real_time.lock_memory = false;
+    options.real_time.wakeful_cores = false;
     HapticJob job(HapticState(), parameters, std::move(owned), options);
     ASSERT_TRUE(job.start());
 

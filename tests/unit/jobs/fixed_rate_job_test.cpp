@@ -71,6 +71,7 @@ FixedRateJobOptions modest_options() {
     options.pacing = {.rate_hz = 1000.0, .wait = WaitMode::kSleep};
     options.real_time.fifo_priority = 0;  // not a priority: refused everywhere
     options.real_time.lock_memory = false;
+    options.real_time.wakeful_cores = false;
     return options;
 }
 

@@ -105,6 +105,26 @@ TEST(RealTimeReport, NamesASharedCoreAsALackButNotAsARefusal) {
     EXPECT_STREQ(report.scheduler(), "fifo");
 }
 
+TEST(RealTimeReport, NamesDrowsyCoresAsALackButRunsWithThem) {
+    RealTimeReport report;
+    report.core = choose_haptic_core(std::vector<int>{0, 1});
+    report.fifo.grant = report.pinning.grant = report.memory_lock.grant = Grant::kGranted;
+    report.wakeful_cores = {Grant::kRefused, EACCES};
+    EXPECT_TRUE(report.nothing_refused());
+    ASSERT_EQ(report.lacks().size(), 1U);
+    EXPECT_NE(report.lacks().front().remedy.find("/dev/cpu_dma_latency"), std::string::npos);
+}
+
+TEST(WakefulCores, CanBeAskedForReleasedAndAskedForAgain) {
+    WakefulCores cores;
+    const Granted first = cores.request();
+    EXPECT_NE(first.grant, Grant::kNotAsked);
+    EXPECT_EQ(first.grant == Grant::kRefused, first.error != 0);
+    cores.release();
+    cores.release();
+    EXPECT_EQ(cores.request().grant, first.grant);
+}
+
 TEST(RealTimeReport, LacksNothingWhenAllIsGranted) {
     RealTimeReport report;
     report.core = choose_haptic_core(std::vector<int>{0, 1});
@@ -117,6 +137,7 @@ TEST(RealTimeProbe, LeavesTheAskingThreadAsItWas) {
     const RealTimeReport report = probe_real_time({.core = choose_haptic_core()});
     EXPECT_NE(report.fifo.grant, Grant::kNotAsked);
     EXPECT_NE(report.memory_lock.grant, Grant::kNotAsked);
+    EXPECT_NE(report.wakeful_cores.grant, Grant::kNotAsked);
     EXPECT_EQ(cores_of_this_thread(), before);
     EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
 }
