@@ -20,7 +20,8 @@ constexpr double kOnAxisMm = 1e-150;
 constexpr double kReachSlackMm = 1e-4;
 
 std::size_t padded(int element_count) {
-    return static_cast<std::size_t>((element_count + kLanes - 1) / kLanes * kLanes);
+    const int blocks = (element_count + kLanes - 1) / kLanes;
+    return static_cast<std::size_t>(blocks) * kLanes;
 }
 
 // The elements [first, end); none if they are equal.

@@ -1,6 +1,7 @@
 // The paper clay outside its tick: which parameters it takes, its state as bytes and as a hash.
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -70,14 +71,14 @@ struct Bound {
 }  // namespace
 
 Result<void> check(const PaperParameters& parameters) {
-    const Bound bounds[] = {
-        {"rate, Hz", parameters.rate_hz, 100.0, 10000.0},
-        {"viscosity c2, N s/mm", parameters.viscosity_c2_n_s_per_mm, 0.0, 1.0},
-        {"friction c3, N s/mm", parameters.friction_c3_n_s_per_mm, 0.0, 1.0},
-        {"stiffness K while turning, N/mm", parameters.stiffness_turning_n_per_mm, 0.0, 100.0},
-        {"stiffness K while standing, N/mm", parameters.stiffness_standing_n_per_mm, 0.0, 100.0},
-        {"wheel speed v2, rad/s", parameters.wheel_speed_rad_s, 0.0, 100.0},
-        {"minimum radius, mm", parameters.minimum_radius_mm, 0.1, 1000.0},
+    const std::array bounds = {
+        Bound{"rate, Hz", parameters.rate_hz, 100.0, 10000.0},
+        Bound{"viscosity c2, N s/mm", parameters.viscosity_c2_n_s_per_mm, 0.0, 1.0},
+        Bound{"friction c3, N s/mm", parameters.friction_c3_n_s_per_mm, 0.0, 1.0},
+        Bound{"stiffness K while turning, N/mm", parameters.stiffness_turning_n_per_mm, 0.0, 100.0},
+        Bound{"stiffness K while standing, N/mm", parameters.stiffness_standing_n_per_mm, 0.0, 100.0},
+        Bound{"wheel speed v2, rad/s", parameters.wheel_speed_rad_s, 0.0, 100.0},
+        Bound{"minimum radius, mm", parameters.minimum_radius_mm, 0.1, 1000.0},
     };
     for (const Bound& bound : bounds) {
         if (!(bound.value >= bound.least && bound.value <= bound.most)) {
