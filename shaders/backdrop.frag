@@ -3,6 +3,7 @@
 // The wall behind everything.
 #include "frame.glsl"
 #include "tone.glsl"
+#include "noise.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec4 out_colour;
@@ -17,7 +18,7 @@ void main() {
     vec2 from_glow = (at - frame.backdrop_shape.xy) / frame.backdrop_glow.w;
     vec3 light = mix(frame.backdrop_low.rgb, frame.backdrop_high.rgb, height) +
                  frame.backdrop_glow.rgb * exp(-dot(from_glow, from_glow));
-    vec4 colour = vec4(encode(light), 1.0);
+    vec4 colour = vec4(encode(light) + dither(), 1.0);
     out_colour = colour;
 #ifdef ONGGI_LAYERS
     out_ambient = colour;

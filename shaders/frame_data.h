@@ -76,6 +76,13 @@ struct MeshDraw {
     vec4 place;    // xyz mm; w scale
     vec4 albedo;   // rgb; w roughness
     vec4 surface;  // metalness, groove pitch mm, groove tilt, grain
+    vec4 pattern;  // x how much longer along x the grain is than across
+};
+
+// Push constants of the shade: a convex polygon in clip space, two corners a vec4, the last corner repeated.
+ONGGI_CONST int kShadeCorners = 16;
+struct ShadeDraw {
+    vec4 corners[kShadeCorners / 2];
 };
 
 // Push constants of the lathe.

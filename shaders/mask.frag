@@ -35,7 +35,8 @@ void main() {
     if (frame.lathe.x > 0.0) {
         seen *= past_lathe(q);
         float from_foot = max(length(q.xz) - frame.lathe.w, 0.0);
-        open *= 1.0 - 0.60 * exp(-from_foot * 0.09) - 0.24 * exp(-from_foot * 0.022);
+        float shade = 0.55 * exp(-from_foot * 0.09) + 0.27 * exp(-from_foot * 0.024);
+        open *= 1.0 - shade * smoothstep(90.0, 40.0, from_foot);
     }
     vec2 from_border = min(position, 1.0 - position) * 8.0;
     float inside = smoothstep(0.1, 1.0, min(from_border.x, from_border.y));

@@ -31,12 +31,13 @@ float past_still_life() {
     vec2 texel = (at.xy * 0.5 + 0.5) * kKeyMapTexels - 0.5;
     vec2 base = floor(texel);
     vec2 share = texel - base;
+    float depth = min(at.z, 1.0);  // ground further off than the map's far plane is not in shade for that
     float seen = 0.0;
     for (int y = -2; y <= 3; ++y) {
         float weight_y = y == -2 ? 1.0 - share.y : (y == 3 ? share.y : 1.0);
         for (int x = -2; x <= 3; ++x) {
             float weight_x = x == -2 ? 1.0 - share.x : (x == 3 ? share.x : 1.0);
-            seen += weight_x * weight_y * texture(key_map, vec3((base + vec2(x, y) + 0.5) / kKeyMapTexels, at.z));
+            seen += weight_x * weight_y * texture(key_map, vec3((base + vec2(x, y) + 0.5) / kKeyMapTexels, depth));
         }
     }
     return seen / 25.0;
@@ -52,7 +53,8 @@ void main() {
     // Uneven colour: two sizes of blotch.
     vec3 albedo = draw.albedo.rgb;
     if (draw.surface.w > 0.0) {
-        float blotch = value_noise(position * 0.021) * 0.65 + value_noise(position * 0.11) * 0.35;
+        vec3 at = position / vec3(draw.pattern.x, 1.0, 1.0);
+        float blotch = value_noise(at * 0.021) * 0.45 + value_noise(at * 0.11) * 0.35 + value_noise(at * 0.43) * 0.2;
         albedo *= 1.0 + draw.surface.w * (blotch - 0.5) * 2.0;
         roughness = clamp(roughness + draw.surface.w * (blotch - 0.5) * 0.5, 0.05, 1.0);
     }
@@ -75,35 +77,37 @@ void main() {
     float n_v = max(dot(leaning, v), 1e-3);
     float n_l = dot(leaning, l);
     vec3 h = normalize(v + l);
-    float n_h = max(dot(leaning, h), 0.0);
     vec3 f0 = mix(vec3(0.04), albedo, metalness);
     vec3 body = albedo * (1.0 - metalness);
 
     float seen = past_still_life();
     float lit = max(n_l, 0.0) * seen;
-    float gloss = n_l > 0.0 ? ggx(n_h, n_v, n_l, roughness) * seen : 0.0;
-    vec3 key_light = frame.key_radiance.rgb * (body * lit + f0 * gloss * 3.14159265);
-
+    // Rings spread what they mirror along the radius: a fan of leaning normals stands for them.
+    bool is_turned = draw.surface.y > 0.0 && metalness > 0.0;
+    float gloss = 0.0;
     vec3 reflected = vec3(0.0);
-    if (draw.surface.y > 0.0 && metalness > 0.0) {
-        // Rings spread what they mirror along the radius: a fan of five leaning normals stands for them.
-        for (int i = -2; i <= 2; ++i) {
-            vec3 fan = normalize(leaning + radial * (float(i) * 0.16));
-            reflected += sky_radiance(reflect(-v, fan), roughness) * 0.2;
+    for (int i = -3; i <= 3; ++i) {
+        if (!is_turned && i != 0) continue;
+        vec3 fan = is_turned ? normalize(leaning + radial * (float(i) * 0.13)) : leaning;
+        float share = is_turned ? 1.0 / 7.0 : 1.0;
+        float fan_l = dot(fan, l);
+        if (fan_l > 0.0) {
+            gloss += share * ggx(max(dot(fan, h), 0.0), max(dot(fan, v), 1e-3), fan_l, roughness);
         }
-    } else {
-        reflected = sky_radiance(reflect(-v, leaning), roughness);
+        reflected += share * sky_radiance(reflect(-v, fan), roughness);
     }
+    gloss *= seen;
+    vec3 key_light = frame.key_radiance.rgb * (body * lit + f0 * gloss * 3.14159265);
     vec3 mirror = f0 + (max(vec3(1.0 - roughness), f0) - f0) * pow(1.0 - n_v, 5.0);
     vec3 shade = open_sky_colour(open_sky, albedo);
     vec3 ambient = body * sky_diffuse(leaning) * shade + mirror * reflected * open_sky;
 
-    vec3 with_key = encode(ambient + key_light);
+    vec3 with_key = encode(ambient + key_light) + dither();
     if (kMoves) {
         out_colour = vec4(with_key, 1.0);
         return;
     }
-    vec3 without_key = encode(ambient);
+    vec3 without_key = encode(ambient) + dither();
     vec2 uv = vec2(dot(frame.mask_u.xyz, position) + frame.mask_u.w, dot(frame.mask_v.xyz, position) + frame.mask_v.w);
     float near_foot = smoothstep(-7.0, -1.0, position.y) * max(n.y, 0.0);
 #ifdef ONGGI_LAYERS

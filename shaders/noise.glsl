@@ -19,3 +19,8 @@ float value_noise(vec3 p) {
     vec2 y = mix(z.xy, z.zw, t.y);
     return mix(y.x, y.y, t.x);
 }
+
+// Half a level of eight bits up or down, always the same at the same pixel: gradients do not band.
+vec3 dither() {
+    return vec3((hashed(ivec3(gl_FragCoord.xy, 11)) - 0.5) / 255.0);
+}

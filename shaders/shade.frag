@@ -9,7 +9,6 @@ layout(set = 0, binding = kBindStillKey) uniform sampler2D still_key;
 layout(set = 0, binding = kBindStillAmbient) uniform sampler2D still_ambient;
 layout(set = 0, binding = kBindStillCoords) uniform sampler2D still_coords;
 
-layout(location = 0) in vec2 position;
 layout(location = 0) out vec4 out_colour;
 
 void main() {

@@ -12,6 +12,7 @@
 #include "mesh_vert.h"
 #include "screen_vert.h"
 #include "shade_frag.h"
+#include "shade_vert.h"
 
 namespace onggi::shaders {
 
@@ -25,6 +26,7 @@ const Spirv kKeyMapVert = key_map_vert;
 const Spirv kLatheVert = lathe_vert;
 const Spirv kLatheFrag = lathe_frag;
 const Spirv kMaskFrag = mask_frag;
+const Spirv kShadeVert = shade_vert;
 const Spirv kShadeFrag = shade_frag;
 
 }  // namespace onggi::shaders

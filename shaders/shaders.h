@@ -18,6 +18,7 @@ extern const Spirv kKeyMapVert;
 extern const Spirv kLatheVert;
 extern const Spirv kLatheFrag;
 extern const Spirv kMaskFrag;
+extern const Spirv kShadeVert;
 extern const Spirv kShadeFrag;
 
 }  // namespace onggi::shaders

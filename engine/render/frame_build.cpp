@@ -94,6 +94,20 @@ void build_lathe(const Lathe& lathe, const Camera& camera, const RendererDesc& d
     built.lathe_indices = static_cast<std::uint32_t>(strips * static_cast<std::size_t>(desc.sectors) * 6);
 }
 
+void build_shade(const Scene& scene, const StillBounds& still, int width_px, int height_px,
+                 BuiltFrame& built) {
+    const std::vector<dvec2> corners =
+        shade_outline(scene, still.lowest_mm, width_px, height_px, shaders::kShadeCorners);
+    built.shade_vertices = corners.size() < 3 ? 0 : static_cast<std::uint32_t>(3 * (corners.size() - 2));
+    for (std::size_t i = 0; i < shaders::kShadeCorners && !corners.empty(); ++i) {
+        const dvec2& corner = corners[std::min(i, corners.size() - 1)];
+        const vec2 clip(2.0 * corner.x / width_px - 1.0, 2.0 * corner.y / height_px - 1.0);
+        vec4& two = built.shade.corners[i / 2];
+        (i % 2 == 0 ? two.x : two.z) = clip.x;
+        (i % 2 == 0 ? two.y : two.w) = clip.y;
+    }
+}
+
 }  // namespace
 
 StillBounds bounds_of(const StillLife& still_life) {
@@ -130,7 +144,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     const std::size_t sphere_count = std::min<std::size_t>(scene.spheres.size(), kMaxSpheres);
     for (std::size_t i = 0; i < sphere_count; ++i)
         frame.spheres[i] = vec4(scene.spheres[i].centre_mm, scene.spheres[i].radius_mm);
-    built.shade = shade_pixels(scene, still.lowest_mm, width_px, height_px);
+    build_shade(scene, still, width_px, height_px, built);
     const std::vector<Box> moving = moving_boxes(scene);
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
 }
@@ -139,7 +153,8 @@ shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float sc
     return {
         .place = vec4(position_mm, scale),
         .albedo = vec4(material.albedo, material.roughness),
-        .surface = vec4(material.metalness, material.groove_pitch_mm, material.groove_tilt, material.grain)};
+        .surface = vec4(material.metalness, material.groove_pitch_mm, material.groove_tilt, material.grain),
+        .pattern = vec4(material.grain_stretch, 0.0F, 0.0F, 0.0F)};
 }
 
 std::vector<std::uint16_t> lathe_indices(int max_rings, int sectors) {

@@ -19,9 +19,10 @@ struct BuiltFrame {
     RingChoice choice;
     std::vector<shaders::RingData> rings;
     NormalTexels normals{};
-    std::uint32_t lathe_indices = 0;  // how many of the index buffer to draw; 0: no lathe
-    PixelRect shade;                  // where the cached still life is drawn over with shadow
-    PixelRect moving;                 // where anything that moves can be seen
+    std::uint32_t lathe_indices = 0;   // how many of the index buffer to draw; 0: no lathe
+    shaders::ShadeDraw shade{};        // where the cached still life is drawn over with shadow
+    std::uint32_t shade_vertices = 0;  // 0: nowhere
+    PixelRect moving;                  // where anything that moves can be seen
     float ring_error_px = 0.0F;
 };
 

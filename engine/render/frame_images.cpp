@@ -54,7 +54,8 @@ Result<void> create_fixed_images(const vk::Device& device, FrameImages& images) 
 Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,
                                  FrameImages& images) {
     const auto samples = static_cast<VkSampleCountFlagBits>(desc.samples);
-    const VkImageUsageFlags copied_depth = desc.cached ? VkImageUsageFlags{VK_IMAGE_USAGE_TRANSFER_DST_BIT} : 0;
+    const VkImageUsageFlags copied_depth =
+        desc.cached ? VkImageUsageFlags{VK_IMAGE_USAGE_TRANSFER_DST_BIT} : 0;
     if (auto made = create_all(device, {{images.depth,
                                          {.name = "depth",
                                           .format = kDepthFormat,

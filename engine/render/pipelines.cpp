@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -91,7 +92,7 @@ Result<void> create_samplers(const vk::Device& device, Pipelines& pipelines) {
           Wish{pipelines.exact, {.filter = VK_FILTER_NEAREST}, "exact"},
           Wish{pipelines.compared,
                {.filter = VK_FILTER_NEAREST,
-                .address_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+               .address_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
                .address_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
                .compares = true},
                "compared"}}) {
@@ -110,8 +111,9 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     auto set = vk::create_set(device, kBindings, "scene");
     if (!set) return set.error();
     pipelines.set = std::move(*set);
-    constexpr auto kPushBytes =
-        static_cast<std::uint32_t>(std::max(sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw)));
+    constexpr auto kPushBytes = static_cast<std::uint32_t>(
+        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::ShadeDraw)}));
+    static_assert(kPushBytes <= 128);  // what every device has
     auto layout = vk::create_pipeline_layout(device, pipelines.set.layout.get(), kPushBytes, "scene");
     if (!layout) return layout.error();
     pipelines.layout = std::move(*layout);
@@ -196,6 +198,7 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     if (desc.cached) {
         vk::PipelineDesc shade = screen;
         shade.name = "shade over the still life";
+        shade.vertex_spirv = shaders::kShadeVert;
         shade.fragment_spirv = shaders::kShadeFrag;
         shade.constants = {};
         shade.colour_formats = picture_formats;

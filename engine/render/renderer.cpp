@@ -53,6 +53,12 @@ struct Renderer::Impl {
     void record_direct(const Scene& scene, const vk::TargetImage& target) const;
 
     void bind(const vk::Pipeline& pipeline) const;
+    template <typename Constants>
+    void push(const Constants& constants) const {
+        vkCmdPushConstants(commands, pipelines.layout.get(),
+                           VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
+                           &constants);
+    }
     void draw_screen(const vk::Pipeline& pipeline) const;
     void draw_still(const vk::Pipeline& pipeline) const;
     void draw_lathe() const;
@@ -155,10 +161,12 @@ Result<void> Renderer::Impl::create() {
     vk::write_image(device, set, shaders::kBindDetail, images.detail.view(), pipelines.repeated.get());
     vk::write_image(device, set, shaders::kBindMask, images.mask.view(), pipelines.clamped.get());
     vk::write_image(device, set, shaders::kBindKeyMap, images.key_map.view(), pipelines.compared.get());
-    // No direct shader reads the layers, and Vulkan lets such bindings stay empty; lavapipe 22.3 follows them all
-    // the same and crashes.
-    for (const int binding : {shaders::kBindStillKey, shaders::kBindStillAmbient, shaders::kBindStillCoords}) {
-        vk::write_image(device, set, static_cast<std::uint32_t>(binding), images.mask.view(), pipelines.exact.get());
+    // No direct shader reads the layers, and Vulkan lets such bindings stay empty; lavapipe 22.3 follows them
+    // all the same and crashes.
+    for (const int binding :
+         {shaders::kBindStillKey, shaders::kBindStillAmbient, shaders::kBindStillCoords}) {
+        vk::write_image(device, set, static_cast<std::uint32_t>(binding), images.mask.view(),
+                        pipelines.exact.get());
     }
     return upload_fixed();
 }
@@ -344,9 +352,10 @@ void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& ta
     }
     begin_pass(commands, extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
                {.view = images.depth.view(), .load = VK_ATTACHMENT_LOAD_OP_LOAD});
-    if (built.shade.width > 0 && built.shade.height > 0) {
-        set_scissor(commands, built.shade);
-        draw_screen(pipelines.shade);
+    if (built.shade_vertices > 0) {
+        bind(pipelines.shade);
+        push(built.shade);
+        vkCmdDraw(commands, built.shade_vertices, 1, 0, 0);
     }
     if (something_moves) {
         set_scissor(commands, moving);

@@ -24,6 +24,7 @@ struct Material {
     float groove_pitch_mm = 0.0F;  // rings left by a lathe tool around +Y; 0: none
     float groove_tilt = 0.0F;      // how far those rings tilt the normal, as a slope
     float grain = 0.0F;            // uneven colour, as a fraction of the albedo
+    float grain_stretch = 1.0F;    // how much longer along X than across: wood
 };
 
 // Clay and its like: a rough body with a film of water on it.

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace onggi::render {
 namespace {
 
-constexpr float kShadeOfFootMm = 110.0F;  // beyond it, the shade about the foot is less than 2 %
+constexpr float kShadeOfFootMm = 90.0F;  // where mask.frag ends the shade about the foot
 
 // Down the light, along the ground; any direction will do when the light stands straight above.
 vec2 shadow_direction(vec3 towards_light) {
@@ -28,27 +29,42 @@ float height_of(const Lathe& lathe) {
     return static_cast<float>(lathe.radii_mm.size()) * lathe.element_height_mm;
 }
 
-void grow(Box& box, vec3 point) {
-    box.low = glm::min(box.low, point);
-    box.high = glm::max(box.high, point);
+// The shadow that a level disc of the world casts on y = ground_mm, as a hexagon about it with its penumbra.
+struct Disc {
+    vec3 centre_mm;
+    float radius_mm;
+};
+void add_shadow(const Disc& disc, const DirectionalLight& light, float ground_mm,
+                std::vector<dvec3>& points) {
+    const vec2 direction = shadow_direction(light.towards_light);
+    const float drop = std::max(disc.centre_mm.y - ground_mm, 0.0F);
+    const float reach = drop * shadow_length(light.towards_light);
+    const float blur =
+        2.0F * drop * std::tan(light.angular_radius_rad) / std::max(light.towards_light.y, 0.05F);
+    const float radius =
+        (disc.radius_mm + blur + 4.0F) * 1.1547F;  // a hexagon's corners lie outside its circle
+    for (int corner = 0; corner < 6; ++corner) {
+        const float angle = static_cast<float>(corner) * std::numbers::pi_v<float> / 3.0F;
+        points.emplace_back(disc.centre_mm.x + direction.x * reach + radius * std::cos(angle), ground_mm,
+                            disc.centre_mm.z + direction.y * reach + radius * std::sin(angle));
+    }
 }
 
-// A box, together with where its shadow meets the ground at y_mm.
-Box with_shadow(const Box& box, const DirectionalLight& light, float y_mm) {
-    const vec2 direction = shadow_direction(light.towards_light);
-    const float length = shadow_length(light.towards_light);
-    Box result{{box.low.x, std::min(y_mm, box.low.y), box.low.z}, {box.high.x, y_mm, box.high.z}};
-    for (const float top : {box.low.y, box.high.y}) {
-        const float reach = (top - y_mm) * length;
-        const float blur =
-            (top - y_mm) * light.angular_radius_rad * 2.0F / std::max(light.towards_light.y, 0.05F);
-        for (const vec3 corner : {box.low, box.high}) {
-            const vec3 shadow(corner.x + direction.x * reach, y_mm, corner.z + direction.y * reach);
-            grow(result, shadow - vec3(blur, 0.0F, blur));
-            grow(result, shadow + vec3(blur, 0.0F, blur));
-        }
+// Discs whose hull holds the lathe: the widest of each of a few slabs, at its top and bottom.
+std::vector<Disc> discs_of(const Lathe& lathe) {
+    constexpr std::size_t kSlabs = 3;
+    std::vector<Disc> discs;
+    const std::size_t count = lathe.radii_mm.size();
+    for (std::size_t slab = 0; slab < kSlabs; ++slab) {
+        const std::size_t from = count * slab / kSlabs;
+        const std::size_t to = count * (slab + 1) / kSlabs;
+        if (from == to) continue;
+        const float widest = *std::max_element(lathe.radii_mm.begin() + static_cast<std::ptrdiff_t>(from),
+                                               lathe.radii_mm.begin() + static_cast<std::ptrdiff_t>(to));
+        for (const std::size_t level : {from, to})
+            discs.push_back({{0.0F, static_cast<float>(level) * lathe.element_height_mm, 0.0F}, widest});
     }
-    return result;
+    return discs;
 }
 
 }  // namespace
@@ -114,26 +130,59 @@ std::vector<Box> moving_boxes(const Scene& scene) {
     return boxes;
 }
 
-PixelRect shade_pixels(const Scene& scene, float lowest_mm, int width_px, int height_px) {
-    std::vector<Box> boxes;
-    for (Box box : moving_boxes(scene)) {
-        // What reaches below the ground casts from there only.
-        box.low.y = std::max(box.low.y, 0.0F);
-        box.high.y = std::max(box.high.y, 0.0F);
-        boxes.push_back(with_shadow(box, scene.key, 0.0F));
-        boxes.push_back(with_shadow(box, scene.key, std::min(lowest_mm, 0.0F)));
-    }
+std::vector<dvec2> convex_hull(std::vector<dvec2> points) {
+    // A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+    std::sort(points.begin(), points.end(),
+              [](const dvec2& a, const dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    if (points.size() < 3) return points;
+    const auto turns_in = [](const dvec2& a, const dvec2& b, const dvec2& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) <= 0.0;
+    };
+    std::vector<dvec2> hull;
+    const auto walk = [&](auto begin, auto end) {
+        const std::size_t start = hull.size();
+        for (auto point = begin; point != end; ++point) {
+            while (hull.size() >= start + 2 && turns_in(hull[hull.size() - 2], hull.back(), *point))
+                hull.pop_back();
+            hull.push_back(*point);
+        }
+        hull.pop_back();  // it begins the other walk
+    };
+    walk(points.begin(), points.end());
+    walk(points.rbegin(), points.rend());
+    return hull;
+}
+
+std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_px, int height_px,
+                                 std::size_t max_corners) {
+    std::vector<Disc> discs;
     if (scene.lathe) {
-        const float r =
-            (scene.lathe->radii_mm.empty() ? 0.0F : scene.lathe->radii_mm.front()) + kShadeOfFootMm;
-        boxes.push_back({{-r, 0.0F, -r}, {r, 0.0F, r}});
+        discs = discs_of(*scene.lathe);
+        if (!discs.empty()) discs.push_back({vec3(0.0F), scene.lathe->radii_mm.front() + kShadeOfFootMm});
     }
-    for (const Sphere& sphere : scene.spheres) {
-        const float r = sphere.radius_mm * 4.0F;  // its shade on the ground below it
-        boxes.push_back({{sphere.centre_mm.x - r, 0.0F, sphere.centre_mm.z - r},
-                         {sphere.centre_mm.x + r, 0.0F, sphere.centre_mm.z + r}});
+    for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i) {
+        const Sphere& sphere = scene.spheres[i];
+        discs.push_back({sphere.centre_mm, sphere.radius_mm});
+        const float clearance = std::max(sphere.centre_mm.y, sphere.radius_mm);
+        // Its shade on the ground below it, (r / d)^2, is 2 % at seven radii.
+        const float reach =
+            std::sqrt(std::max(49.0F * sphere.radius_mm * sphere.radius_mm - clearance * clearance, 0.0F));
+        if (reach > 0.0F) discs.push_back({{sphere.centre_mm.x, 0.0F, sphere.centre_mm.z}, reach});
     }
-    return pixels_of(boxes, scene.camera, width_px, height_px);
+    std::vector<dvec3> points;
+    for (const Disc& disc : discs) {
+        add_shadow(disc, scene.key, 0.0F, points);
+        if (disc.centre_mm.y > 0.0F) add_shadow(disc, scene.key, std::min(lowest_mm, 0.0F), points);
+    }
+    const std::vector<dvec2> whole{{0.0, 0.0}, {width_px, 0.0}, {width_px, height_px}, {0.0, height_px}};
+    std::vector<dvec2> pixels;
+    for (const dvec3& point : points) {
+        const auto projected = project(scene.camera, width_px, height_px, point);
+        if (!projected) return whole;
+        pixels.push_back(projected->pixel);
+    }
+    std::vector<dvec2> hull = convex_hull(std::move(pixels));
+    return hull.size() > max_corners ? whole : hull;
 }
 
 }  // namespace onggi::render

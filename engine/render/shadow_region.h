@@ -2,7 +2,9 @@
 // reach. Any thread; pure functions. mm, pixels.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
@@ -41,8 +43,13 @@ struct Box {
 // The boxes of what moves: the lathe and the spheres.
 [[nodiscard]] std::vector<Box> moving_boxes(const Scene& scene);
 
-// The pixels where that shadow, or the shade about the lathe's foot, can fall on something between y = 0 and
-// y = lowest_mm.
-[[nodiscard]] PixelRect shade_pixels(const Scene& scene, float lowest_mm, int width_px, int height_px);
+// A convex polygon about all pixels where that shadow, or the shade about the lathe's foot, can fall on
+// something between y = 0 and y = lowest_mm. Pixels, at most max_corners corners, turning the same way all
+// round; empty if there is nothing that casts, four corners of the whole picture if it cannot be said.
+[[nodiscard]] std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_px,
+                                               int height_px, std::size_t max_corners);
+
+// The smallest convex polygon about some points, without the points on its sides.
+[[nodiscard]] std::vector<dvec2> convex_hull(std::vector<dvec2> points);
 
 }  // namespace onggi::render

@@ -51,7 +51,7 @@ render::Profile splash_pan() {
 // The bench it all stands on: round, thick, of old wood.
 render::Profile bench() {
     render::Profile profile;
-    profile.points = {{0.0F, -200.0F}, {640.0F, -200.0F}, {640.0F, -140.0F}};
+    profile.points = {{640.0F, -141.0F}};
     render::add_rounded(profile, {640.0F, -150.0F}, {640.0F, -136.0F}, {600.0F, -136.0F}, 6.0F);
     for (const float r :
          {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
@@ -70,25 +70,26 @@ void add_part(ecs::Registry& registry, render::Mesh mesh, const render::Material
 
 render::DirectionalLight window_sun() {
     return {.towards_light = glm::normalize(vec3(-0.74F, 0.60F, 0.40F)),
-            .radiance = vec3(2.55F, 2.02F, 1.45F),
+            .radiance = vec3(1.42F, 1.10F, 0.78F),
             .angular_radius_rad = 0.055F};
 }
 
-// A dim warm room, a tall cool window to the right and behind, a soft white reflector in front on the left.
+// A dim warm room: the warm glow of the key's own window, a tall cool window behind on the left, which the
+// metal mirrors and the clay's far edge catches, and a soft reflector in front.
 Surroundings evening_studio() {
     Surroundings surroundings;
     render::Environment& environment = surroundings.environment;
-    environment.zenith = vec3(0.150F, 0.135F, 0.120F);
-    environment.horizon = vec3(0.105F, 0.086F, 0.066F);
-    environment.nadir = vec3(0.062F, 0.046F, 0.034F);
-    environment.panels[0] = {glm::normalize(vec3(-0.80F, 0.42F, 0.45F)), vec3(1.10F, 0.93F, 0.72F), 9.0F};
-    environment.panels[1] = {glm::normalize(vec3(0.86F, 0.38F, -0.34F)), vec3(0.52F, 0.62F, 0.74F), 7.0F};
-    environment.panels[2] = {glm::normalize(vec3(0.30F, 0.35F, 0.90F)), vec3(0.15F, 0.13F, 0.11F), 2.5F};
+    environment.zenith = vec3(0.070F, 0.064F, 0.060F);
+    environment.horizon = vec3(0.040F, 0.033F, 0.026F);
+    environment.nadir = vec3(0.030F, 0.022F, 0.016F);
+    environment.panels[0] = {glm::normalize(vec3(-0.80F, 0.42F, 0.45F)), vec3(0.55F, 0.45F, 0.34F), 9.0F};
+    environment.panels[1] = {glm::normalize(vec3(-0.60F, 0.34F, -0.74F)), vec3(0.62F, 0.70F, 0.78F), 14.0F};
+    environment.panels[2] = {glm::normalize(vec3(0.75F, 0.30F, 0.60F)), vec3(0.16F, 0.13F, 0.10F), 4.0F};
     render::Backdrop& backdrop = surroundings.backdrop;
-    backdrop.low = vec3(0.020F, 0.0155F, 0.0120F);
-    backdrop.high = vec3(0.010F, 0.0085F, 0.0075F);
-    backdrop.glow = vec3(0.095F, 0.070F, 0.048F);
-    backdrop.glow_centre = vec2(-0.25F, 0.45F);
+    backdrop.low = vec3(0.0130F, 0.0098F, 0.0074F);
+    backdrop.high = vec3(0.0062F, 0.0052F, 0.0045F);
+    backdrop.glow = vec3(0.062F, 0.043F, 0.027F);
+    backdrop.glow_centre = vec2(-0.30F, 0.30F);
     backdrop.glow_radius = 0.95F;
     return surroundings;
 }
@@ -101,15 +102,15 @@ void furnish(ecs::Registry& registry) {
                       render::turned_mesh(profiles[2], kSectors), render::turned_mesh(profiles[3], kSectors)};
     render::set_open_sky(profiles, meshes, kSectors);
     const render::Material aluminium{.albedo = vec3(0.60F, 0.585F, 0.56F),
-                                     .roughness = 0.38F,
-                                     .metalness = 1.0F,
-                                     .groove_pitch_mm = 2.6F,
-                                     .groove_tilt = 0.055F,
-                                     .grain = 0.10F};
+                                     .roughness = 0.34F,
+                                     .metalness = 0.72F,
+                                     .groove_pitch_mm = 5.5F,
+                                     .groove_tilt = 0.06F,
+                                     .grain = 0.07F};
     const render::Material steel{.albedo = vec3(0.35F), .roughness = 0.4F, .metalness = 1.0F};
-    const render::Material enamel{.albedo = vec3(0.155F, 0.175F, 0.165F), .roughness = 0.36F, .grain = 0.14F};
+    const render::Material enamel{.albedo = vec3(0.105F, 0.125F, 0.122F), .roughness = 0.34F, .grain = 0.10F};
     const render::Material old_wood{
-        .albedo = vec3(0.13F, 0.075F, 0.040F), .roughness = 0.55F, .grain = 0.35F};
+        .albedo = vec3(0.060F, 0.034F, 0.020F), .roughness = 0.50F, .grain = 0.45F, .grain_stretch = 14.0F};
     add_part(registry, std::move(meshes[0]), aluminium, true);
     add_part(registry, std::move(meshes[1]), steel, true);
     add_part(registry, std::move(meshes[2]), enamel, true);
@@ -130,11 +131,11 @@ render::Material polished_wood() {
 }
 
 CameraRig throwing_camera() {
-    return {.target_mm = dvec3(0.0, 72.0, 0.0),
+    return {.target_mm = dvec3(0.0, 66.0, 0.0),
             .distance_mm = 1150.0,
             .elevation_rad = 0.27,
             .azimuth_rad = 0.0,
-            .height_mm = 345.0,
+            .height_mm = 358.0,
             .width_mm = 320.0};
 }
 
