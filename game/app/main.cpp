@@ -16,7 +16,5 @@ int main(int argc, char** argv) {
     onggi::app::add_throw_command(program, exit_status);
     onggi::app::add_live_command(program, exit_status);
     onggi::app::add_replay_command(program, exit_status);
-    onggi::app::add_devices_command(program, exit_status);
-    onggi::app::add_doctor_command(program, exit_status);
     return onggi::app::run_command_line(program, argc, argv, exit_status);
 }
