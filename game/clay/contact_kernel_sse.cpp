@@ -33,8 +33,8 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
         _mm_add_epi32(_mm_set1_epi32(block_start(query.first) - query.nearest), _mm_setr_epi32(0, 1, 2, 3));
 
     // [0] are lanes 0 to 3, [1] lanes 4 to 7.
-    __m128 widths[2] = {_mm_setzero_ps(), _mm_setzero_ps()};
-    __m128 heights[2] = {_mm_setzero_ps(), _mm_setzero_ps()};
+    __m128 widths[2] = {_mm_setzero_ps(), _mm_setzero_ps()};   // NOLINT: std::array drops their alignment
+    __m128 heights[2] = {_mm_setzero_ps(), _mm_setzero_ps()};  // NOLINT
     __m128i contacts = _mm_setzero_si128();
     ContactRange range;
 
@@ -90,10 +90,10 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
         }
     }
 
-    for (int half = 0; half < 2; ++half) {
-        _mm_storeu_ps(sums.depth_times_half_width.data() + half * kHalf, widths[half]);
-        _mm_storeu_ps(sums.depth_times_height.data() + half * kHalf, heights[half]);
-    }
+    _mm_storeu_ps(sums.depth_times_half_width.data(), widths[0]);
+    _mm_storeu_ps(sums.depth_times_half_width.data() + kHalf, widths[1]);
+    _mm_storeu_ps(sums.depth_times_height.data(), heights[0]);
+    _mm_storeu_ps(sums.depth_times_height.data() + kHalf, heights[1]);
     std::array<int, kHalf> counts{};
     _mm_storeu_si128(reinterpret_cast<__m128i*>(counts.data()), contacts);
     for (const int count : counts)

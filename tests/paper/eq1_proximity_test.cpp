@@ -1,6 +1,7 @@
 // Eq. (1): proximity = -(r1 cos(theta) + r2) + r3. An element is in contact where it is negative.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -125,6 +126,7 @@ TEST(Eq1Proximity, IsSafeForAToolFarAwayOrNowhere) {
     PaperClay other;
     other.tick(tool_in_wall(1.0, false), kParameters);
     other.tick({.position_mm = {kNaN, 100.0, 0.0}}, kParameters);
+    other.tick({.position_mm = {kHuge, 100.0, 0.0}}, kParameters);
     EXPECT_EQ(other.tick(tool_in_wall(1.0, false), kParameters).viscosity_n, dvec3(0.0));
 }
 

@@ -16,6 +16,7 @@ foreach(scene IN LISTS scenes)
         message(FATAL_ERROR "golden-bless: ${scene} was not stored. The tests said:\n${output}")
     endif()
     string(REGEX MATCH "blessed: ${scene}\n([^\n]*\n)([^\n]*\n)([^\n]*\n)?" story "${output}")
+    string(REGEX REPLACE "\n[0-9]+: " "\n" story "${story}")  # ctest puts the test's number before each line
     message("${story}")
 endforeach()
 message("golden-bless: stored. Look at both pictures, and say in the commit why they differ.")

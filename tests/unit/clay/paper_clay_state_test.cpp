@@ -92,7 +92,8 @@ TEST(StartState, RejectsNumbersThatAreNoClay) {
         EXPECT_NE(refusal(with(with(good, kRadialAt, bad), kRadialAt + 8, bad)).find("radial direction"),
                   std::string::npos);
     }
-    for (const double bad : {kNaN, kInfinity}) {
+    EXPECT_NE(refusal(with(good, kHeightAt, 1e-9)).find("height"), std::string::npos);
+    for (const double bad : {kNaN, kInfinity, -1e300}) {
         for (const std::size_t axis : {0U, 1U, 2U}) {
             EXPECT_NE(refusal(with(good, kPositionAt + 8 * axis, bad)).find("previous position"),
                       std::string::npos);

@@ -2,48 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
+#include <algorithm>
 #include <numbers>
 #include <numeric>
 #include <vector>
 
+#include "tests/support/allocation_count.h"
 #include "tests/support/paper_gestures.h"
-
-namespace {
-
-// Counts what this test program allocates, so that a tick that does is found out.
-std::atomic<int> allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-    ++allocations;
-    // aligned_alloc wants a size that is a multiple of the alignment.
-    void* const memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return counted(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return counted(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
-    std::free(memory);
-}
 
 namespace onggi::clay {
 namespace {
@@ -74,16 +39,16 @@ TEST(PaperClay, AllocatesNothingInATickOrAHash) {
     const PaperParameters parameters{.rate_hz = 2000.0};
     std::uint64_t hash = 0;
     std::vector<float> snapshot(2000);
-    const int before = allocations;
+    const int before = test::allocation_count();
     for (const ToolInput& tool : gesture)
         clay.tick(tool, parameters);
     hash ^= clay.state_hash();
     clay.copy_radii_mm(snapshot);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocation_count(), before);
     EXPECT_NE(hash, PaperClay().state_hash());
     // The count counts.
     const PaperClay copy = clay;
-    EXPECT_GT(allocations, before);
+    EXPECT_GT(test::allocation_count(), before);
     EXPECT_EQ(copy.state_hash(), clay.state_hash());
 }
 
