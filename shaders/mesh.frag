@@ -88,7 +88,7 @@ void main() {
     vec3 reflected = vec3(0.0);
     for (int i = -3; i <= 3; ++i) {
         if (!is_turned && i != 0) continue;
-        vec3 fan = is_turned ? normalize(leaning + radial * (float(i) * 0.13)) : leaning;
+        vec3 fan = is_turned ? normalize(leaning + radial * (float(i) * 0.075)) : leaning;
         float share = is_turned ? 1.0 / 7.0 : 1.0;
         float fan_l = dot(fan, l);
         if (fan_l > 0.0) {

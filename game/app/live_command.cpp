@@ -14,6 +14,7 @@
 #include "game/app/options.h"
 #include "game/app/performance.h"
 #include "game/app/progress.h"
+#include "game/app/snapshot_view.h"
 #include "game/app/stats.h"
 #include "game/wheel/live_view.h"
 
@@ -32,17 +33,6 @@ struct LiveOptions {
     PictureSize size;
     std::optional<std::string> stats;
 };
-
-wheel::PotView pot_view(const haptic::Snapshot& snapshot, double height_mm) {
-    return {.radii_mm = snapshot.radii_mm,
-            .height_mm = height_mm,
-            .tool_position_mm = snapshot.tool.position_mm,
-            .tool_radius_mm = snapshot.tool.radius_mm,
-            .tool_shown = true,
-            .wheel_direction = snapshot.wheel_direction,
-            .wheel_turning = snapshot.wheel_turning,
-            .contacts = snapshot.forces.contacts};
-}
 
 Result<FrameOutcome> show(wheel::LiveView& view, const wheel::PotView& pot) {
     static_cast<void>(view.poll_events());  // a live run is watched, not played: only closing means something
@@ -102,7 +92,7 @@ Result<void> play(const LiveOptions& options) {
 
 std::string check_wait(const std::string& word) {
     if (word == "hybrid" || word == "sleep") return {};
-    return fmt::format("expected hybrid or sleep, found {}", onggi::in_quotes(word));
+    return fmt::format("expected hybrid or sleep, found {}", in_quotes(word));
 }
 
 }  // namespace

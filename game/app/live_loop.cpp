@@ -23,7 +23,8 @@ haptic::HapticJobOptions job_options(const LiveRun& run) {
     return options;
 }
 
-// Nobody records a live run, but the ring must not run full: a full one counts as lost ticks.
+}  // namespace
+
 void pass_over_records(haptic::HapticJob& job) {
     haptic::TickRecord record;
     while (job.take_record(record)) {
@@ -32,8 +33,6 @@ void pass_over_records(haptic::HapticJob& job) {
     while (job.take_hash(hash)) {
     }
 }
-
-}  // namespace
 
 Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
     const haptic::HapticJobOptions options = job_options(run);

@@ -52,4 +52,7 @@ struct LiveReport {
 // Errors: the device's or the thread's (see HapticJob::start), or the first that `draw` returned.
 [[nodiscard]] Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw);
 
+// Nobody records a live run, but the rings must not run full: a full one counts as lost ticks. Once a frame.
+void pass_over_records(haptic::HapticJob& job);
+
 }  // namespace onggi::app

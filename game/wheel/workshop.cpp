@@ -25,37 +25,36 @@ render::Profile wheel_head() {
 }
 
 render::Profile shaft() {
-    return {.points = {{26.0F, -112.0F}, {26.0F, -26.0F}}};
+    return {.points = {{26.0F, -84.0F}, {26.0F, -26.0F}}};
 }
 
 // The splash pan: up the outside, round the rolled rim, down the inside, in to the shaft.
 render::Profile splash_pan() {
     render::Profile profile;
-    profile.points = {{120.0F, -136.0F}, {176.0F, -136.0F}};
-    render::add_rounded(profile, {176.0F, -136.0F}, {214.0F, -132.0F}, {226.0F, -50.0F}, 18.0F, 8);
-    profile.points.push_back({227.0F, -52.0F});
-    // The roll: most of a circle about (226, -43).
+    profile.points = {{120.0F, -100.0F}, {176.0F, -100.0F}};
+    render::add_rounded(profile, {176.0F, -100.0F}, {220.0F, -98.0F}, {229.0F, -36.0F}, 16.0F, 8);
+    profile.points.push_back({230.0F, -38.0F});
+    // The roll: most of a circle.
     constexpr int kSteps = 14;
     for (int step = 0; step <= kSteps; ++step) {
         const float angle = -0.9F + 4.6F * static_cast<float>(step) / kSteps;
-        profile.points.push_back({226.0F + 6.5F * std::cos(angle), -43.0F + 6.5F * std::sin(angle)});
+        profile.points.push_back({229.0F + 6.0F * std::cos(angle), -30.0F + 6.0F * std::sin(angle)});
     }
-    profile.points.push_back({217.0F, -54.0F});
-    render::add_rounded(profile, {217.0F, -54.0F}, {206.0F, -124.0F}, {150.0F, -127.0F}, 20.0F, 8);
-    profile.points.push_back({150.0F, -127.0F});
-    profile.points.push_back({60.0F, -126.0F});
-    profile.points.push_back({26.0F, -125.0F});
+    profile.points.push_back({221.0F, -40.0F});
+    render::add_rounded(profile, {221.0F, -40.0F}, {212.0F, -78.0F}, {150.0F, -82.0F}, 20.0F, 8);
+    profile.points.push_back({150.0F, -82.0F});
+    profile.points.push_back({60.0F, -81.0F});
+    profile.points.push_back({26.0F, -80.0F});
     return profile;
 }
 
 // The bench it all stands on: round, thick, of old wood.
 render::Profile bench() {
     render::Profile profile;
-    profile.points = {{640.0F, -141.0F}};
-    render::add_rounded(profile, {640.0F, -150.0F}, {640.0F, -136.0F}, {600.0F, -136.0F}, 6.0F);
-    for (const float r :
-         {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
-        profile.points.push_back({r, -136.0F});
+    profile.points = {{640.0F, -106.0F}};
+    render::add_rounded(profile, {640.0F, -112.0F}, {640.0F, -100.0F}, {600.0F, -100.0F}, 5.0F);
+    for (const float r : {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
+        profile.points.push_back({r, -100.0F});
     return profile;
 }
 
@@ -83,7 +82,7 @@ Surroundings evening_studio() {
     environment.horizon = vec3(0.040F, 0.033F, 0.026F);
     environment.nadir = vec3(0.030F, 0.022F, 0.016F);
     environment.panels[0] = {glm::normalize(vec3(-0.80F, 0.42F, 0.45F)), vec3(0.55F, 0.45F, 0.34F), 9.0F};
-    environment.panels[1] = {glm::normalize(vec3(-0.60F, 0.34F, -0.74F)), vec3(0.62F, 0.70F, 0.78F), 14.0F};
+    environment.panels[1] = {glm::normalize(vec3(-0.40F, 0.30F, -0.86F)), vec3(0.84F, 0.92F, 1.00F), 24.0F};
     environment.panels[2] = {glm::normalize(vec3(0.75F, 0.30F, 0.60F)), vec3(0.16F, 0.13F, 0.10F), 4.0F};
     render::Backdrop& backdrop = surroundings.backdrop;
     backdrop.low = vec3(0.0130F, 0.0098F, 0.0074F);
@@ -101,9 +100,9 @@ void furnish(ecs::Registry& registry) {
     std::array meshes{render::turned_mesh(profiles[0], kSectors), render::turned_mesh(profiles[1], kSectors),
                       render::turned_mesh(profiles[2], kSectors), render::turned_mesh(profiles[3], kSectors)};
     render::set_open_sky(profiles, meshes, kSectors);
-    const render::Material aluminium{.albedo = vec3(0.60F, 0.585F, 0.56F),
+    const render::Material aluminium{.albedo = vec3(0.56F, 0.55F, 0.53F),
                                      .roughness = 0.34F,
-                                     .metalness = 0.72F,
+                                     .metalness = 0.86F,
                                      .groove_pitch_mm = 5.5F,
                                      .groove_tilt = 0.06F,
                                      .grain = 0.07F};
