@@ -27,7 +27,7 @@ void main() {
     vec2 profile = texture(outline_normals, vec2(outline.z, 0.5)).rg;
     // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
     vec4 slip = texture(detail, detail_at + vec2(draw.turn.x, 0.0));
-    vec2 lean = (slip.gb - 0.5) * draw.albedo.w;
+    vec2 lean = (slip.gb - 0.5) * (0.7 * draw.albedo.w);
     // Between two sectors the way outwards is a chord, shorter than 1 by less than a thousandth.
     vec2 outward = outline.xy;
     vec3 smooth_n = vec3(profile.x * outward.x, profile.y, profile.x * outward.y);

@@ -23,7 +23,7 @@ layout(location = 1) out vec4 out_ambient;  // without it
 layout(location = 2) out vec4 out_coords;   // shadow mask u, v, and how much the foot's shade counts
 #endif
 
-// The still life's own shadow, averaged over a square of five texels' width. Texel by texel with its share of the
+// The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share of the
 // square, since not every device filters depth (lavapipe does not).
 float past_still_life() {
     if (kMoves) return 1.0;
@@ -33,14 +33,14 @@ float past_still_life() {
     vec2 share = texel - base;
     float depth = min(at.z, 1.0);  // ground further off than the map's far plane is not in shade for that
     float seen = 0.0;
-    for (int y = -2; y <= 3; ++y) {
-        float weight_y = y == -2 ? 1.0 - share.y : (y == 3 ? share.y : 1.0);
-        for (int x = -2; x <= 3; ++x) {
-            float weight_x = x == -2 ? 1.0 - share.x : (x == 3 ? share.x : 1.0);
+    for (int y = -3; y <= 4; ++y) {
+        float weight_y = y == -3 ? 1.0 - share.y : (y == 4 ? share.y : 1.0);
+        for (int x = -3; x <= 4; ++x) {
+            float weight_x = x == -3 ? 1.0 - share.x : (x == 4 ? share.x : 1.0);
             seen += weight_x * weight_y * texture(key_map, vec3((base + vec2(x, y) + 0.5) / kKeyMapTexels, depth));
         }
     }
-    return seen / 25.0;
+    return seen / 49.0;
 }
 
 void main() {
