@@ -1,4 +1,4 @@
-// quoted: foreign text made fit to stand inside a one-line message. Any thread; allocates.
+// in_quotes: foreign text made fit to stand inside a one-line message. Any thread; allocates.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ inline std::size_t shown_character_length(std::string_view text) {
 
 // `text` between single quotes: what a terminal could not show is written \xNN, and what is long is cut after
 // `most_bytes`, so that a binary file cannot spoil the one line its refusal gets.
-inline std::string quoted(std::string_view text, std::size_t most_bytes = 40) {
+inline std::string in_quotes(std::string_view text, std::size_t most_bytes = 40) {
     static constexpr std::string_view kDigits = "0123456789abcdef";
     std::string shown = "'";
     std::size_t at = 0;
@@ -48,7 +48,7 @@ inline std::string quoted(std::string_view text, std::size_t most_bytes = 40) {
 
 // The same for the name of a file: whole, because a name cut short names nothing, and without quotes.
 inline std::string shown_path(std::string_view path) {
-    const std::string name = quoted(path, path.size());
+    const std::string name = in_quotes(path, path.size());
     return name.substr(1, name.size() - 2);
 }
 

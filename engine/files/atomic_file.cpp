@@ -137,7 +137,7 @@ Result<void> AtomicFile::flush() {
 }
 
 Result<void> AtomicFile::prepare() {
-    if (prepared_) return {};
+    if (prepared_ && descriptor_ >= 0) return {};
     if (auto flushed = flush(); !flushed) return flushed;
     // A disk that fills up may say so only here.
     if (::fsync(descriptor_) != 0) return lost(errno, "write");

@@ -91,7 +91,7 @@ Result<std::vector<std::string>> parse_header(const Line& line, std::string_view
         if (field && *field == column) continue;
         return at_line(name, line.number,
                        fmt::format("expected the header {}: column {} is missing, found {}", kGestureHeader,
-                                   column, field ? quoted(*field) : "the end of the line"));
+                                   column, field ? in_quotes(*field) : "the end of the line"));
     }
     std::vector<std::string> extra;
     while (const auto field = fields.next()) {
@@ -100,7 +100,7 @@ Result<std::vector<std::string>> parse_header(const Line& line, std::string_view
         if (field->empty() || known) {
             return at_line(name, line.number,
                            fmt::format("column {}: expected a name of its own, found {}",
-                                       kColumns.size() + extra.size() + 1, quoted(*field)));
+                                       kColumns.size() + extra.size() + 1, in_quotes(*field)));
         }
         extra.emplace_back(*field);
     }
@@ -162,8 +162,9 @@ class RowParser {
     }
     void fail(Column column, std::string_view expected, std::string_view found) {
         if (error_) return;
-        error_ = at_line(name_, line_.number,
-                         fmt::format("{}: expected {}, found {}", kColumns[column], expected, quoted(found)));
+        error_ =
+            at_line(name_, line_.number,
+                    fmt::format("{}: expected {}, found {}", kColumns[column], expected, in_quotes(found)));
     }
     void missing(std::string_view column) {
         error_ = at_line(name_, line_.number,

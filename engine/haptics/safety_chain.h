@@ -52,18 +52,14 @@ struct SafetyInput {
 // The stages, each usable and tested alone; force in, force out.
 // gate: a force or position that is not finite, or a tool outside the workspace, latches a fault; zero force
 // as long as one is latched.
-[[nodiscard]] dvec3 gate(const dvec3& force_n, const SafetyInput&, const SafetyLimits&,
-                         SafetyState&) noexcept;
+dvec3 gate(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 // ramp: nothing until the force has been small for a moment, then growing from 0 to 1 times the force.
-[[nodiscard]] dvec3 ramp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&,
-                         SafetyState&) noexcept;
+dvec3 ramp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 // clamp: at most the peak force, by scaling the vector: an axis-wise clamp would bend the push aside.
-[[nodiscard]] dvec3 clamp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&,
-                          SafetyState&) noexcept;
+dvec3 clamp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 // slew: first lets go of what is no longer wanted, at the release rate, then grows or turns at the slew rate.
 // A latched fault drops the force at once.
-[[nodiscard]] dvec3 slew(const dvec3& force_n, const SafetyInput&, const SafetyLimits&,
-                         SafetyState&) noexcept;
+dvec3 slew(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 struct SafetyStage {
     std::string_view name;
@@ -81,7 +77,7 @@ inline constexpr std::array<SafetyStage, 4> kSafetyChain{{
 }};
 
 // The whole chain: the clay's force in, what the device may get out.
-[[nodiscard]] dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input,
-                                       const SafetyLimits& limits, SafetyState& state) noexcept;
+dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+                         SafetyState& state) noexcept;
 
 }  // namespace onggi::haptics

@@ -31,9 +31,10 @@ ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     // N on a mass in kg is m/s^2; the tool moves in mm.
     constexpr double kMmPerM = 1000.0;
     const double step_over_mass = dt_s / model_.mass_kg * kMmPerM;
+    const double held_back =
+        1.0 + (model_.damping_n_s_per_mm + model_.coupling_n_per_mm * dt_s) * step_over_mass;
     const dvec3 push_n = model_.coupling_n_per_mm * (target.position_mm - position_mm_) + force_n_;
-    velocity_mm_s_ =
-        (velocity_mm_s_ + push_n * step_over_mass) / (1.0 + model_.damping_n_s_per_mm * step_over_mass);
+    velocity_mm_s_ = (velocity_mm_s_ + push_n * step_over_mass) / held_back;
     position_mm_ += velocity_mm_s_ * dt_s;
     return {.position_mm = position_mm_, .radius_mm = target.radius_mm, .wheel_button = target.wheel_button};
 }

@@ -18,6 +18,7 @@ Result<void> FixedRateJob::start(PeriodicWork& work) {
         return failed("cannot start the thread " + options_.thread_name + ": " + error.what());
     }
     set_up.wait();
+    if (options_.real_time.wakeful_cores) report_.wakeful_cores = wakeful_cores_.request();
 
     if (options_.policy == RealTimePolicy::kEnforce && !report_.nothing_refused()) {
         stop();
@@ -34,6 +35,7 @@ void FixedRateJob::stop() noexcept {
     go_.store(true, std::memory_order_release);
     go_.notify_one();
     if (thread_.joinable()) thread_.join();
+    wakeful_cores_.release();
 }
 
 void FixedRateJob::run(PeriodicWork& work, std::latch& set_up) noexcept {

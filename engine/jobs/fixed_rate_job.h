@@ -40,8 +40,8 @@ enum class RealTimePolicy {
 
 struct FixedRateJobOptions {
     std::string thread_name = "onggi-haptic";  // at most 15 letters
-    PacerOptions pacing;
-    RealTimeRequest real_time;
+    PacerOptions pacing{};
+    RealTimeRequest real_time{};
     RealTimePolicy policy = RealTimePolicy::kIgnore;
 };
 
@@ -74,6 +74,7 @@ class FixedRateJob {
 
     FixedRateJobOptions options_;
     RealTimeReport report_;
+    WakefulCores wakeful_cores_;  // while the job runs
     TickStats stats_;
     std::atomic<bool> go_{false};  // the owner has seen the report
     std::atomic<bool> stop_{false};

@@ -31,7 +31,8 @@ class Histogram {
         std::uint64_t seen = 0;
         for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
             seen += buckets_[bucket];
-            if (static_cast<double>(seen) >= wanted && seen > 0) return std::min(upper_edge(bucket), max_);
+            if (static_cast<double>(seen) < wanted || seen == 0) continue;
+            return bucket + 1 == buckets_.size() ? max_ : std::min(upper_edge(bucket), max_);
         }
         return max_;
     }

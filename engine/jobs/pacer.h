@@ -31,6 +31,9 @@ enum class WaitMode {
 struct PacerOptions {
     double rate_hz = 1000.0;  // above 0
     WaitMode wait = WaitMode::kHybrid;
+    // Never take more than 90 % of the core, even when overloaded. A real-time thread that does not sleep is
+    // stopped by the kernel for 50 ms in every second; a thread without that power need not care.
+    bool leave_rest = true;
 };
 
 // One period as its work sees it.
@@ -49,6 +52,7 @@ class Pacer {
     // The first deadline is one period from now.
     Pacer(Clock& clock, const PacerOptions& options)
         : clock_(clock),
+          leave_rest_(options.leave_rest),
           period_ns_(1e9 / options.rate_hz),
           guard_ns_(options.wait == WaitMode::kHybrid ? default_guard_ns(options.rate_hz) : 0),
           origin_ns_(clock.now_ns() + static_cast<std::int64_t>(period_ns_)),
@@ -104,9 +108,8 @@ class Pacer {
 
     std::int64_t wait_until(std::int64_t deadline_ns) noexcept {
         const std::int64_t now_ns = clock_.now_ns();
-        // A real-time thread that never sleeps is stopped by the kernel for 50 ms in every second. So a ninth
-        // of all time awake is owed to the others as rest: at most 90 % of the core, even when overloaded.
-        rest_owed_ns_ += (now_ns - awake_since_ns_) / kAwakePerRest;
+        // A ninth of all time awake is owed as rest: 90 % awake, 10 % asleep. Usual sleeps pay it many times.
+        if (leave_rest_) rest_owed_ns_ += (now_ns - awake_since_ns_) / kAwakePerRest;
         std::int64_t wake_ns = deadline_ns - guard_ns_;
         if (rest_owed_ns_ >= kLeastRestNs) wake_ns = std::max(wake_ns, now_ns + rest_owed_ns_);
         awake_since_ns_ = now_ns;
@@ -127,6 +130,7 @@ class Pacer {
     static constexpr std::int64_t kLeastRestNs = 100'000;  // shorter sleeps cost more than they give
 
     Clock& clock_;
+    bool leave_rest_;
     double period_ns_;
     std::int64_t guard_ns_;
     std::int64_t origin_ns_;

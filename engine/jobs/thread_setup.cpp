@@ -1,5 +1,6 @@
 #include "engine/jobs/thread_setup.h"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -9,9 +10,11 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace onggi::jobs {
 namespace {
@@ -59,7 +62,7 @@ Granted lock_memory() {
 
 // Touches the stack the tick will use, so that no tick is the first to do so.
 [[gnu::noinline]] void touch_stack() {
-    constexpr std::size_t kBytes = 128 * 1024;
+    constexpr std::size_t kBytes = std::size_t{128} * 1024;
     constexpr std::size_t kPage = 4096;
     std::array<volatile unsigned char, kBytes> stack;
     for (std::size_t at = 0; at < kBytes; at += kPage)
@@ -94,6 +97,26 @@ Granted keep_this_thread_off_haptic_core(const CoreChoice& choice) {
     return allow_this_thread(choice.others);
 }
 
+// Documentation/power/pm_qos_interface.rst of the kernel: the request is the file held open, a 32-bit number
+// of us written to it.
+Granted WakefulCores::request() noexcept {
+    release();
+    const int file = open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+    if (file < 0) return outcome(errno);
+    constexpr std::int32_t kLatencyUs = 0;
+    if (write(file, &kLatencyUs, sizeof kLatencyUs) != sizeof kLatencyUs) {
+        const int error = errno;
+        close(file);
+        return outcome(error);
+    }
+    file_ = file;
+    return outcome(0);
+}
+
+void WakefulCores::release() noexcept {
+    if (file_ >= 0) close(std::exchange(file_, -1));
+}
+
 RealTimeReport set_up_this_thread(const RealTimeRequest& request) {
     RealTimeReport report;
     report.core = request.core;
@@ -110,6 +133,7 @@ RealTimeReport probe_real_time(const RealTimeRequest& request) {
         report = set_up_this_thread(request);
         if (report.memory_lock.grant == Grant::kGranted) munlockall();
     }).join();
+    if (request.wakeful_cores) report.wakeful_cores = WakefulCores().request();
     return report;
 }
 
@@ -134,6 +158,11 @@ std::vector<RealTimeLack> RealTimeReport::lacks() const {
                              " was refused: " + reason(pinning.error),
                          "the tick moves between cores and waits for others there",
                          "let the cpuset of the service or container hold that core"});
+    }
+    if (wakeful_cores.grant == Grant::kRefused) {
+        lacks.push_back({"keeping idle cores awake was refused: " + reason(wakeful_cores.error),
+                         "the haptic tick starts some 10 us later where it sleeps up to its deadline",
+                         "let the group onggi write /dev/cpu_dma_latency, by a udev rule"});
     }
     if (core.core < 0) {
         lacks.push_back({"the cores this process may use could not be read",

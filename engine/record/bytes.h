@@ -1,4 +1,4 @@
-// Inside engine/record only: numbers as little-endian bytes, whatever the machine's own order.
+// Numbers as little-endian bytes, whatever the machine's own order: for what a session file holds.
 // Reading allocates nothing and is fit for the tick.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace onggi::record {
 template <std::unsigned_integral T>
 void put(std::vector<std::byte>& bytes, T number) {
     for (std::size_t at = 0; at < sizeof(T); ++at) {
-        bytes.push_back(static_cast<std::byte>((number >> (8U * at)) & 0xffU));
+        bytes.push_back(static_cast<std::byte>((std::uint64_t{number} >> (8U * at)) & 0xffU));
     }
 }
 

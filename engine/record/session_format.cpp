@@ -12,7 +12,8 @@ std::uint32_t force_check(const dvec3& force_n) noexcept {
     hash.add(force_n.x);
     hash.add(force_n.y);
     hash.add(force_n.z);
-    return static_cast<std::uint32_t>(hash.value() ^ (hash.value() >> 32U));
+    // The low half: StateHash has folded the high one into it, and folding again would undo that.
+    return static_cast<std::uint32_t>(hash.value());
 }
 
 std::uint32_t checksum(std::span<const std::byte> bytes) noexcept {

@@ -89,7 +89,7 @@ std::optional<Error> SessionReader::check_version() const {
 Result<void> SessionReader::read_header() {
     const std::string_view start = session_.bytes_;
     if (!opens_a_session(start)) {
-        return wrong(0, "the first bytes of a session", quoted(start.substr(0, kMagic.size())));
+        return wrong(0, "the first bytes of a session", in_quotes(start.substr(0, kMagic.size())));
     }
     if (left() < header_at::kSize) {
         return wrong(left(), fmt::format("a header of {} bytes", header_at::kSize), "the end of the file");

@@ -19,6 +19,8 @@ enum class Transfer {
     kSquareRoot,  // the live window on a processor: close to sRGB, 1.25 times quicker
 };
 
+constexpr int kMaxRings = 256;
+
 struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
     int samples = 4;      // 1 or 4 a pixel

@@ -24,6 +24,7 @@ struct Material {
     float groove_pitch_mm = 0.0F;  // rings left by a lathe tool around +Y; 0: none
     float groove_tilt = 0.0F;      // how far those rings tilt the normal, as a slope
     float grain = 0.0F;            // uneven colour, as a fraction of the albedo
+    float grain_stretch = 1.0F;    // how much longer along X than across: wood
 };
 
 // Clay and its like: a rough body with a film of water on it.
@@ -36,17 +37,17 @@ struct LatheMaterial {
 // A surface of revolution about +Y that may change every frame. Element i is centred on y = (i + 0.5)
 // element_height_mm; the solid is closed by a flat base at y = 0 and a flat top.
 struct Lathe {
-    std::span<const float> radii_mm;  // bottom first; must live until the draw call returns
+    std::span<const float> radii_mm{};  // bottom first; must live until the draw call returns
     float element_height_mm = 0.1F;
     float edge_rounding_mm = 0.0F;  // of the top edge, so that it catches light; 0 draws the exact solid
     vec2 turn{1.0F, 0.0F};          // (cos, sin) of the angle turned about +Y
-    LatheMaterial material;
+    LatheMaterial material{};
 };
 
 struct Sphere {
     vec3 centre_mm{0.0F};
     float radius_mm = 10.0F;
-    Material material;
+    Material material{};
 };
 
 // Triangles, counter-clockwise seen from outside. `open_sky` is 1 where nothing stands in the way of ambient
@@ -64,9 +65,10 @@ struct Mesh {
 // What stands still: drawn again only when `revision`, the camera, the light or the size changes.
 struct StillLife {
     struct Part {
-        std::shared_ptr<const Mesh> mesh;
-        Material material;
+        std::shared_ptr<const Mesh> mesh{};
+        Material material{};
         vec3 position_mm{0.0F};
+        bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
     std::vector<Part> parts;
     std::uint64_t revision = 0;
@@ -104,12 +106,20 @@ struct Backdrop {
 
 constexpr int kMaxSpheres = 2;
 
+// Where the lathe and the spheres may cast shadows: the ground y = 0 and all still life below it. Whatever
+// moves further out than this casts none.
+struct ShadowRegion {
+    float half_width_mm = 150.0F;  // of the region, across the light
+    float height_mm = 230.0F;      // of the tallest thing that casts
+};
+
 struct Scene {
     Camera camera;
     DirectionalLight key;
     Environment environment;
     Backdrop backdrop;
     std::shared_ptr<const StillLife> still_life;
+    ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
     std::vector<Sphere> spheres;  // at most kMaxSpheres are drawn and cast shadows
 };

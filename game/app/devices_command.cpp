@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "game/app/finding.h"
 #include "game/app/system_probes.h"
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "engine/jobs/thread_setup.h"
 #include "engine/vk/physical_device.h"
 #include "game/app/finding.h"

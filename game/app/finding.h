@@ -13,11 +13,11 @@ struct Finding {
         kNote,     // worth knowing; nothing is lost
         kLacking,  // something is lost: cost and remedy say what, and how to mend it
     };
-    std::string subject;  // one or two words
+    std::string subject{};  // one or two words
     Verdict verdict = Verdict::kGood;
-    std::string found;
-    std::string cost;    // only where lacking
-    std::string remedy;  // only where lacking
+    std::string found{};
+    std::string cost{};    // only where lacking
+    std::string remedy{};  // only where lacking
 };
 
 // Plain text, a finding a line, with its cost and remedy on lines of their own below it.

@@ -49,11 +49,11 @@ std::set<std::string> file_names_below(const std::vector<fs::path>& folders) {
 }  // namespace
 
 Finding probe_display() {
-    const auto reached = window::check_display();
-    if (reached) return {.subject = "display", .found = "a window can be opened"};
+    const std::string obstacle = window::why_no_display();
+    if (obstacle.empty()) return {.subject = "display", .found = "a window can be opened"};
     return {.subject = "display",
             .verdict = Verdict::kLacking,
-            .found = reached.error().message,
+            .found = obstacle,
             .cost = "no window: pots are thrown from gestures only (onggi throw)",
             .remedy = "start from a desktop session, or set DISPLAY to a running X server"};
 }

@@ -12,13 +12,6 @@ std::size_t hash_capacity(const HapticJobOptions& options) {
     return options.record_capacity / record::kHashInterval + 2;
 }
 
-Snapshot first_snapshot(const HapticState& start) {
-    Snapshot first;
-    first.tool = start.tool;
-    first.radii_mm.assign(start.clay.radii_mm().begin(), start.clay.radii_mm().end());
-    return first;
-}
-
 jobs::FixedRateJobOptions job_options(const HapticParameters& parameters, const HapticJobOptions& options) {
     return {.thread_name = "onggi-haptic",
             .pacing = {.rate_hz = parameters.clay.rate_hz, .wait = options.wait},
@@ -43,10 +36,9 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
 bool HapticWork::tick(const jobs::Period& period) noexcept {
     skipped_periods_ += period.skipped;
     obey_commands();
-    const bool lump_is_done = options_.run_ticks != 0 && state_.ticks >= options_.run_ticks;
-    if (lump_is_done) put_on_fresh_lump();
+    if (run_is_over()) put_on_fresh_lump();
 
-    const haptics::ToolState tool = device_->read(state_.ticks, period.dt_s);
+    const haptics::ToolState tool = device_->read(ticks_of_run(), period.dt_s);
     const TickResult result = haptic::tick(state_, tool, parameters_);
     device_->write(result.limited_force_n);
     keep_record(result);
@@ -54,9 +46,8 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
     lump_is_fresh_ = false;
 
     const bool time_is_up = options_.end_periods != 0 && period.index + 1 >= options_.end_periods;
-    const bool last_lump_is_done =
-        options_.run_ticks != 0 && !options_.repeat && state_.ticks >= options_.run_ticks;
-    return !time_is_up && !last_lump_is_done;
+    const bool last_run_is_over = run_is_over() && !options_.repeat;
+    return !time_is_up && !last_run_is_over;
 }
 
 const Snapshot& HapticWork::newest_snapshot() noexcept {
@@ -103,16 +94,9 @@ void HapticWork::keep_record(const TickResult& result) noexcept {
 
 void HapticWork::publish(const TickResult& result) noexcept {
     Snapshot& snapshot = snapshots_.writing();
-    snapshot.tick = state_.ticks;
+    fill_snapshot(snapshot, state_, result);
     snapshot.run = run_;
     snapshot.skipped_periods = skipped_periods_;
-    snapshot.tool = state_.tool;
-    snapshot.forces = result.forces;
-    snapshot.limited_force_n = result.limited_force_n;
-    snapshot.fault = state_.safety.fault;
-    snapshot.wheel_direction = {state_.wheel.heading().cosine, state_.wheel.heading().sine};
-    snapshot.wheel_turning = state_.tool.wheel_button;
-    state_.clay.copy_radii_mm(snapshot.radii_mm);
     snapshots_.publish();
 }
 

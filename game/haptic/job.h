@@ -18,7 +18,7 @@ namespace onggi::haptic {
 
 struct HapticJobOptions {
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
-    jobs::RealTimeRequest real_time;
+    jobs::RealTimeRequest real_time{};
     jobs::RealTimePolicy policy = jobs::RealTimePolicy::kIgnore;
     std::uint64_t run_ticks = 0;  // how long a lump lasts, e.g. a gesture's ticks; 0: until told otherwise
     bool repeat = false;          // after run_ticks: again on a fresh lump, or the end
@@ -53,6 +53,11 @@ class HapticWork final : public jobs::PeriodicWork {
     [[nodiscard]] haptics::HapticDevice& device() noexcept { return *device_; }
 
   private:
+    // Since the lump was put on; a start state may have been ticked before.
+    [[nodiscard]] std::uint64_t ticks_of_run() const noexcept { return state_.ticks - start_.ticks; }
+    [[nodiscard]] bool run_is_over() const noexcept {
+        return options_.run_ticks != 0 && ticks_of_run() >= options_.run_ticks;
+    }
     void obey_commands() noexcept;
     void put_on_fresh_lump() noexcept;
     void keep_record(const TickResult& result) noexcept;

@@ -10,6 +10,7 @@
 #include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
 #include "game/clay/paper_clay.h"
+#include "game/haptic/tick.h"
 
 namespace onggi::haptic {
 
@@ -27,6 +28,12 @@ struct Snapshot {
     bool wheel_turning = false;
     std::vector<float> radii_mm;  // R_i, bottom first
 };
+
+// A snapshot of the start, with its vector in its final size.
+[[nodiscard]] Snapshot first_snapshot(const HapticState& start);
+// What state and result say; run and skipped_periods are the job's to fill. No allocation when the snapshot
+// came from first_snapshot() of a state with as many elements.
+void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResult& result) noexcept;
 
 // Main thread to haptic thread, in order, none lost.
 enum class Command : std::uint8_t {

@@ -16,11 +16,13 @@ struct Fineness {
     int sectors;
 };
 
-// Both errors grow together. From the fourth on the corners stay: fewer would look like a nut.
-constexpr std::array<Fineness, 4> kFirstFinenesses{{{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}}};
+// Both errors grow together.
+constexpr std::array<Fineness, 4> kFinenesses{{{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}}};
 
-// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 40 degrees.
-constexpr double kCreaseCosine = 0.7660444431189780;
+// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
+// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
+// stays smooth.
+constexpr double kCreaseCosine = 0.9396926207859084;
 
 std::size_t triangle_count(const Profile& profile, int sectors) {
     // Two a sector in each band between rings, and one a sector in each of the two caps.
@@ -97,6 +99,28 @@ class Builder {
     std::vector<dvec2> circle_;
 };
 
+// Fills in all but the mesh and the scale.
+PotMesh thinned_to_budget(const PotShape& shape) {
+    PotMesh pot;
+    const auto fits = [&pot](const PotShape& candidate, const Fineness& fineness) {
+        pot.profile = simplified(full_profile(candidate), fineness.tolerance_mm);
+        pot.tolerance_mm = fineness.tolerance_mm;
+        pot.sectors = fineness.sectors;
+        pot.elements = candidate.radii_mm.size();
+        return triangle_count(pot.profile, fineness.sectors) <= kMaxTriangles;
+    };
+    for (const Fineness& fineness : kFinenesses) {
+        if (fits(shape, fineness)) return pot;
+    }
+    // Ends at the latest with 173 elements: if each met the next in a ledge, three points an element would
+    // fit.
+    std::vector<float> merged(shape.radii_mm.begin(), shape.radii_mm.end());
+    do {
+        merged = resampled(merged, merged.size() / 2);
+    } while (!fits({shape.height_mm, merged}, kFinenesses.back()));
+    return pot;
+}
+
 void build_wall(Builder& builder, const Profile& profile) {
     const std::size_t pieces = profile.size() - 1;
     dvec2 normal_below = normal_between(profile[0], profile[1]);
@@ -111,9 +135,10 @@ void build_wall(Builder& builder, const Profile& profile) {
             builder.add_band(lower, builder.add_ring(profile[i], normal_below));
             lower = builder.add_ring(profile[i], normal_above);
         } else {
-            // The slope of the parabola through the three points: the nearer neighbour counts for more.
-            const double weight_below = length_between(profile[i], profile[i + 1]);
-            const double weight_above = length_between(profile[i - 1], profile[i]);
+            // The longer piece counts for more: a straight wall stays flat up to where a groove begins, and
+            // the bend lies in the groove.
+            const double weight_below = length_between(profile[i - 1], profile[i]);
+            const double weight_above = length_between(profile[i], profile[i + 1]);
             const dvec2 blended = glm::normalize(weight_below * normal_below + weight_above * normal_above);
             const std::uint32_t ring = builder.add_ring(profile[i], blended);
             builder.add_band(lower, ring);
@@ -147,23 +172,9 @@ std::vector<dvec2> unit_circle(int n) {
 }
 
 PotMesh build_pot_mesh(const PotShape& shape) {
-    const Profile full = full_profile(shape);
-    PotMesh pot;
-    Fineness fineness{};
-    std::size_t rung = 0;
-    do {
-        fineness = rung < kFirstFinenesses.size()
-                       ? kFirstFinenesses[rung]
-                       : Fineness{2.0 * fineness.tolerance_mm, kFirstFinenesses.back().sectors};
-        pot.profile = simplified(full, fineness.tolerance_mm);
-        ++rung;
-    } while (triangle_count(pot.profile, fineness.sectors) > kMaxTriangles);
-    pot.tolerance_mm = fineness.tolerance_mm;
-    pot.sectors = fineness.sectors;
-
-    const double n = fineness.sectors;
-    const double sine = unit_circle(fineness.sectors)[1].y;
-    const double polygon_share = n * sine / (2.0 * std::numbers::pi);  // of the circle's area
+    PotMesh pot = thinned_to_budget(shape);
+    // Of the circle's area.
+    const double polygon_share = pot.sectors * unit_circle(pot.sectors)[1].y / (2.0 * std::numbers::pi);
     pot.radius_scale = std::sqrt(clay_volume_mm3(shape) / (polygon_share * volume_mm3(pot.profile)));
     for (ProfilePoint& point : pot.profile)
         point.radius_mm *= pot.radius_scale;

@@ -23,12 +23,14 @@ struct PotMesh {
     Profile profile;            // the rings that were built, radii scaled
     int sectors = 0;            // corners of each ring
     double tolerance_mm = 0.0;  // how far thinning may have moved a radius
+    std::size_t elements = 0;   // that the outline was taken from; fewer than the pot's if it is too rough
     double radius_scale = 1.0;
 };
 
-// The finest of a row of ever coarser settings, the first being 0.008 mm and 128 corners, that stays within
-// kMaxTriangles. Any pot thrown by hand gets the first; a hundred thousand random ledges get a coarse one.
-// Precondition: check_shape. The same shape gives the same bits on every machine: no libm trigonometry.
+// The finest of four settings that stays within kMaxTriangles: from 0.008 mm and 128 corners, which smooth
+// pots get, to 0.064 mm and 48. What is too rough for all four (thousands of ledges, as no hand makes them)
+// is blurred: its elements are merged, each keeping its clay, until the last setting fits. Precondition:
+// check_shape. The same shape gives the same bits on every machine: no libm trigonometry.
 PotMesh build_pot_mesh(const PotShape& shape);
 
 // n unit vectors (cos, sin) at 2 pi k/n, from halved angles and exact square roots. n = 2^a or 3 x 2^a, a

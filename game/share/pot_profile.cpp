@@ -22,9 +22,8 @@ bool is_ledge(double below_mm, double above_mm, double element_height_mm) {
     return step > kLedgeSteepness * element_height_mm && lost_share > kLedgeVolumeShare;
 }
 
-// A tolerance larger than the pot is thick must not carry the line through the axis.
 ProfilePoint on_line(const ProfilePoint& anchor, double slope, double y_mm) {
-    return {y_mm, std::max(0.5 * kMinRadiusMm, anchor.radius_mm + slope * (y_mm - anchor.y_mm))};
+    return {y_mm, anchor.radius_mm + slope * (y_mm - anchor.y_mm)};
 }
 
 // Thins one stretch of rising heights, [first, last], and appends it. A line leaves the anchor, and each
@@ -87,6 +86,28 @@ Result<void> check_shape(const PotShape& shape) {
         }
     }
     return {};
+}
+
+std::vector<float> resampled(std::span<const float> radii_mm, std::size_t count) {
+    // Heights are measured in the elements of the result, squares summed from below: each new element takes
+    // from each old one the share that it covers.
+    const double old_height = static_cast<double>(count) / static_cast<double>(radii_mm.size());
+    std::vector<double> squares(count, 0.0);
+    for (std::size_t i = 0; i < radii_mm.size(); ++i) {
+        const double square = double{radii_mm[i]} * double{radii_mm[i]};
+        const double top = static_cast<double>(i + 1) * old_height;
+        double from = static_cast<double>(i) * old_height;
+        for (auto at = static_cast<std::size_t>(from); at < count && from < top; ++at) {
+            const double to = std::min(top, static_cast<double>(at + 1));
+            squares[at] += (to - from) * square;
+            from = to;
+        }
+    }
+    std::vector<float> out;
+    out.reserve(count);
+    for (const double square : squares)
+        out.push_back(static_cast<float>(std::sqrt(square)));
+    return out;
 }
 
 Profile full_profile(const PotShape& shape) {

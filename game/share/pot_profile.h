@@ -37,9 +37,14 @@ Result<void> check_shape(const PotShape& shape);
 // than 4 : 1 and would cost more than a thousandth of the two elements' clay. Precondition: check_shape.
 Profile full_profile(const PotShape& shape);
 
+// The same clay in `count` elements of equal height: each new one holds the volume that lay within its
+// height. Precondition: 1 <= count <= number of radii.
+std::vector<float> resampled(std::span<const float> radii_mm, std::size_t count);
+
 // Fewer points, such that no radius of `profile` is off by more than tolerance_mm; one pass, however rough
 // the outline. A ledge higher than twice the tolerance stays as it is; a lower one becomes a slope, off by at
 // most twice the tolerance.
+// Precondition: tolerance_mm < kMinRadiusMm, or the line might cross the axis.
 Profile simplified(const Profile& profile, double tolerance_mm);
 
 // Of the solid of revolution, mm^3: frustums, pi/3 dy (a^2 + a b + b^2).

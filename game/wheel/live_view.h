@@ -36,6 +36,7 @@ class LiveView {
     [[nodiscard]] std::vector<window::Event> poll_events();
     [[nodiscard]] bool close_requested() const;
     void set_title(const std::string& title);
+    void set_full_screen(bool full_screen);
 
     // Draws one frame. It waits for the one before it to have left the device, and for no clock. True if a
     // frame was drawn; false while the window is minimised or between two sizes.

@@ -1,0 +1,72 @@
+#include "engine/render/camera.h"
+
+#include <cmath>
+
+namespace onggi::render {
+namespace {
+
+struct Frame {
+    dvec3 forward;
+    dvec3 right;
+    dvec3 up;
+};
+
+Frame frame_of(const Camera& camera) {
+    const dvec3 forward = glm::normalize(dvec3(camera.target_mm) - dvec3(camera.eye_mm));
+    const dvec3 right = glm::normalize(glm::cross(forward, dvec3(0.0, 1.0, 0.0)));
+    return {forward, right, glm::cross(right, forward)};
+}
+
+// Half the height of the picture one mm in front of the eye.
+double half_height_of(const Camera& camera) {
+    return std::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
+}
+
+}  // namespace
+
+mat4 view_projection(const Camera& camera, int width_px, int height_px) {
+    const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
+    mat4 projection = glm::perspective(camera.vertical_fov_rad, aspect, camera.near_mm, camera.far_mm);
+    projection[1][1] *= -1.0F;  // Vulkan's y points down
+    return projection * glm::lookAt(camera.eye_mm, camera.target_mm, vec3(0.0F, 1.0F, 0.0F));
+}
+
+Ray ray_through(const Camera& camera, int width_px, int height_px, dvec2 pixel) {
+    const Frame frame = frame_of(camera);
+    const double half_height = half_height_of(camera);
+    const double half_width = half_height * width_px / height_px;
+    const double x = (2.0 * pixel.x / width_px - 1.0) * half_width;
+    const double y = (1.0 - 2.0 * pixel.y / height_px) * half_height;
+    return {dvec3(camera.eye_mm), glm::normalize(frame.forward + x * frame.right + y * frame.up)};
+}
+
+std::optional<dvec3> meet_axis_plane(const Ray& ray, const Camera& camera) {
+    const dvec3 away(static_cast<double>(camera.eye_mm.x), 0.0, static_cast<double>(camera.eye_mm.z));
+    const double distance = glm::length(away);
+    if (distance == 0.0) return std::nullopt;  // seen from straight above, no upright plane faces the eye
+    const dvec3 normal = away / distance;
+    const double slope = glm::dot(ray.direction, normal);
+    constexpr double kParallel = 1e-6;
+    if (slope > -kParallel) return std::nullopt;
+    const double along = -glm::dot(ray.origin_mm, normal) / slope;
+    return ray.origin_mm + along * ray.direction;
+}
+
+std::optional<Projected> project(const Camera& camera, int width_px, int height_px, dvec3 point_mm) {
+    const Frame frame = frame_of(camera);
+    const dvec3 from_eye = point_mm - dvec3(camera.eye_mm);
+    const double depth = glm::dot(from_eye, frame.forward);
+    if (depth <= 0.0) return std::nullopt;
+    const double half_height = half_height_of(camera) * depth;
+    const double half_width = half_height * width_px / height_px;
+    const double x = glm::dot(from_eye, frame.right) / half_width;
+    const double y = glm::dot(from_eye, frame.up) / half_height;
+    return Projected{{(x + 1.0) * 0.5 * width_px, (1.0 - y) * 0.5 * height_px}, depth};
+}
+
+double pixels_per_mm(const Camera& camera, int height_px) {
+    const double distance = glm::length(dvec3(camera.target_mm) - dvec3(camera.eye_mm));
+    return height_px / (2.0 * half_height_of(camera) * distance);
+}
+
+}  // namespace onggi::render

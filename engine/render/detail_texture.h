@@ -1,0 +1,16 @@
+// The slip that fingers leave on turning clay, as a texture made when the program loads: streaks long round
+// the pot and thin up it, a fine grain, a few pits. Any thread; a pure function, the same bytes every time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace onggi::render {
+
+constexpr int kDetailTexels = 512;
+
+// kDetailTexels squared, RGBA: lighter or darker, lean round, lean up, thickness of the film; 128 is the
+// mean. It repeats both ways.
+[[nodiscard]] std::vector<std::uint8_t> detail_texture();
+
+}  // namespace onggi::render

@@ -1,0 +1,51 @@
+// From a scene to what one frame uploads: pure functions, so that most of the renderer is tested without a
+// pixel. Any thread. mm, pixels.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/lathe_shape.h"
+#include "engine/render/renderer.h"
+#include "engine/render/scene.h"
+#include "engine/render/shadow_region.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+
+struct BuiltFrame {
+    shaders::FrameData frame{};
+    shaders::LatheDraw lathe{};
+    RingChoice choice;
+    std::vector<shaders::RingData> rings;
+    NormalTexels normals{};
+    std::uint32_t lathe_indices = 0;   // how many of the index buffer to draw; 0: no lathe
+    shaders::ShadeDraw shade{};        // where the cached still life is drawn over with shadow
+    std::uint32_t shade_vertices = 0;  // 0: nowhere
+    PixelRect moving;                  // where anything that moves can be seen
+    float ring_error_px = 0.0F;
+};
+
+// What of the still life the frame needs to know: its ground's depth and the size of what casts shadows.
+struct StillBounds {
+    float lowest_mm = 0.0F;
+    vec3 centre_mm{0.0F};
+    float radius_mm = 1.0F;  // of a sphere about all parts that cast shadows
+};
+[[nodiscard]] StillBounds bounds_of(const StillLife& still_life);
+
+// Into `built`, whose memory is used again.
+void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
+                 int height_px, BuiltFrame& built);
+
+[[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale);
+
+// Triangles of the lathe's rows and sectors, for as many rows as max_rings can ask for; any first part that
+// ends at a whole row is a lathe with fewer.
+[[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rings, int sectors);
+
+// Of everything the cached layers depend on, and of everything the shadow mask does.
+[[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
+[[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
+
+}  // namespace onggi::render

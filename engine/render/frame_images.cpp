@@ -1,0 +1,106 @@
+#include "engine/render/frame_images.h"
+
+#include <initializer_list>
+#include <utility>
+
+#include "engine/render/detail_texture.h"
+#include "engine/render/pipelines.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+namespace {
+
+struct Wish {
+    vk::Image& into;
+    vk::ImageDesc desc;
+};
+
+Result<void> create_all(const vk::Device& device, std::initializer_list<Wish> wishes) {
+    for (const Wish& wish : wishes) {
+        auto image = vk::Image::create(device, wish.desc);
+        if (!image) return image.error();
+        wish.into = std::move(*image);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> create_fixed_images(const vk::Device& device, FrameImages& images) {
+    constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT;
+    return create_all(device, {{images.normals,
+                                {.name = "outline normals",
+                                 .format = kNormalsFormat,
+                                 .extent = {shaders::kProfileTexels, 1},
+                                 .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
+                               {images.detail,
+                                {.name = "slip",
+                                 .format = kDetailFormat,
+                                 .extent = {kDetailTexels, kDetailTexels},
+                                 .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
+                               {images.mask,
+                                {.name = "shadow mask",
+                                 .format = kMaskFormat,
+                                 .extent = {shaders::kMaskTexels, shaders::kMaskTexels},
+                                 .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}},
+                               {images.key_map,
+                                {.name = "still life's shadow map",
+                                 .format = kDepthFormat,
+                                 .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
+                                 .usage = kRead | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                 .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+}
+
+Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,
+                                 FrameImages& images) {
+    const auto samples = static_cast<VkSampleCountFlagBits>(desc.samples);
+    const VkImageUsageFlags copied_depth =
+        desc.cached ? VkImageUsageFlags{VK_IMAGE_USAGE_TRANSFER_DST_BIT} : 0;
+    if (auto made = create_all(device, {{images.depth,
+                                         {.name = "depth",
+                                          .format = kDepthFormat,
+                                          .extent = extent,
+                                          .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | copied_depth,
+                                          .samples = samples,
+                                          .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+        !made) {
+        return made;
+    }
+    if (desc.samples > 1) {
+        if (auto made = create_all(device, {{images.multisampled,
+                                             {.name = "picture, several samples a pixel",
+                                              .format = desc.colour_format,
+                                              .extent = extent,
+                                              .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                              .samples = samples}}});
+            !made) {
+            return made;
+        }
+    }
+    if (!desc.cached) return {};
+    constexpr VkImageUsageFlags kLayer = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    return create_all(
+        device, {{images.still_key,
+                  {.name = "still life with the key light",
+                   .format = desc.colour_format,
+                   .extent = extent,
+                   .usage = kLayer | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}},
+                 {images.still_ambient,
+                  {.name = "still life without the key light",
+                   .format = desc.colour_format,
+                   .extent = extent,
+                   .usage = kLayer}},
+                 {images.still_coords,
+                  {.name = "still life's places in the shadow mask",
+                   .format = kCoordsFormat,
+                   .extent = extent,
+                   .usage = kLayer}},
+                 {images.still_depth,
+                  {.name = "still life's depth",
+                   .format = kDepthFormat,
+                   .extent = extent,
+                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                   .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,30 @@
+// The images a renderer draws into besides its target. Those of the picture's size are made again when it
+// changes. Main thread.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/render/renderer.h"
+#include "engine/vk/image.h"
+
+namespace onggi::render {
+
+struct FrameImages {
+    // Of fixed size.
+    vk::Image normals;  // the outline's normals, one row
+    vk::Image detail;
+    vk::Image mask;
+    vk::Image key_map;
+    // Of the picture's size.
+    vk::Image depth;
+    vk::Image multisampled;  // with samples > 1
+    vk::Image still_key;     // these four when cached
+    vk::Image still_ambient;
+    vk::Image still_coords;
+    vk::Image still_depth;
+};
+
+Result<void> create_fixed_images(const vk::Device& device, FrameImages& images);
+Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,
+                                 FrameImages& images);
+
+}  // namespace onggi::render

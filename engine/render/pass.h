@@ -1,0 +1,29 @@
+// A dynamic-rendering pass in a few words. Main thread.
+#pragma once
+
+#include <initializer_list>
+
+#include "engine/render/shadow_region.h"
+#include "engine/vk/vulkan.h"
+
+namespace onggi::render {
+
+struct PassColour {
+    VkImageView view = VK_NULL_HANDLE;
+    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    VkImageView resolve = VK_NULL_HANDLE;  // the average of the samples goes here, and they are dropped
+};
+
+struct PassDepth {
+    VkImageView view = VK_NULL_HANDLE;                      // null: none
+    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_CLEAR;  // to 1
+    VkAttachmentStoreOp store = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+};
+
+// Begins rendering with viewport and scissor over the whole extent. vkCmdEndRendering ends it.
+void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<PassColour> colours,
+                const PassDepth& depth);
+
+void set_scissor(VkCommandBuffer commands, const PixelRect& rect);
+
+}  // namespace onggi::render

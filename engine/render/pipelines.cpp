@@ -1,0 +1,212 @@
+#include "engine/render/pipelines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "engine/render/scene.h"
+#include "shaders/frame_data.h"
+#include "shaders/shaders.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr VkShaderStageFlags kBoth = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+// In the order of the kBind... constants.
+constexpr std::array kBindings{
+    vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kBoth},
+    vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBoth},
+    vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
+static_assert(kBindings.size() == shaders::kBindStillCoords + 1);
+
+constexpr std::array kMeshAttributes{
+    VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, position_mm)},
+    VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, normal)},
+    VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32_SFLOAT, offsetof(Mesh::Vertex, open_sky)}};
+
+// Formats that Vulkan does not promise everywhere; every desktop driver we know has them.
+Result<void> check_formats(const vk::Device& device) {
+    struct Need {
+        VkFormat format;
+        const char* name;
+        VkFormatFeatureFlags features;
+    };
+    constexpr VkFormatFeatureFlags kFiltered =
+        VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    for (const Need& need :
+         {Need{kNormalsFormat, "R16G16_SNORM", kFiltered},
+          Need{kDepthFormat, "D32_SFLOAT",
+               VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT}}) {
+        VkFormatProperties properties{};
+        vkGetPhysicalDeviceFormatProperties(device.physical(), need.format, &properties);
+        if ((properties.optimalTilingFeatures & need.features) != need.features) {
+            return system_lacks(fmt::format("Vulkan device {}: expected reading of {} images, found none",
+                                            device.description().name, need.name));
+        }
+    }
+    return {};
+}
+
+// Makes pipelines until one fails; the first failure is kept.
+class Maker {
+  public:
+    explicit Maker(const vk::Device& device) : device_(device) {}
+
+    void make(vk::Pipeline& into, const vk::PipelineDesc& desc) {
+        if (!error_) return;
+        auto made = vk::create_pipeline(device_, desc);
+        if (made) {
+            into = std::move(*made);
+        } else {
+            error_ = made.error();
+        }
+    }
+    [[nodiscard]] Result<void> outcome() const { return error_; }
+
+  private:
+    const vk::Device& device_;
+    Result<void> error_;
+};
+
+Result<void> create_samplers(const vk::Device& device, Pipelines& pipelines) {
+    struct Wish {
+        vk::Sampler& into;
+        vk::SamplerDesc desc;
+        const char* name;
+    };
+    for (const Wish& wish :
+         {Wish{pipelines.clamped, {}, "clamped"},
+          Wish{pipelines.repeated,
+               {.address_u = VK_SAMPLER_ADDRESS_MODE_REPEAT, .address_v = VK_SAMPLER_ADDRESS_MODE_REPEAT},
+               "repeated"},
+          Wish{pipelines.exact, {.filter = VK_FILTER_NEAREST}, "exact"},
+          Wish{pipelines.compared,
+               {.filter = VK_FILTER_NEAREST,
+               .address_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+               .address_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+               .compares = true},
+               "compared"}}) {
+        auto sampler = vk::create_sampler(device, wish.desc, wish.name);
+        if (!sampler) return sampler.error();
+        wish.into = std::move(*sampler);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc) {
+    if (auto formats = check_formats(device); !formats) return formats.error();
+    Pipelines pipelines;
+    auto set = vk::create_set(device, kBindings, "scene");
+    if (!set) return set.error();
+    pipelines.set = std::move(*set);
+    constexpr auto kPushBytes = static_cast<std::uint32_t>(
+        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::ShadeDraw)}));
+    static_assert(kPushBytes <= 128);  // what every device has
+    auto layout = vk::create_pipeline_layout(device, pipelines.set.layout.get(), kPushBytes, "scene");
+    if (!layout) return layout.error();
+    pipelines.layout = std::move(*layout);
+    if (auto samplers = create_samplers(device, pipelines); !samplers) return samplers.error();
+
+    const auto transfer = static_cast<std::uint32_t>(desc.transfer);
+    constexpr std::uint32_t kStands = 0;
+    constexpr std::uint32_t kMoves = 1;
+    const std::array still_constants{transfer, kStands};
+    const std::array mover_constants{transfer, kMoves};
+    const std::array picture_formats{desc.colour_format};
+    const std::array layer_formats{desc.colour_format, desc.colour_format, kCoordsFormat};
+    const std::array mask_formats{kMaskFormat};
+    const std::span<const VkFormat> still_formats =
+        desc.cached ? std::span<const VkFormat>(layer_formats) : std::span<const VkFormat>(picture_formats);
+    const auto samples = static_cast<VkSampleCountFlagBits>(desc.samples);
+
+    vk::PipelineDesc screen{
+        .name = "backdrop",
+        .vertex_spirv = shaders::kScreenVert,
+        .fragment_spirv = desc.cached ? shaders::kBackdropLayersFrag : shaders::kBackdropFrag,
+        .constants = still_constants,
+        .layout = pipelines.layout.get(),
+        .colour_formats = still_formats,
+        .depth_format = kDepthFormat,
+        .samples = samples,
+        .depth_test = true,
+        .cull = VK_CULL_MODE_NONE};
+    vk::PipelineDesc mesh{.name = "still life",
+                          .vertex_spirv = shaders::kMeshVert,
+                          .fragment_spirv = desc.cached ? shaders::kMeshLayersFrag : shaders::kMeshFrag,
+                          .constants = still_constants,
+                          .layout = pipelines.layout.get(),
+                          .attributes = kMeshAttributes,
+                          .vertex_stride = sizeof(Mesh::Vertex),
+                          .colour_formats = still_formats,
+                          .depth_format = kDepthFormat,
+                          .samples = samples,
+                          .depth_test = true,
+                          .depth_write = true};
+    Maker maker(device);
+    maker.make(pipelines.backdrop, screen);
+    maker.make(pipelines.still, mesh);
+
+    vk::PipelineDesc mover = mesh;
+    mover.name = "moving sphere";
+    mover.fragment_spirv = shaders::kMeshFrag;
+    mover.constants = mover_constants;
+    mover.colour_formats = picture_formats;
+    maker.make(pipelines.mover, mover);
+
+    vk::PipelineDesc lathe = mover;
+    lathe.name = "lathe";
+    lathe.vertex_spirv = shaders::kLatheVert;
+    lathe.fragment_spirv = shaders::kLatheFrag;
+    lathe.attributes = {};
+    lathe.vertex_stride = 0;
+    maker.make(pipelines.lathe, lathe);
+
+    vk::PipelineDesc key_map = mesh;
+    key_map.name = "still life's shadow map";
+    key_map.vertex_spirv = shaders::kKeyMapVert;
+    key_map.fragment_spirv = {};
+    key_map.constants = {};
+    key_map.attributes = std::span(kMeshAttributes).first(1);
+    key_map.colour_formats = {};
+    key_map.samples = VK_SAMPLE_COUNT_1_BIT;
+    key_map.depth_bias = true;
+    key_map.cull = VK_CULL_MODE_NONE;
+    maker.make(pipelines.key_map, key_map);
+
+    vk::PipelineDesc mask = screen;
+    mask.name = "shadow mask";
+    mask.fragment_spirv = shaders::kMaskFrag;
+    mask.constants = {};
+    mask.colour_formats = mask_formats;
+    mask.depth_format = VK_FORMAT_UNDEFINED;
+    mask.samples = VK_SAMPLE_COUNT_1_BIT;
+    mask.depth_test = false;
+    maker.make(pipelines.mask, mask);
+
+    if (desc.cached) {
+        vk::PipelineDesc shade = screen;
+        shade.name = "shade over the still life";
+        shade.vertex_spirv = shaders::kShadeVert;
+        shade.fragment_spirv = shaders::kShadeFrag;
+        shade.constants = {};
+        shade.colour_formats = picture_formats;
+        shade.depth_test = false;
+        maker.make(pipelines.shade, shade);
+    }
+    if (auto made = maker.outcome(); !made) return made.error();
+    return pipelines;
+}
+
+}  // namespace onggi::render

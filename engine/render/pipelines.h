@@ -1,0 +1,35 @@
+// Everything the renderer makes once from its description: the set's layout, the samplers, the pipelines.
+// Main thread.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/render/renderer.h"
+#include "engine/vk/pipeline.h"
+
+namespace onggi::render {
+
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+constexpr VkFormat kMaskFormat = VK_FORMAT_R8G8_UNORM;
+constexpr VkFormat kCoordsFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kNormalsFormat = VK_FORMAT_R16G16_SNORM;
+constexpr VkFormat kDetailFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+struct Pipelines {
+    vk::BoundSet set;
+    vk::PipelineLayout layout;
+    vk::Sampler clamped;
+    vk::Sampler repeated;
+    vk::Sampler exact;
+    vk::Sampler compared;
+    vk::Pipeline backdrop;  // into layers when cached, else into the picture
+    vk::Pipeline still;     // likewise
+    vk::Pipeline key_map;
+    vk::Pipeline mask;
+    vk::Pipeline shade;  // cached only
+    vk::Pipeline lathe;
+    vk::Pipeline mover;
+};
+
+Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc);
+
+}  // namespace onggi::render

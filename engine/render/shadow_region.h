@@ -1,0 +1,55 @@
+// Where the moving things' shadow lies: the map from the world to the shadow mask, and the pixels it can
+// reach. Any thread; pure functions. mm, pixels.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/math/math.h"
+#include "engine/render/scene.h"
+
+namespace onggi::render {
+
+// The mask covers a rectangle of y = 0 that begins behind the axis, seen from the light, and runs down the
+// light as far as the tallest caster's shadow.
+struct MaskPlacement {
+    vec4 u;  // dot(xyz, p) + w: where p, slid along the light onto y = 0, lies in the mask
+    vec4 v;
+    vec2 origin;  // xz of u = v = 0
+    vec2 axis_u;  // xz
+    vec2 axis_v;
+};
+[[nodiscard]] MaskPlacement place_mask(const ShadowRegion& region, const DirectionalLight& light);
+
+// Pixels, clamped to the picture; empty when width or height is 0.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+// All pixels in which a box of the world can be seen, one more all round.
+struct Box {
+    vec3 low{0.0F};
+    vec3 high{0.0F};
+};
+[[nodiscard]] PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_px,
+                                  int height_px);
+
+// The boxes of what moves: the lathe and the spheres.
+[[nodiscard]] std::vector<Box> moving_boxes(const Scene& scene);
+
+// A convex polygon about all pixels where that shadow, or the shade about the lathe's foot, can fall on
+// something between y = 0 and y = lowest_mm. Pixels, at most max_corners corners, turning the same way all
+// round; empty if there is nothing that casts, four corners of the whole picture if it cannot be said.
+[[nodiscard]] std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_px,
+                                               int height_px, std::size_t max_corners);
+
+// The smallest convex polygon about some points, without the points on its sides.
+[[nodiscard]] std::vector<dvec2> convex_hull(std::vector<dvec2> points);
+
+}  // namespace onggi::render

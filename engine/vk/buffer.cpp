@@ -1,0 +1,45 @@
+#include "engine/vk/buffer.h"
+
+#include <utility>
+
+#include "engine/vk/check.h"
+
+namespace onggi::vk {
+
+Result<Buffer> Buffer::create(const Device& device, const BufferDesc& desc) {
+    Buffer buffer;
+    buffer.device_ = &device;
+    buffer.size_ = desc.size;
+    VkBufferCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    info.size = desc.size;
+    info.usage = desc.usage;
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    ONGGI_VK_TRY(vkCreateBuffer(device.handle(), &info, nullptr, &buffer.buffer_));
+
+    VkMemoryRequirements needs{};
+    vkGetBufferMemoryRequirements(device.handle(), buffer.buffer_, &needs);
+    auto allocation = allocate(device, needs, desc.use);
+    if (!allocation) return allocation.error();
+    buffer.allocation_ = *allocation;
+    ONGGI_VK_TRY(vkBindBufferMemory(device.handle(), buffer.buffer_, buffer.allocation_.memory, 0));
+    device.name(VK_OBJECT_TYPE_BUFFER, buffer.buffer_, desc.name);
+    return buffer;
+}
+
+void Buffer::destroy() {
+    if (device_ == nullptr) return;
+    if (buffer_ != VK_NULL_HANDLE) vkDestroyBuffer(device_->handle(), buffer_, nullptr);
+    free_allocation(*device_, allocation_);
+    buffer_ = VK_NULL_HANDLE;
+    device_ = nullptr;
+}
+
+void Buffer::swap(Buffer& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(buffer_, other.buffer_);
+    std::swap(size_, other.size_);
+    std::swap(allocation_, other.allocation_);
+}
+
+}  // namespace onggi::vk

@@ -1,0 +1,50 @@
+// A buffer with its memory. Main thread.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include "engine/core/result.h"
+#include "engine/vk/memory.h"
+
+namespace onggi::vk {
+
+struct BufferDesc {
+    std::string_view name;
+    VkDeviceSize size = 0;  // bytes
+    VkBufferUsageFlags usage = 0;
+    MemoryUse use = MemoryUse::kUpload;
+};
+
+class Buffer {
+  public:
+    Buffer() = default;
+    // The device must outlive the buffer.
+    static Result<Buffer> create(const Device& device, const BufferDesc& desc);
+    ~Buffer() { destroy(); }
+    Buffer(Buffer&& other) noexcept { swap(other); }
+    Buffer& operator=(Buffer&& other) noexcept { return swap(other), *this; }
+
+    [[nodiscard]] VkBuffer handle() const { return buffer_; }
+    [[nodiscard]] VkDeviceSize size() const { return size_; }
+    // Null unless the host can see it.
+    [[nodiscard]] std::byte* mapped() const { return static_cast<std::byte*>(allocation_.mapped); }
+
+    // Precondition: host-visible and large enough.
+    void write(std::span<const std::byte> bytes, std::size_t offset = 0) const {
+        if (!bytes.empty()) std::memcpy(mapped() + offset, bytes.data(), bytes.size());
+    }
+
+  private:
+    void destroy();
+    void swap(Buffer& other) noexcept;
+
+    const Device* device_ = nullptr;
+    VkBuffer buffer_ = VK_NULL_HANDLE;
+    VkDeviceSize size_ = 0;
+    Allocation allocation_;
+};
+
+}  // namespace onggi::vk

@@ -1,0 +1,75 @@
+#include <map>
+
+#include "engine/vk/check.h"
+#include "engine/vk/pipeline.h"
+
+namespace onggi::vk {
+
+Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindings, std::string_view name) {
+    std::vector<VkDescriptorSetLayoutBinding> layout_bindings;
+    std::map<VkDescriptorType, std::uint32_t> counts;
+    for (const Binding& binding : bindings) {
+        const auto number = static_cast<std::uint32_t>(layout_bindings.size());
+        layout_bindings.push_back({number, binding.type, 1, binding.stages, nullptr});
+        ++counts[binding.type];
+    }
+    VkDescriptorSetLayoutCreateInfo layout_info{};
+    layout_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    layout_info.bindingCount = static_cast<std::uint32_t>(layout_bindings.size());
+    layout_info.pBindings = layout_bindings.data();
+    BoundSet result;
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    ONGGI_VK_TRY(vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout));
+    result.layout = SetLayout(device.handle(), layout);
+    device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, layout, name);
+
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (const auto& [type, count] : counts)
+        sizes.push_back({type, count});
+    VkDescriptorPoolCreateInfo pool_info{};
+    pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    pool_info.maxSets = 1;
+    pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+    pool_info.pPoolSizes = sizes.data();
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    ONGGI_VK_TRY(vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool));
+    result.pool = DescriptorPool(device.handle(), pool);
+    device.name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, name);
+
+    VkDescriptorSetAllocateInfo set_info{};
+    set_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    set_info.descriptorPool = pool;
+    set_info.descriptorSetCount = 1;
+    set_info.pSetLayouts = &layout;
+    ONGGI_VK_TRY(vkAllocateDescriptorSets(device.handle(), &set_info, &result.set));
+    device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, result.set, name);
+    return result;
+}
+
+void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type,
+                  VkBuffer buffer) {
+    const VkDescriptorBufferInfo info{buffer, 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = type;
+    write.pBufferInfo = &info;
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
+void write_image(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view,
+                 VkSampler sampler) {
+    const VkDescriptorImageInfo info{sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    write.pImageInfo = &info;
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
+}  // namespace onggi::vk

@@ -1,0 +1,120 @@
+#include "engine/vk/device.h"
+
+#include <string>
+#include <vector>
+
+#include "engine/vk/check.h"
+
+namespace onggi::vk {
+
+Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const ChosenDevice& chosen,
+                                               bool presents) {
+    std::unique_ptr<Device> self(new Device);
+    self->physical_ = chosen.handle;
+    self->description_ = chosen.description;
+    self->queue_family_ = chosen.queue_family;
+    vkGetPhysicalDeviceMemoryProperties(chosen.handle, &self->memory_);
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(chosen.handle, &properties);
+    self->limits_ = properties.limits;
+
+    VkPhysicalDeviceVulkan13Features features13{};
+    features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    features13.dynamicRendering = VK_TRUE;
+    features13.synchronization2 = VK_TRUE;
+    VkPhysicalDeviceVulkan12Features features12{};
+    features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    features12.pNext = &features13;
+    features12.timelineSemaphore = VK_TRUE;
+
+    const float priority = 1.0F;
+    const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                        .pNext = nullptr,
+                                        .flags = 0,
+                                        .queueFamilyIndex = chosen.queue_family,
+                                        .queueCount = 1,
+                                        .pQueuePriorities = &priority};
+    std::vector<const char*> extensions;
+    if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                  .pNext = &features12,
+                                  .flags = 0,
+                                  .queueCreateInfoCount = 1,
+                                  .pQueueCreateInfos = &queue,
+                                  .enabledLayerCount = 0,
+                                  .ppEnabledLayerNames = nullptr,
+                                  .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                  .ppEnabledExtensionNames = extensions.data(),
+                                  .pEnabledFeatures = nullptr};
+    ONGGI_VK_TRY(vkCreateDevice(chosen.handle, &info, nullptr, &self->device_));
+    vkGetDeviceQueue(self->device_, chosen.queue_family, 0, &self->queue_);
+    if (instance.names_objects()) {
+        self->set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+            vkGetInstanceProcAddr(instance.handle(), "vkSetDebugUtilsObjectNameEXT"));
+    }
+
+    const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                       .pNext = nullptr,
+                                       .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                       .queueFamilyIndex = chosen.queue_family};
+    ONGGI_VK_TRY(vkCreateCommandPool(self->device_, &pool, nullptr, &self->pool_));
+    self->name(VK_OBJECT_TYPE_COMMAND_POOL, self->pool_, "commands");
+    return self;
+}
+
+Device::~Device() {
+    if (device_ == VK_NULL_HANDLE) return;
+    vkDeviceWaitIdle(device_);
+    if (pool_ != VK_NULL_HANDLE) vkDestroyCommandPool(device_, pool_, nullptr);
+    vkDestroyDevice(device_, nullptr);
+}
+
+void Device::name(VkObjectType type, std::uint64_t object, std::string_view name) const {
+    if (set_name_ == nullptr) return;
+    const std::string text(name);
+    const VkDebugUtilsObjectNameInfoEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+                                             .pNext = nullptr,
+                                             .objectType = type,
+                                             .objectHandle = object,
+                                             .pObjectName = text.c_str()};
+    set_name_(device_, &info);  // a name that could not be set harms nobody
+}
+
+Result<VkCommandBuffer> Device::allocate_commands(std::string_view text) const {
+    const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                           .pNext = nullptr,
+                                           .commandPool = pool_,
+                                           .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                           .commandBufferCount = 1};
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    ONGGI_VK_TRY(vkAllocateCommandBuffers(device_, &info, &commands));
+    name(VK_OBJECT_TYPE_COMMAND_BUFFER, commands, text);
+    return commands;
+}
+
+Result<VkCommandBuffer> Device::begin_once() const {
+    auto commands = allocate_commands("loading");
+    if (!commands) return commands;
+    VkCommandBufferBeginInfo begin{};
+    begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    ONGGI_VK_TRY(vkBeginCommandBuffer(*commands, &begin));
+    return commands;
+}
+
+Result<void> Device::end_once(VkCommandBuffer commands) const {
+    ONGGI_VK_TRY(vkEndCommandBuffer(commands));
+    VkCommandBufferSubmitInfo buffer{};
+    buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+    buffer.commandBuffer = commands;
+    VkSubmitInfo2 submit{};
+    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    submit.commandBufferInfoCount = 1;
+    submit.pCommandBufferInfos = &buffer;
+    ONGGI_VK_TRY(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE));
+    ONGGI_VK_TRY(vkQueueWaitIdle(queue_));
+    vkFreeCommandBuffers(device_, pool_, 1, &commands);
+    return {};
+}
+
+}  // namespace onggi::vk

@@ -1,0 +1,104 @@
+#include "engine/vk/image.h"
+
+#include <utility>
+
+#include "engine/vk/check.h"
+
+namespace onggi::vk {
+
+Result<Image> Image::create(const Device& device, const ImageDesc& desc) {
+    Image image;
+    image.device_ = &device;
+    image.extent_ = desc.extent;
+    image.aspect_ = desc.aspect;
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = desc.format;
+    info.extent = {desc.extent.width, desc.extent.height, 1};
+    info.mipLevels = 1;
+    info.arrayLayers = 1;
+    info.samples = desc.samples;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = desc.usage;
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    ONGGI_VK_TRY(vkCreateImage(device.handle(), &info, nullptr, &image.image_));
+
+    VkMemoryRequirements needs{};
+    vkGetImageMemoryRequirements(device.handle(), image.image_, &needs);
+    auto allocation = allocate(device, needs, MemoryUse::kDevice);
+    if (!allocation) return allocation.error();
+    image.allocation_ = *allocation;
+    ONGGI_VK_TRY(vkBindImageMemory(device.handle(), image.image_, image.allocation_.memory, 0));
+    device.name(VK_OBJECT_TYPE_IMAGE, image.image_, desc.name);
+
+    constexpr VkImageUsageFlags kViewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                          VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                          VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if ((desc.usage & kViewed) != 0) {
+        VkImageViewCreateInfo view{};
+        view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+        view.image = image.image_;
+        view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+        view.format = desc.format;
+        view.subresourceRange = {desc.aspect, 0, 1, 0, 1};
+        ONGGI_VK_TRY(vkCreateImageView(device.handle(), &view, nullptr, &image.view_));
+        device.name(VK_OBJECT_TYPE_IMAGE_VIEW, image.view_, desc.name);
+    }
+    return image;
+}
+
+void Image::destroy() {
+    if (device_ == nullptr) return;
+    if (view_ != VK_NULL_HANDLE) vkDestroyImageView(device_->handle(), view_, nullptr);
+    if (image_ != VK_NULL_HANDLE) vkDestroyImage(device_->handle(), image_, nullptr);
+    free_allocation(*device_, allocation_);
+    view_ = VK_NULL_HANDLE;
+    image_ = VK_NULL_HANDLE;
+    device_ = nullptr;
+}
+
+void Image::swap(Image& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(image_, other.image_);
+    std::swap(view_, other.view_);
+    std::swap(extent_, other.extent_);
+    std::swap(aspect_, other.aspect_);
+    std::swap(allocation_, other.allocation_);
+}
+
+void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageState& from,
+             const ImageState& to) {
+    VkImageMemoryBarrier2 change{};
+    change.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
+    change.srcStageMask = from.stages;
+    change.srcAccessMask = from.access;
+    change.dstStageMask = to.stages;
+    change.dstAccessMask = to.access;
+    change.oldLayout = from.layout;
+    change.newLayout = to.layout;
+    change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    change.image = image;
+    change.subresourceRange = {aspect, 0, 1, 0, 1};
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.imageMemoryBarrierCount = 1;
+    info.pImageMemoryBarriers = &change;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+void copy(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
+          const VkRect2D& area) {
+    VkImageCopy region{};
+    region.srcSubresource = {aspect, 0, 0, 1};
+    region.dstSubresource = {aspect, 0, 0, 1};
+    region.srcOffset = {area.offset.x, area.offset.y, 0};
+    region.dstOffset = region.srcOffset;
+    region.extent = {area.extent.width, area.extent.height, 1};
+    vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
+}  // namespace onggi::vk

@@ -1,0 +1,215 @@
+#include "engine/vk/physical_device.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+#include "engine/vk/check.h"
+
+namespace onggi::vk {
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+int rank_of(VkPhysicalDeviceType type) {
+    switch (type) {
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return 4;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+            return 3;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+            return 2;
+        case VK_PHYSICAL_DEVICE_TYPE_CPU:
+            return 1;
+        default:
+            return 0;
+    }
+}
+
+bool has_swapchain(VkPhysicalDevice device) {
+    std::uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
+    return std::any_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+    });
+}
+
+std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice device, VkSurfaceKHR surface) {
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    for (std::uint32_t family = 0; family < count; ++family) {
+        if ((families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT) == 0) continue;
+        if (surface == VK_NULL_HANDLE) return family;
+        VkBool32 presents = VK_FALSE;
+        const VkResult asked = vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &presents);
+        if (asked == VK_SUCCESS && presents == VK_TRUE) return family;
+    }
+    return std::nullopt;
+}
+
+std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version, VkSurfaceKHR surface) {
+    if (api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
+    VkPhysicalDeviceVulkan13Features features13{};
+    features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    VkPhysicalDeviceVulkan12Features features12{};
+    features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    features12.pNext = &features13;
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &features12;
+    vkGetPhysicalDeviceFeatures2(device, &features);
+    if (features13.dynamicRendering == VK_FALSE) return "dynamicRendering";
+    if (features13.synchronization2 == VK_FALSE) return "synchronization2";
+    if (features12.timelineSemaphore == VK_FALSE) return "timelineSemaphore";
+    if (!find_queue_family(device, surface)) {
+        return surface == VK_NULL_HANDLE ? "a graphics queue"
+                                         : "a graphics queue that presents to the window";
+    }
+    if (surface != VK_NULL_HANDLE && !has_swapchain(device)) return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    return {};
+}
+
+DeviceDescription describe(VkPhysicalDevice device, int index, VkSurfaceKHR surface) {
+    VkPhysicalDeviceDriverProperties driver{};
+    driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    vkGetPhysicalDeviceProperties(device, &properties.properties);
+    // The driver's own words came with 1.2; an older device would not fill them in.
+    if (properties.properties.apiVersion >= VK_API_VERSION_1_2) {
+        properties.pNext = &driver;
+        vkGetPhysicalDeviceProperties2(device, &properties);
+    }
+    const VkPhysicalDeviceProperties& plain = properties.properties;
+    return {.index = index,
+            .name = plain.deviceName,
+            .type = plain.deviceType,
+            .driver = driver.driverName,
+            .driver_info = driver.driverInfo,
+            .api_version = plain.apiVersion,
+            .lacks = what_it_lacks(device, plain.apiVersion, surface),
+            .chosen = false};
+}
+
+std::vector<VkPhysicalDevice> enumerate(VkInstance instance) {
+    std::uint32_t count = 0;
+    if (vkEnumeratePhysicalDevices(instance, &count, nullptr) != VK_SUCCESS) return {};
+    std::vector<VkPhysicalDevice> handles(count);
+    if (vkEnumeratePhysicalDevices(instance, &count, handles.data()) < VK_SUCCESS) return {};
+    handles.resize(count);
+    return handles;
+}
+
+std::vector<DeviceDescription> describe_all(const std::vector<VkPhysicalDevice>& handles,
+                                            VkSurfaceKHR surface) {
+    std::vector<DeviceDescription> descriptions;
+    for (VkPhysicalDevice handle : handles)
+        descriptions.push_back(describe(handle, static_cast<int>(descriptions.size()), surface));
+    return descriptions;
+}
+
+std::string names_of(const std::vector<DeviceDescription>& devices) {
+    std::vector<std::string> names;
+    for (const DeviceDescription& device : devices) {
+        names.push_back(device.lacks.empty()
+                            ? fmt::format("{} {}", device.index, device.name)
+                            : fmt::format("{} {} (lacks {})", device.index, device.name, device.lacks));
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string_view type_name(VkPhysicalDeviceType type) {
+    switch (type) {
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return "discrete GPU";
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+            return "integrated GPU";
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+            return "virtual GPU";
+        case VK_PHYSICAL_DEVICE_TYPE_CPU:
+            return "CPU";
+        default:
+            return "other";
+    }
+}
+
+std::string version_name(std::uint32_t api_version) {
+    return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(api_version), VK_API_VERSION_MINOR(api_version),
+                       VK_API_VERSION_PATCH(api_version));
+}
+
+std::string device_wish_of_environment() {
+    const char* wish = std::getenv("ONGGI_VULKAN_DEVICE");
+    return wish == nullptr ? std::string() : std::string(wish);
+}
+
+Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view wish) {
+    if (devices.empty()) {
+        return system_lacks(
+            "Vulkan: expected a device, found none; install a driver (mesa-vulkan-drivers draws without a "
+            "GPU)");
+    }
+    int wished_index = -1;
+    const char* const wish_end = wish.data() + wish.size();
+    const auto parsed = std::from_chars(wish.data(), wish_end, wished_index);
+    const bool wish_is_index = !wish.empty() && parsed.ec == std::errc() && parsed.ptr == wish_end;
+
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const DeviceDescription& device = devices[i];
+        if (!device.lacks.empty()) continue;
+        if (wish_is_index && device.index != wished_index) continue;
+        if (!wish_is_index && lower(device.name).find(lower(wish)) == std::string::npos) continue;
+        if (!best || rank_of(device.type) > rank_of(devices[*best].type)) best = i;
+    }
+    if (best) return *best;
+    if (!wish.empty()) {
+        return bad_input(fmt::format(
+            "Vulkan device '{}': expected the index or a part of the name of one that can be used, found {}",
+            wish, names_of(devices)));
+    }
+    return system_lacks(
+        fmt::format("Vulkan: expected a device with all that is needed, found {}; install a newer driver "
+                    "(mesa-vulkan-drivers draws without a GPU)",
+                    names_of(devices)));
+}
+
+Result<std::vector<DeviceDescription>> describe_devices(std::string_view wish) {
+    auto instance = Instance::create({});
+    if (!instance) return instance.error();
+    std::vector<DeviceDescription> devices = describe_all(enumerate((*instance)->handle()), VK_NULL_HANDLE);
+    if (const auto chosen = choose(devices, wish)) devices[*chosen].chosen = true;
+    return devices;
+}
+
+Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface, std::string_view wish) {
+    const std::vector<VkPhysicalDevice> handles = enumerate(instance.handle());
+    const std::vector<DeviceDescription> devices = describe_all(handles, surface);
+    const auto chosen = choose(devices, wish);
+    if (!chosen) return chosen.error();
+    ChosenDevice device{.handle = handles[*chosen],
+                        .description = devices[*chosen],
+                        .queue_family = find_queue_family(handles[*chosen], surface).value_or(0)};
+    device.description.chosen = true;
+    return device;
+}
+
+}  // namespace onggi::vk

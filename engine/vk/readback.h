@@ -1,0 +1,16 @@
+// Pixels back to the host. Main thread; waits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/vk/image.h"
+
+namespace onggi::vk {
+
+// Of an image with four bytes a pixel in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL: rows from the top, tightly
+// packed, in the image's own channel order.
+Result<std::vector<std::uint8_t>> read_pixels(const Device& device, const Image& image);
+
+}  // namespace onggi::vk

@@ -1,0 +1,185 @@
+#include "engine/vk/swapchain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/vk/check.h"
+
+namespace onggi::vk {
+
+Result<std::unique_ptr<Swapchain>> Swapchain::create(const Device& device, const Surface& surface,
+                                                     VkExtent2D extent) {
+    std::unique_ptr<Swapchain> self(new Swapchain(device, surface));
+    self->wanted_ = extent;
+    if (auto chosen = self->choose_format(); !chosen) return chosen.error();
+    auto acquired = create_semaphore(device, "image acquired");
+    if (!acquired) return acquired.error();
+    self->acquired_ = std::move(*acquired);
+    auto timeline = Timeline::create(device, "window frames");
+    if (!timeline) return timeline.error();
+    self->timeline_ = std::move(*timeline);
+    if (auto built = self->rebuild(); !built) return built.error();
+    return self;
+}
+
+Swapchain::~Swapchain() {
+    vkDeviceWaitIdle(device_->handle());
+    drop_frames();
+    if (swapchain_ != VK_NULL_HANDLE) vkDestroySwapchainKHR(device_->handle(), swapchain_, nullptr);
+}
+
+void Swapchain::resize(VkExtent2D extent) {
+    if (extent.width == wanted_.width && extent.height == wanted_.height) return;
+    wanted_ = extent;
+    is_current_ = false;
+}
+
+Result<void> Swapchain::choose_format() {
+    std::uint32_t count = 0;
+    ONGGI_VK_TRY(vkGetPhysicalDeviceSurfaceFormatsKHR(device_->physical(), surface_, &count, nullptr));
+    std::vector<VkSurfaceFormatKHR> formats(count);
+    ONGGI_VK_TRY(vkGetPhysicalDeviceSurfaceFormatsKHR(device_->physical(), surface_, &count, formats.data()));
+    // Plain UNORM: the shader encodes.
+    for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}) {
+        for (const VkSurfaceFormatKHR& format : formats) {
+            if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) {
+                format_ = format;
+                return {};
+            }
+        }
+    }
+    return system_lacks("window: expected a surface with an 8-bit UNORM format, found none");
+}
+
+Result<bool> Swapchain::rebuild() {
+    ONGGI_VK_TRY(vkDeviceWaitIdle(device_->handle()));
+    VkSurfaceCapabilitiesKHR can{};
+    ONGGI_VK_TRY(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &can));
+    VkExtent2D extent = can.currentExtent;
+    if (extent.width ==
+        std::numeric_limits<std::uint32_t>::max()) {  // the surface takes whatever it is given
+        extent.width = std::clamp(wanted_.width, can.minImageExtent.width, can.maxImageExtent.width);
+        extent.height = std::clamp(wanted_.height, can.minImageExtent.height, can.maxImageExtent.height);
+    }
+    const bool has_no_pixels =
+        extent.width == 0 || extent.height == 0 || wanted_.width == 0 || wanted_.height == 0;
+    if (has_no_pixels) return false;
+
+    std::uint32_t mode_count = 0;
+    ONGGI_VK_TRY(
+        vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_, &mode_count, nullptr));
+    std::vector<VkPresentModeKHR> modes(mode_count);
+    ONGGI_VK_TRY(
+        vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_, &mode_count, modes.data()));
+    const bool has_mailbox =
+        std::find(modes.begin(), modes.end(), VK_PRESENT_MODE_MAILBOX_KHR) != modes.end();
+    std::uint32_t image_count = std::max(can.minImageCount, 3U);
+    if (can.maxImageCount > 0) image_count = std::min(image_count, can.maxImageCount);
+
+    VkSwapchainCreateInfoKHR info{};
+    info.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR;
+    info.surface = surface_;
+    info.minImageCount = image_count;
+    info.imageFormat = format_.format;
+    info.imageColorSpace = format_.colorSpace;
+    info.imageExtent = extent;
+    info.imageArrayLayers = 1;
+    // The still picture is copied in, then drawn over; every surface we know can be copied to.
+    info.imageUsage =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    info.preTransform = can.currentTransform;
+    info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
+                              ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                              : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+    // The caller paces; where the screen can take the newest image and drop the rest, nothing blocks.
+    info.presentMode = has_mailbox ? VK_PRESENT_MODE_MAILBOX_KHR : VK_PRESENT_MODE_FIFO_KHR;
+    info.clipped = VK_TRUE;
+    info.oldSwapchain = swapchain_;
+    VkSwapchainKHR fresh = VK_NULL_HANDLE;
+    ONGGI_VK_TRY(vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &fresh));
+    drop_frames();
+    if (swapchain_ != VK_NULL_HANDLE) vkDestroySwapchainKHR(device_->handle(), swapchain_, nullptr);
+    swapchain_ = fresh;
+    extent_ = extent;
+    device_->name(VK_OBJECT_TYPE_SWAPCHAIN_KHR, swapchain_, "window");
+    if (auto made = make_frames(); !made) return made.error();
+    is_current_ = true;
+    return true;
+}
+
+Result<void> Swapchain::make_frames() {
+    std::uint32_t count = 0;
+    ONGGI_VK_TRY(vkGetSwapchainImagesKHR(device_->handle(), swapchain_, &count, nullptr));
+    std::vector<VkImage> images(count);
+    ONGGI_VK_TRY(vkGetSwapchainImagesKHR(device_->handle(), swapchain_, &count, images.data()));
+    for (VkImage image : images) {
+        Frame frame;
+        frame.image = image;
+        VkImageViewCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+        info.image = image;
+        info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+        info.format = format_.format;
+        info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        VkImageView view = VK_NULL_HANDLE;
+        ONGGI_VK_TRY(vkCreateImageView(device_->handle(), &info, nullptr, &view));
+        frame.view = {device_->handle(), view};
+        const std::string name = fmt::format("window image {}", frames_.size());
+        device_->name(VK_OBJECT_TYPE_IMAGE, image, name);
+        device_->name(VK_OBJECT_TYPE_IMAGE_VIEW, view, name);
+        auto drawn = create_semaphore(*device_, "image drawn");
+        if (!drawn) return drawn.error();
+        frame.drawn = std::move(*drawn);
+        frames_.push_back(std::move(frame));
+    }
+    return {};
+}
+
+void Swapchain::drop_frames() {
+    frames_.clear();
+}
+
+Result<std::optional<TargetImage>> Swapchain::begin() {
+    if (auto waited = wait(); !waited) return waited.error();
+    if (!is_current_) {
+        auto rebuilt = rebuild();
+        if (!rebuilt) return rebuilt.error();
+        if (!*rebuilt) return std::optional<TargetImage>();
+    }
+    constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+    const VkResult result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kForever, acquired_.get(),
+                                                  VK_NULL_HANDLE, &frame_);
+    const auto acquired = check_swapchain(result, "vkAcquireNextImageKHR");
+    if (!acquired) return acquired.error();
+    if (*acquired == SwapchainState::kOutOfDate) {
+        is_current_ = false;
+        return std::optional<TargetImage>();
+    }
+    return std::optional(TargetImage{.image = frames_[frame_].image,
+                                     .view = frames_[frame_].view.get(),
+                                     .extent = extent_,
+                                     .final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR});
+}
+
+Result<void> Swapchain::end(VkCommandBuffer commands) {
+    const VkSemaphore drawn = frames_[frame_].drawn.get();
+    if (auto submitted = timeline_.submit(*device_, commands, acquired_.get(), drawn); !submitted)
+        return submitted;
+    VkPresentInfoKHR info{};
+    info.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR;
+    info.waitSemaphoreCount = 1;
+    info.pWaitSemaphores = &drawn;
+    info.swapchainCount = 1;
+    info.pSwapchains = &swapchain_;
+    info.pImageIndices = &frame_;
+    const VkResult result = vkQueuePresentKHR(device_->queue(), &info);
+    const auto presented = check_swapchain(result, "vkQueuePresentKHR");
+    if (!presented) return presented.error();
+    if (*presented == SwapchainState::kOutOfDate || result == VK_SUBOPTIMAL_KHR) is_current_ = false;
+    return {};
+}
+
+}  // namespace onggi::vk

@@ -1,0 +1,213 @@
+// The only user of GLFW.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "engine/window/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace onggi::window {
+namespace {
+
+// GLFW is one library-wide state; this counts who needs it.
+class GlfwLibrary {
+  public:
+    // The reason in words when it cannot start.
+    static Result<std::unique_ptr<GlfwLibrary>> start() {
+        if (glfwInit() != GLFW_TRUE) {
+            const char* reason = nullptr;
+            glfwGetError(&reason);
+            return system_lacks(
+                fmt::format("window: expected a display, found none ({}); set DISPLAY or go headless",
+                            reason == nullptr ? "no reason given" : reason));
+        }
+        return std::unique_ptr<GlfwLibrary>(new GlfwLibrary);
+    }
+    ~GlfwLibrary() { glfwTerminate(); }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+
+  private:
+    GlfwLibrary() = default;
+};
+
+Key key_of(int code) {
+    switch (code) {
+        case GLFW_KEY_ESCAPE:
+            return Key::kEscape;
+        case GLFW_KEY_SPACE:
+            return Key::kSpace;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            return Key::kEnter;
+        case GLFW_KEY_LEFT_BRACKET:
+            return Key::kLeftBracket;
+        case GLFW_KEY_RIGHT_BRACKET:
+            return Key::kRightBracket;
+        case GLFW_KEY_EQUAL:  // the plus of most layouts, without shift
+        case GLFW_KEY_KP_ADD:
+            return Key::kPlus;
+        case GLFW_KEY_MINUS:
+        case GLFW_KEY_KP_SUBTRACT:
+            return Key::kMinus;
+        case GLFW_KEY_E:
+            return Key::kE;
+        case GLFW_KEY_F:
+            return Key::kF;
+        case GLFW_KEY_Q:
+            return Key::kQ;
+        case GLFW_KEY_R:
+            return Key::kR;
+        case GLFW_KEY_S:
+            return Key::kS;
+        case GLFW_KEY_F11:
+            return Key::kF11;
+        default:
+            return Key::kUnknown;
+    }
+}
+
+MouseButton button_of(int code) {
+    switch (code) {
+        case GLFW_MOUSE_BUTTON_RIGHT:
+            return MouseButton::kRight;
+        case GLFW_MOUSE_BUTTON_MIDDLE:
+            return MouseButton::kMiddle;
+        default:
+            return MouseButton::kLeft;
+    }
+}
+
+class GlfwWindow final : public Window {
+  public:
+    GlfwWindow(std::unique_ptr<GlfwLibrary> library, GLFWwindow* window)
+        : library_(std::move(library)),
+          window_(window) {
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int code, int, int action, int) {
+            self(w).push(KeyEvent{key_of(code), action != GLFW_RELEASE, action == GLFW_REPEAT});
+        });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int code, int action, int) {
+            if (code <= GLFW_MOUSE_BUTTON_MIDDLE)
+                self(w).push(ButtonEvent{button_of(code), action == GLFW_PRESS});
+        });
+        glfwSetCursorPosCallback(window_,
+                                 [](GLFWwindow* w, double x, double y) { self(w).push_pointer(x, y); });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { self(w).push(ScrollEvent{y}); });
+        glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {
+            self(w).push(ResizeEvent{width, height});
+        });
+        glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).push(CloseEvent{}); });
+    }
+    ~GlfwWindow() override { glfwDestroyWindow(window_); }
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    [[nodiscard]] std::vector<std::string> instance_extensions() const override {
+        std::uint32_t count = 0;
+        const char** names = glfwGetRequiredInstanceExtensions(&count);
+        return names == nullptr ? std::vector<std::string>() : std::vector<std::string>(names, names + count);
+    }
+
+    Result<VkSurfaceKHR> create_surface(VkInstance instance) override {
+        VkSurfaceKHR surface = VK_NULL_HANDLE;
+        const VkResult result = glfwCreateWindowSurface(instance, window_, nullptr, &surface);
+        if (result == VK_SUCCESS) return surface;
+        const char* reason = nullptr;
+        glfwGetError(&reason);
+        return system_lacks(fmt::format("window: expected a Vulkan surface, found VkResult {} ({})",
+                                        static_cast<int>(result),
+                                        reason == nullptr ? "no reason given" : reason));
+    }
+
+    [[nodiscard]] std::vector<Event> poll_events() override {
+        glfwPollEvents();
+        return std::exchange(events_, {});
+    }
+    [[nodiscard]] bool close_requested() const override {
+        return glfwWindowShouldClose(window_) == GLFW_TRUE;
+    }
+    [[nodiscard]] Size size() const override {
+        Size size;
+        glfwGetFramebufferSize(window_, &size.width, &size.height);
+        return size;
+    }
+    void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
+
+    void set_full_screen(bool full_screen) override {
+        if ((glfwGetWindowMonitor(window_) != nullptr) == full_screen) return;
+        if (full_screen) {
+            glfwGetWindowPos(window_, &windowed_x_, &windowed_y_);
+            glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
+            GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+            if (monitor == nullptr) return;
+            const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+            glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+        } else {
+            const Size size = windowed_.width > 0 ? windowed_ : Size{1280, 720};
+            glfwSetWindowMonitor(window_, nullptr, windowed_x_, windowed_y_, size.width, size.height,
+                                 GLFW_DONT_CARE);
+        }
+    }
+
+  private:
+    static GlfwWindow& self(GLFWwindow* window) {
+        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+    }
+    void push(Event event) { events_.push_back(event); }
+    void push_pointer(double x, double y) {
+        // The pointer comes in the desktop's units, which on a scaled screen are not pixels.
+        Size units;
+        glfwGetWindowSize(window_, &units.width, &units.height);
+        const Size pixels = size();
+        if (units.width <= 0 || units.height <= 0) return;
+        push(PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height});
+    }
+
+    std::unique_ptr<GlfwLibrary> library_;
+    GLFWwindow* window_;
+    std::vector<Event> events_;
+    Size windowed_;
+    int windowed_x_ = 0;
+    int windowed_y_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> open_window(const WindowDesc& desc) {
+    auto library = GlfwLibrary::start();
+    if (!library) return library.error();
+    if (glfwVulkanSupported() != GLFW_TRUE) {
+        return system_lacks(
+            "window: expected a Vulkan loader and driver, found none; install mesa-vulkan-drivers");
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    GLFWmonitor* monitor = desc.full_screen ? glfwGetPrimaryMonitor() : nullptr;
+    int width = desc.width;
+    int height = desc.height;
+    if (monitor != nullptr) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        width = mode->width;
+        height = mode->height;
+        glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
+    }
+    GLFWwindow* window = glfwCreateWindow(width, height, desc.title.c_str(), monitor, nullptr);
+    if (window == nullptr) {
+        const char* reason = nullptr;
+        glfwGetError(&reason);
+        return system_lacks(fmt::format("window: expected one of {}x{}, found none ({})", width, height,
+                                        reason == nullptr ? "no reason given" : reason));
+    }
+    return std::unique_ptr<Window>(std::make_unique<GlfwWindow>(std::move(*library), window));
+}
+
+std::string why_no_display() {
+    const auto library = GlfwLibrary::start();
+    if (!library) return library.error().message;
+    return glfwVulkanSupported() == GLFW_TRUE ? std::string()
+                                              : "the display is there, but no Vulkan driver for it";
+}
+
+}  // namespace onggi::window

@@ -1,0 +1,28 @@
+#include "engine/window/window.h"
+
+namespace onggi::window {
+namespace {
+
+class HeadlessWindow final : public Window {
+  public:
+    explicit HeadlessWindow(const WindowDesc& desc) : size_{desc.width, desc.height} {}
+
+    [[nodiscard]] std::vector<std::string> instance_extensions() const override { return {}; }
+    Result<VkSurfaceKHR> create_surface(VkInstance) override { return VkSurfaceKHR{VK_NULL_HANDLE}; }
+    [[nodiscard]] std::vector<Event> poll_events() override { return {}; }
+    [[nodiscard]] bool close_requested() const override { return false; }
+    [[nodiscard]] Size size() const override { return size_; }
+    void set_title(const std::string&) override {}
+    void set_full_screen(bool) override {}
+
+  private:
+    Size size_;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> open_headless(const WindowDesc& desc) {
+    return std::make_unique<HeadlessWindow>(desc);
+}
+
+}  // namespace onggi::window

@@ -1,0 +1,142 @@
+#include "game/app/live_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/core/quote.h"
+#include "engine/files/atomic_file.h"
+#include "engine/jobs/thread_setup.h"
+#include "game/app/command_line.h"
+#include "game/app/options.h"
+#include "game/app/performance.h"
+#include "game/app/progress.h"
+#include "game/app/snapshot_view.h"
+#include "game/app/stats.h"
+#include "game/wheel/live_view.h"
+
+namespace onggi::app {
+namespace {
+
+// A live run may last as long as a museum's season, but no shorter than a frame.
+constexpr double kLeastSeconds = 0.02;
+constexpr double kMostSeconds = 1e7;
+
+struct LiveOptions {
+    InputOptions input;
+    std::optional<double> seconds;
+    std::string wait = "hybrid";
+    bool headless = false;
+    PictureSize size;
+    std::optional<std::string> stats;
+};
+
+Result<FrameOutcome> show(wheel::LiveView& view, const wheel::PotView& pot) {
+    static_cast<void>(view.poll_events());  // a live run is watched, not played: only closing means something
+    if (view.close_requested()) return FrameOutcome::kClosed;
+    const auto drawn = view.draw(pot);
+    if (!drawn) return drawn.error();
+    return *drawn ? FrameOutcome::kDrawn : FrameOutcome::kNotShown;
+}
+
+void say_what_is_lacking(const jobs::RealTimeReport& report) {
+    for (const jobs::RealTimeLack& lack : report.lacks()) {
+        remark(fmt::format("real time: {}; {}; to mend it, {}", lack.what, lack.cost, lack.remedy));
+    }
+}
+
+Result<void> play(const LiveOptions& options) {
+    if (options.stats) {
+        if (auto place = files::check_output_place(*options.stats); !place) return place;
+    }
+    auto performance = load_performance(options.input);
+    if (!performance) return performance.error();
+    if (performance->remark) remark(*performance->remark);
+
+    // Before Vulkan: its software driver starts threads that inherit this one's cores.
+    const jobs::CoreChoice core = jobs::choose_haptic_core();
+    if (const jobs::Granted kept = jobs::keep_this_thread_off_haptic_core(core);
+        kept.grant == jobs::Grant::kRefused) {
+        remark(fmt::format("real time: the picture could not be kept off core {}", core.core));
+    }
+    auto view = wheel::LiveView::open({.width = options.size.width,
+                                       .height = options.size.height,
+                                       .headless = options.headless,
+                                       .title = "Onggi"});
+    if (!view) return view.error();
+
+    const double rate_hz = performance->start.parameters.clay.rate_hz;
+    const double height_mm = performance->start.state.clay.height_mm();
+    const double seconds = options.seconds.value_or(static_cast<double>(performance->tick_count) / rate_hz);
+    Progress progress("playing", static_cast<std::uint64_t>(seconds * kFrameRateHz));
+    std::uint64_t frame = 0;
+    const auto report =
+        run_live({.start = std::move(performance->start),
+                  .hand = std::move(performance->hand),
+                  .tick_count = performance->tick_count,
+                  .seconds = options.seconds,
+                  .wait = options.wait == "sleep" ? jobs::WaitMode::kSleep : jobs::WaitMode::kHybrid,
+                  .real_time = {.core = core}},
+                 [&](const haptic::Snapshot& snapshot) {
+                     progress.reached_rarely(frame++);
+                     return show(**view, pot_view(snapshot, height_mm));
+                 });
+    if (!report) return report.error();
+    say_what_is_lacking(report->real_time);
+    if (!options.stats) return {};
+    return files::write_file_atomically(*options.stats, live_stats(*report).dump(2) + "\n");
+}
+
+std::string check_wait(const std::string& word) {
+    if (word == "hybrid" || word == "sleep") return {};
+    return fmt::format("expected hybrid or sleep, found {}", in_quotes(word));
+}
+
+}  // namespace
+
+nlohmann::ordered_json live_stats(const LiveReport& report) {
+    constexpr double kNsPerUs = 1e3;
+    constexpr double kNsPerMs = 1e6;
+    const bool pinned = report.real_time.pinning.grant == jobs::Grant::kGranted;
+    nlohmann::ordered_json stats =
+        common_stats(report.ticks.ticks, report.ticks.tick_ns, report.rate_hz, report.clay);
+    stats["missed_deadlines"] = report.ticks.missed_deadlines();
+    stats["skipped_periods"] = report.ticks.skipped_periods;
+    stats["wake_latency_us"] = percentiles(report.ticks.wake_latency_ns, kNsPerUs);
+    stats["haptic_core"] = pinned ? report.real_time.core.core : -1;
+    stats["haptic_core_shared"] = report.real_time.core.shared();
+    stats["scheduler"] = report.real_time.scheduler();
+    stats["memory_locked"] = report.real_time.memory_lock.grant == jobs::Grant::kGranted;
+    stats["frames"] = report.frames;
+    stats["frame_ms"] = percentiles(report.frame_ns, kNsPerMs);
+    stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
+    stats["lumps"] = report.lumps;
+    stats["dropped_records"] = report.dropped_records;
+    return stats;
+}
+
+void add_live_command(CLI::App& program, int& exit_status) {
+    CLI::App* command =
+        program.add_subcommand("live", "play a gesture or session in real time, with its picture");
+    const auto options = std::make_shared<LiveOptions>();
+    add_input_file(*command, options->input);
+    add_rate_option(*command, options->input);
+    add_number_option(*command, "--seconds", options->seconds, kLeastSeconds, kMostSeconds,
+                      "how long; past its end the gesture starts again on a fresh lump");
+    command->add_option("--wait", options->wait, "how the haptic loop waits: hybrid or sleep (hybrid)")
+        ->type_name("hybrid|sleep")
+        ->check(CLI::Validator(check_wait, ""));
+    command->add_flag("--headless", options->headless, "draw without a window or display");
+    add_size_option(*command, options->size);
+    command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
+        ->type_name("F.json");
+    command->callback([options, &exit_status] {
+        const auto done = play(*options);
+        exit_status = done ? 0 : report(done.error());
+    });
+}
+
+}  // namespace onggi::app

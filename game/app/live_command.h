@@ -1,0 +1,16 @@
+// `onggi live`: a gesture or session in real time, with its picture. Main thread.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "game/app/live_loop.h"
+
+namespace onggi::app {
+
+void add_live_command(CLI::App& program, int& exit_status);
+
+// What --stats writes of a live run.
+[[nodiscard]] nlohmann::ordered_json live_stats(const LiveReport& report);
+
+}  // namespace onggi::app

@@ -1,0 +1,70 @@
+#include "game/app/live_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/jobs/clock.h"
+#include "engine/jobs/frame_pacer.h"
+
+namespace onggi::app {
+namespace {
+
+haptic::HapticJobOptions job_options(const LiveRun& run) {
+    haptic::HapticJobOptions options;
+    options.wait = run.wait;
+    options.real_time = run.real_time;
+    options.run_ticks = run.tick_count;
+    options.repeat = run.seconds.has_value();
+    if (run.seconds) {
+        const double periods = std::round(*run.seconds * run.start.parameters.clay.rate_hz);
+        options.end_periods = static_cast<std::uint64_t>(std::max(1.0, periods));
+    }
+    return options;
+}
+
+}  // namespace
+
+void pass_over_records(haptic::HapticJob& job) {
+    haptic::TickRecord record;
+    while (job.take_record(record)) {
+    }
+    haptic::BlockHash hash;
+    while (job.take_hash(hash)) {
+    }
+}
+
+Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
+    const haptic::HapticJobOptions options = job_options(run);
+    const double rate_hz = run.start.parameters.clay.rate_hz;
+    run.start.parameters.safety = haptics::limits_for(run.hand->capabilities());
+    haptic::HapticJob job(std::move(run.start.state), run.start.parameters, std::move(run.hand), options);
+    if (auto started = job.start(); !started) return started.error();
+
+    LiveReport report;
+    jobs::MonotonicClock clock;
+    jobs::FramePacer<> pacer(clock, kFrameRateHz);
+    bool open = true;
+    while (open && !job.finished()) {
+        pacer.wait();
+        const auto outcome = draw(job.newest_snapshot());
+        if (!outcome) return outcome.error();
+        pacer.finish();
+        if (*outcome == FrameOutcome::kDrawn) ++report.frames;
+        open = *outcome != FrameOutcome::kClosed;
+        pass_over_records(job);
+    }
+    job.stop();
+
+    report.rate_hz = rate_hz;
+    report.real_time = job.real_time();
+    report.ticks = job.stats();
+    report.frame_ns = pacer.work_ns();
+    report.frame_interval_ns = pacer.interval_ns();
+    report.lumps = job.runs();
+    report.dropped_records = job.dropped_records();
+    report.clay = job.state().clay;
+    return report;
+}
+
+}  // namespace onggi::app

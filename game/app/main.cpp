@@ -1,0 +1,26 @@
+// onggi: a potter's wheel one can feel. Each command has its own file; here they are listed.
+#include <CLI/CLI.hpp>
+#include <csignal>
+
+#include "game/app/command_line.h"
+#include "game/app/devices_command.h"
+#include "game/app/doctor_command.h"
+#include "game/app/kiosk_command.h"
+#include "game/app/live_command.h"
+#include "game/app/replay_command.h"
+#include "game/app/throw_command.h"
+
+int main(int argc, char** argv) {
+    // A file that may not grow further is then a failed write with a message, not a silent end.
+    std::signal(SIGXFSZ, SIG_IGN);
+
+    CLI::App program{"A potter's wheel one can feel", "onggi"};
+    int exit_status = 0;
+    onggi::app::add_kiosk_command(program, exit_status);
+    onggi::app::add_throw_command(program, exit_status);
+    onggi::app::add_live_command(program, exit_status);
+    onggi::app::add_replay_command(program, exit_status);
+    onggi::app::add_devices_command(program, exit_status);
+    onggi::app::add_doctor_command(program, exit_status);
+    return onggi::app::run_command_line(program, argc, argv, exit_status);
+}

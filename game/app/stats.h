@@ -1,0 +1,20 @@
+// The numbers that --stats writes, as JSON. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "engine/jobs/histogram.h"
+#include "game/clay/paper_clay.h"
+
+namespace onggi::app {
+
+// {p50, p99, p999, max} of what a histogram counted, divided by `unit` (1000: us from ns).
+[[nodiscard]] nlohmann::ordered_json percentiles(const jobs::Histogram& histogram, double unit = 1.0);
+
+// The fields that every run has: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (null: the paper's
+// clay keeps no ledger).
+[[nodiscard]] nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& tick_ns,
+                                                  double rate_hz, const clay::PaperClay& clay);
+
+}  // namespace onggi::app

@@ -1,0 +1,61 @@
+// What `onggi throw` leaves behind: each file whole or not at all, and none if any of them fails.
+// Main thread; blocks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/files/atomic_file.h"
+#include "engine/jobs/histogram.h"
+#include "engine/record/session_writer.h"
+#include "game/app/options.h"
+#include "game/haptic/start_state.h"
+
+namespace onggi::app {
+
+struct ThrowOutputs {
+    std::optional<std::string> profile;     // .csv
+    std::optional<std::string> forces;      // .csv
+    std::optional<std::string> model;       // .glb, .stl
+    std::optional<std::string> screenshot;  // .png
+    std::optional<std::string> session;     // .onggi
+    std::optional<std::string> stats;       // .json
+    PictureSize size;
+};
+
+// Before the work: whether every output has an ending that can be written and a place of its own where it can
+// be written.
+[[nodiscard]] Result<void> check_outputs(const ThrowOutputs& outputs);
+
+// Takes the ticks as they come, and writes everything at the end.
+class OutputWriter {
+  public:
+    // Opens what is written while the pot is thrown.
+    [[nodiscard]] static Result<OutputWriter> create(const ThrowOutputs& outputs, const haptic::Start& start);
+
+    // `state` is the one after the tick.
+    Result<void> add_tick(const haptic::HapticState& state, const haptic::TickResult& result);
+    // Everything is made and synced before the first file takes its place.
+    Result<void> finish(const haptic::HapticState& state, const haptic::TickResult& last,
+                        const jobs::Histogram& tick_ns);
+
+  private:
+    OutputWriter(const ThrowOutputs& outputs, double rate_hz) : outputs_(outputs), rate_hz_(rate_hz) {}
+    Result<void> prepare(const std::string& place, Result<std::vector<std::byte>> bytes);
+    Result<void> prepare_text(const std::string& place, std::string_view text);
+
+    ThrowOutputs outputs_;
+    double rate_hz_;
+    std::uint64_t tick_ = 0;
+    std::string row_;
+    std::optional<files::AtomicFile> forces_;
+    std::optional<record::SessionWriter> session_;
+    std::vector<files::AtomicFile> prepared_;
+};
+
+}  // namespace onggi::app

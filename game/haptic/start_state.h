@@ -1,0 +1,29 @@
+// What a recording starts from, as bytes: parameters and state of the haptic loop, without the device's
+// safety. The session file holds them unread (engine/record). Any thread but the haptic one: it allocates.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "game/haptic/tick.h"
+
+namespace onggi::haptic {
+
+struct Start {
+    HapticState state;
+    HapticParameters parameters;  // with the safety limits of the house, which change no clay
+};
+
+// The same start gives the same bytes everywhere. The tick rate is not among them: the session's header has
+// it.
+[[nodiscard]] std::vector<std::byte> start_state_bytes(const HapticState& state,
+                                                       const HapticParameters& parameters);
+
+// The start that those bytes and that rate make. Bad input: a wrong size, parameters that clay::check()
+// refuses, a tool outside its limits, a wheel direction that is no unit vector, a clay its own reader
+// refuses.
+[[nodiscard]] Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz);
+
+}  // namespace onggi::haptic

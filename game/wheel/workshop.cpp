@@ -1,0 +1,141 @@
+#include "game/wheel/workshop.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "engine/render/profile_mesh.h"
+
+namespace onggi::wheel {
+namespace {
+
+constexpr int kSectors = 160;
+
+// The wheel head: a thick disc of cast metal, turned flat, a bright edge. Its top is y = 0.
+render::Profile wheel_head() {
+    render::Profile profile;
+    profile.points = {{0.0F, -26.0F}, {96.0F, -26.0F}};
+    render::add_rounded(profile, {96.0F, -26.0F}, {146.0F, -20.0F}, {150.0F, -12.0F}, 3.0F);
+    profile.points.push_back({150.0F, -9.0F});
+    render::add_rounded(profile, {150.0F, -9.0F}, {150.0F, 0.0F}, {100.0F, 0.0F}, 3.0F, 8);
+    for (const float r : {140.0F, 120.0F, 95.0F, 70.0F, 40.0F, 0.0F})
+        profile.points.push_back({r, 0.0F});
+    return profile;
+}
+
+render::Profile shaft() {
+    return {.points = {{26.0F, -84.0F}, {26.0F, -26.0F}}};
+}
+
+// The splash pan: up the outside, round the rolled rim, down the inside, in to the shaft.
+render::Profile splash_pan() {
+    render::Profile profile;
+    profile.points = {{120.0F, -100.0F}, {176.0F, -100.0F}};
+    render::add_rounded(profile, {176.0F, -100.0F}, {220.0F, -98.0F}, {229.0F, -36.0F}, 16.0F, 8);
+    profile.points.push_back({230.0F, -38.0F});
+    // The roll: most of a circle.
+    constexpr int kSteps = 14;
+    for (int step = 0; step <= kSteps; ++step) {
+        const float angle = -0.9F + 4.6F * static_cast<float>(step) / kSteps;
+        profile.points.push_back({229.0F + 6.0F * std::cos(angle), -30.0F + 6.0F * std::sin(angle)});
+    }
+    profile.points.push_back({221.0F, -40.0F});
+    render::add_rounded(profile, {221.0F, -40.0F}, {212.0F, -78.0F}, {150.0F, -82.0F}, 20.0F, 8);
+    profile.points.push_back({150.0F, -82.0F});
+    profile.points.push_back({60.0F, -81.0F});
+    profile.points.push_back({26.0F, -80.0F});
+    return profile;
+}
+
+// The bench it all stands on: round, thick, of old wood.
+render::Profile bench() {
+    render::Profile profile;
+    profile.points = {{640.0F, -106.0F}};
+    render::add_rounded(profile, {640.0F, -112.0F}, {640.0F, -100.0F}, {600.0F, -100.0F}, 5.0F);
+    for (const float r : {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
+        profile.points.push_back({r, -100.0F});
+    return profile;
+}
+
+void add_part(ecs::Registry& registry, render::Mesh mesh, const render::Material& material,
+              bool casts_shadow) {
+    const ecs::Entity entity = registry.create();
+    registry.add(entity, Transform{});
+    registry.add(entity, StillPart{.mesh = std::make_shared<const render::Mesh>(std::move(mesh)),
+                                   .material = material,
+                                   .casts_shadow = casts_shadow});
+}
+
+render::DirectionalLight window_sun() {
+    return {.towards_light = glm::normalize(vec3(-0.74F, 0.60F, 0.40F)),
+            .radiance = vec3(1.42F, 1.10F, 0.78F),
+            .angular_radius_rad = 0.055F};
+}
+
+// A dim warm room: the warm glow of the key's own window, a tall cool window behind on the left, which the
+// metal mirrors and the clay's far edge catches, and a soft reflector in front.
+Surroundings evening_studio() {
+    Surroundings surroundings;
+    render::Environment& environment = surroundings.environment;
+    environment.zenith = vec3(0.070F, 0.064F, 0.060F);
+    environment.horizon = vec3(0.040F, 0.033F, 0.026F);
+    environment.nadir = vec3(0.030F, 0.022F, 0.016F);
+    environment.panels[0] = {glm::normalize(vec3(-0.80F, 0.42F, 0.45F)), vec3(0.55F, 0.45F, 0.34F), 9.0F};
+    environment.panels[1] = {glm::normalize(vec3(-0.40F, 0.30F, -0.86F)), vec3(0.84F, 0.92F, 1.00F), 24.0F};
+    environment.panels[2] = {glm::normalize(vec3(0.75F, 0.30F, 0.60F)), vec3(0.16F, 0.13F, 0.10F), 4.0F};
+    render::Backdrop& backdrop = surroundings.backdrop;
+    backdrop.low = vec3(0.0130F, 0.0098F, 0.0074F);
+    backdrop.high = vec3(0.0062F, 0.0052F, 0.0045F);
+    backdrop.glow = vec3(0.062F, 0.043F, 0.027F);
+    backdrop.glow_centre = vec2(-0.30F, 0.30F);
+    backdrop.glow_radius = 0.95F;
+    return surroundings;
+}
+
+}  // namespace
+
+void furnish(ecs::Registry& registry) {
+    const std::array profiles{wheel_head(), shaft(), splash_pan(), bench()};
+    std::array meshes{render::turned_mesh(profiles[0], kSectors), render::turned_mesh(profiles[1], kSectors),
+                      render::turned_mesh(profiles[2], kSectors), render::turned_mesh(profiles[3], kSectors)};
+    render::set_open_sky(profiles, meshes, kSectors);
+    const render::Material aluminium{.albedo = vec3(0.56F, 0.55F, 0.53F),
+                                     .roughness = 0.34F,
+                                     .metalness = 0.86F,
+                                     .groove_pitch_mm = 5.5F,
+                                     .groove_tilt = 0.06F,
+                                     .grain = 0.07F};
+    const render::Material steel{.albedo = vec3(0.35F), .roughness = 0.4F, .metalness = 1.0F};
+    const render::Material enamel{.albedo = vec3(0.105F, 0.125F, 0.122F), .roughness = 0.34F, .grain = 0.10F};
+    const render::Material old_wood{
+        .albedo = vec3(0.060F, 0.034F, 0.020F), .roughness = 0.50F, .grain = 0.45F, .grain_stretch = 14.0F};
+    add_part(registry, std::move(meshes[0]), aluminium, true);
+    add_part(registry, std::move(meshes[1]), steel, true);
+    add_part(registry, std::move(meshes[2]), enamel, true);
+    add_part(registry, std::move(meshes[3]), old_wood, false);
+
+    const ecs::Entity sun = registry.create();
+    registry.add(sun, KeyLight{window_sun()});
+    const ecs::Entity room = registry.create();
+    registry.add(room, evening_studio());
+}
+
+render::LatheMaterial thrown_clay() {
+    return {.albedo = vec3(0.42F, 0.215F, 0.115F), .wetness = 0.55F, .streaks = 0.26F};
+}
+
+render::Material polished_wood() {
+    return {.albedo = vec3(0.42F, 0.24F, 0.10F), .roughness = 0.30F, .grain = 0.12F};
+}
+
+CameraRig throwing_camera() {
+    return {.target_mm = dvec3(0.0, 66.0, 0.0),
+            .distance_mm = 1150.0,
+            .elevation_rad = 0.27,
+            .azimuth_rad = 0.0,
+            .height_mm = 358.0,
+            .width_mm = 320.0};
+}
+
+}  // namespace onggi::wheel

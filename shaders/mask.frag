@@ -1,0 +1,44 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The shadow that the moving things cast on y = 0, seen along the light: r how much of the key light gets
+// there, g how much of the sky. Drawn only when the outline or a tool has changed. At the border nothing is
+// in shade, so that a lookup outside finds the border and is right.
+#include "frame.glsl"
+#include "surface.glsl"
+
+layout(std430, set = 0, binding = kBindRadii) readonly buffer RadiiBlock { float radii[]; };
+
+layout(location = 0) in vec2 position;
+layout(location = 0) out vec2 out_seen;
+
+float past_lathe(vec3 q) {
+    vec3 l = frame.key_direction.xyz;
+    float height = frame.lathe.x;
+    float least = 1e3;
+    const int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+        float y = height * (float(i) / float(kSteps));
+        float t = y / max(l.y, 0.05);
+        vec2 at = q.xz + l.xz * t;
+        float element = clamp(y * frame.lathe.y, 0.0, frame.lathe.z - 1.0);
+        // Close to the foot the penumbra is as narrow as a texel can show.
+        least = min(least, (length(at) - radii[int(element)]) / max(t * frame.key_direction.w, 2.0));
+    }
+    return smoothstep(-1.0, 1.0, least);
+}
+
+void main() {
+    vec2 at = frame.mask_origin.xy + position.x * frame.mask_axes.xy + position.y * frame.mask_axes.zw;
+    vec3 q = vec3(at.x, 0.0, at.y);
+    float seen = past_spheres(q);
+    float open = sky_past_spheres(q, vec3(0.0, 1.0, 0.0));
+    if (frame.lathe.x > 0.0) {
+        seen *= past_lathe(q);
+        float from_foot = max(length(q.xz) - frame.lathe.w, 0.0);
+        float shade = 0.55 * exp(-from_foot * 0.09) + 0.27 * exp(-from_foot * 0.024);
+        open *= 1.0 - shade * smoothstep(90.0, 40.0, from_foot);
+    }
+    vec2 from_border = min(position, 1.0 - position) * 8.0;
+    float inside = smoothstep(0.1, 1.0, min(from_border.x, from_border.y));
+    out_seen = mix(vec2(1.0), vec2(seen, open), inside);
+}

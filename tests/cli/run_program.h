@@ -1,0 +1,42 @@
+// Runs the built program and looks at what a caller sees: exit code, output, errors, memory.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace onggi::test {
+
+struct ProgramRun {
+    int exit_code = -1;  // -1: it did not exit by itself
+    std::string out;
+    std::string err;
+    long most_memory_kb = 0;
+};
+
+struct ProgramOptions {
+    std::string folder = ".";                   // to run in
+    std::vector<std::string> environment = {};  // NAME=VALUE, on top of the test's own
+    std::function<void()> in_child = [] {};     // just before the program takes the process over
+};
+
+// `onggi` with these words; its output goes into pipes.
+ProgramRun run_onggi(const std::vector<std::string>& words, const ProgramOptions& options = {});
+
+// The same on a terminal: all it prints is in `out`.
+ProgramRun run_onggi_on_terminal(const std::vector<std::string>& words, const ProgramOptions& options = {});
+
+// Starts it, and kills it after so many milliseconds. True if it was still at work.
+bool run_onggi_and_kill(const std::vector<std::string>& words, int after_ms,
+                        const ProgramOptions& options = {});
+
+// Whether the program is built with a sanitizer, which needs memory of its own.
+constexpr bool is_sanitized() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return true;
+#else
+    return false;
+#endif
+}
+
+}  // namespace onggi::test

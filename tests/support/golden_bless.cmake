@@ -1,0 +1,22 @@
+# Builds and runs the golden tests with ONGGI_BLESS as it stands in the environment, and checks that each scene named
+# there was stored. The tests themselves refuse in CI and where the tree has changes outside tests/golden.
+# cmake -DCTEST=ctest -DBUILD=folder -P golden_bless.cmake
+if("$ENV{ONGGI_BLESS}" STREQUAL "")
+    message(FATAL_ERROR "golden-bless: expected the scenes to store, for example ONGGI_BLESS=vase,neck")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD} RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+    message(FATAL_ERROR "golden-bless: the build failed, nothing was stored")
+endif()
+# Scenes that are not named are compared as ever and may fail; only the named ones matter here.
+execute_process(COMMAND ${CTEST} --test-dir ${BUILD} -L golden --verbose OUTPUT_VARIABLE output ERROR_VARIABLE output)
+string(REPLACE "," ";" scenes "$ENV{ONGGI_BLESS}")
+foreach(scene IN LISTS scenes)
+    if(NOT output MATCHES "blessed: ${scene}\n")
+        message(FATAL_ERROR "golden-bless: ${scene} was not stored. The tests said:\n${output}")
+    endif()
+    string(REGEX MATCH "blessed: ${scene}\n([^\n]*\n)([^\n]*\n)([^\n]*\n)?" story "${output}")
+    string(REGEX REPLACE "\n[0-9]+: " "\n" story "${story}")  # ctest puts the test's number before each line
+    message("${story}")
+endforeach()
+message("golden-bless: stored. Look at both pictures, and say in the commit why they differ.")

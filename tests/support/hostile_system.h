@@ -1,0 +1,112 @@
+// Ways to make the system refuse what a program asks for, by its own means: permissions, full disks, limits.
+// They work for root and for everybody else.
+#pragma once
+
+#include <linux/capability.h>
+#include <sched.h>
+#include <signal.h>  // NOLINT: sigaction is POSIX
+#include <sys/mount.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <functional>
+#include <string>
+
+namespace onggi::test {
+
+constexpr unsigned kRightsOverFiles = (1U << CAP_DAC_OVERRIDE) | (1U << CAP_DAC_READ_SEARCH);
+
+// While it lives, permissions bind this thread even if it belongs to root.
+class WithoutRootRights {
+  public:
+    WithoutRootRights() {
+        read(before_);
+        __user_cap_data_struct lowered[2] = {before_[0], before_[1]};
+        lowered[0].effective &= ~kRightsOverFiles;
+        write(lowered);
+    }
+    WithoutRootRights(const WithoutRootRights&) = delete;
+    WithoutRootRights& operator=(const WithoutRootRights&) = delete;
+    ~WithoutRootRights() { write(before_); }
+
+  private:
+    static void read(__user_cap_data_struct* data) {
+        __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+        ::syscall(SYS_capget, &header, data);
+    }
+    static void write(__user_cap_data_struct* data) {
+        __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+        ::syscall(SYS_capset, &header, data);
+    }
+    __user_cap_data_struct before_[2] = {};
+};
+
+// For a child about to run another program: permissions will bind that program, whoever it belongs to.
+inline void bind_permissions_across_exec() {
+    ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
+    ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
+}
+
+// What `work` returns, worked out in a child process, which may change its world as it likes.
+inline std::string in_child(const std::function<std::string()>& work) {
+    int ends[2] = {-1, -1};
+    if (::pipe(ends) != 0) return "no pipe";
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::close(ends[0]);
+        const std::string answer = work();
+        const ssize_t written = ::write(ends[1], answer.data(), answer.size());
+        // _exit: the test's own objects belong to the parent.
+        ::_exit(written == static_cast<ssize_t>(answer.size()) ? 0 : 1);
+    }
+    ::close(ends[1]);
+    std::string answer;
+    char bytes[4096];
+    for (ssize_t got = 0; (got = ::read(ends[0], bytes, sizeof bytes)) > 0;) {
+        answer.append(bytes, static_cast<std::size_t>(got));
+    }
+    ::close(ends[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (WIFSIGNALED(status)) answer += "killed by signal " + std::to_string(WTERMSIG(status));
+    return answer;
+}
+
+// In a child: a set of mounts of its own, as root or through a user namespace. False where neither is had.
+inline bool enter_own_mounts() {
+    const uid_t user = ::getuid();
+    const gid_t group = ::getgid();
+    if (::unshare(CLONE_NEWNS) != 0) {
+        if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
+        std::ofstream("/proc/self/setgroups") << "deny";
+        std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+        std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+    }
+    return ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
+}
+
+// In a child: a disk of `bytes` at `folder`, seen by this child only.
+inline bool mount_small_disk(const std::string& folder, std::size_t bytes) {
+    const std::string options = "size=" + std::to_string(bytes);
+    return enter_own_mounts() && ::mount("none", folder.c_str(), "tmpfs", 0, options.c_str()) == 0;
+}
+
+// In a child: no file may grow beyond `bytes`; a write that would is refused instead of killing the program.
+inline void limit_file_size(std::size_t bytes) {
+    struct sigaction ignore {};
+    ignore.sa_handler = SIG_IGN;
+    ::sigaction(SIGXFSZ, &ignore, nullptr);
+    const struct rlimit limit { bytes, bytes };
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+// In a child: a disk of `bytes` at `folder`, or, where nobody may mount one, files of at most so many bytes.
+inline void fill_disk_after(const std::string& folder, std::size_t bytes) {
+    if (!mount_small_disk(folder, bytes)) limit_file_size(bytes);
+}
+
+}  // namespace onggi::test

@@ -1,0 +1,181 @@
+#include "game/haptic/job.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/scripted_device.h"
+#include "tests/support/virtual_clock.h"
+
+namespace onggi::haptic {
+namespace {
+
+using test::ScriptedDevice;
+using test::VirtualClock;
+
+// A HapticWork, and the device inside it.
+struct Bench {
+    explicit Bench(const HapticJobOptions& options = {})
+        : Bench(options, std::make_unique<ScriptedDevice>()) {}
+    Bench(const HapticJobOptions& options, std::unique_ptr<ScriptedDevice> owned)
+        : device(*owned),
+          work(HapticState(), HapticParameters{}, std::move(owned), options) {}
+
+    // Runs on virtual time until the work is done, or so many ticks.
+    jobs::TickStats run(std::uint64_t most_ticks = 1'000'000, std::int64_t tick_ns = 1000) {
+        jobs::Pacer pacer(clock, {.rate_hz = 1000.0, .wait = jobs::WaitMode::kSleep});
+        bool more = true;
+        for (std::uint64_t k = 0; more && k < most_ticks; ++k) {
+            const jobs::Period period = pacer.wait_for_next();
+            more = work.tick(period);
+            clock.pass(tick_ns);
+            pacer.finish(period);
+        }
+        return pacer.stats();
+    }
+    std::vector<TickRecord> take_records() {
+        std::vector<TickRecord> records;
+        TickRecord record;
+        while (work.take_record(record))
+            records.push_back(record);
+        return records;
+    }
+
+    VirtualClock clock;
+    ScriptedDevice& device;
+    HapticWork work;
+};
+
+TEST(HapticWork, ReadsTicksAndWritesOnceAPeriod) {
+    Bench bench;
+    bench.run(250);
+    EXPECT_EQ(bench.device.reads, 250U);
+    EXPECT_EQ(bench.device.writes, 250U);
+    EXPECT_EQ(bench.device.last_tick, 249U);
+    EXPECT_EQ(bench.work.state().ticks, 250U);
+}
+
+TEST(HapticWork, EndsWithTheLastTickOfItsRun) {
+    Bench bench({.run_ticks = 1234});
+    EXPECT_EQ(bench.run().ticks, 1234U);
+    EXPECT_EQ(bench.work.state().ticks, 1234U);
+    EXPECT_EQ(bench.work.runs(), 1U);
+}
+
+TEST(HapticWork, StartsAgainOnAFreshLumpUntilItsTimeIsUp) {
+    Bench bench({.run_ticks = 1000, .repeat = true, .end_periods = 2500});
+    EXPECT_EQ(bench.run().ticks, 2500U);
+    EXPECT_EQ(bench.work.runs(), 3U);
+    EXPECT_EQ(bench.work.state().ticks, 500U);
+    Bench once({.run_ticks = 500});
+    once.run();
+    EXPECT_EQ(bench.work.state().hash(), once.work.state().hash());
+}
+
+TEST(HapticWork, EndsOnTimeAlthoughItSkipsPeriods) {
+    Bench bench({.run_ticks = 100'000, .end_periods = 1000});
+    const jobs::TickStats stats = bench.run(1'000'000, 2'500'000);  // each tick takes two and a half periods
+    EXPECT_LT(stats.ticks, 500U);
+    EXPECT_GE(stats.ticks + stats.skipped_periods, 1000U);
+    EXPECT_LE(stats.ticks + stats.skipped_periods, 1003U);
+    EXPECT_DOUBLE_EQ(bench.device.longest_dt_s, 0.002);
+    // No tick of the gesture is left out, however late: the clay is that of the ticks that ran.
+    EXPECT_EQ(bench.device.last_tick + 1, stats.ticks);
+    EXPECT_EQ(bench.work.newest_snapshot().skipped_periods, stats.skipped_periods);
+}
+
+TEST(HapticWork, KeepsARecordOfEveryTickThatReplaysToTheSameHashes) {
+    Bench bench({.run_ticks = 2500, .repeat = true, .end_periods = 6000});
+    bench.run();
+    const std::vector<TickRecord> records = bench.take_records();
+    ASSERT_EQ(records.size(), 6000U);
+    EXPECT_EQ(bench.work.dropped_records(), 0U);
+
+    HapticState replayed;
+    const HapticParameters parameters;
+    int hashes = 0;
+    for (const TickRecord& record : records) {
+        if ((record.flags & TickRecord::kFreshLump) != 0) replayed.restart_from(HapticState());
+        ASSERT_EQ(record.tick, replayed.ticks);
+        const TickResult result = tick(replayed, record.tool(), parameters);
+        ASSERT_EQ(result.forces.total_n(), record.force_n);
+        ASSERT_EQ((record.flags & TickRecord::kHashDue) != 0, result.hash_due);
+        if (!result.hash_due) continue;
+        BlockHash hash;
+        ASSERT_TRUE(bench.work.take_hash(hash));
+        EXPECT_EQ(hash.ticks, replayed.ticks);
+        EXPECT_EQ(hash.state_hash, result.state_hash);
+        ++hashes;
+    }
+    EXPECT_EQ(hashes, 5);
+    EXPECT_EQ(replayed.hash(), bench.work.state().hash());
+}
+
+TEST(HapticWork, CountsTheRecordsNobodyFetched) {
+    Bench bench({.run_ticks = 100, .record_capacity = 64});
+    bench.run();
+    EXPECT_EQ(bench.work.dropped_records(), 36U);
+    const std::vector<TickRecord> records = bench.take_records();
+    ASSERT_EQ(records.size(), 64U);
+    EXPECT_EQ(records.back().tick, 63U);
+}
+
+TEST(HapticWork, PublishesWhatAPictureNeeds) {
+    Bench bench;
+    EXPECT_EQ(bench.work.newest_snapshot().tick, 0U);
+    EXPECT_EQ(bench.work.newest_snapshot().radii_mm.size(), 2000U);
+    bench.run(1700);
+    const Snapshot& snapshot = bench.work.newest_snapshot();
+    const HapticState& state = bench.work.state();
+    EXPECT_EQ(snapshot.tick, 1700U);
+    EXPECT_EQ(snapshot.run, 0U);
+    EXPECT_EQ(snapshot.tool, test::scripted_tool(1699));
+    EXPECT_TRUE(snapshot.wheel_turning);
+    EXPECT_EQ(snapshot.wheel_direction, dvec2(state.wheel.heading().cosine, state.wheel.heading().sine));
+    EXPECT_GT(snapshot.forces.contacts, 0);
+    EXPECT_EQ(snapshot.limited_force_n, bench.device.last_force_n);
+    EXPECT_TRUE(
+        std::equal(snapshot.radii_mm.begin(), snapshot.radii_mm.end(), state.clay.radii_mm().begin()));
+}
+
+TEST(HapticWork, PutsOnAFreshLumpWhenTold) {
+    Bench bench;
+    bench.run(1500);
+    EXPECT_TRUE(bench.work.send(Command::kFreshLump));
+    bench.run(1);
+    EXPECT_EQ(bench.work.state().ticks, 1U);
+    EXPECT_EQ(bench.work.runs(), 2U);
+    EXPECT_NE(bench.take_records().back().flags & TickRecord::kFreshLump, 0U);
+    EXPECT_EQ(bench.work.newest_snapshot().run, 1U);
+}
+
+// A script with one tick of nonsense in it.
+class FaultyDevice final : public ScriptedDevice {
+  public:
+    haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
+        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
+        if (tick == 4000) tool.position_mm.y = 1e9;
+        return tool;
+    }
+};
+
+TEST(HapticWork, TakesAFaultBackWhenTold) {
+    Bench bench({}, std::make_unique<FaultyDevice>());
+    bench.run(4000);
+    EXPECT_GT(bench.device.largest_force_n, 0.0);
+    bench.run(1);
+    EXPECT_EQ(bench.work.newest_snapshot().fault, haptics::Fault::kOutsideWorkspace);
+    bench.device.largest_force_n = 0.0;
+    bench.run(6000);
+    EXPECT_EQ(bench.device.largest_force_n, 0.0);
+    EXPECT_NE(bench.take_records().back().flags & TickRecord::kFault, 0U);
+
+    EXPECT_TRUE(bench.work.send(Command::kRearmForce));
+    bench.run(6000);
+    EXPECT_EQ(bench.work.newest_snapshot().fault, haptics::Fault::kNone);
+    EXPECT_GT(bench.device.largest_force_n, 0.0);
+    EXPECT_LE(bench.device.largest_force_n, 3.3 * (1.0 + 1e-12));
+}
+
+}  // namespace
+}  // namespace onggi::haptic

@@ -1,0 +1,265 @@
+#include "engine/haptics/gesture.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace onggi::haptics {
+namespace {
+
+const std::string kHeader = std::string(kGestureHeader) + "\n";
+
+// The gesture of these rows; the test fails if there is none.
+Gesture gesture_of(const std::string& rows, const std::string& header = kHeader) {
+    auto gesture = parse_gesture(header + rows, "g.csv");
+    if (!gesture) {
+        ADD_FAILURE() << gesture.error().message;
+        return std::move(*parse_gesture(kHeader + "0,0,0,0,0,10\n", "g.csv"));
+    }
+    return std::move(gesture).value();
+}
+
+// The one line with which a text is refused.
+std::string refusal(const std::string& text) {
+    const auto gesture = parse_gesture(text, "g.csv");
+    if (gesture) return "accepted";
+    EXPECT_EQ(gesture.error().kind, ErrorKind::kBadInput);
+    EXPECT_EQ(gesture.error().message.find_first_of("\n\r"), std::string::npos);
+    EXPECT_LT(gesture.error().message.size(), 300U);
+    return gesture.error().message;
+}
+
+TEST(Gesture, IsReadRowByRow) {
+    const Gesture gesture = gesture_of("0,95,10,-3.5,0,10\n0.25,60.5,1e1,0,1,12.25\n");
+    ASSERT_EQ(gesture.rows().size(), 2U);
+    EXPECT_EQ(gesture.rows()[1].t_s, 0.25);
+    EXPECT_EQ(gesture.rows()[0].tool,
+              (ToolState{.position_mm = {95, 10, -3.5}, .radius_mm = 10, .wheel_button = false}));
+    EXPECT_EQ(gesture.rows()[1].tool,
+              (ToolState{.position_mm = {60.5, 10, 0}, .radius_mm = 12.25, .wheel_button = true}));
+    EXPECT_TRUE(gesture.extra_columns().empty());
+}
+
+TEST(Gesture, MayEndItsLinesAsWindowsDoesAndTheLastNotAtAll) {
+    const std::string text = "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\r\n0,1,2,3,0,10\r\n1,1,2,3,1,10";
+    const auto gesture = parse_gesture(text, "g.csv");
+    ASSERT_TRUE(gesture) << gesture.error().message;
+    EXPECT_EQ(gesture->rows().size(), 2U);
+    EXPECT_EQ(gesture->rows()[1].tool.radius_mm, 10);
+}
+
+TEST(Gesture, MayHaveColumnsToTheRight) {
+    const Gesture gesture =
+        gesture_of("0,1,2,3,0,10,inner,0.5\n1,1,2,3,0,10,,\n", std::string(kGestureHeader) + ",side,water\n");
+    EXPECT_EQ(gesture.extra_columns(), (std::vector<std::string>{"side", "water"}));
+    EXPECT_EQ(gesture.rows().size(), 2U);
+}
+
+TEST(Gesture, IsTheSameInEveryLocale) {
+    // Where a comma divides whole from broken numbers, a parser that asks the locale reads 95.5 as 95.
+    const char* before = std::setlocale(LC_ALL, nullptr);
+    for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "ko_KR.UTF-8", "C"}) {
+        std::setlocale(LC_ALL, locale);
+        EXPECT_EQ(gesture_of("0,95.5,0,0,0,10\n").rows()[0].tool.position_mm.x, 95.5);
+    }
+    std::setlocale(LC_ALL, before);
+}
+
+TEST(Gesture, MovesInStraightLinesBetweenRows) {
+    const Gesture gesture = gesture_of("0,90,100,0,0,10\n0.2,69,100,8,0,10\n1.2,69,100,8,0,10\n");
+    EXPECT_EQ(gesture.at(0.0).position_mm, dvec3(90, 100, 0));
+    EXPECT_DOUBLE_EQ(gesture.at(0.1).position_mm.x, 79.5);
+    EXPECT_DOUBLE_EQ(gesture.at(0.05).position_mm.z, 2.0);
+    EXPECT_EQ(gesture.at(0.2).position_mm, dvec3(69, 100, 8));
+    EXPECT_EQ(gesture.at(0.7).position_mm, dvec3(69, 100, 8));
+}
+
+TEST(Gesture, HoldsButtonAndRadiusFromTheirRowsOwnTime) {
+    const Gesture gesture = gesture_of("0,0,0,0,0,10\n0.5,0,0,0,1,12\n1,0,0,0,0,20\n");
+    EXPECT_FALSE(gesture.at(0.4999).wheel_button);
+    EXPECT_EQ(gesture.at(0.4999).radius_mm, 10);
+    EXPECT_TRUE(gesture.at(0.5).wheel_button);
+    EXPECT_EQ(gesture.at(0.5).radius_mm, 12);
+    EXPECT_TRUE(gesture.at(0.9999).wheel_button);
+    EXPECT_FALSE(gesture.at(1.0).wheel_button);
+    EXPECT_EQ(gesture.at(1.0).radius_mm, 20);
+}
+
+TEST(Gesture, RestsAtItsEnds) {
+    const Gesture gesture = gesture_of("0,1,2,3,0,10\n1,4,5,6,1,11\n");
+    EXPECT_EQ(gesture.at(-1.0), gesture.rows()[0].tool);
+    EXPECT_EQ(gesture.at(1.0), gesture.rows()[1].tool);
+    EXPECT_EQ(gesture.at(1e9), gesture.rows()[1].tool);
+}
+
+TEST(Gesture, HasATickAtItsLastRowEvenWhenTheNumberFallsShort) {
+    EXPECT_EQ(gesture_of("0,0,0,0,0,10\n").tick_count(1000), 1U);
+    EXPECT_EQ(gesture_of("0,0,0,0,0,10\n1.4,0,0,0,0,10\n").tick_count(1000), 1401U);
+    EXPECT_EQ(gesture_of("0,0,0,0,0,10\n1.4,0,0,0,0,10\n").tick_count(100), 141U);
+    EXPECT_EQ(gesture_of("0,0,0,0,0,10\n0.0095,0,0,0,0,10\n").tick_count(1000), 10U);
+    // 0.29 * 100 is 28.999999999999996.
+    EXPECT_EQ(gesture_of("0,0,0,0,0,10\n0.29,0,0,0,0,10\n").tick_count(100), 30U);
+    EXPECT_EQ(gesture_of("0,0,0,0,0,10\n3600,0,0,0,0,10\n").tick_count(10000), 36000001U);
+}
+
+TEST(GesturePlayer, ReadsTickKAtExactlyKOverTheRate) {
+    const Gesture gesture = gesture_of("0,0,0,0,0,10\n1,1000,0,0,0,10\n");
+    GesturePlayer player(gesture, 1000.0);
+    ASSERT_TRUE(player.open());
+    EXPECT_EQ(player.tick_count(), 1001U);
+    for (const std::uint64_t tick : {0U, 1U, 3U, 333U, 999U, 1000U, 5000U}) {
+        EXPECT_EQ(player.read(tick, 0.001), gesture.at(static_cast<double>(tick) / 1000.0));
+    }
+    EXPECT_EQ(player.capabilities().force_axes, 0);
+    player.write({1, 2, 3});
+    EXPECT_EQ(player.last_force_n(), dvec3(1, 2, 3));
+}
+
+TEST(Gesture, ReadsTheSampleGestures) {
+    for (const char* name : {"vase", "touch-still", "press-and-hold"}) {
+        std::ifstream file(std::string(ONGGI_SOURCE_DIR "/assets/gestures/") + name + ".csv",
+                           std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const auto gesture = parse_gesture(text, name);
+        EXPECT_TRUE(gesture) << gesture.error().message;
+    }
+}
+
+TEST(RejectsGesture, EmptyOrWithoutRows) {
+    EXPECT_EQ(refusal(""),
+              "g.csv:1: expected the header t_s,x_mm,y_mm,z_mm,button,tool_radius_mm, found an empty file");
+    EXPECT_EQ(refusal(kHeader), "g.csv:2: expected at least one row after the header, found none");
+    EXPECT_EQ(refusal(std::string(kGestureHeader)),
+              "g.csv:2: expected at least one row after the header, found none");
+}
+
+TEST(RejectsGesture, WithAnotherHeader) {
+    const std::string row = "0,0,0,0,0,10\n";
+    EXPECT_EQ(refusal("t,x,y,z,b,r\n" + row),
+              "g.csv:1: expected the header t_s,x_mm,y_mm,z_mm,button,tool_radius_mm: column t_s is missing, "
+              "found 't'");
+    EXPECT_NE(refusal("t_s,x_mm,y_mm,z_mm,tool_radius_mm\n" + row).find("column button is missing"),
+              std::string::npos);
+    EXPECT_NE(refusal("t_s,x_mm,y_mm,z_mm,button\n" + row)
+                  .find("column tool_radius_mm is missing, found the end of the line"),
+              std::string::npos);
+    EXPECT_NE(refusal("x_mm,t_s,y_mm,z_mm,button,tool_radius_mm\n" + row).find("column t_s is missing"),
+              std::string::npos);
+    EXPECT_NE(refusal("t_s, x_mm,y_mm,z_mm,button,tool_radius_mm\n" + row).find("found ' x_mm'"),
+              std::string::npos);
+    EXPECT_NE(refusal("\n" + kHeader + row).find("g.csv:1:"), std::string::npos);
+    EXPECT_NE(refusal(row).find("g.csv:1:"), std::string::npos);
+    EXPECT_NE(refusal("\xef\xbb\xbf" + kHeader + row).find("byte order mark"), std::string::npos);
+    const std::string header(kGestureHeader);
+    EXPECT_EQ(refusal(header + ",\n0,0,0,0,0,10,\n"),
+              "g.csv:1: column 7: expected a name of its own, found ''");
+    EXPECT_NE(refusal(header + ",side,side\n").find("column 8"), std::string::npos);
+    EXPECT_NE(refusal(header + ",t_s\n").find("column 7"), std::string::npos);
+}
+
+TEST(RejectsGesture, WithTooFewOrTooManyColumns) {
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0\n"),
+              "g.csv:2: tool_radius_mm: expected a value, found the end of the line");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n1,2\n"),
+              "g.csv:3: y_mm: expected a value, found the end of the line");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10,7\n"), "g.csv:2: expected 6 columns, found more");
+    EXPECT_EQ(refusal(std::string(kGestureHeader) + ",side\n0,0,0,0,0,10\n"),
+              "g.csv:2: side: expected a value, found the end of the line");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n\n"), "g.csv:3: t_s: expected a number, found ''");
+}
+
+TEST(RejectsGesture, WithWhatIsNoNumber) {
+    for (const char* word : {"abc", "", " 1", "1 ", "+1", "1,5", "0x10", "1.2.3", "--1", "1e", "\x01"}) {
+        const std::string found = refusal(kHeader + "0,0,0,0,0,10\n1,2," + word + ",0,0,10\n");
+        EXPECT_TRUE(found.starts_with("g.csv:3: ")) << found;
+        EXPECT_EQ(found.find("accepted"), std::string::npos) << word;
+    }
+    EXPECT_EQ(refusal(kHeader + "0,abc,0,0,0,10\n"), "g.csv:2: x_mm: expected a number, found 'abc'");
+}
+
+TEST(RejectsGesture, WithNanOrInfinity) {
+    for (const char* word : {"nan", "NaN", "-nan", "inf", "-inf", "infinity", "INF", "1e999", "-1e999"}) {
+        for (const char* column : {"x_mm", "y_mm", "z_mm"}) {
+            std::string row = "0,A,B,C,0,10\n";
+            const char letter = column[0] == 'x' ? 'A' : column[0] == 'y' ? 'B' : 'C';
+            for (const char other : {'A', 'B', 'C'}) {
+                row.replace(row.find(other), 1, other == letter ? word : "0");
+            }
+            EXPECT_EQ(refusal(kHeader + row),
+                      "g.csv:2: " + std::string(column) + ": expected a finite number, found '" + word + "'");
+        }
+        EXPECT_NE(refusal(kHeader + word + ",0,0,0,0,10\n").find("t_s: expected a finite number"),
+                  std::string::npos);
+        EXPECT_NE(refusal(kHeader + "0,0,0,0,0," + word + "\n").find("tool_radius_mm: expected a finite"),
+                  std::string::npos);
+        EXPECT_NE(refusal(kHeader + "0,0,0,0," + word + ",10\n").find("button: expected 0 or 1"),
+                  std::string::npos);
+    }
+}
+
+TEST(RejectsGesture, WhoseTimeDoesNotAscendFromZero) {
+    EXPECT_EQ(refusal(kHeader + "0.1,0,0,0,0,10\n"),
+              "g.csv:2: t_s: expected 0 in the first row, found '0.1'");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n0.5,0,0,0,0,10\n0.5,0,0,0,0,10\n"),
+              "g.csv:4: t_s: expected a time after 0.5, found '0.5'");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n0.5,0,0,0,0,10\n0.4,0,0,0,0,10\n"),
+              "g.csv:4: t_s: expected a time after 0.5, found '0.4'");
+    EXPECT_EQ(refusal(kHeader + "-1,0,0,0,0,10\n"), "g.csv:2: t_s: expected 0 to 3600, found '-1'");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n3600.001,0,0,0,0,10\n"),
+              "g.csv:3: t_s: expected 0 to 3600, found '3600.001'");
+}
+
+TEST(RejectsGesture, BeyondTheBoundsOfToolAndWorkspace) {
+    for (const char* radius : {"0", "1000", "1.999", "40.001", "-10"}) {
+        EXPECT_EQ(refusal(kHeader + "0,0,0,0,0," + radius + "\n"),
+                  std::string("g.csv:2: tool_radius_mm: expected 2 to 40, found '") + radius + "'");
+    }
+    for (const char* place : {"1000.001", "-1000.001", "1e300"}) {
+        EXPECT_EQ(refusal(kHeader + "0,0," + place + ",0,0,10\n"),
+                  std::string("g.csv:2: y_mm: expected -1000 to 1000, found '") + place + "'");
+    }
+    gesture_of("0,1000,-1000,0,0,2\n3600,0,0,0,1,40\n");
+}
+
+TEST(RejectsGesture, WithAButtonThatIsNeitherZeroNorOne) {
+    for (const char* button : {"2", "-1", "0.5", "true", "", "1.0", "00", " 1"}) {
+        EXPECT_EQ(refusal(kHeader + "0,0,0,0," + button + ",10\n"),
+                  std::string("g.csv:2: button: expected 0 or 1, found '") + button + "'");
+    }
+}
+
+TEST(RejectsGesture, OfAnotherKindOfFile) {
+    EXPECT_NE(refusal(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)).find("found '\\x89PNG'"),
+              std::string::npos);
+    EXPECT_NE(refusal(std::string("\x7f"
+                                  "ELF\x02\x01\x01\0\0\0",
+                                  10))
+                  .find("g.csv:1: expected the header"),
+              std::string::npos);
+    EXPECT_NE(refusal(kHeader + std::string("\0\0\0\0,1\n", 7)).find("t_s: expected a number, found '\\x00"),
+              std::string::npos);
+}
+
+TEST(RejectsGesture, WithALineThatDoesNotEnd) {
+    const std::string junk(std::size_t{100} << 20U, '7');
+    EXPECT_EQ(refusal(junk), "g.csv:1: expected a line of at most 4096 bytes, found a longer one");
+    EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n1," + junk),
+              "g.csv:3: expected a line of at most 4096 bytes, found a longer one");
+    // A number as long as a line may be is still read or refused, not run over.
+    EXPECT_NE(refusal(kHeader + std::string(4000, '1') + ",0,0,0,0,10\n").find("g.csv:2: t_s"),
+              std::string::npos);
+}
+
+TEST(GestureStart, TellsAWrongFileByItsFirstBytes) {
+    EXPECT_TRUE(check_gesture_start(kHeader + "0,1,", "g.csv"));
+    EXPECT_TRUE(check_gesture_start(kGestureHeader, "g.csv"));
+    EXPECT_FALSE(check_gesture_start("\x89PNG", "g.csv"));
+    EXPECT_FALSE(check_gesture_start(std::string(5000, 'x'), "g.csv"));
+    EXPECT_FALSE(check_gesture_start("", "g.csv"));
+}
+
+}  // namespace
+}  // namespace onggi::haptics

@@ -1,0 +1,135 @@
+#include "engine/jobs/fixed_rate_job.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/virtual_clock.h"
+
+namespace onggi::jobs {
+namespace {
+
+using test::VirtualClock;
+
+// Takes a scripted time for each tick, and ends after the last.
+class ScriptedWork final : public PeriodicWork {
+  public:
+    ScriptedWork(VirtualClock& clock, std::vector<std::int64_t> durations_ns)
+        : clock_(clock),
+          durations_ns_(std::move(durations_ns)) {}
+
+    bool tick(const Period& period) noexcept override {
+        indices.push_back(period.index);
+        clock_.pass(durations_ns_[indices.size() - 1]);
+        return indices.size() < durations_ns_.size();
+    }
+
+    std::vector<std::uint64_t> indices;
+
+  private:
+    VirtualClock& clock_;
+    std::vector<std::int64_t> durations_ns_;
+};
+
+TEST(FixedRateLoop, RunsTheWorkOnceAPeriodUntilTheWorkIsDone) {
+    VirtualClock clock;
+    ScriptedWork work(clock, {1000, 3'200'000, 1000, 1000});
+    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep, .leave_rest = false});
+    const std::atomic<bool> stop{false};
+    run_fixed_rate(pacer, work, stop);
+    // The second tick takes from period 1 into period 4: 2 and 3 are skipped.
+    EXPECT_EQ(work.indices, (std::vector<std::uint64_t>{0, 1, 4, 5}));
+    EXPECT_EQ(pacer.stats().ticks, 4U);
+    EXPECT_EQ(pacer.stats().missed_deadlines(), 3U);
+}
+
+TEST(FixedRateLoop, DoesNotBeginWhenItIsStoppedBefore) {
+    VirtualClock clock;
+    ScriptedWork work(clock, {1000});
+    Pacer pacer(clock, {.rate_hz = 1000.0});
+    const std::atomic<bool> stop{true};
+    run_fixed_rate(pacer, work, stop);
+    EXPECT_TRUE(work.indices.empty());
+}
+
+class CountingWork final : public PeriodicWork {
+  public:
+    explicit CountingWork(int end = -1) : end_(end) {}
+    bool tick(const Period& /*period*/) noexcept override {
+        ++ticks;
+        return ticks.load() != end_;
+    }
+    std::atomic<int> ticks{0};
+
+  private:
+    int end_;
+};
+
+// Without asking for anything a test machine may refuse.
+FixedRateJobOptions modest_options() {
+    FixedRateJobOptions options;
+    options.pacing = {.rate_hz = 1000.0, .wait = WaitMode::kSleep};
+    options.real_time.fifo_priority = 0;  // not a priority: refused everywhere
+    options.real_time.lock_memory = false;
+    options.real_time.wakeful_cores = false;
+    return options;
+}
+
+void wait_until_finished(const FixedRateJob& job) {
+    MonotonicClock clock;
+    const std::int64_t bound_ns = MonotonicClock::now_ns() + 30'000'000'000;
+    while (!job.finished() && MonotonicClock::now_ns() < bound_ns) {
+        clock.sleep_until_ns(MonotonicClock::now_ns() + 1'000'000);
+    }
+}
+
+TEST(FixedRateJob, EndsByItselfWhenTheWorkIsDone) {
+    CountingWork work(20);
+    FixedRateJob job(modest_options());
+    EXPECT_TRUE(job.finished());
+    ASSERT_TRUE(job.start(work));
+    wait_until_finished(job);
+    EXPECT_TRUE(job.finished());
+    job.stop();
+    EXPECT_EQ(work.ticks.load(), 20);
+    EXPECT_EQ(job.stats().ticks, 20U);
+    EXPECT_EQ(job.stats().tick_ns.count(), 20U);
+}
+
+TEST(FixedRateJob, EndsWhenStoppedAndCanBeStartedAgain) {
+    CountingWork work;
+    FixedRateJob job(modest_options());
+    for (int round = 0; round < 3; ++round) {
+        ASSERT_TRUE(job.start(work));
+        EXPECT_FALSE(job.finished());
+        job.stop();
+        EXPECT_TRUE(job.finished());
+        job.stop();  // harmless
+    }
+}
+
+TEST(FixedRateJob, RunsWithARefusalAndRecordsItUnderIgnore) {
+    CountingWork work(1);
+    FixedRateJob job(modest_options());
+    ASSERT_TRUE(job.start(work));
+    EXPECT_EQ(job.real_time().fifo.grant, Grant::kRefused);
+    EXPECT_STREQ(job.real_time().scheduler(), "other");
+    wait_until_finished(job);
+    EXPECT_EQ(work.ticks.load(), 1);
+}
+
+TEST(FixedRateJob, RefusesToRunEvenOneTickUnderEnforce) {
+    CountingWork work;
+    FixedRateJobOptions options = modest_options();
+    options.policy = RealTimePolicy::kEnforce;
+    FixedRateJob job(options);
+    const Result<void> started = job.start(work);
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().kind, ErrorKind::kSystemLacks);
+    EXPECT_NE(started.error().message.find("SCHED_FIFO"), std::string::npos) << started.error().message;
+    EXPECT_TRUE(job.finished());
+    EXPECT_EQ(work.ticks.load(), 0);
+}
+
+}  // namespace
+}  // namespace onggi::jobs

@@ -1,0 +1,115 @@
+// One thread only: what the hand-offs promise. tests/stress has the threads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+#include <random>
+#include <vector>
+
+#include "engine/jobs/mailbox.h"
+#include "engine/jobs/spsc_ring.h"
+#include "engine/jobs/triple_buffer.h"
+
+namespace onggi::jobs {
+namespace {
+
+TEST(TripleBuffer, ShowsTheInitialValueUntilSomethingIsPublished) {
+    TripleBuffer<int> buffer(7);
+    EXPECT_FALSE(buffer.acquire());
+    EXPECT_EQ(buffer.reading(), 7);
+    buffer.writing() = 8;
+    EXPECT_FALSE(buffer.acquire());
+    EXPECT_EQ(buffer.reading(), 7);
+    buffer.publish();
+    EXPECT_TRUE(buffer.acquire());
+    EXPECT_EQ(buffer.reading(), 8);
+}
+
+TEST(TripleBuffer, GivesTheNewestAndEachOnlyOnce) {
+    TripleBuffer<int> buffer;
+    for (int value = 1; value <= 5; ++value) {
+        buffer.writing() = value;
+        buffer.publish();
+    }
+    EXPECT_TRUE(buffer.acquire());
+    EXPECT_EQ(buffer.reading(), 5);
+    EXPECT_FALSE(buffer.acquire());
+    EXPECT_EQ(buffer.reading(), 5);
+}
+
+TEST(TripleBuffer, LeavesTheReadersValueAloneWhileTheWriterGoesOn) {
+    TripleBuffer<int> buffer;
+    buffer.writing() = 1;
+    buffer.publish();
+    ASSERT_TRUE(buffer.acquire());
+    const int& held = buffer.reading();
+    for (int value = 2; value < 50; ++value) {
+        buffer.writing() = value;
+        buffer.publish();
+        EXPECT_EQ(held, 1);
+    }
+}
+
+TEST(TripleBuffer, KeepsTheMemoryOfItsPayloads) {
+    TripleBuffer<std::vector<float>> buffer(std::vector<float>(2000, 60.0F));
+    std::vector<const float*> seen;
+    for (int i = 0; i < 9; ++i) {
+        EXPECT_EQ(buffer.writing().size(), 2000U);
+        seen.push_back(buffer.writing().data());
+        buffer.publish();
+        if (i % 2 == 0) buffer.acquire();
+    }
+    std::sort(seen.begin(), seen.end());
+    EXPECT_LE(std::unique(seen.begin(), seen.end()) - seen.begin(), 3);
+}
+
+TEST(Mailbox, HoldsTheLatestValuePut) {
+    Mailbox<int> mailbox(3);
+    EXPECT_EQ(mailbox.latest(), 3);
+    mailbox.put(4);
+    mailbox.put(5);
+    EXPECT_EQ(mailbox.latest(), 5);
+    EXPECT_EQ(mailbox.latest(), 5);
+}
+
+TEST(SpscRing, RoundsItsCapacityUpToAPowerOfTwo) {
+    EXPECT_EQ(SpscRing<int>(0).capacity(), 2U);
+    EXPECT_EQ(SpscRing<int>(5).capacity(), 8U);
+    EXPECT_EQ(SpscRing<int>(64).capacity(), 64U);
+}
+
+TEST(SpscRing, RefusesWhenFullAndWhenEmptyAndChangesNothing) {
+    SpscRing<int> ring(4);
+    int value = -1;
+    EXPECT_FALSE(ring.try_pop(value));
+    EXPECT_EQ(value, -1);
+    for (int i = 0; i < 4; ++i)
+        EXPECT_TRUE(ring.try_push(i));
+    EXPECT_FALSE(ring.try_push(99));
+    for (int i = 0; i < 4; ++i) {
+        ASSERT_TRUE(ring.try_pop(value));
+        EXPECT_EQ(value, i);
+    }
+    EXPECT_FALSE(ring.try_pop(value));
+}
+
+TEST(SpscRing, BehavesLikeAQueueOfBoundedLength) {
+    SpscRing<int> ring(8);
+    std::deque<int> model;
+    std::mt19937 random(11);
+    for (int step = 0; step < 100'000; ++step) {
+        if (random() % 2 == 0) {
+            EXPECT_EQ(ring.try_push(step), model.size() < ring.capacity());
+            if (model.size() < ring.capacity()) model.push_back(step);
+        } else {
+            int value = 0;
+            ASSERT_EQ(ring.try_pop(value), !model.empty());
+            if (model.empty()) continue;
+            ASSERT_EQ(value, model.front());
+            model.pop_front();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace onggi::jobs

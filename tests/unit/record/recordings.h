@@ -1,0 +1,76 @@
+// Sessions made up for tests: a hand that rests, moves, changes its tool.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/record/session.h"
+#include "engine/record/session_writer.h"
+#include "tests/support/session_checksums.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::record {
+
+inline const std::string kStartState = "a lump of clay, opaque here";
+
+inline std::span<const std::byte> bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+// Rests for 300 ticks, moves for 300, rests with another tool for 300, and so on.
+inline haptics::ToolState tool_at(std::uint64_t tick) {
+    const std::uint64_t part = tick / 300;
+    haptics::ToolState tool;
+    const std::uint64_t moved = part % 2 == 0 ? part * 300 : tick;
+    tool.position_mm = {60.0 + static_cast<double>(moved) / 8192.0, -0.0, static_cast<double>(part) / 3.0};
+    tool.radius_mm = 10.0 + static_cast<double>(part % 30);
+    tool.wheel_button = part % 3 == 1;
+    return tool;
+}
+
+inline dvec3 force_at(std::uint64_t tick) {
+    return {static_cast<double>(tick) / 7.0, 0.0, tick % 500 < 250 ? 0.0 : -0.0};
+}
+
+inline std::uint64_t hash_after(std::uint64_t tick) {
+    return 0x9e3779b97f4a7c15ULL * (tick + 1);
+}
+
+inline SessionHeader test_header() {
+    return {.rate_hz = 4000.0,
+            .element_count = 2000,
+            .sector_count = 1,
+            .clay_model = ClayModel::kPaper,
+            .start_state_hash = 0x0123456789abcdefULL};
+}
+
+inline Result<void> record_ticks(SessionWriter& writer, std::uint64_t ticks) {
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        if (auto added = writer.add_tick(tool_at(tick), force_at(tick)); !added) return added;
+        if (!writer.block_is_full()) continue;
+        if (auto ended = writer.end_block(hash_after(tick)); !ended) return ended;
+    }
+    return {};
+}
+
+// The bytes of a session of so many ticks.
+inline std::string session_bytes(std::uint64_t ticks) {
+    const test::TemporaryFolder folder;
+    auto writer = SessionWriter::create(folder / "s.onggi", test_header(), bytes_of(kStartState));
+    EXPECT_TRUE(writer) << writer.error().message;
+    EXPECT_TRUE(record_ticks(*writer, ticks));
+    EXPECT_TRUE(writer->prepare(hash_after(ticks - 1)));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+    EXPECT_TRUE(writer->commit());
+    return test::content_of(folder / "s.onggi");
+}
+
+inline std::size_t first_block_at() {
+    return test::kSessionHeaderBytes + kStartState.size();
+}
+
+}  // namespace onggi::record

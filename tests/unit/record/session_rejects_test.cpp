@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "tests/unit/record/recordings.h"
+
+namespace onggi::record {
+namespace {
+
+// The one line with which these bytes are refused.
+std::string refusal(const std::string& bytes) {
+    const auto session = parse_session(bytes, "s.onggi");
+    if (session) return "accepted";
+    EXPECT_EQ(session.error().kind, ErrorKind::kBadInput);
+    EXPECT_EQ(session.error().message.find_first_of("\n\r"), std::string::npos);
+    return session.error().message;
+}
+
+// A session with a number changed, and checksums that do not give it away.
+template <typename T>
+std::string with_header_field(std::size_t offset, T number) {
+    std::string bytes = session_bytes(1500);
+    test::put_at(bytes, offset, number);
+    test::mend_session_header(bytes);
+    return bytes;
+}
+
+template <typename T>
+std::string with_block_field(std::size_t offset, T number) {
+    std::string bytes = session_bytes(1500);
+    test::put_at(bytes, first_block_at() + offset, number);
+    test::mend_session_block(bytes, first_block_at());
+    return bytes;
+}
+
+TEST(RejectsSession, OfAnotherKind) {
+    EXPECT_EQ(refusal(""), "s.onggi: byte 0: expected the first bytes of a session, found ''");
+    EXPECT_EQ(refusal("t_s,x_mm"),
+              "s.onggi: byte 0: expected the first bytes of a session, found 't_s,x_mm'");
+    // What a text-mode copy makes of it.
+    std::string bytes = session_bytes(10);
+    bytes.erase(6, 1);
+    EXPECT_NE(refusal(bytes).find("byte 0: expected the first bytes"), std::string::npos);
+}
+
+TEST(RejectsSession, OfANewerOrUnknownVersion) {
+    EXPECT_EQ(refusal(with_header_field<std::uint16_t>(8, 2)),
+              "s.onggi: byte 8: expected a session of version 1.0, found 2.0, written by a newer program");
+    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 1)).find("found 1.1, written by a newer program"),
+              std::string::npos);
+    EXPECT_NE(refusal(with_header_field<std::uint16_t>(8, 0)).find("byte 8: expected a session of version"),
+              std::string::npos);
+    // Even when a newer header's checksum is elsewhere.
+    std::string bytes = session_bytes(10);
+    test::put_at<std::uint16_t>(bytes, 8, 7);
+    EXPECT_NE(refusal(bytes).find("newer program"), std::string::npos);
+}
+
+TEST(RejectsSession, WithAbsurdNumbersInItsHeader) {
+    const auto expect_at = [](std::size_t offset, const std::string& bytes) {
+        EXPECT_TRUE(refusal(bytes).starts_with("s.onggi: byte " + std::to_string(offset) + ": "))
+            << refusal(bytes);
+    };
+    expect_at(12, with_header_field<std::uint32_t>(12, 71));
+    for (const double rate : {0.0, -1000.0, 99.9, 10000.1, 1e300})
+        expect_at(16, with_header_field(16, rate));
+    expect_at(16, with_header_field(16, std::bit_cast<double>(0x7ff8000000000000ULL)));
+    for (const std::uint32_t count : {0U, 200001U, 0xffffffffU})
+        expect_at(24, with_header_field(24, count));
+    for (const std::uint32_t count : {0U, 4097U, 0xffffffffU})
+        expect_at(28, with_header_field(28, count));
+    expect_at(32, with_header_field<std::uint32_t>(32, 1));
+    for (const std::uint32_t clay : {0U, 3U})
+        expect_at(36, with_header_field(36, clay));
+    for (const std::uint64_t size : {kMaxStartStateBytes + 1, ~std::uint64_t{0}}) {
+        expect_at(40, with_header_field(40, size));
+    }
+    expect_at(60, with_header_field<std::uint32_t>(60, 999));
+    expect_at(64, with_header_field<std::uint32_t>(64, 1));
+}
+
+TEST(RejectsSession, CutInItsHeaderOrStartState) {
+    const std::string whole = session_bytes(1500);
+    for (std::size_t size = 0; size < first_block_at(); ++size) {
+        EXPECT_FALSE(parse_session(whole.substr(0, size), "s.onggi")) << size;
+    }
+    EXPECT_EQ(refusal(whole.substr(0, 40)),
+              "s.onggi: byte 40: expected a header of 72 bytes, found the end of the file");
+    EXPECT_EQ(refusal(whole.substr(0, 80)),
+              "s.onggi: byte 80: expected 27 bytes of start state, found the end of the file after 8");
+}
+
+TEST(RejectsSession, WithAnyBitTurned) {
+    const std::string whole = session_bytes(1300);
+    for (std::size_t byte = 0; byte < whole.size(); ++byte) {
+        std::string bytes = whole;
+        bytes[byte] = static_cast<char>(bytes[byte] ^ (1 << (byte % 8)));
+        EXPECT_NE(refusal(bytes), "accepted") << "byte " << byte;
+    }
+}
+
+TEST(RejectsSession, SayingWhereTheDamageIs) {
+    std::string bytes = session_bytes(1300);
+    bytes[first_block_at() + 60] ^= 1;
+    EXPECT_NE(
+        refusal(bytes).find("byte " + std::to_string(first_block_at() + 20) + ": expected the checksum"),
+        std::string::npos)
+        << refusal(bytes);
+    EXPECT_NE(refusal(bytes).find("of a block's body"), std::string::npos);
+    bytes = session_bytes(1300);
+    bytes[test::kSessionHeaderBytes] ^= 1;
+    EXPECT_NE(refusal(bytes).find("byte 56: expected the checksum"), std::string::npos) << refusal(bytes);
+}
+
+TEST(RejectsSession, WithMoreAfterItsEnd) {
+    const std::string whole = session_bytes(1300);
+    EXPECT_EQ(refusal(whole + "x"), "s.onggi: byte " + std::to_string(whole.size()) +
+                                        ": expected the end of the file, found 1 bytes more");
+    EXPECT_NE(refusal(whole + whole).find("expected the end of the file"), std::string::npos);
+}
+
+TEST(RejectsSession, WithABlockThatDoesNotFit) {
+    const auto expect_at = [](std::size_t field, const std::string& bytes) {
+        const std::string start = "s.onggi: byte " + std::to_string(first_block_at() + field) + ": ";
+        EXPECT_TRUE(refusal(bytes).starts_with(start)) << refusal(bytes);
+    };
+    expect_at(0, with_block_field<std::uint32_t>(0, 0x12345678));
+    expect_at(4, with_block_field<std::uint32_t>(4, 0));
+    expect_at(4, with_block_field<std::uint32_t>(4, 0x7fffffff));
+    expect_at(8, with_block_field<std::uint64_t>(8, 1000));
+    expect_at(16, with_block_field<std::uint32_t>(16, 0));
+    expect_at(16, with_block_field<std::uint32_t>(16, 1001));
+    expect_at(32, with_block_field<std::uint32_t>(32, 1));
+    // One tick fewer than its records have.
+    EXPECT_NE(refusal(with_block_field<std::uint32_t>(16, 999)), "accepted");
+}
+
+TEST(RejectsSession, WithRecordsThatMakeNoSense) {
+    const std::size_t records = test::kSessionBlockHeadBytes;  // after the block's head: kind, then x
+    const auto expect_found = [](const std::string& bytes, const std::string& what) {
+        EXPECT_NE(refusal(bytes).find(what), std::string::npos) << refusal(bytes);
+    };
+    expect_found(with_block_field<std::uint8_t>(records, 2), "a tool record to open the block");
+    expect_found(with_block_field<std::uint8_t>(records + 34, 9), "a record's kind");
+    expect_found(with_block_field(records + 1, 1000.5), "a coordinate of -1000 to 1000 mm, found 1000.5");
+    expect_found(with_block_field(records + 9, std::bit_cast<double>(0x7ff8000000000000ULL)), "a coordinate");
+    expect_found(with_block_field(records + 25, 41.0), "a tool radius of 2 to 40 mm, found 41");
+    expect_found(with_block_field<std::uint8_t>(records + 33, 2), "a button of 0 or 1, found 2");
+    expect_found(with_block_field<std::uint16_t>(records + 35, 0), "at least one repeat");
+    expect_found(with_block_field<std::uint16_t>(records + 35, 0xffff), "records of 1000 ticks");
+}
+
+TEST(RejectsSession, WithAnEndThatCountsOtherwise) {
+    for (const std::size_t field : {4U, 8U, 16U, 20U, 24U, 32U}) {
+        std::string bytes = session_bytes(1300);
+        const std::size_t end = bytes.size() - test::kSessionBlockHeadBytes;
+        bytes[end + field] ^= 1;
+        test::mend_session_block(bytes, end);
+        EXPECT_NE(refusal(bytes).find("byte " + std::to_string(end + field) + ": "), std::string::npos)
+            << refusal(bytes);
+    }
+}
+
+TEST(RejectsSession, WithABlockAfterOneThatIsNotFull) {
+    const std::string whole = session_bytes(500);
+    const std::string block =
+        whole.substr(first_block_at(), whole.size() - first_block_at() - test::kSessionBlockHeadBytes);
+    std::string bytes = whole.substr(0, whole.size() - test::kSessionBlockHeadBytes) + block;
+    test::put_at<std::uint64_t>(bytes, first_block_at() + block.size() + 8, 500);
+    test::mend_session_block(bytes, first_block_at() + block.size());
+    EXPECT_NE(refusal(bytes).find("expected the end after a block that is not full"), std::string::npos)
+        << refusal(bytes);
+}
+
+}  // namespace
+}  // namespace onggi::record

@@ -1,0 +1,90 @@
+// node three_client.mjs DIR [SCREENSHOTS]: opens every hand-made pot of DIR with three.js in Debian's Chromium, as a
+// visitor's phone would, and compares what arrived with what was thrown. Writes a screenshot a pot.
+import { mkdir } from 'node:fs/promises';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+import { checkAll, listPots } from './pots.mjs';
+import { serve } from './server.mjs';
+
+const BROWSER = process.env.ONGGI_CHROMIUM ?? '/usr/bin/chromium';
+const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
+const PAGE_TIMEOUT_MS = 60_000;
+const SIZE_TOLERANCE_M = 0.0001;  // a tenth of a millimetre
+const CLAY = [0.36, 0.29, 0.215];
+
+function expect(holds, words) {
+    if (!holds) throw new Error(words);
+}
+const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
+
+/** Everything that arrived, against the list that make_pots wrote. */
+function compare(found, pot) {
+    expect(!found.error, `the loader said: ${found.error}`);
+    const radius = pot.diameter_m / 2;
+    const [min, max] = [[-radius, 0, -radius], [radius, pot.height_m, radius]];
+    for (let axis = 0; axis < 3; axis += 1) {
+        expect(near(found.min[axis], min[axis], SIZE_TOLERANCE_M) && near(found.max[axis], max[axis], SIZE_TOLERANCE_M),
+            `expected a box from ${min} to ${max} m, found ${found.min} to ${found.max}`);
+    }
+    expect(found.min[1] === 0, `expected the base at y = 0, found ${found.min[1]}`);
+    expect(found.meshes === 1 && found.identity, 'expected one mesh at the origin');
+    expect(found.triangles === pot.triangles, `expected ${pot.triangles} triangles, found ${found.triangles}`);
+    const { material } = found;
+    expect(material.type === 'MeshStandardMaterial' && material.side === 'front' && !material.textured,
+        `expected a plain one-sided material, found ${JSON.stringify(material)}`);
+    expect(CLAY.every((channel, i) => near(material.colour[i], channel, 1e-6)), `expected ${CLAY}, found ${material.colour}`);
+    expect(near(material.roughness, 0.62, 1e-6) && material.metalness === 0, 'expected rough clay, not metal');
+    expect(/^Onggi \d+\.\d+\.\d+$/.test(found.generator), `expected the program's name, found ${found.generator}`);
+    expect(near(found.extras.height_mm, pot.height_m * 1000, 1e-9), 'expected the height among the extras');
+    expect(near(found.extras.volume_mm3 * 1e-9, pot.volume_m3, 1e-9 * pot.volume_m3), 'expected the volume among them');
+    expect(found.coverage > 0.03 && found.coverage < 0.6, `expected a pot in the picture, found ${found.coverage} covered`);
+    expect(found.luminance > 60, `expected the lamp's side to face us, found a luminance of ${found.luminance}`);
+}
+
+/** One page load; fails on any console error, failed request, or request to another host. */
+async function open(browser, origin, pot, screenshots) {
+    const page = await browser.newPage({ viewport: { width: 480, height: 480 } });
+    const complaints = [];
+    page.on('console', (message) => { if (message.type() === 'error') complaints.push(`console: ${message.text()}`); });
+    page.on('pageerror', (problem) => complaints.push(`page: ${problem.message}`));
+    page.on('requestfailed', (request) => complaints.push(`request: ${request.url()} ${request.failure()?.errorText}`));
+    page.on('request', (request) => {
+        if (!/^(data|blob):/.test(request.url()) && new URL(request.url()).origin !== origin) {
+            complaints.push(`off-site: ${request.url()}`);
+        }
+    });
+    try {
+        await page.goto(`${origin}/index.html?pot=${pot.name}`);
+        await page.waitForFunction('window.found !== undefined', null, { timeout: PAGE_TIMEOUT_MS });
+        const found = await page.evaluate('window.found');
+        if (screenshots) await page.screenshot({ path: path.join(screenshots, `${pot.name}.png`) });
+        compare(found, pot);
+        expect(complaints.length === 0, complaints.join('; '));
+        return found;
+    } finally {
+        await page.close();
+    }
+}
+
+const [folder, screenshots] = process.argv.slice(2);
+if (!folder) {
+    console.error('expected: node three_client.mjs DIR [SCREENSHOTS]');
+    process.exit(2);
+}
+if (screenshots) await mkdir(screenshots, { recursive: true });
+const pots = (await listPots(folder)).filter((pot) => pot.hand_made);
+const server = await serve(folder);
+const browser = await chromium.launch({ executablePath: BROWSER, args: FLAGS });
+try {
+    console.log(`Chromium ${browser.version()}`);
+    await checkAll(pots, async (pot) => {
+        const found = await open(browser, server.origin, pot, screenshots);
+        const size = found.max.map((high, axis) => (1000 * (high - found.min[axis])).toFixed(2));
+        return `${size.join(' x ')} mm, ${found.triangles} triangles, ` +
+            `${(100 * found.coverage).toFixed(1)} % covered, luminance ${found.luminance.toFixed(0)}`;
+    });
+} finally {
+    await browser.close();
+    await server.close();
+}
