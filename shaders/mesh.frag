@@ -8,7 +8,7 @@
 #include "surface.glsl"
 #include "noise.glsl"
 
-layout(constant_id = 1) const bool kMoves = false;  // then no cached shadow falls on it
+layout(constant_id = 1) const bool kMoves = false;  // a sphere: no cached shadow falls on it
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
 layout(set = 0, binding = kBindKeyMap) uniform sampler2DShadow key_map;
@@ -46,7 +46,8 @@ float past_still_life() {
 void main() {
     float roughness = draw.albedo.w;
     float metalness = draw.surface.x;
-    vec3 n = normalize(in_normal);
+    // What moves is a sphere: its normal needs no mesh.
+    vec3 n = normalize(kMoves ? position - draw.place.xyz : in_normal);
     vec3 v = normalize(frame.eye.xyz - position);
     vec3 l = frame.key_direction.xyz;
 
@@ -81,7 +82,7 @@ void main() {
     vec3 body = albedo * (1.0 - metalness);
 
     float seen = past_still_life();
-    float lit = max(n_l, 0.0) * seen;
+    float lit = soft_cosine(n_l, 0.14) * seen;
     // Rings spread what they mirror along the radius: a fan of leaning normals stands for them.
     bool is_turned = draw.surface.y > 0.0 && metalness > 0.0;
     float gloss = 0.0;

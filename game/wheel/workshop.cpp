@@ -53,7 +53,8 @@ render::Profile bench() {
     render::Profile profile;
     profile.points = {{640.0F, -106.0F}};
     render::add_rounded(profile, {640.0F, -112.0F}, {640.0F, -100.0F}, {600.0F, -100.0F}, 5.0F);
-    for (const float r : {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
+    for (const float r :
+         {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
         profile.points.push_back({r, -100.0F});
     return profile;
 }
