@@ -19,8 +19,8 @@ layout(location = 1) in vec3 in_normal;
 layout(location = 2) in float open_sky;
 layout(location = 0) out vec4 out_colour;  // finished; of the layers: with the key light
 #ifdef ONGGI_LAYERS
-layout(location = 1) out vec4 out_ambient;  // without it
-layout(location = 2) out vec4 out_coords;   // shadow mask u, v, and how much the foot's shade counts
+layout(location = 1) out vec4 out_ambient;  // without it; alpha: how much the foot's shade counts
+layout(location = 2) out vec2 out_coords;   // where to look in the shadow mask
 #endif
 
 // The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share of the
@@ -113,8 +113,8 @@ void main() {
     float near_foot = smoothstep(-7.0, -1.0, position.y) * max(n.y, 0.0);
 #ifdef ONGGI_LAYERS
     out_colour = vec4(with_key, 1.0);
-    out_ambient = vec4(without_key, 1.0);
-    out_coords = vec4(uv, near_foot, 0.0);
+    out_ambient = vec4(without_key, near_foot);
+    out_coords = uv;
 #else
     vec2 mask = texture(shadow_mask, uv).rg;
     out_colour = vec4(mix(without_key, with_key, mask.r) * mix(1.0, mask.g, near_foot), 1.0);
