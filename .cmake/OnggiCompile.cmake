@@ -31,7 +31,8 @@ target_compile_options(onggi_options INTERFACE
     # std::sqrt is one exact instruction; nobody reads errno after it.
     -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(onggi_options INTERFACE -Wduplicated-cond -Wlogical-op)
+    # g++ 12 sees an overlap in std::string's operator+ where there is none (GCC bug 105651).
+    target_compile_options(onggi_options INTERFACE -Wduplicated-cond -Wlogical-op -Wno-restrict)
 endif()
 
 if(ONGGI_FUZZ)

@@ -162,8 +162,9 @@ class RowParser {
     }
     void fail(Column column, std::string_view expected, std::string_view found) {
         if (error_) return;
-        error_ = at_line(name_, line_.number,
-                         fmt::format("{}: expected {}, found {}", kColumns[column], expected, in_quotes(found)));
+        error_ =
+            at_line(name_, line_.number,
+                    fmt::format("{}: expected {}, found {}", kColumns[column], expected, in_quotes(found)));
     }
     void missing(std::string_view column) {
         error_ = at_line(name_, line_.number,

@@ -14,7 +14,7 @@ namespace onggi::record {
 template <std::unsigned_integral T>
 void put(std::vector<std::byte>& bytes, T number) {
     for (std::size_t at = 0; at < sizeof(T); ++at) {
-        bytes.push_back(static_cast<std::byte>((number >> (8U * at)) & 0xffU));
+        bytes.push_back(static_cast<std::byte>((std::uint64_t{number} >> (8U * at)) & 0xffU));
     }
 }
 

@@ -93,7 +93,7 @@ Result<void> play(const LiveOptions& options) {
 
 std::string check_wait(const std::string& word) {
     if (word == "hybrid" || word == "sleep") return {};
-    return fmt::format("expected hybrid or sleep, found {}", onggi::in_quotes(word));
+    return fmt::format("expected hybrid or sleep, found {}", in_quotes(word));
 }
 
 }  // namespace

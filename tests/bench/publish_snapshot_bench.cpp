@@ -1,4 +1,5 @@
 // publish_snapshot: what it costs the haptic thread to hand one snapshot of 2000 radii to the picture.
+// safety_chain: what stands between the clay's force and the hand.
 // whole_tick: all that one period of the haptic thread does at work: device, clay, safety, record, snapshot.
 #include <benchmark/benchmark.h>
 
@@ -27,6 +28,21 @@ void publish_snapshot(benchmark::State& state) {
     }
 }
 BENCHMARK(publish_snapshot);
+
+void safety_chain(benchmark::State& state) {
+    const haptics::SafetyLimits limits;
+    const haptics::SafetyInput input{.position_mm = {69.0, 100.0, 0.0}, .dt_s = 0.00025};
+    haptics::SafetyState safety;
+    safety.calm_ticks = limits.small_force_ticks + 1;
+    dvec3 force_n(1.0, 0.5, -0.25);
+    for ([[maybe_unused]] auto iteration : state) {
+        benchmark::DoNotOptimize(force_n);
+        benchmark::DoNotOptimize(haptics::apply_safety_chain(force_n, input, limits, safety));
+        force_n = -force_n;  // so that every stage has something to do
+    }
+    if (safety.ramp == 0.0 || safety.fault != haptics::Fault::kNone) fail(state, "the chain was not at work");
+}
+BENCHMARK(safety_chain);
 
 // A hand that goes inwards at 10 mm/s for a second, which keeps a 10 mm tool about 1 mm deep in the clay.
 class SteadyHand final : public haptics::HapticDevice {

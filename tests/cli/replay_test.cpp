@@ -1,19 +1,9 @@
 // `onggi replay --validate`: 0 the same, 1 something differs, 2 damaged.
-#include <zlib.h>
-
-#include <cstring>
-
 #include "tests/cli/cli_expectations.h"
+#include "tests/support/session_checksums.h"
 
 namespace onggi::test {
 namespace {
-
-constexpr std::size_t kHeaderBytes = 72;
-
-std::uint32_t crc(const char* bytes, std::size_t count) {
-    return static_cast<std::uint32_t>(
-        ::crc32(0, reinterpret_cast<const Bytef*>(bytes), static_cast<uInt>(count)));
-}
 
 // A folder with the session of press-and-hold in it, 1401 ticks.
 class Replay : public testing::Test {
@@ -22,9 +12,7 @@ class Replay : public testing::Test {
         expect_silent_success(run_onggi({"throw", kPressAndHold, "--elements", "100", "--save", "s.onggi"},
                                         {.folder = folder_.path()}));
         bytes_ = content_of(folder_ / "s.onggi");
-        std::uint64_t start_state_bytes = 0;
-        std::memcpy(&start_state_bytes, bytes_.data() + 40, sizeof start_state_bytes);
-        first_block_at_ = kHeaderBytes + start_state_bytes;
+        first_block_at_ = kSessionHeaderBytes + get_at<std::uint64_t>(bytes_, 40);
     }
     ProgramRun replay(const std::string& bytes) {
         put_file(folder_ / "in.onggi", bytes);
@@ -53,33 +41,24 @@ TEST_F(Replay, OfACutSessionIsTheSameAndSaysSo) {
 
 TEST_F(Replay, NamesTheIntervalInWhichAStateDiffers) {
     std::string bytes = bytes_;
-    char* block = bytes.data() + first_block_at_;
-    block[24] = static_cast<char>(block[24] ^ 1);  // the hash after tick 999
-    const std::uint32_t mended = crc(block, 36);
-    std::memcpy(block + 36, &mended, sizeof mended);
+    bytes[first_block_at_ + 24] ^= 1;  // the hash after tick 999
+    mend_session(bytes);
     expect_one_line(replay(bytes), 1, "the first tick that differs is one of 0 to 999");
 }
 
 TEST_F(Replay, NamesTheFirstTickWhoseForceDiffers) {
     std::string bytes = bytes_;
-    char* block = bytes.data() + first_block_at_;
-    std::uint32_t record_bytes = 0;
-    std::uint32_t ticks = 0;
-    std::memcpy(&record_bytes, block + 4, 4);
-    std::memcpy(&ticks, block + 16, 4);
-    block[40 + record_bytes + 4 * 345] ^= 1;  // the check of tick 345
-    const std::uint32_t body = crc(block + 40, record_bytes + std::size_t{4} * ticks);
-    std::memcpy(block + 20, &body, sizeof body);
-    const std::uint32_t head = crc(block, 36);
-    std::memcpy(block + 36, &head, sizeof head);
+    const std::size_t records_at = first_block_at_ + kSessionBlockHeadBytes;
+    const auto record_bytes = get_at<std::uint32_t>(bytes, first_block_at_ + 4);
+    bytes[records_at + record_bytes + std::size_t{4} * 345] ^= 1;  // the check of tick 345
+    mend_session(bytes);
     expect_one_line(replay(bytes), 1, "tick 345 is the first that differs");
 }
 
 TEST_F(Replay, NamesAStartThatDiffers) {
     std::string bytes = bytes_;
-    bytes[48] = static_cast<char>(bytes[48] ^ 1);  // the start state's hash
-    const std::uint32_t mended = crc(bytes.data(), 68);
-    std::memcpy(bytes.data() + 68, &mended, sizeof mended);
+    bytes[48] ^= 1;  // the start state's hash
+    mend_session(bytes);
     expect_one_line(replay(bytes), 1, "tick 0 is the first that differs: the start state");
 }
 

@@ -15,9 +15,9 @@ struct ProgramRun {
 };
 
 struct ProgramOptions {
-    std::string folder = ".";                // to run in
-    std::vector<std::string> environment = {};    // NAME=VALUE, on top of the test's own
-    std::function<void()> in_child = [] {};  // just before the program takes the process over
+    std::string folder = ".";                   // to run in
+    std::vector<std::string> environment = {};  // NAME=VALUE, on top of the test's own
+    std::function<void()> in_child = [] {};     // just before the program takes the process over
 };
 
 // `onggi` with these words; its output goes into pipes.

@@ -132,6 +132,27 @@ TEST(Throw, NeedsNoVulkanWithoutAPicture) {
                   {.environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}}));
 }
 
+TEST(Throw, WithoutVulkanRefusesAPictureAndLeavesNothing) {
+    const TemporaryFolder folder;
+    expect_one_line(run_onggi({"throw", kPressAndHold, "--screenshot", "p.png", "--profile", "p.csv"},
+                              {.folder = folder.path(),
+                               .environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}}),
+                    3, "Vulkan");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Throw, DrawsAPictureOfTheSizeAsked) {
+#if defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the software Vulkan driver has races of its own, which ThreadSanitizer reports";
+#endif
+    const TemporaryFolder folder;
+    expect_silent_success(run_onggi({"throw", kPressAndHold, "--screenshot", "p.png", "--size", "80x48"},
+                                    {.folder = folder.path()}));
+    const std::string png = content_of(folder / "p.png");
+    ASSERT_TRUE(png.starts_with("\x89PNG")) << png.size();
+    EXPECT_EQ(png.substr(12, 12), std::string("IHDR\0\0\0\x50\0\0\0\x30", 12));
+}
+
 TEST(Throw, LeavesNothingBehindWhenItIsKilled) {
     const TemporaryFolder folder;
     put_file(folder / "hour.csv", kGestureHeaderLine + "0,90,100,0,1,10\n3600,61,150,0,1,10\n");

@@ -1,17 +1,16 @@
-// Sessions made up for tests: a hand that rests, moves, changes its tool; and ways to damage them.
+// Sessions made up for tests: a hand that rests, moves, changes its tool.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/record/session.h"
 #include "engine/record/session_writer.h"
+#include "tests/support/session_checksums.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::record {
@@ -70,39 +69,8 @@ inline std::string session_bytes(std::uint64_t ticks) {
     return test::content_of(folder / "s.onggi");
 }
 
-template <typename T>
-void put_at(std::string& bytes, std::size_t offset, T number) {
-    std::memcpy(bytes.data() + offset, &number, sizeof number);
-}
-
-// As the format's document has it, worked out here a second time.
-constexpr std::size_t kHeaderBytes = 72;
-constexpr std::size_t kBlockHeadBytes = 40;
-
-inline std::uint32_t crc(std::string_view bytes) {
-    return static_cast<std::uint32_t>(
-        ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
-}
-
-// Makes header, start state and the block at `block_at` (0: none) say what they hold: an honest checksum over
-// dishonest content.
-inline void mend_checksums(std::string& bytes, std::size_t block_at = 0) {
-    const std::string_view view = bytes;
-    put_at(bytes, 68, crc(view.substr(0, 68)));
-    if (block_at == 0) return;
-    std::uint32_t record_bytes = 0;
-    std::uint32_t ticks = 0;
-    std::memcpy(&record_bytes, bytes.data() + block_at + 4, 4);
-    std::memcpy(&ticks, bytes.data() + block_at + 16, 4);
-    const std::size_t body_bytes = record_bytes + std::size_t{4} * ticks;
-    if (view.substr(block_at, 4) == "TCKS" && block_at + kBlockHeadBytes + body_bytes <= bytes.size()) {
-        put_at(bytes, block_at + 20, crc(view.substr(block_at + kBlockHeadBytes, body_bytes)));
-    }
-    put_at(bytes, block_at + 36, crc(view.substr(block_at, 36)));
-}
-
 inline std::size_t first_block_at() {
-    return kHeaderBytes + kStartState.size();
+    return test::kSessionHeaderBytes + kStartState.size();
 }
 
 }  // namespace onggi::record

@@ -20,16 +20,16 @@ std::string refusal(const std::string& bytes) {
 template <typename T>
 std::string with_header_field(std::size_t offset, T number) {
     std::string bytes = session_bytes(1500);
-    put_at(bytes, offset, number);
-    mend_checksums(bytes);
+    test::put_at(bytes, offset, number);
+    test::mend_session_header(bytes);
     return bytes;
 }
 
 template <typename T>
 std::string with_block_field(std::size_t offset, T number) {
     std::string bytes = session_bytes(1500);
-    put_at(bytes, first_block_at() + offset, number);
-    mend_checksums(bytes, first_block_at());
+    test::put_at(bytes, first_block_at() + offset, number);
+    test::mend_session_block(bytes, first_block_at());
     return bytes;
 }
 
@@ -52,7 +52,7 @@ TEST(RejectsSession, OfANewerOrUnknownVersion) {
               std::string::npos);
     // Even when a newer header's checksum is elsewhere.
     std::string bytes = session_bytes(10);
-    put_at<std::uint16_t>(bytes, 8, 7);
+    test::put_at<std::uint16_t>(bytes, 8, 7);
     EXPECT_NE(refusal(bytes).find("newer program"), std::string::npos);
 }
 
@@ -108,7 +108,7 @@ TEST(RejectsSession, SayingWhereTheDamageIs) {
         << refusal(bytes);
     EXPECT_NE(refusal(bytes).find("of a block's body"), std::string::npos);
     bytes = session_bytes(1300);
-    bytes[kHeaderBytes] ^= 1;
+    bytes[test::kSessionHeaderBytes] ^= 1;
     EXPECT_NE(refusal(bytes).find("byte 56: expected the checksum"), std::string::npos) << refusal(bytes);
 }
 
@@ -136,7 +136,7 @@ TEST(RejectsSession, WithABlockThatDoesNotFit) {
 }
 
 TEST(RejectsSession, WithRecordsThatMakeNoSense) {
-    const std::size_t records = kBlockHeadBytes;  // after the block's head: kind, then x
+    const std::size_t records = test::kSessionBlockHeadBytes;  // after the block's head: kind, then x
     const auto expect_found = [](const std::string& bytes, const std::string& what) {
         EXPECT_NE(refusal(bytes).find(what), std::string::npos) << refusal(bytes);
     };
@@ -153,9 +153,9 @@ TEST(RejectsSession, WithRecordsThatMakeNoSense) {
 TEST(RejectsSession, WithAnEndThatCountsOtherwise) {
     for (const std::size_t field : {4U, 8U, 16U, 20U, 24U, 32U}) {
         std::string bytes = session_bytes(1300);
-        const std::size_t end = bytes.size() - kBlockHeadBytes;
+        const std::size_t end = bytes.size() - test::kSessionBlockHeadBytes;
         bytes[end + field] ^= 1;
-        mend_checksums(bytes, end);
+        test::mend_session_block(bytes, end);
         EXPECT_NE(refusal(bytes).find("byte " + std::to_string(end + field) + ": "), std::string::npos)
             << refusal(bytes);
     }
@@ -164,10 +164,10 @@ TEST(RejectsSession, WithAnEndThatCountsOtherwise) {
 TEST(RejectsSession, WithABlockAfterOneThatIsNotFull) {
     const std::string whole = session_bytes(500);
     const std::string block =
-        whole.substr(first_block_at(), whole.size() - first_block_at() - kBlockHeadBytes);
-    std::string bytes = whole.substr(0, whole.size() - kBlockHeadBytes) + block;
-    put_at<std::uint64_t>(bytes, first_block_at() + block.size() + 8, 500);
-    mend_checksums(bytes, first_block_at() + block.size());
+        whole.substr(first_block_at(), whole.size() - first_block_at() - test::kSessionBlockHeadBytes);
+    std::string bytes = whole.substr(0, whole.size() - test::kSessionBlockHeadBytes) + block;
+    test::put_at<std::uint64_t>(bytes, first_block_at() + block.size() + 8, 500);
+    test::mend_session_block(bytes, first_block_at() + block.size());
     EXPECT_NE(refusal(bytes).find("expected the end after a block that is not full"), std::string::npos)
         << refusal(bytes);
 }

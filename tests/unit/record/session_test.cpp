@@ -181,8 +181,8 @@ TEST(ForceCheck, TellsForcesApartByTheirBits) {
 std::vector<std::size_t> block_offsets(const Session& session) {
     std::vector<std::size_t> offsets;
     for (const Session::Block& block : session.blocks())
-        offsets.push_back(block.records_at - kBlockHeadBytes);
-    offsets.push_back(session.file_bytes() - kBlockHeadBytes);
+        offsets.push_back(block.records_at - test::kSessionBlockHeadBytes);
+    offsets.push_back(session.file_bytes() - test::kSessionBlockHeadBytes);
     return offsets;
 }
 

@@ -1,0 +1,95 @@
+// `onggi live`: real time, without a window. How punctual a busy test machine is, is no matter here; that
+// every period is accounted for, is.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/cli_expectations.h"
+
+namespace onggi::test {
+namespace {
+
+// Drawing on the processor, small enough for a sanitizer; a machine that refuses real time says so and goes
+// on.
+const std::vector<std::string> kSmallPicture{"--headless", "--size", "64x36"};
+
+std::vector<std::string> with_small_picture(std::vector<std::string> words) {
+    words.insert(words.end(), kSmallPicture.begin(), kSmallPicture.end());
+    return words;
+}
+
+nlohmann::json stats_of(const std::vector<std::string>& words, const TemporaryFolder& folder) {
+    const ProgramRun run = run_onggi(with_small_picture(words), {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out, "");
+    return nlohmann::json::parse(content_of(folder / "s.json"));
+}
+
+TEST(Live, PlaysAGestureOnceAndWritesStatsOthersCanRead) {
+    const TemporaryFolder folder;
+    put_file(folder / "g.csv", kShortGesture);
+    const auto stats = stats_of({"live", "g.csv", "--rate", "500", "--stats", "s.json"}, folder);
+    EXPECT_EQ(stats.at("ticks"), 201);
+    EXPECT_EQ(stats.at("rate_hz"), 500.0);
+    EXPECT_EQ(stats.at("lumps"), 1);
+    EXPECT_GE(stats.at("frames").get<int>(), 1);
+    EXPECT_TRUE(stats.at("missed_deadlines").is_number_unsigned());
+    EXPECT_TRUE(stats.at("ledger_error").is_null());
+    EXPECT_TRUE(stats.at("scheduler") == "fifo" || stats.at("scheduler") == "other");
+    EXPECT_TRUE(stats.at("haptic_core").is_number_integer());
+    for (const char* table : {"tick_ns", "wake_latency_us", "frame_ms"}) {
+        const auto& shares = stats.at(table);
+        EXPECT_LE(shares.at("p50").get<double>(), shares.at("p99").get<double>()) << table;
+        EXPECT_LE(shares.at("p99").get<double>(), shares.at("max").get<double>()) << table;
+    }
+}
+
+TEST(Live, ThrowsTheSamePotAsSimulatedTime) {
+    const TemporaryFolder folder;
+    put_file(folder / "g.csv", kShortGesture);
+    expect_silent_success(
+        run_onggi({"throw", "g.csv", "--stats", "s.json", "--save", "s.onggi"}, {.folder = folder.path()}));
+    const auto thrown = nlohmann::json::parse(content_of(folder / "s.json"));
+    ASSERT_LT(thrown.at("clay_volume_mm3").get<double>(), 2.26e6);  // some clay was pressed
+    EXPECT_EQ(stats_of({"live", "g.csv", "--stats", "s.json"}, folder).at("clay_volume_mm3"),
+              thrown.at("clay_volume_mm3"));
+    EXPECT_EQ(
+        stats_of({"live", "s.onggi", "--stats", "s.json", "--wait", "sleep"}, folder).at("clay_volume_mm3"),
+        thrown.at("clay_volume_mm3"));
+}
+
+TEST(Live, StartsAgainOnAFreshLumpUntilItsTimeIsUp) {
+    const TemporaryFolder folder;
+    put_file(folder / "g.csv", kShortGesture);
+    const auto stats = stats_of({"live", "g.csv", "--seconds", "1", "--stats", "s.json"}, folder);
+    const auto ticks = stats.at("ticks").get<std::uint64_t>();
+    EXPECT_GE(ticks + stats.at("skipped_periods").get<std::uint64_t>(), 1000U);
+    EXPECT_EQ(stats.at("lumps").get<std::uint64_t>(), (ticks + 400) / 401);
+}
+
+TEST(Live, RefusesWhatItDoesNotKnow) {
+    expect_one_line(run_onggi(with_small_picture({"live", kPressAndHold, "--wait", "spin"})), 2,
+                    "--wait: expected hybrid or sleep, found 'spin'");
+    for (const char* seconds : {"0", "-1", "nan", "1e99", "soon"}) {
+        expect_one_line(run_onggi(with_small_picture({"live", kPressAndHold, "--seconds", seconds})), 2,
+                        "--seconds: expected");
+    }
+    expect_one_line(run_onggi(with_small_picture({"live"})), 2, "file is required");
+}
+
+TEST(Live, RefusesAPlaceForItsStatsBeforeItPlays) {
+    expect_one_line(
+        run_onggi(with_small_picture({"live", kPressAndHold, "--stats", "no/such/folder/s.json"})), 2,
+        "no/such/folder");
+}
+
+TEST(Live, NamesAMissingVulkanDeviceAndWritesNothing) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        run_onggi(with_small_picture({"live", kPressAndHold, "--stats", "s.json"}),
+                  {.folder = folder.path(),
+                   .environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}});
+    expect_one_line(run, 3, "Vulkan");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace onggi::test

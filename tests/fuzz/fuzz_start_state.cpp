@@ -1,0 +1,48 @@
+// Any bytes are a start state or are refused; what is accepted comes back to the byte, and can be ticked.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "game/haptic/start_state.h"
+#include "tests/fuzz/fuzz_expect.h"
+
+namespace {
+
+using namespace onggi;  // NOLINT: one small program
+
+void expect_refused_in_one_line(const Error& error) {
+    fuzz::expect(error.kind == ErrorKind::kBadInput);
+    fuzz::expect(error.message.find('\n') == std::string::npos);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const auto bytes = std::as_bytes(std::span(data, size));
+
+    const auto clay = clay::PaperClay::from_start_state(bytes);
+    if (clay) {
+        fuzz::expect(std::ranges::equal(clay->start_state(), bytes));
+    } else {
+        expect_refused_in_one_line(clay.error());
+    }
+
+    auto start = haptic::start_from_bytes(bytes, 1000.0);
+    if (!start) {
+        expect_refused_in_one_line(start.error());
+        return 0;
+    }
+    fuzz::expect(std::ranges::equal(haptic::start_state_bytes(start->state, start->parameters), bytes));
+    for (int tick = 0; tick < 20; ++tick) {
+        const double x_mm = 80.0 - tick;
+        const auto result = haptic::tick(
+            start->state,
+            {.position_mm = {x_mm, 5.0 * tick, 1.0}, .radius_mm = 10.0, .wheel_button = tick % 4 != 0},
+            start->parameters);
+        const dvec3 force_n = result.forces.total_n();
+        fuzz::expect(std::isfinite(force_n.x) && std::isfinite(force_n.y) && std::isfinite(force_n.z));
+    }
+    return 0;
+}

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# run_fuzzer.sh PROGRAM CORPUS WORK MAX_BYTES: replays the stored corpus, then fuzzes for ONGGI_FUZZ_SECONDS (5).
+# What a crash was found with is left in WORK, whose name the last line says; finds of the fuzzer stay there too.
+set -euo pipefail
+program=$1 corpus=$2 work=$3 max_bytes=$4
+seconds=${ONGGI_FUZZ_SECONDS:-5}
+mkdir -p "$work/found"
+
+# One input may take 10 s and 1 GiB at most: what is slow or greedy is a fault as well.
+bounds=(-timeout=10 -rss_limit_mb=1024 -artifact_prefix="$work/")
+trap '[ $? = 0 ] || echo "the input is in $work"' EXIT
+"$program" "${bounds[@]}" "$corpus"/*
+"$program" "${bounds[@]}" -max_len="$max_bytes" -max_total_time="$seconds" -print_final_stats=1 \
+    "$work/found" "$corpus"
