@@ -4,6 +4,7 @@
 #define ONGGI_SHADERS_FRAME_DATA_H
 
 #ifdef __cplusplus
+#pragma once
 #include <cstdint>
 
 #include "engine/math/math.h"

@@ -127,7 +127,7 @@ render::LatheMaterial thrown_clay() {
 }
 
 render::Material polished_wood() {
-    return {.albedo = vec3(0.42F, 0.24F, 0.10F), .roughness = 0.30F, .grain = 0.12F};
+    return {.albedo = vec3(0.56F, 0.37F, 0.19F), .roughness = 0.28F, .grain = 0.10F};
 }
 
 CameraRig throwing_camera() {
