@@ -1,5 +1,5 @@
-// The HID devices that are plugged in, as hidapi sees them. Main thread; may block for some milliseconds.
-// hidapi is used in this folder only.
+// The HID devices that are plugged in, what each could do here, and why one is not used. Main thread or an
+// I/O thread; may block for some milliseconds.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,29 @@
 
 namespace onggi::haptics {
 
+enum class HidBusType : std::uint8_t { kUnknown, kUsb, kBluetooth, kOther };
+
+// What a driver is there for.
+enum class HidKind : std::uint8_t {
+    kUnknown,
+    kForceJoystick,  // USB PID 1.0: two axes that push back
+    kSpaceMouse,     // six axes, no force
+    kDualSense,      // sticks; a trigger that pushes back
+    kVecPedal,       // a foot pedal for the wheel
+};
+
 struct HidDeviceInfo {
-    std::string path;  // /dev/hidrawN
-    std::string name;  // manufacturer and product, as the device says; may be empty
+    std::string path = {};  // /dev/hidrawN
+    std::string name = {};  // manufacturer and product, as the device says; may be empty
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     bool may_open = false;  // this user may read and write the device node
+    HidBusType bus = HidBusType::kUnknown;
+    std::vector<std::uint8_t> report_descriptor = {};  // empty where it cannot be read
+    // Worked out of the above (hid_kind.h).
+    HidKind kind = HidKind::kUnknown;
+    std::string can = {};      // one line: what it does here; empty for an unknown device
+    std::string refusal = {};  // one line: why it is not used, and what would mend it; empty where it is
 };
 
 // One entry a device (hidapi gives one a usage collection), ordered by path.

@@ -1,0 +1,156 @@
+#include "engine/haptics/hid/dual_sense.h"
+
+#include <algorithm>
+
+#include "engine/haptics/hid/little_endian.h"
+
+namespace onggi::haptics::hid {
+namespace {
+
+constexpr std::uint8_t kInputReport = 0x01;
+constexpr std::size_t kInputBytes = 64;
+constexpr std::uint8_t kOutputReport = 0x02;
+constexpr std::size_t kOutputBytes = 48;
+
+constexpr std::uint8_t kOff = 0x05;
+constexpr std::uint8_t kFeedback = 0x21;
+constexpr std::uint8_t kWeapon = 0x25;
+constexpr std::uint8_t kVibration = 0x26;
+
+// The output report's bytes and the bits that make them valid.
+constexpr std::size_t kValid0 = 1;
+constexpr std::size_t kValid1 = 2;
+constexpr std::size_t kWeakMotor = 3;
+constexpr std::size_t kStrongMotor = 4;
+constexpr std::size_t kRightTrigger = 11;
+constexpr std::size_t kLeftTrigger = 22;
+constexpr std::size_t kValid2 = 39;
+constexpr std::size_t kLightSetUp = 42;
+constexpr std::size_t kRed = 45;
+constexpr std::uint8_t kRumbleValid = 0x03;  // bit 0 plain rumble, bit 1 not the audio haptics
+constexpr std::uint8_t kRightTriggerValid = 0x04;
+constexpr std::uint8_t kLeftTriggerValid = 0x08;
+constexpr std::uint8_t kLightValid = 0x04;
+constexpr std::uint8_t kLightSetUpValid = 0x02;
+constexpr std::uint8_t kReleaseLight = 0x02;
+
+DualSenseTouch touch_at(std::span<const std::uint8_t> report, std::size_t at) noexcept {
+    return {.touching = (report[at] & 0x80U) == 0,
+            .x = static_cast<std::uint16_t>(report[at + 1] | ((report[at + 2] & 0x0fU) << 8U)),
+            .y = static_cast<std::uint16_t>((report[at + 2] >> 4U) | (report[at + 3] << 4U))};
+}
+
+// A bit for each zone in use, low byte first, then three bits a zone: its strength less one.
+TriggerEffect by_zone(std::uint8_t mode, const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept {
+    std::uint32_t zones = 0;
+    std::uint32_t levels = 0;
+    for (std::uint32_t zone = 0; zone < kTriggerZones; ++zone) {
+        const std::uint32_t strength = std::min(strengths[zone], kStrongestZone);
+        if (strength == 0) continue;
+        zones |= 1U << zone;
+        levels |= (strength - 1U) << (3U * zone);
+    }
+    if (zones == 0) return trigger_off();
+    TriggerEffect effect;
+    effect.bytes = {mode,
+                    static_cast<std::uint8_t>(zones),
+                    static_cast<std::uint8_t>(zones >> 8U),
+                    static_cast<std::uint8_t>(levels),
+                    static_cast<std::uint8_t>(levels >> 8U),
+                    static_cast<std::uint8_t>(levels >> 16U),
+                    static_cast<std::uint8_t>(levels >> 24U)};
+    return effect;
+}
+
+}  // namespace
+
+std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> report) noexcept {
+    if (report.size() < kInputBytes || report[0] != kInputReport) return std::nullopt;
+    DualSenseState state;
+    state.left_stick = {report[1], report[2]};
+    state.right_stick = {report[3], report[4]};
+    state.left_trigger = report[5];
+    state.right_trigger = report[6];
+    state.hat = std::min<std::uint8_t>(report[8] & 0x0fU, DualSenseState::kNoHat);
+    state.buttons =
+        (report[8] & 0xf0U) | (std::uint32_t{report[9]} << 8U) | (std::uint32_t{report[10]} << 16U);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        state.gyro[axis] = int16_at(report, 16 + 2 * axis);
+        state.accel[axis] = int16_at(report, 22 + 2 * axis);
+    }
+    state.sensor_time = uint32_at(report, 28);
+    state.touches = {touch_at(report, 33), touch_at(report, 37)};
+    state.right_trigger_zone = report[42] & 0x0fU;
+    state.left_trigger_zone = report[43] & 0x0fU;
+    state.right_trigger_loaded = (report[42] >> 4U) == 1;
+    state.left_trigger_loaded = (report[43] >> 4U) == 1;
+    state.right_effect = report[48] & 0x0fU;
+    state.left_effect = report[48] >> 4U;
+    state.battery_percent = std::min(report[53] & 0x0f, 10) * 10;
+    state.charging = report[53] >> 4U;
+    return state;
+}
+
+TriggerEffect trigger_off() noexcept {
+    TriggerEffect effect;
+    effect.bytes[0] = kOff;
+    return effect;
+}
+
+TriggerEffect trigger_resistance(const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept {
+    return by_zone(kFeedback, strengths);
+}
+
+TriggerEffect trigger_weapon(int start, int end, int strength) noexcept {
+    start = std::clamp(start, 2, 7);
+    end = std::clamp(end, start + 1, 8);
+    if (strength <= 0) return trigger_off();
+    const auto zones = (1U << static_cast<unsigned>(start)) | (1U << static_cast<unsigned>(end));
+    TriggerEffect effect;
+    effect.bytes = {kWeapon, static_cast<std::uint8_t>(zones), static_cast<std::uint8_t>(zones >> 8U),
+                    static_cast<std::uint8_t>(std::min<int>(strength, kStrongestZone) - 1)};
+    return effect;
+}
+
+TriggerEffect trigger_vibration(const std::array<std::uint8_t, kTriggerZones>& amplitudes,
+                                std::uint8_t frequency_hz) noexcept {
+    TriggerEffect effect = frequency_hz == 0 ? trigger_off() : by_zone(kVibration, amplitudes);
+    if (effect.bytes[0] == kVibration) effect.bytes[9] = frequency_hz;
+    return effect;
+}
+
+Report dual_sense_report(const DualSenseOrders& orders) noexcept {
+    Report report;
+    report.size = kOutputBytes;
+    report.bytes[0] = kOutputReport;
+    const auto mark = [&](std::size_t valid, std::uint8_t bits) {
+        report.bytes[valid] = static_cast<std::uint8_t>(report.bytes[valid] | bits);
+    };
+    const auto put = [&](std::size_t at, const auto& bytes) {
+        std::copy(bytes.begin(), bytes.end(), report.bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    if (orders.rumble) {
+        mark(kValid0, kRumbleValid);
+        report.bytes[kWeakMotor] = orders.rumble->weak;
+        report.bytes[kStrongMotor] = orders.rumble->strong;
+    }
+    if (orders.right_trigger) {
+        mark(kValid0, kRightTriggerValid);
+        put(kRightTrigger, orders.right_trigger->bytes);
+    }
+    if (orders.left_trigger) {
+        mark(kValid0, kLeftTriggerValid);
+        put(kLeftTrigger, orders.left_trigger->bytes);
+    }
+    if (orders.light) {
+        mark(kValid1, kLightValid);
+        put(kRed, *orders.light);
+    }
+    if (orders.end_start_up_light) {
+        mark(kValid2, kLightSetUpValid);
+        report.bytes[kLightSetUp] = kReleaseLight;
+    }
+    return report;
+}
+
+}  // namespace onggi::haptics::hid

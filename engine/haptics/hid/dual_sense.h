@@ -1,0 +1,103 @@
+// Sony DualSense (054c:0ce6) and DualSense Edge (054c:0df2) over USB: what it says, and what it is told.
+// Pure; any thread; no allocation. Bluetooth has other reports with a checksum and is refused
+// (device_kind.h). Source: byte tables worked out in public (SDL's and Linux's drivers, dualsensectl,
+// nondebug/dualsense, Nielk1's trigger effects). Never tried on hardware by this project.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "engine/haptics/hid/hid_port.h"
+
+namespace onggi::haptics::hid {
+
+struct DualSenseTouch {
+    bool touching = false;
+    std::uint16_t x = 0;  // 0 to 1919, left to right
+    std::uint16_t y = 0;  // 0 to 1079, top to bottom
+};
+
+struct DualSenseState {
+    enum Button : std::uint32_t {  // bytes 8 (its upper half), 9 and 10 of the report, as they stand
+        kSquare = 1U << 4U,
+        kCross = 1U << 5U,
+        kCircle = 1U << 6U,
+        kTriangle = 1U << 7U,
+        kL1 = 1U << 8U,
+        kR1 = 1U << 9U,
+        kL2 = 1U << 10U,
+        kR2 = 1U << 11U,
+        kCreate = 1U << 12U,
+        kOptions = 1U << 13U,
+        kL3 = 1U << 14U,
+        kR3 = 1U << 15U,
+        kPs = 1U << 16U,
+        kTouchpad = 1U << 17U,
+        kMute = 1U << 18U,
+        kLeftPaddle = 1U << 22U,   // Edge
+        kRightPaddle = 1U << 23U,  // Edge
+    };
+    static constexpr std::uint8_t kNoHat = 8;
+
+    std::array<std::uint8_t, 2> left_stick{0x80, 0x80};  // X, Y: 0 to 255, right and down are large
+    std::array<std::uint8_t, 2> right_stick{0x80, 0x80};
+    std::uint8_t left_trigger = 0;  // 0 to 255, pulled
+    std::uint8_t right_trigger = 0;
+    std::uint8_t hat = kNoHat;  // 0 to 7 clockwise from up
+    std::uint32_t buttons = 0;
+    std::array<std::int16_t, 3> gyro{};   // pitch, yaw, roll; about 1/16 degree/s a step, uncalibrated
+    std::array<std::int16_t, 3> accel{};  // 8192 a g
+    std::uint32_t sensor_time = 0;        // steps of 1/3 us
+    std::array<DualSenseTouch, 2> touches{};
+    // Where in its ten zones a trigger is, and whether it feels its resistance at this moment.
+    std::uint8_t right_trigger_zone = 0;
+    std::uint8_t left_trigger_zone = 0;
+    bool right_trigger_loaded = false;
+    bool left_trigger_loaded = false;
+    std::uint8_t right_effect = 0;  // what the pad runs: 0 other, 1 feedback, 2 weapon, 3 vibration
+    std::uint8_t left_effect = 0;
+    int battery_percent = 0;
+    std::uint8_t charging = 0;  // 0 discharging, 1 charging, 2 full, more: a fault
+};
+
+// Input report 1 over USB: 64 bytes with its id. None: another report or cut short.
+[[nodiscard]] std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> report) noexcept;
+
+constexpr std::size_t kTriggerZones = 10;
+constexpr std::uint8_t kStrongestZone = 8;
+
+// What a trigger does along its travel: mode and ten parameters. Only the set that its maker uses: others can
+// hurt the mechanism.
+struct TriggerEffect {
+    std::array<std::uint8_t, 11> bytes{};
+    friend bool operator==(const TriggerEffect&, const TriggerEffect&) = default;
+};
+[[nodiscard]] TriggerEffect trigger_off() noexcept;
+// Mode 0x21: a resistance for each zone from rest (0) to pulled (9), 0 to 8; more is held to 8. This is a
+// force over travel. All zero: off.
+[[nodiscard]] TriggerEffect trigger_resistance(
+    const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept;
+// Mode 0x25: free up to zone `start` (2 to 7), stiff until `end` (above start, to 8), then loose.
+[[nodiscard]] TriggerEffect trigger_weapon(int start, int end, int strength) noexcept;
+// Mode 0x26: a tremor of this frequency, with an amplitude for each zone.
+[[nodiscard]] TriggerEffect trigger_vibration(const std::array<std::uint8_t, kTriggerZones>& amplitudes,
+                                              std::uint8_t frequency_hz) noexcept;
+
+// All that the pad is told, in one report. What is not marked for setting stays as it is in the pad.
+struct DualSenseOrders {
+    std::optional<TriggerEffect> right_trigger = std::nullopt;
+    std::optional<TriggerEffect> left_trigger = std::nullopt;
+    struct Rumble {
+        std::uint8_t strong = 0;  // left, low frequency
+        std::uint8_t weak = 0;    // right, high frequency
+    };
+    std::optional<Rumble> rumble = std::nullopt;
+    std::optional<std::array<std::uint8_t, 3>> light = std::nullopt;  // red, green, blue
+    bool end_start_up_light = false;  // the blue fade after plugging in keeps the light bar otherwise
+};
+// Output report 2 over USB: 48 bytes with its id.
+[[nodiscard]] Report dual_sense_report(const DualSenseOrders& orders) noexcept;
+
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,44 @@
+// The last gate before a device's motors, on its I/O thread: what the haptic thread orders, or less. It knows
+// what the tick's own safety chain cannot know: that the tick has stopped, or that the device was just
+// plugged in. Pure; one thread at a time. N, ns.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/haptics/hid/hand_input.h"
+#include "engine/haptics/hid/hid_driver.h"
+
+namespace onggi::haptics::hid {
+
+struct ForceGateLimits {
+    double peak_n = 3.3;
+    // No new order for so long: no force. Two ticks of the slowest rate (100 Hz). USB devices are told every
+    // 4 ms, so that the 5 ms that a faster bus could keep are out of reach.
+    std::int64_t silence_ns = 20 * kMs;
+    // From nothing to full force after plugging in, and after any silence ...
+    std::int64_t ramp_ns = 1000 * kMs;
+    // ... which begins only at a small order: a device plugged in while the tool is deep in the clay stays
+    // loose until the tool has come out.
+    double small_n = 0.2;
+};
+
+class ForceGate {
+  public:
+    explicit ForceGate(const ForceGateLimits& limits = {}) : limits_(limits) {}
+
+    // A device was opened, or its input went silent: forces begin again from nothing.
+    void restart() noexcept { ramp_since_ns_ = kNotYet; }
+
+    // The order as it may be sent: its force zero, shortened, or as it is; its direction never bent.
+    [[nodiscard]] ForceOrder passed(const ForceOrder& order, std::int64_t now_ns) noexcept;
+
+  private:
+    static constexpr std::int64_t kNotYet = -1;
+
+    ForceGateLimits limits_;
+    std::uint64_t last_ticks_ = 0;
+    std::int64_t last_order_ns_ = 0;
+    std::int64_t ramp_since_ns_ = kNotYet;
+};
+
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,54 @@
+// What a device says of the hand, and what it is told of the clay: plain values between the I/O thread and
+// the haptic thread, through mailboxes. mm, N, s; wheel frame of tool_state.h, the tool in the plane z = 0
+// right of the wheel: x is the radius, y the height.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "engine/math/math.h"
+
+namespace onggi::haptics::hid {
+
+// Where a tool may go. A device moves it in two axes, radius and height: the pot is round.
+struct ToolReach {
+    double least_radius_mm = 0.0;
+    double most_radius_mm = 150.0;
+    double least_height_mm = 0.0;
+    double most_height_mm = 250.0;
+    double start_radius_mm = 110.0;  // outside the lump
+    double start_height_mm = 60.0;
+    double tool_radius_mm = 10.0;
+
+    [[nodiscard]] dvec2 within(const dvec2& radius_height_mm) const noexcept {
+        return {std::clamp(radius_height_mm.x, least_radius_mm, most_radius_mm),
+                std::clamp(radius_height_mm.y, least_height_mm, most_height_mm)};
+    }
+};
+
+struct HandInput {
+    enum class Motion : std::uint8_t {
+        kNone,  // a pedal: no tool at all
+        kRate,  // the hand says how fast the tool moves, mm/s
+        kPlace  // the hand holds the tool: where it is, mm
+    };
+    Motion motion = Motion::kNone;
+    dvec2 rate_mm_s{0.0};   // radius, height
+    dvec2 place_mm{0.0};    // radius, height
+    double press_mm = 0.0;  // how far the tool reaches inwards from where it stands: a trigger's travel
+    bool wheel_button = false;
+    bool is_live = false;         // false: nothing plugged in, or silent for too long; nothing above counts
+    std::uint32_t buttons = 0;    // bit 0 the first; for screens
+    std::uint64_t heartbeat = 0;  // counts the I/O thread's rounds: it must not stand still
+};
+
+// The haptic thread's order, once a tick.
+struct ForceOrder {
+    dvec2 force_n{0.0};         // on the tool: outwards, upwards
+    double tangential_n = 0.0;  // along the turning wall: devices without that axis may show it as a tremor
+    dvec2 tool_mm{0.0};         // radius, height the force was worked out for
+    bool wheel_turns = false;
+    std::uint64_t ticks = 0;  // counts orders: it must not stand still
+};
+
+}  // namespace onggi::haptics::hid

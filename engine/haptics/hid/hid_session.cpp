@@ -1,0 +1,129 @@
+#include "engine/haptics/hid/hid_session.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace onggi::haptics::hid {
+
+HidSession::HidSession(HidLink& link, std::unique_ptr<HidBus> bus, std::unique_ptr<HidDriver> driver,
+                       const HidSessionOptions& options)
+    : link_(link),
+      bus_(std::move(bus)),
+      driver_(std::move(driver)),
+      options_(options),
+      gate_(options.force) {}
+
+std::int64_t HidSession::round(std::int64_t now_ns) noexcept {
+    if (!port_ && (!next_search_ns_ || now_ns >= *next_search_ns_)) search(now_ns);
+    if (!port_) return std::max<std::int64_t>(*next_search_ns_ - now_ns, 1);
+    exchange(now_ns);
+    return port_ ? 0 : std::max<std::int64_t>(*next_search_ns_ - now_ns, 1);
+}
+
+void HidSession::search(std::int64_t now_ns) {
+    next_search_ns_ = now_ns + kSearchIntervalNs;
+    const auto devices = bus_->list();
+    if (!devices) {
+        publish(HidStatus{.state = HidStatus::State::kFailed, .message = devices.error().message});
+        return;
+    }
+    // The first that may be used; else the first of its kind that may not, so that somebody is told why.
+    const HidDeviceInfo* found = nullptr;
+    for (const HidDeviceInfo& device : *devices) {
+        if (device.kind != options_.kind) continue;
+        if (found == nullptr || (!found->refusal.empty() && device.refusal.empty())) found = &device;
+    }
+    if (found == nullptr) {
+        publish(HidStatus{});
+        return;
+    }
+    HidStatus status{.name = found->name, .path = found->path};
+    if (!found->refusal.empty()) {
+        status.state = HidStatus::State::kRefused;
+        status.message = found->refusal;
+        publish(std::move(status));
+        return;
+    }
+    auto opened = bus_->open(*found);
+    auto started = opened ? driver_->start(*found, **opened) : Result<void>(opened.error());
+    if (!started) {
+        status.state = HidStatus::State::kFailed;
+        status.message = started.error().message;
+        publish(std::move(status));
+        return;
+    }
+    port_ = std::move(opened).value();
+    gate_.restart();
+    next_presence_ns_ = now_ns + kPresenceIntervalNs;
+    status.state = HidStatus::State::kReady;
+    status.times_found = status_.times_found + 1;
+    publish(std::move(status));
+}
+
+bool HidSession::hear(std::int64_t now_ns) {
+    std::array<std::uint8_t, kMaxReportBytes> report{};
+    int wait_ms = kReadWaitMs;
+    // All that is queued, oldest first: after a stall the last one counts, and only that is published.
+    for (int count = 0; count < kMostReportsARound; ++count) {
+        const auto size = port_->read(report, wait_ms);
+        if (!size) return false;
+        if (*size == 0) return true;
+        driver_->take_report(std::span(report).first(std::min(*size, report.size())), now_ns);
+        wait_ms = 0;
+    }
+    return true;
+}
+
+void HidSession::exchange(std::int64_t now_ns) {
+    if (!hear(now_ns)) return lose(now_ns);
+    if (now_ns >= next_presence_ns_) {
+        next_presence_ns_ = now_ns + kPresenceIntervalNs;
+        if (!port_->is_there()) return lose(now_ns);
+    }
+    const HandInput input = driver_->input(now_ns);
+    publish(input);
+    if (input.is_live != status_.is_heard || input.buttons != status_.buttons) {
+        HidStatus status = status_;
+        status.is_heard = input.is_live;
+        status.buttons = input.buttons;
+        publish(std::move(status));
+    }
+
+    ForceOrder order = gate_.passed(link_.force.latest(), now_ns);
+    if (!input.is_live) {
+        // The clay's force belongs to a place where the hand may no longer be.
+        gate_.restart();
+        order.force_n = dvec2(0.0);
+        order.tangential_n = 0.0;
+    }
+    if (auto sent = driver_->send(*port_, order, now_ns); !sent) lose(now_ns);
+}
+
+void HidSession::lose(std::int64_t now_ns) {
+    port_.reset();
+    next_search_ns_ = now_ns + kSearchIntervalNs;
+    publish(HandInput{});
+    publish(HidStatus{});
+}
+
+void HidSession::publish(const HandInput& input) {
+    HandInput published = input;
+    published.heartbeat = ++heartbeat_;
+    link_.input.put(published);
+}
+
+void HidSession::publish(HidStatus status) {
+    status.times_found = std::max(status.times_found, status_.times_found);
+    status_ = std::move(status);
+    link_.status.put(status_);
+}
+
+void HidSession::finish() noexcept {
+    if (!port_) return;
+    driver_->stop(*port_);
+    lose(0);
+    next_search_ns_.reset();
+}
+
+}  // namespace onggi::haptics::hid

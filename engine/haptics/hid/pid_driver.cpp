@@ -1,0 +1,271 @@
+#include "engine/haptics/hid/pid_driver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/haptics/hid/local_wall.h"
+
+namespace onggi::haptics::hid {
+namespace {
+
+// A hand does not hold a 16-bit sensor to the last bit for so long.
+constexpr std::int64_t kSilenceNs = 1000 * kMs;
+constexpr int kEffectMs = 500;
+constexpr std::int64_t kRestartNs = 200 * kMs;  // twice within an effect's life
+// hid_write waits for the bus, about 1 ms a report: 250 Hz leaves room for four.
+constexpr std::int64_t kLeastIntervalNs = 4 * kMs;
+constexpr int kLoadTries = 12;
+constexpr int kLoadPauseMs = 5;
+constexpr int kResetPauseMs = 10;
+constexpr double kEast = 0.25;  // +X, in turns
+constexpr double kSouth = 0.5;  // +Y
+// Friction and the like change all the time by nothing that a hand feels: coarse steps save reports.
+constexpr double kSteps = 64.0;
+
+double in_steps(double share) noexcept {
+    return std::round(share * kSteps) / kSteps;
+}
+
+// Reports the device has not are empty: nothing to send is no failure.
+Result<void> write(HidPort& port, const Report& report) {
+    if (report.size == 0) return {};
+    return port.write(report.view());
+}
+
+bool touches(const ForceOrder& order) noexcept {
+    return order.force_n != dvec2(0.0) || order.tangential_n != 0.0;
+}
+
+}  // namespace
+
+DeviceCapabilities PidDriver::capabilities() const {
+    // The coarsest stick of the known tables counts from -4096 to 4096.
+    constexpr double kCountsOfTravel = 8192.0;
+    return {.name = "force-feedback joystick",
+            .force_axes = 2,
+            .peak_force_n = mapping_.peak_n,
+            .continuous_force_n = mapping_.peak_n,
+            .max_stiffness_n_per_mm = mapping_.stiffness_n_per_mm,
+            .position_resolution_mm =
+                (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / kCountsOfTravel};
+}
+
+Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
+    auto descriptor = ReportDescriptor::parse(device.report_descriptor);
+    if (!descriptor) return descriptor.error();
+    auto layout = PidLayout::find(std::move(descriptor).value());
+    if (!layout) return layout.error();
+    layout_ = std::move(layout).value();
+    effects_.clear();
+    stick_ = {};
+    device_state_ = {};
+    was_heard_ = wheel_turns_ = is_started_ = false;
+    auto begun = begin(port);
+    if (!begun) stop(port);
+    return begun;
+}
+
+Result<void> PidDriver::begin(HidPort& port) {
+    // Reset twice, as one is lost now and then; stop all before enable, because some devices take "stop all"
+    // for "actuators off".
+    for (const PidUsage control : {PidUsage::kReset, PidUsage::kReset, PidUsage::kStopAll}) {
+        if (auto sent = write(port, device_control(*layout_, control)); !sent) return sent;
+        port.pause_ms(kResetPauseMs);
+    }
+    if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
+    if (auto sent = write(port, device_gain(*layout_, 1.0)); !sent) return sent;
+
+    struct Wish {
+        PidUsage type;
+        Axis axis;
+        bool is_needed;
+    };
+    const bool shows_a_wall = can_show_a_wall();
+    for (const Wish& wish :
+         {Wish{PidUsage::kSpringType, Axis::kX, shows_a_wall},
+          Wish{PidUsage::kConstantForceType, Axis::kX, !shows_a_wall},
+          Wish{PidUsage::kConstantForceType, Axis::kY, true}, Wish{PidUsage::kDamperType, Axis::kX, false},
+          Wish{PidUsage::kFrictionType, Axis::kX, false}}) {
+        const bool is_condition = wish.type != PidUsage::kConstantForceType;
+        const bool is_possible =
+            wish.type == PidUsage::kSpringType ? shows_a_wall
+            : !is_condition                    ? wish.axis == Axis::kY || !shows_a_wall
+                            : layout_->has_effect(wish.type) && layout_->place(PidUsage::kSetCondition);
+        if (!is_possible) continue;
+        auto loaded = load(port, wish.type, wish.axis);
+        if (!loaded) return loaded.error();
+        if (*loaded) {
+            effects_.push_back(**loaded);
+        } else if (wish.is_needed) {
+            return failed("force feedback: expected room for an effect, found the device's memory full");
+        }
+    }
+    for (Effect& effect : effects_) {
+        if (auto told = tell(port, effect, {}); !told) return told;
+        if (auto sent = write(port, effect_operation(*layout_, effect.block, PidUsage::kStart, 1)); !sent)
+            return sent;
+    }
+    return {};
+}
+
+bool PidDriver::can_show_a_wall() const noexcept {
+    const auto has = [&](PidUsage field) {
+        return static_cast<bool>(layout_->element(PidUsage::kSetCondition, usage(field)));
+    };
+    // One-sided: it needs both coefficients. Limited: a saturation, or the device's spring knows no limit.
+    return layout_->has_effect(PidUsage::kSpringType) && has(PidUsage::kBlockIndex) &&
+           has(PidUsage::kCentre) && has(PidUsage::kParameterBlockOffset) &&
+           has(PidUsage::kPositiveCoefficient) && has(PidUsage::kNegativeCoefficient) &&
+           has(PidUsage::kPositiveSaturation) && has(PidUsage::kNegativeSaturation);
+}
+
+Result<std::optional<PidDriver::Effect>> PidDriver::load(HidPort& port, PidUsage type, Axis axis) {
+    if (auto created = port.set_feature(create_effect(*layout_, type).view()); !created)
+        return created.error();
+    BlockLoad answer;
+    for (int attempt = 0; attempt < kLoadTries && answer.status == BlockLoad::Status::kUnknown; ++attempt) {
+        if (attempt > 0) port.pause_ms(kLoadPauseMs);
+        Report report = block_load_request(*layout_);
+        const auto size = port.get_feature(std::span(report.bytes).first(report.size));
+        if (!size) return size.error();
+        answer = block_load(*layout_, std::span(report.bytes).first(std::min(*size, report.size)))
+                     .value_or(BlockLoad{});
+    }
+    if (answer.status == BlockLoad::Status::kFull) return std::optional<Effect>();
+    if (answer.status != BlockLoad::Status::kOk || answer.block == 0)
+        return failed(fmt::format("force feedback: expected a block for effect {:#x}, found {}",
+                                  static_cast<unsigned>(type),
+                                  answer.status == BlockLoad::Status::kUnknown ? "no answer" : "an error"));
+
+    Effect effect{.type = type, .axis = axis, .block = answer.block};
+    const bool is_condition = type != PidUsage::kConstantForceType;
+    // A condition gets both axes, the idle one with nothing: a device that would turn a single condition into
+    // the effect's direction then has nothing to turn.
+    const PidEffect settings{.block = effect.block,
+                             .type = type,
+                             .duration_ms = kEffectMs,
+                             .acts_on_x = is_condition || axis == Axis::kX,
+                             .acts_on_y = is_condition || axis == Axis::kY,
+                             .direction_turns = axis == Axis::kX ? kEast : kSouth};
+    if (auto sent = write(port, set_effect(*layout_, settings)); !sent) return sent.error();
+    return std::optional<Effect>(effect);
+}
+
+void PidDriver::take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept {
+    if (const auto state = pid_device_state(*layout_, report)) device_state_ = *state;
+    const std::uint32_t before = stick_.buttons;
+    if (!take_stick_report(*layout_, report, stick_)) return;
+    if (was_heard_ && (stick_.buttons & ~before & 1U) != 0) wheel_turns_ = !wheel_turns_;
+    was_heard_ = true;
+    heard_ns_ = now_ns;
+}
+
+HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
+    HandInput input{.motion = HandInput::Motion::kPlace};
+    input.is_live = was_heard_ && now_ns - heard_ns_ <= kSilenceNs;
+    const ToolReach& reach = mapping_.reach;
+    const double right = (stick_.deflection.x + 1.0) / 2.0;
+    const double away = (1.0 - stick_.deflection.y) / 2.0;
+    input.place_mm = {reach.least_radius_mm + right * (reach.most_radius_mm - reach.least_radius_mm),
+                      reach.least_height_mm + away * (reach.most_height_mm - reach.least_height_mm)};
+    input.wheel_button = wheel_turns_;
+    input.buttons = stick_.buttons;
+    return input;
+}
+
+double PidDriver::share_of_force(double force_n) const noexcept {
+    return std::clamp(force_n, -mapping_.peak_n, mapping_.peak_n) / mapping_.full_scale_n;
+}
+
+PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
+    PidCondition condition{.saturation = share_of_force(mapping_.peak_n)};
+    const ToolReach& reach = mapping_.reach;
+    const double mm_per_unit = (reach.most_radius_mm - reach.least_radius_mm) / 2.0;
+    const double middle_mm = (reach.most_radius_mm + reach.least_radius_mm) / 2.0;
+    // A coefficient of 1 gives full scale one unit beyond the centre; a weak stick cannot be as stiff as
+    // wanted.
+    const double stiffness = std::min(mapping_.stiffness_n_per_mm, mapping_.full_scale_n / mm_per_unit);
+    const auto wall = local_wall(order, stiffness);
+    if (!wall) return condition;
+    condition.centre = std::clamp((wall->contact_mm - middle_mm) / mm_per_unit, -1.0, 1.0);
+    // Clay outside pushes outwards on what lies before the contact; clay seen from inside the other way
+    // round.
+    (wall->is_outside ? condition.negative_coefficient : condition.positive_coefficient) =
+        stiffness * mm_per_unit / mapping_.full_scale_n;
+    return condition;
+}
+
+Result<void> PidDriver::tell(HidPort& port, Effect& effect, const ForceOrder& order) {
+    const auto tell_once = [&](std::optional<Report>& told, const Report& report) -> Result<void> {
+        if (told && *told == report) return {};
+        told = report;
+        return write(port, report);
+    };
+    const double limit = share_of_force(mapping_.peak_n);
+    switch (effect.type) {
+        case PidUsage::kConstantForceType: {
+            const double share = effect.axis == Axis::kX
+                                     ? mapping_.radius_sign * share_of_force(order.force_n.x)
+                                     : mapping_.height_sign * share_of_force(-order.force_n.y);  // +Y is down
+            return tell_once(effect.told_x, set_constant_force(*layout_, effect.block, share));
+        }
+        case PidUsage::kSpringType:
+            if (auto told = tell_once(effect.told_x,
+                                      set_condition(*layout_, effect.block, Axis::kX, wall_condition(order)));
+                !told)
+                return told;
+            return tell_once(effect.told_y,
+                             set_condition(*layout_, effect.block, Axis::kY, {.saturation = limit}));
+        default: {
+            // The damper adds to the rest, against the motion only: it gets a quarter. Friction is part of
+            // the force that was ordered.
+            const bool is_damper = effect.type == PidUsage::kDamperType;
+            const double friction = in_steps(share_of_force(std::abs(order.tangential_n)));
+            const double share = is_damper ? (touches(order) ? mapping_.damping_share : 0.0) : friction;
+            const PidCondition condition{.positive_coefficient = share,
+                                         .negative_coefficient = share,
+                                         .saturation = is_damper ? limit / 4.0 : friction};
+            if (auto told =
+                    tell_once(effect.told_x, set_condition(*layout_, effect.block, Axis::kX, condition));
+                !told)
+                return told;
+            return tell_once(effect.told_y, set_condition(*layout_, effect.block, Axis::kY, condition));
+        }
+    }
+}
+
+Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) {
+    if (is_started_ && now_ns - last_told_ns_ < kLeastIntervalNs) return {};
+    last_told_ns_ = now_ns;
+    if (!is_started_) last_start_ns_ = now_ns;
+    is_started_ = true;
+    // An emergency stop at the device, or actuators that it switched off: it gets no force until it is let
+    // go.
+    const bool is_held = !device_state_.safety_switch_on || !device_state_.actuators_enabled;
+    const ForceOrder allowed = is_held ? ForceOrder{.tool_mm = order.tool_mm} : order;
+    for (Effect& effect : effects_) {
+        if (auto told = tell(port, effect, allowed); !told) return told;
+    }
+    if (now_ns - last_start_ns_ < kRestartNs) return {};
+    last_start_ns_ = now_ns;
+    for (const Effect& effect : effects_) {
+        if (auto sent = write(port, effect_operation(*layout_, effect.block, PidUsage::kStart, 1)); !sent)
+            return sent;
+    }
+    return {};
+}
+
+void PidDriver::stop(HidPort& port) noexcept {
+    if (!layout_) return;
+    // Each is tried whatever became of the one before; the effects end by themselves anyway.
+    (void)write(port, device_control(*layout_, PidUsage::kStopAll));
+    for (const Effect& effect : effects_)
+        (void)write(port, block_free(*layout_, effect.block));
+    (void)write(port, device_control(*layout_, PidUsage::kDisableActuators));
+    effects_.clear();
+}
+
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,77 @@
+// Driver of force-feedback joysticks (USB PID 1.0). I/O thread. The stick holds the tool: X is the radius,
+// pulling towards the hand lowers it. The clay's radial force is a one-sided spring that the device itself
+// runs (a wall that does not depend on how fast USB is); the vertical one a constant force; damper and
+// friction, where the device has them, act while the tool touches. Without springs the radial force is a
+// constant one too.
+//
+// Every effect ends by itself after half a second and is started again in time: when this program dies, so
+// does the force. Never tried on hardware by this project.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/haptics/hid/hid_driver.h"
+#include "engine/haptics/hid/pid_reports.h"
+
+namespace onggi::haptics::hid {
+
+struct PidMapping {
+    ToolReach reach;  // the stick's travel spans it
+    // The force at the hand of a full magnitude. PID tells shares, never newtons, and a stick's maker tells
+    // them seldom: taken too small here, the hand would get too much. So an unmeasured stick counts as
+    // stronger than any known one, and feels weak until somebody holds a spring balance to it.
+    double full_scale_n = 50.0;
+    double peak_n = 3.3;              // what it may be asked for
+    double stiffness_n_per_mm = 0.5;  // of the wall it shows by itself
+    double damping_share = 0.1;       // of its full damper, while in contact
+    // 1 or -1 for constant forces: makers do not agree on the sense of a direction. A wrong one pulls the
+    // tool into the clay instead of pushing it out.
+    double radius_sign = 1.0;
+    double height_sign = 1.0;
+};
+
+class PidDriver final : public HidDriver {
+  public:
+    explicit PidDriver(const PidMapping& mapping = {}) : mapping_(mapping) {}
+
+    [[nodiscard]] DeviceCapabilities capabilities() const override;
+    // Reset, actuators on, then each effect: created, loaded, set, started with no force.
+    Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
+    void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
+    [[nodiscard]] HandInput input(std::int64_t now_ns) const noexcept override;
+    Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) override;
+    void stop(HidPort& port) noexcept override;
+
+  private:
+    // One effect in the device, and what it was told last: equal reports are not sent twice.
+    struct Effect {
+        PidUsage type = PidUsage::kConstantForceType;
+        Axis axis = Axis::kX;  // of a constant force
+        std::uint8_t block = 0;
+        std::optional<Report> told_x = std::nullopt;
+        std::optional<Report> told_y = std::nullopt;
+    };
+
+    Result<void> begin(HidPort& port);
+    // None: the device has no room for it.
+    Result<std::optional<Effect>> load(HidPort& port, PidUsage type, Axis axis);
+    [[nodiscard]] bool can_show_a_wall() const noexcept;
+    Result<void> tell(HidPort& port, Effect& effect, const ForceOrder& order);
+    [[nodiscard]] PidCondition wall_condition(const ForceOrder& order) const noexcept;
+    [[nodiscard]] double share_of_force(double force_n) const noexcept;
+
+    PidMapping mapping_;
+    std::optional<PidLayout> layout_;
+    std::vector<Effect> effects_;
+    StickState stick_;
+    PidDeviceState device_state_;
+    bool was_heard_ = false;
+    bool wheel_turns_ = false;
+    std::int64_t heard_ns_ = 0;
+    std::int64_t last_start_ns_ = 0;
+    std::int64_t last_told_ns_ = 0;
+    bool is_started_ = false;  // last_start_ns_ and last_told_ns_ mean something
+};
+
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,116 @@
+// What a HID device says about its reports: the report descriptor, read into a list of fields. Pure; any
+// thread; allocates in proportion to the descriptor, which is at most 4096 bytes.
+// Source: "Device Class Definition for HID" 1.11, sections 5 and 6.2.2 (USB Implementers' Forum).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/core/result.h"
+
+namespace onggi::haptics::hid {
+
+// A usage page in the upper half, a usage in the lower: 0x00010030 is Generic Desktop, X.
+using Usage = std::uint32_t;
+constexpr Usage usage(std::uint16_t page, std::uint16_t id) {
+    return (Usage{page} << 16U) | id;
+}
+
+enum class ReportKind : std::uint8_t { kInput, kOutput, kFeature };
+
+struct UsageRange {
+    Usage first = 0;
+    Usage last = 0;  // inclusive; same page as first
+};
+
+// One Main item: `count` elements of `bit_size` bits, one after the other.
+struct Field {
+    ReportKind kind = ReportKind::kInput;
+    std::uint8_t report_id = 0;    // 0: the device numbers no reports
+    std::uint32_t bit_offset = 0;  // of the first element, in the report's data, after the id byte if any
+    std::uint32_t bit_size = 0;    // of one element, 1 to 32
+    std::uint32_t count = 0;
+    // What a value may be. Descriptors write 0..65535 as a negative 16-bit maximum now and then: where the
+    // minimum is not negative, the maximum is read as unsigned.
+    std::int64_t logical_min = 0;
+    std::int64_t logical_max = 0;
+    bool is_array = false;  // an element's value tells which usage (6.2.2.5); otherwise an element is a usage
+    bool is_relative = false;  // change since the last report
+    std::vector<UsageRange> usages;
+    int collection = -1;  // the innermost; index into ReportDescriptor::collections(), -1: none
+
+    // Two's complement, or plain binary (6.2.2.7: signed if a limit is negative).
+    [[nodiscard]] bool is_signed() const noexcept { return logical_min < 0; }
+};
+
+// A field and one of its elements.
+struct Element {
+    const Field* field = nullptr;
+    std::uint32_t index = 0;
+
+    explicit operator bool() const noexcept { return field != nullptr; }
+};
+
+struct Collection {
+    Usage usage = 0;
+    std::uint8_t type = 0;  // 0 physical, 1 application, 2 logical, ...
+    int parent = -1;
+};
+
+// Bounds, each far above what real devices need; beyond one the descriptor is refused.
+constexpr std::size_t kMaxDescriptorBytes = 4096;  // what the Linux kernel takes
+constexpr std::size_t kMaxCollectionDepth = 32;
+constexpr std::size_t kMaxPushDepth = 16;
+constexpr std::size_t kMaxFields = 2048;
+constexpr std::uint32_t kMaxReportBits = 8 * 4096;
+
+class ReportDescriptor {
+  public:
+    // Errors (bad input) name the offset of the item: an item that is cut off, a stack that over- or
+    // underflows, a report size, count or id out of bounds, a collection left open.
+    static Result<ReportDescriptor> parse(std::span<const std::uint8_t> bytes);
+
+    [[nodiscard]] const std::vector<Field>& fields() const noexcept { return fields_; }
+    [[nodiscard]] const std::vector<Collection>& collections() const noexcept { return collections_; }
+    [[nodiscard]] bool numbers_reports() const noexcept { return numbers_reports_; }
+
+    // Bytes of a report as hidapi hands it over or takes it: the id byte counts where reports are numbered.
+    // 0: there is no such report.
+    [[nodiscard]] std::size_t report_bytes(ReportKind kind, std::uint8_t id) const noexcept;
+
+    // The first element that means `wanted`, of fields somewhere inside a collection of usage `inside`
+    // (0: anywhere). In an array no element means a usage by itself: its first element is given when the
+    // usage is among those it can tell.
+    [[nodiscard]] Element find(ReportKind kind, Usage inside, Usage wanted) const noexcept;
+    [[nodiscard]] bool is_inside(int collection, Usage outer) const noexcept;
+
+  private:
+    friend class DescriptorReader;
+    struct ReportLength {
+        ReportKind kind;
+        std::uint8_t id;
+        std::uint32_t bits;
+    };
+
+    std::vector<Field> fields_;
+    std::vector<Collection> collections_;
+    std::vector<ReportLength> lengths_;
+    bool numbers_reports_ = false;
+};
+
+// An array's value for a usage: its 1-based place in the list shifted to the logical minimum, that is
+// logical_min + place (6.2.2.5). None where the list lacks it.
+[[nodiscard]] std::optional<std::int64_t> array_value_for(const Field& field, Usage wanted) noexcept;
+// The other way round; 0 for a value that tells no usage.
+[[nodiscard]] Usage usage_for_array_value(const Field& field, std::int64_t value) noexcept;
+
+// The value of an element in a report's data (without the id byte). None where the report is too short.
+[[nodiscard]] std::optional<std::int64_t> read_element(std::span<const std::uint8_t> data,
+                                                       Element element) noexcept;
+// Puts a value, held within the logical limits, into a report's data. Does nothing where it would not fit.
+void write_element(std::span<std::uint8_t> data, Element element, std::int64_t value) noexcept;
+
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,64 @@
+// HID devices described to umockdev, so that the real hidapi and libudev find, open, read and write them. For
+// tests, on one thread, in a program that runs under umockdev-wrapper.
+#pragma once
+
+#include <umockdev.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace onggi::testing {
+
+struct MockHid {
+    int node = 0;  // /dev/hidraw<node>
+    std::uint16_t vendor_id = 0;
+    std::uint16_t product_id = 0;
+    std::string maker = {};
+    std::string product = {};
+    std::vector<std::uint8_t> descriptor = {};
+    bool is_bluetooth = false;
+
+    [[nodiscard]] std::string path() const { return "/dev/hidraw" + std::to_string(node); }
+};
+
+// What a device says and must be told, in order. A write that differs ends the program.
+class HidScript {
+  public:
+    // The device reports this (hex) `after_ms` after what went before.
+    HidScript& reports(std::string_view hex_bytes, int after_ms = 0);
+    // The program must write this (hex).
+    HidScript& expects(std::string_view hex_bytes);
+    // The program sets a feature report, and is given the answer to its next request for one.
+    HidScript& sets_feature(std::string_view hex_bytes);
+    HidScript& answers_feature(std::string_view hex_bytes);
+
+    [[nodiscard]] const std::string& lines() const { return lines_; }
+    [[nodiscard]] const std::string& ioctls() const { return ioctls_; }
+
+  private:
+    std::string lines_;
+    std::string ioctls_;
+};
+
+class MockBus {
+  public:
+    MockBus();
+    ~MockBus();
+    MockBus(const MockBus&) = delete;
+    MockBus& operator=(const MockBus&) = delete;
+
+    // Fails the test where umockdev does not take the description.
+    void plug_in(const MockHid& device, const HidScript& script = {});
+    // Its node and all that belongs to it disappear.
+    void pull_out(const MockHid& device);
+
+  private:
+    UMockdevTestbed* testbed_;
+    std::filesystem::path folder_;  // of the scripts
+};
+
+}  // namespace onggi::testing

@@ -1,0 +1,4 @@
+# What a plugged-in device may say: its descriptor and its reports.
+onggi_fuzz_target(hid_descriptor MAX_BYTES 4096 LINKS onggi_hid_protocol)
+onggi_fuzz_target(hid_reports MAX_BYTES 1024 LINKS onggi_hid_protocol)
+target_sources(fuzz_hid_reports PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/pid_descriptors.cpp)

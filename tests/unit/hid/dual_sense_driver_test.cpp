@@ -1,0 +1,130 @@
+// The DualSense's driver: what the hand does to the tool, and the clay to the trigger.
+#include "engine/haptics/hid/dual_sense_driver.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scripted_hid.h"
+
+namespace onggi::haptics::hid {
+namespace {
+
+using testing::as_hex;
+using testing::hex;
+using testing::ScriptedHid;
+using testing::ScriptedPort;
+
+std::vector<std::uint8_t> report_with(std::initializer_list<std::pair<std::size_t, std::uint8_t>> bytes) {
+    std::vector<std::uint8_t> report(64, 0);
+    report[0] = 0x01;
+    report[1] = report[2] = report[3] = report[4] = 0x80;
+    report[8] = 0x08;
+    for (const auto& [at, value] : bytes)
+        report[at] = value;
+    return report;
+}
+
+class DualSenseDriverTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(driver.start({}, port));
+        driver.take_report(report_with({}), 0);
+    }
+    std::vector<std::uint8_t> told(const ForceOrder& order, std::int64_t now_ns) {
+        script->take_sent();
+        EXPECT_TRUE(driver.send(port, order, now_ns));
+        return script->sent.empty() ? std::vector<std::uint8_t>{} : hex(script->sent.front().substr(2));
+    }
+
+    std::shared_ptr<ScriptedHid> script = std::make_shared<ScriptedHid>();
+    ScriptedPort port{script};
+    DualSenseDriver driver;
+};
+
+TEST_F(DualSenseDriverTest, BeginsWithLooseTriggersAndAStillPad) {
+    ASSERT_EQ(script->sent.size(), 1U);
+    EXPECT_EQ(script->sent.front().substr(0, 13), "w 02 0f 04 00");
+    const auto bytes = hex(script->sent.front().substr(2));
+    EXPECT_EQ(bytes.size(), 48U);
+    EXPECT_EQ(bytes[11], 0x05);
+    EXPECT_EQ(bytes[22], 0x05);
+}
+
+TEST_F(DualSenseDriverTest, MovesTheToolWithTheLeftStickAndPressesItInWithTheTrigger) {
+    EXPECT_EQ(driver.input(0).rate_mm_s, dvec2(0.0));
+    driver.take_report(report_with({{1, 255}, {2, 255}, {6, 255}}), 0);
+    const DualSenseMapping mapping;
+    EXPECT_NEAR(driver.input(0).rate_mm_s.x, mapping.fastest_mm_s, 1e-9) << "right is outwards";
+    EXPECT_NEAR(driver.input(0).rate_mm_s.y, -mapping.fastest_mm_s, 1e-9) << "down is down";
+    EXPECT_NEAR(driver.input(0).press_mm, mapping.press_mm, 1e-9);
+    driver.take_report(report_with({{1, 0x84}, {2, 0x7c}}), 0);
+    EXPECT_EQ(driver.input(0).rate_mm_s, dvec2(0.0)) << "a worn stick rests beside its middle";
+}
+
+TEST_F(DualSenseDriverTest, TurnsTheWheelByCrossOrWhileL2IsPulled) {
+    driver.take_report(report_with({{8, 0x28}}), 0);
+    driver.take_report(report_with({}), 0);
+    EXPECT_TRUE(driver.input(0).wheel_button);
+    driver.take_report(report_with({{8, 0x28}}), 0);
+    EXPECT_FALSE(driver.input(0).wheel_button);
+    driver.take_report(report_with({{8, 0x28}, {5, 0xff}}), 0);
+    EXPECT_TRUE(driver.input(0).wheel_button);
+}
+
+TEST_F(DualSenseDriverTest, IsStaleAfterATenthOfASecond) {
+    EXPECT_TRUE(driver.input(100 * kMs).is_live);
+    EXPECT_FALSE(driver.input(101 * kMs).is_live);
+}
+
+TEST_F(DualSenseDriverTest, ShowsTheClaysStiffnessAlongTheTrigger) {
+    // Trigger half pulled (128 of 255: 10.04 mm of 20). The tool at 60 mm, pushed out by 1 N of 0.5 N/mm:
+    // contact 2 mm before it, at 8.04 mm of travel. Zones are 2 mm wide: the centre of zone 4, at 9 mm, gets
+    // 0.48 N of 3.3 N, one of eight; zone 5 at 11 mm 1.48 N, four; then 2.48 N, six; then all of it.
+    driver.take_report(report_with({{6, 128}}), 0);
+    const auto report = told({.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1}, 20 * kMs);
+    ASSERT_EQ(report.size(), 48U);
+    const std::array<std::uint8_t, kTriggerZones> zones{0, 0, 0, 0, 1, 4, 6, 8, 8, 8};
+    EXPECT_EQ(as_hex(std::span(report).subspan(11, 11)), as_hex(trigger_resistance(zones).bytes));
+    EXPECT_EQ(report[1], 0x07) << "right trigger and rumble; the left trigger stays as it is";
+}
+
+TEST_F(DualSenseDriverTest, LeavesTheTriggerLooseWhereItCannotPushBack) {
+    for (const double force_n : {0.0, -2.0}) {
+        const ForceOrder order{.force_n = {force_n, 3.0}, .tool_mm = {60.0, 50.0}, .ticks = 1};
+        EXPECT_EQ(trigger_for_wall(order, 10.0, {}), trigger_off()) << force_n;
+    }
+}
+
+TEST_F(DualSenseDriverTest, TremblesWithTheWallThatSlidesBy) {
+    const auto report =
+        told({.tangential_n = -1.65, .tool_mm = {60.0, 50.0}, .wheel_turns = true, .ticks = 1}, 20 * kMs);
+    ASSERT_EQ(report.size(), 48U);
+    EXPECT_EQ(report[3], 0x30) << "half of the most";
+    EXPECT_EQ(report[4], 0x00);
+    EXPECT_EQ(as_hex(std::span(report).subspan(45, 3)), "60 28 00") << "the wheel turns: warm light";
+}
+
+TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {
+    ForceOrder order{.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1};
+    EXPECT_FALSE(told(order, 20 * kMs).empty());
+    EXPECT_TRUE(told(order, 40 * kMs).empty());
+    order.force_n.x = 2.5;
+    EXPECT_FALSE(told(order, 60 * kMs).empty());
+    order.force_n.x = 0.5;
+    EXPECT_TRUE(told(order, 65 * kMs).empty()) << "5 ms after the last";
+    EXPECT_FALSE(told(order, 70 * kMs).empty());
+}
+
+TEST_F(DualSenseDriverTest, LeavesThePadLooseStillAndDark) {
+    script->take_sent();
+    driver.stop(port);
+    ASSERT_EQ(script->sent.size(), 1U);
+    EXPECT_EQ(as_hex(hex(script->sent.front().substr(2))),
+              as_hex(dual_sense_report({.right_trigger = trigger_off(),
+                                        .left_trigger = trigger_off(),
+                                        .rumble = DualSenseOrders::Rumble{},
+                                        .light = std::array<std::uint8_t, 3>{}})
+                         .view()));
+}
+
+}  // namespace
+}  // namespace onggi::haptics::hid

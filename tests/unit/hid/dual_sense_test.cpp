@@ -1,0 +1,163 @@
+// The DualSense's reports over USB, byte for byte against the public tables and vectors.
+#include "engine/haptics/hid/dual_sense.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/hex.h"
+
+namespace onggi::haptics::hid {
+namespace {
+
+using testing::as_hex;
+using testing::hex;
+
+std::string bytes_of(const TriggerEffect& effect) {
+    return as_hex(effect.bytes);
+}
+
+std::array<std::uint8_t, kTriggerZones> from_zone(std::size_t first, std::uint8_t strength) {
+    std::array<std::uint8_t, kTriggerZones> strengths{};
+    std::fill(strengths.begin() + static_cast<std::ptrdiff_t>(first), strengths.end(), strength);
+    return strengths;
+}
+
+// A report at rest; the tests set what they look at.
+std::vector<std::uint8_t> resting_report() {
+    std::vector<std::uint8_t> report(64, 0);
+    report[0] = 0x01;
+    for (const std::size_t stick : {1U, 2U, 3U, 4U})
+        report[stick] = 0x80;
+    report[8] = 0x08;
+    report[33] = report[37] = 0x80;
+    return report;
+}
+
+TEST(DualSenseTriggers, AreToldTheBytesOfTheVectors) {
+    EXPECT_EQ(bytes_of(trigger_resistance(from_zone(0, 8))), "21 ff 03 ff ff ff 3f 00 00 00 00");
+    EXPECT_EQ(bytes_of(trigger_resistance(from_zone(3, 5))), "21 f8 03 00 48 92 24 00 00 00 00");
+    EXPECT_EQ(bytes_of(trigger_resistance({0, 1, 2, 3, 4, 5, 6, 7, 8, 8})),
+              "21 fe 03 40 34 d6 3f 00 00 00 00");
+    EXPECT_EQ(bytes_of(trigger_vibration(from_zone(0, 4), 40)), "26 ff 03 db b6 6d 1b 00 00 28 00");
+    EXPECT_EQ(bytes_of(trigger_weapon(2, 7, 8)), "25 84 00 07 00 00 00 00 00 00 00");
+    EXPECT_EQ(bytes_of(trigger_off()), "05 00 00 00 00 00 00 00 00 00 00");
+}
+
+TEST(DualSenseTriggers, AreNeverToldMoreThanTheMakersRange) {
+    EXPECT_EQ(trigger_resistance(from_zone(0, 200)), trigger_resistance(from_zone(0, 8)));
+    EXPECT_EQ(trigger_resistance(from_zone(0, 0)), trigger_off());
+    EXPECT_EQ(trigger_vibration(from_zone(0, 4), 0), trigger_off());
+    EXPECT_EQ(trigger_vibration(from_zone(0, 0), 40), trigger_off());
+    EXPECT_EQ(trigger_weapon(-5, 99, 99), trigger_weapon(2, 8, 8));
+    EXPECT_EQ(trigger_weapon(7, 3, 4), trigger_weapon(7, 8, 4)) << "the end lies beyond the start";
+    EXPECT_EQ(trigger_weapon(2, 7, 0), trigger_off());
+}
+
+TEST(DualSenseOrders, SetBothTriggersAsInTheVector) {
+    const TriggerEffect effect = trigger_resistance(from_zone(3, 5));
+    EXPECT_EQ(as_hex(dual_sense_report({.right_trigger = effect, .left_trigger = effect}).view()),
+              as_hex(hex("02 0c 00 00 00 00 00 00 00 00 00 | 21 f8 03 00 48 92 24 00 00 00 00 |"
+                         "21 f8 03 00 48 92 24 00 00 00 00 | 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00")));
+}
+
+TEST(DualSenseOrders, LieWhereTheKernelsOwnReportsHaveThem) {
+    // Linux's driver sends two reports when it binds: the end of the start-up light, all zero but for bytes
+    // 39 and 42; and blue 0x80 at byte 47 with bit 2 of byte 2 (there together with the player lamps of bit
+    // 4).
+    const Report first = dual_sense_report({.end_start_up_light = true});
+    for (std::size_t at = 0; at < first.size; ++at)
+        EXPECT_EQ(first.bytes[at], at == 0 || at == 39 || at == 42 ? 0x02 : 0x00) << at;
+    const Report second = dual_sense_report({.light = std::array<std::uint8_t, 3>{0x00, 0x00, 0x80}});
+    for (std::size_t at = 0; at < second.size; ++at)
+        EXPECT_EQ(second.bytes[at], at == 0 ? 0x02 : at == 2 ? 0x04 : at == 47 ? 0x80 : 0x00) << at;
+    EXPECT_EQ(second.size, 48U);
+}
+
+TEST(DualSenseOrders, RumbleWithTheStrongMotorOnTheLeft) {
+    const Report report =
+        dual_sense_report({.rumble = DualSenseOrders::Rumble{.strong = 0x11, .weak = 0x22}});
+    EXPECT_EQ(as_hex(std::span(report.bytes).first(6)), "02 03 00 22 11 00");
+    const Report nothing = dual_sense_report({});
+    EXPECT_EQ(as_hex(std::span(nothing.bytes).first(6)), "02 00 00 00 00 00")
+        << "nothing is valid, nothing changes";
+}
+
+TEST(DualSense, ReadsSticksTriggersAndButtons) {
+    auto report = resting_report();
+    report[1] = 0x00;
+    report[2] = 0xff;
+    report[5] = 0x10;
+    report[6] = 0xf0;
+    report[8] = 0x22;
+    report[9] = 0x01;
+    report[10] = 0x80;
+    const auto state = dual_sense_state(report);
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->left_stick, (std::array<std::uint8_t, 2>{0x00, 0xff}));
+    EXPECT_EQ(state->right_stick, (std::array<std::uint8_t, 2>{0x80, 0x80}));
+    EXPECT_EQ(state->left_trigger, 0x10);
+    EXPECT_EQ(state->right_trigger, 0xf0);
+    EXPECT_EQ(state->hat, 2);
+    EXPECT_EQ(state->buttons,
+              std::uint32_t{DualSenseState::kCross} | DualSenseState::kL1 | DualSenseState::kRightPaddle);
+    EXPECT_EQ(dual_sense_state(resting_report())->hat, DualSenseState::kNoHat);
+    EXPECT_EQ(dual_sense_state(resting_report())->buttons, 0U);
+}
+
+TEST(DualSense, ReadsTheSensorsOfAPublicSample) {
+    // Field values of a ViGEm DualSense sample, put where the table has them.
+    auto report = resting_report();
+    const auto put = [&](std::size_t at, std::string_view bytes) {
+        const auto values = hex(bytes);
+        std::copy(values.begin(), values.end(), report.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    put(16, "6b 00 07 00 04 00");
+    put(22, "39 01 bc 25 57 eb");  // 313, 9660, -5289
+    put(28, "84 ff 6b 01");
+    put(42, "09 09");
+    put(53, "29 08");
+    const auto state = dual_sense_state(report);
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->gyro, (std::array<std::int16_t, 3>{0x6b, 0x07, 0x04}));
+    EXPECT_EQ(state->accel, (std::array<std::int16_t, 3>{313, 9660, -5289}));
+    EXPECT_EQ(state->sensor_time, 0x016bff84U);
+    EXPECT_EQ(state->right_trigger_zone, 9);
+    EXPECT_FALSE(state->right_trigger_loaded);
+    EXPECT_EQ(state->battery_percent, 90);
+    EXPECT_EQ(state->charging, 2);
+}
+
+TEST(DualSense, ReadsTouchesAndWhatTheTriggersFeel) {
+    auto report = resting_report();
+    // Finger 5 at 0x123, 0x345.
+    report[33] = 0x05;
+    report[34] = 0x23;
+    report[35] = 0x51;
+    report[36] = 0x34;
+    report[42] = 0x13;
+    report[43] = 0x02;
+    report[48] = 0x31;
+    const auto state = dual_sense_state(report);
+    ASSERT_TRUE(state);
+    EXPECT_TRUE(state->touches[0].touching);
+    EXPECT_EQ(state->touches[0].x, 0x123);
+    EXPECT_EQ(state->touches[0].y, 0x345);
+    EXPECT_FALSE(state->touches[1].touching);
+    EXPECT_TRUE(state->right_trigger_loaded);
+    EXPECT_EQ(state->right_trigger_zone, 3);
+    EXPECT_FALSE(state->left_trigger_loaded);
+    EXPECT_EQ(state->right_effect, 1);
+    EXPECT_EQ(state->left_effect, 3);
+}
+
+TEST(DualSense, RejectsReportsOfAnotherKind) {
+    auto report = resting_report();
+    report.pop_back();
+    EXPECT_FALSE(dual_sense_state(report));
+    report = resting_report();
+    report[0] = 0x31;  // Bluetooth
+    EXPECT_FALSE(dual_sense_state(report));
+    EXPECT_FALSE(dual_sense_state({}));
+}
+
+}  // namespace
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,104 @@
+// The last gate before a device's motors.
+#include "engine/haptics/hid/force_gate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "engine/haptics/hid/local_wall.h"
+
+namespace onggi::haptics::hid {
+namespace {
+
+double size_of(const ForceOrder& order) {
+    return std::sqrt(order.force_n.x * order.force_n.x + order.force_n.y * order.force_n.y +
+                     order.tangential_n * order.tangential_n);
+}
+
+// A gate whose ramp is done at the returned time.
+std::int64_t ready(ForceGate& gate, std::uint64_t& ticks) {
+    std::int64_t now_ns = 5'000 * kMs;
+    for (int round = 0; round <= 300; ++round, now_ns += 4 * kMs)
+        (void)gate.passed({.ticks = ++ticks}, now_ns);
+    return now_ns;
+}
+
+TEST(ForceGate, GivesNothingBeforeTheFirstTick) {
+    ForceGate gate;
+    EXPECT_EQ(size_of(gate.passed({.force_n = {1.0, 0.0}, .ticks = 0}, 0)), 0.0);
+}
+
+TEST(ForceGate, GrowsFromNothingToAllInASecond) {
+    ForceGate gate;
+    std::uint64_t ticks = 0;
+    (void)gate.passed({.ticks = ++ticks}, 0);
+    double before = 0.0;
+    for (std::int64_t now_ns = 4 * kMs; now_ns <= 1000 * kMs; now_ns += 4 * kMs) {
+        const double force = gate.passed({.force_n = {2.0, 0.0}, .ticks = ++ticks}, now_ns).force_n.x;
+        EXPECT_NEAR(force, 2.0 * static_cast<double>(now_ns) / 1e9, 1e-9);
+        EXPECT_GT(force, before);
+        before = force;
+    }
+    EXPECT_EQ(before, 2.0);
+}
+
+TEST(ForceGate, NeverPassesMoreThanThePeakNorBendsADirection) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> any(-20.0, 20.0);
+    ForceGate gate({.peak_n = 3.3});
+    std::uint64_t ticks = 0;
+    std::int64_t now_ns = ready(gate, ticks);
+    for (int round = 0; round < 10'000; ++round, now_ns += kMs) {
+        const ForceOrder order{
+            .force_n = {any(random), any(random)}, .tangential_n = any(random), .ticks = ++ticks};
+        const ForceOrder passed = gate.passed(order, now_ns);
+        EXPECT_LE(size_of(passed), 3.3 + 1e-12);
+        EXPECT_NEAR(passed.force_n.x * order.force_n.y, passed.force_n.y * order.force_n.x, 1e-9);
+        EXPECT_GE(passed.force_n.x * order.force_n.x, 0.0);
+    }
+}
+
+TEST(ForceGate, GivesNothingAfterTwentyMillisecondsWithoutANewTick) {
+    ForceGate gate;
+    std::uint64_t ticks = 0;
+    const std::int64_t now_ns = ready(gate, ticks);
+    const ForceOrder order{.force_n = {0.1, 0.0}, .ticks = ++ticks};
+    EXPECT_GT(size_of(gate.passed(order, now_ns)), 0.0);
+    EXPECT_GT(size_of(gate.passed(order, now_ns + 20 * kMs)), 0.0);
+    EXPECT_EQ(size_of(gate.passed(order, now_ns + 21 * kMs)), 0.0);
+    ForceOrder next = order;
+    next.ticks = ++ticks;
+    EXPECT_LT(size_of(gate.passed(next, now_ns + 22 * kMs)), 1e-3) << "it returns through the ramp";
+}
+
+TEST(ForceGate, GivesNothingForWhatIsNoNumber) {
+    for (const double wrong :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        ForceGate gate;
+        std::uint64_t ticks = 0;
+        const std::int64_t now_ns = ready(gate, ticks);
+        EXPECT_EQ(size_of(gate.passed({.force_n = {wrong, 0.0}, .ticks = ++ticks}, now_ns)), 0.0);
+        EXPECT_EQ(size_of(gate.passed({.tangential_n = wrong, .ticks = ++ticks}, now_ns)), 0.0);
+        EXPECT_EQ(
+            size_of(gate.passed({.force_n = {0.1, 0.0}, .tool_mm = {wrong, 0.0}, .ticks = ++ticks}, now_ns)),
+            0.0);
+    }
+}
+
+TEST(LocalWall, GivesAtTheToolTheOrderedForce) {
+    for (const double force_n : {-3.0, -0.1, 0.1, 3.0}) {
+        const auto wall = local_wall({.force_n = {force_n, 0.0}, .tool_mm = {60.0, 20.0}}, 0.5);
+        ASSERT_TRUE(wall);
+        EXPECT_NEAR(wall->force_n(60.0), force_n, 1e-12);
+        // Deeper pushes harder, and beyond the contact there is nothing: it never pulls.
+        const double deeper = force_n > 0.0 ? -1.0 : 1.0;
+        EXPECT_NEAR(std::abs(wall->force_n(60.0 + deeper)), std::abs(force_n) + 0.5, 1e-12);
+        EXPECT_EQ(wall->force_n(60.0 - deeper * 100.0), 0.0);
+    }
+    EXPECT_FALSE(local_wall({.force_n = {0.0, 3.0}}, 0.5));
+}
+
+}  // namespace
+}  // namespace onggi::haptics::hid

@@ -1,0 +1,144 @@
+// A HID device as the haptic loop sees it, with its I/O thread running against a scripted device. Few and
+// short: what can be shown without a thread is shown in hid_session_test.cpp.
+#include "engine/haptics/hid/hid_device.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace onggi::haptics {
+namespace {
+
+// A pedal that is down, behind a lock: the I/O thread reads while the test looks on.
+class LockedPort final : public hid::HidPort {
+  public:
+    explicit LockedPort(int& open_ports, std::mutex& mutex) : open_ports_(open_ports), mutex_(mutex) {
+        const std::lock_guard lock(mutex_);
+        ++open_ports_;
+    }
+    ~LockedPort() override {
+        const std::lock_guard lock(mutex_);
+        --open_ports_;
+    }
+    Result<std::size_t> read(std::span<std::uint8_t> report, int timeout_ms) override {
+        if (timeout_ms == 0) return std::size_t{0};
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        report[0] = 0x02;
+        report[1] = 0x00;
+        return std::size_t{2};
+    }
+    Result<void> write(std::span<const std::uint8_t>) override { return {}; }
+    Result<void> set_feature(std::span<const std::uint8_t>) override { return {}; }
+    Result<std::size_t> get_feature(std::span<std::uint8_t>) override { return failed("none"); }
+    bool is_there() override { return true; }
+    void pause_ms(int) override {}
+
+  private:
+    int& open_ports_;
+    std::mutex& mutex_;
+};
+
+class LockedBus final : public hid::HidBus {
+  public:
+    LockedBus(int& open_ports, std::mutex& mutex) : open_ports_(open_ports), mutex_(mutex) {}
+    Result<std::vector<HidDeviceInfo>> list() override {
+        return std::vector<HidDeviceInfo>{
+            {.path = "/dev/hidraw9", .may_open = true, .kind = HidKind::kVecPedal}};
+    }
+    Result<std::unique_ptr<hid::HidPort>> open(const HidDeviceInfo&) override {
+        return std::unique_ptr<hid::HidPort>(std::make_unique<LockedPort>(open_ports_, mutex_));
+    }
+
+  private:
+    int& open_ports_;
+    std::mutex& mutex_;
+};
+
+class HidDeviceTest : public ::testing::Test {
+  protected:
+    int open_ports() {
+        const std::lock_guard lock(mutex_);
+        return open_ports_;
+    }
+    // At most ten seconds, on a machine that is busy with other things.
+    template <typename Condition>
+    static bool comes_true(Condition condition) {
+        for (int round = 0; round < 10'000; ++round) {
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return false;
+    }
+
+    int open_ports_ = 0;
+    std::mutex mutex_;
+    HidDevice pedal{{.kind = HidKind::kVecPedal}, std::make_unique<LockedBus>(open_ports_, mutex_)};
+};
+
+TEST_F(HidDeviceTest, IsHeardThroughItsThreadAndClosedWithIt) {
+    std::uint64_t tick = 0;
+    EXPECT_FALSE(pedal.read(tick++, 0.001).wheel_button);
+    ASSERT_TRUE(pedal.open());
+    EXPECT_TRUE(comes_true([&] { return pedal.read(tick++, 0.0).wheel_button; }));
+    EXPECT_EQ(open_ports(), 1);
+    pedal.write({1.0, 2.0, 3.0});
+    pedal.close();
+    EXPECT_EQ(open_ports(), 0);
+    EXPECT_FALSE(pedal.read(tick++, 0.001).wheel_button) << "closed, it holds nothing";
+    pedal.close();
+    ASSERT_TRUE(pedal.open()) << "and can be opened again";
+    EXPECT_TRUE(comes_true([&] { return pedal.read(tick++, 0.0).wheel_button; }));
+    EXPECT_EQ(pedal.status().times_found, 2U);
+}
+
+TEST_F(HidDeviceTest, IsClosedWhenItGoesOutOfScope) {
+    {
+        HidDevice another({.kind = HidKind::kVecPedal}, std::make_unique<LockedBus>(open_ports_, mutex_));
+        ASSERT_TRUE(another.open());
+        EXPECT_TRUE(comes_true([&] { return open_ports() == 1; }));
+    }
+    EXPECT_EQ(open_ports(), 0);
+}
+
+TEST_F(HidDeviceTest, TurnsTheWheelOfAnotherTool) {
+    class Still final : public HapticDevice {
+      public:
+        Result<void> open() override { return {}; }
+        void close() noexcept override {}
+        [[nodiscard]] DeviceCapabilities capabilities() const override { return {.name = "still"}; }
+        [[nodiscard]] ToolState read(std::uint64_t, double) noexcept override {
+            return {.position_mm = {70.0, 30.0, 0.0}, .radius_mm = 12.0};
+        }
+        void write(const dvec3& force_n) noexcept override { last_force_n = force_n; }
+        dvec3 last_force_n{0.0};
+    } tool;
+    PedalledDevice both(tool, pedal);
+    EXPECT_EQ(both.capabilities().name, "still");
+    ASSERT_TRUE(both.open());
+    std::uint64_t tick = 0;
+    EXPECT_TRUE(comes_true([&] { return both.read(tick++, 0.0).wheel_button; }));
+    EXPECT_EQ(both.read(tick++, 0.0).position_mm, dvec3(70.0, 30.0, 0.0));
+    both.write({0.5, 0.0, 0.0});
+    EXPECT_EQ(tool.last_force_n, dvec3(0.5, 0.0, 0.0));
+    both.close();
+    EXPECT_EQ(open_ports(), 0);
+}
+
+TEST(MakeHidDevice, MakesOneOfEachKindButTheUnknown) {
+    for (const HidKind kind :
+         {HidKind::kForceJoystick, HidKind::kSpaceMouse, HidKind::kDualSense, HidKind::kVecPedal}) {
+        const auto device = make_hid_device({.kind = kind});
+        ASSERT_NE(device, nullptr);
+        EXPECT_EQ(device->kind(), kind);
+        EXPECT_FALSE(device->capabilities().name.empty());
+        EXPECT_LE(device->capabilities().peak_force_n, 3.3);
+    }
+    EXPECT_EQ(make_hid_device({}), nullptr);
+    EXPECT_EQ(make_hid_device({.kind = HidKind::kForceJoystick})->capabilities().force_axes, 2);
+    EXPECT_EQ(make_hid_device({.kind = HidKind::kSpaceMouse})->capabilities().force_axes, 0);
+}
+
+}  // namespace
+}  // namespace onggi::haptics

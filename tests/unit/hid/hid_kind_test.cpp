@@ -1,0 +1,94 @@
+// Which driver a device gets, and what a person is told about one that gets none.
+#include "engine/haptics/hid/hid_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/support/hex.h"
+#include "tests/support/pid_descriptors.h"
+
+namespace onggi::haptics::hid {
+namespace {
+
+HidDeviceInfo recognised(HidDeviceInfo device) {
+    recognise(device);
+    return device;
+}
+HidDeviceInfo device(std::uint16_t vendor_id, std::uint16_t product_id) {
+    return {.vendor_id = vendor_id, .product_id = product_id, .may_open = true, .bus = HidBusType::kUsb};
+}
+
+TEST(HidKind, KnowsDevicesByTheirNumbers) {
+    EXPECT_EQ(recognised(device(0x256f, 0xc635)).kind, HidKind::kSpaceMouse);
+    EXPECT_EQ(recognised(device(0x046d, 0xc626)).kind, HidKind::kSpaceMouse);
+    EXPECT_EQ(recognised(device(0x054c, 0x0ce6)).kind, HidKind::kDualSense);
+    EXPECT_EQ(recognised(device(0x054c, 0x0df2)).kind, HidKind::kDualSense);
+    EXPECT_EQ(recognised(device(0x05f3, 0x00ff)).kind, HidKind::kVecPedal);
+    for (const auto& known : {device(0x256f, 0xc635), device(0x054c, 0x0ce6), device(0x05f3, 0x00ff)}) {
+        EXPECT_EQ(recognised(known).refusal, "");
+        EXPECT_NE(recognised(known).can, "");
+    }
+}
+
+TEST(HidKind, KnowsForceJoysticksByTheirDescriptorWhoeverMadeThem) {
+    HidDeviceInfo stick = device(0x1234, 0x5678);
+    stick.report_descriptor = testing::open_ffboard_descriptor();
+    EXPECT_EQ(recognised(stick).kind, HidKind::kForceJoystick);
+    EXPECT_EQ(recognised(stick).refusal, "");
+    stick.report_descriptor = testing::rhino_descriptor();
+    EXPECT_EQ(recognised(stick).kind, HidKind::kForceJoystick);
+}
+
+TEST(HidKind, KnowsANewerSpaceMouseByWhatItSaysItIs) {
+    HidDeviceInfo mouse = device(0x256f, 0xc6ff);
+    mouse.report_descriptor = testing::hex("05 01 09 08 a1 01 c0");
+    EXPECT_EQ(recognised(mouse).kind, HidKind::kSpaceMouse);
+    mouse.product_id = 0xc650;  // a CadMouse
+    EXPECT_EQ(recognised(mouse).kind, HidKind::kUnknown);
+    mouse = device(0x046d, 0xc077);  // an ordinary mouse of the vendor that sold the first SpaceMice
+    mouse.report_descriptor = testing::hex("05 01 09 02 a1 01 c0");
+    EXPECT_EQ(recognised(mouse).kind, HidKind::kUnknown);
+    EXPECT_EQ(recognised(mouse).refusal, "no driver here knows it");
+    EXPECT_EQ(recognised(mouse).can, "");
+}
+
+TEST(HidKind, SaysWhyADeviceIsRefusedAndWhatMendsIt) {
+    HidDeviceInfo mouse = device(0x256f, 0xc635);
+    mouse.may_open = false;
+    EXPECT_EQ(
+        recognised(mouse).refusal,
+        "may not be opened by this user; put this line into /etc/udev/rules.d/70-onggi.rules and plug it in "
+        "again: KERNEL==\"hidraw*\", ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\", "
+        "MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"");
+    HidDeviceInfo pad = device(0x054c, 0x0ce6);
+    pad.bus = HidBusType::kBluetooth;
+    EXPECT_EQ(recognised(pad).refusal, "expected a USB cable, found Bluetooth; plug it in");
+    HidDeviceInfo broken = device(0x1209, 0xffb0);
+    broken.report_descriptor = testing::hex("05 0f 26 ff");
+    EXPECT_EQ(recognised(broken).kind, HidKind::kForceJoystick);
+    EXPECT_EQ(recognised(broken).refusal, "report descriptor: byte 2: expected a whole item, found the end");
+    HidDeviceInfo wheel_only = device(0x1209, 0xffb0);
+    wheel_only.report_descriptor = testing::hex("05 01 09 04 a1 01 85 01 c0");
+    EXPECT_EQ(recognised(wheel_only).refusal,
+              "force feedback (USB PID 1.0): expected the effect type of Create New Effect, found none");
+}
+
+TEST(UdevRules, OpenEveryKnownDeviceAndNoWholeVendor) {
+    std::ifstream file(std::string(ONGGI_SOURCE_DIR) + "/assets/udev/70-onggi.rules");
+    ASSERT_TRUE(file) << "assets/udev/70-onggi.rules";
+    std::vector<std::string> rules;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("KERNEL==\"hidraw*\"")) rules.push_back(line);
+    }
+    EXPECT_EQ(rules.size(), known_devices().size());
+    for (const KnownDevice& known : known_devices()) {
+        EXPECT_NE(std::find(rules.begin(), rules.end(), udev_rule(known.vendor_id, known.product_id)),
+                  rules.end())
+            << udev_rule(known.vendor_id, known.product_id);
+    }
+}
+
+}  // namespace
+}  // namespace onggi::haptics::hid

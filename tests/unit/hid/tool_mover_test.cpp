@@ -1,0 +1,102 @@
+// From the hand's input to the tool, as the haptic thread sees it: no clock, only the ticks' steps.
+#include "engine/haptics/hid/tool_mover.h"
+
+#include <gtest/gtest.h>
+
+namespace onggi::haptics::hid {
+namespace {
+
+constexpr double kStep = 0.001;
+
+HandInput pushing(std::uint64_t heartbeat) {
+    return {.motion = HandInput::Motion::kRate,
+            .rate_mm_s = {-50.0, 20.0},
+            .wheel_button = true,
+            .is_live = true,
+            .heartbeat = heartbeat};
+}
+
+TEST(ToolMover, MovesByTheRateOfTheHand) {
+    ToolMover mover;
+    ToolState tool;
+    for (std::uint64_t tick = 1; tick <= 1000; ++tick)
+        tool = mover.moved(pushing(tick), kStep);
+    EXPECT_NEAR(tool.position_mm.x, 60.0, 1e-9);
+    EXPECT_NEAR(tool.position_mm.y, 80.0, 1e-9);
+    EXPECT_EQ(tool.position_mm.z, 0.0);
+    EXPECT_TRUE(tool.wheel_button);
+    EXPECT_EQ(tool.radius_mm, 10.0);
+}
+
+TEST(ToolMover, StaysWhereItIsWhenTheIoThreadStandsStill) {
+    ToolMover mover;
+    ToolState tool;
+    double moved_mm = 0.0;
+    double x_mm = mover.moved(pushing(1), kStep).position_mm.x;
+    for (int tick = 0; tick < 1000; ++tick) {
+        tool = mover.moved(pushing(1), kStep);
+        moved_mm += x_mm - tool.position_mm.x;
+        x_mm = tool.position_mm.x;
+    }
+    EXPECT_LE(moved_mm, 50.0 * 0.051) << "50 ms at 50 mm/s";
+    EXPECT_FALSE(tool.wheel_button);
+    EXPECT_FALSE(mover.input_is_live());
+    EXPECT_TRUE(mover.moved(pushing(2), kStep).wheel_button) << "and goes on when it goes on";
+}
+
+TEST(ToolMover, StaysWhereItIsWhenNothingIsPluggedIn) {
+    ToolMover mover;
+    HandInput input = pushing(1);
+    const ToolState before = mover.moved(input, kStep);
+    input.is_live = false;
+    for (std::uint64_t tick = 2; tick < 100; ++tick) {
+        input.heartbeat = tick;
+        EXPECT_EQ(mover.moved(input, kStep).position_mm, before.position_mm);
+        EXPECT_FALSE(mover.moved(input, kStep).wheel_button);
+    }
+}
+
+TEST(ToolMover, NeverLeavesItsReach) {
+    const ToolReach reach;
+    ToolMover mover(reach);
+    HandInput input = pushing(1);
+    input.rate_mm_s = {-1e6, 1e6};
+    input.press_mm = 1e6;
+    for (; input.heartbeat < 1000; ++input.heartbeat) {
+        const ToolState tool = mover.moved(input, kStep);
+        EXPECT_GE(tool.position_mm.x, reach.least_radius_mm);
+        EXPECT_LE(tool.position_mm.y, reach.most_height_mm);
+    }
+}
+
+TEST(ToolMover, DrawsTheToolToAStickInsteadOfTearingItThere) {
+    ToolMover mover;  // starts at radius 110
+    HandInput input{
+        .motion = HandInput::Motion::kPlace, .place_mm = {20.0, 60.0}, .is_live = true, .heartbeat = 1};
+    double x_mm = 110.0;
+    for (; input.heartbeat < 150; ++input.heartbeat) {
+        const double next_mm = mover.moved(input, kStep).position_mm.x;
+        EXPECT_LE(x_mm - next_mm, 600.0 * kStep + 1e-9);
+        x_mm = next_mm;
+    }
+    EXPECT_NEAR(x_mm, 20.6, 0.01);  // 149 steps of 0.6 mm
+    for (; input.heartbeat < 155; ++input.heartbeat)
+        x_mm = mover.moved(input, kStep).position_mm.x;
+    EXPECT_EQ(x_mm, 20.0);
+}
+
+TEST(ToolMover, PressesInwardsFromWhereItStands) {
+    ToolMover mover;
+    HandInput input{.motion = HandInput::Motion::kRate, .press_mm = 12.0, .is_live = true, .heartbeat = 1};
+    ToolState tool;
+    for (; input.heartbeat < 100; ++input.heartbeat)
+        tool = mover.moved(input, kStep);
+    EXPECT_NEAR(tool.position_mm.x, 98.0, 1e-9);
+    input.press_mm = 0.0;
+    for (; input.heartbeat < 200; ++input.heartbeat)
+        tool = mover.moved(input, kStep);
+    EXPECT_NEAR(tool.position_mm.x, 110.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace onggi::haptics::hid
