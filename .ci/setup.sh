@@ -10,7 +10,7 @@ packages_to_run=(
     libcli11-dev libfmt-dev libpng-dev zlib1g-dev
     mesa-vulkan-drivers)
 packages_to_check=(
-    clang-14 libclang-rt-14-dev libgtest-dev libbenchmark-dev vulkan-validationlayers
+    clang-14 clang-format-14 libclang-rt-14-dev libgtest-dev libbenchmark-dev vulkan-validationlayers
     xvfb xauth xdotool umockdev git)
 packages_for_web=(chromium)
 

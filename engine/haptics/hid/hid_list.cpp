@@ -9,8 +9,8 @@
 namespace onggi::haptics {
 namespace {
 
-// Device strings are UTF-16 in the descriptor and wchar_t in hidapi; they go on as UTF-8. What is no character
-// is left out, so that a broken device cannot break a terminal.
+// Device strings are UTF-16 in the descriptor and wchar_t in hidapi; they go on as UTF-8. What is no
+// character is left out, so that a broken device cannot break a terminal.
 std::string utf8_from(const wchar_t* wide) {
     std::string text;
     for (; wide != nullptr && *wide != L'\0'; ++wide) {
@@ -50,7 +50,8 @@ std::string name_of(const hid_device_info& device) {
 }  // namespace
 
 Result<std::vector<HidDeviceInfo>> list_hid_devices() {
-    if (hid_init() != 0) return system_lacks("hidapi: expected to start, found no access to the system's HID devices");
+    if (hid_init() != 0)
+        return system_lacks("hidapi: expected to start, found no access to the system's HID devices");
     std::vector<HidDeviceInfo> devices;
     {
         const std::unique_ptr<hid_device_info, decltype(&hid_free_enumeration)> list(hid_enumerate(0, 0),

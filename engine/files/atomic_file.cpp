@@ -1,0 +1,181 @@
+#include "engine/files/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "engine/files/file_errors.h"
+#include "engine/files/output_place.h"
+
+namespace onggi::files {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{64} << 10U;
+constexpr int kMostNames = 1000;
+constexpr mode_t kNewFileMode = 0666;  // less the umask
+
+// The n-th name tried for a file beside. A hidden name does not hold the destination's own, which may be as
+// long as names can be.
+std::filesystem::path beside_name(const OutputPlace& place, Beside beside, int n) {
+    if (beside == Beside::kNameless) {
+        return place.folder / fmt::format(".onggi-{}-{}.part", ::getpid(), n);
+    }
+    auto name = place.file;
+    name += n == 0 ? std::string(".part") : fmt::format(".part{}", n);
+    return name;
+}
+
+// Without /proc a nameless file could never be given its name.
+bool can_name_the_nameless() {
+    return ::access("/proc/self/fd", X_OK) == 0;
+}
+
+std::filesystem::path descriptor_path(int descriptor) {
+    return fmt::format("/proc/self/fd/{}", descriptor);
+}
+
+// Makes the rename itself last. Some file systems cannot sync a folder and say EINVAL: nothing to be done.
+int sync_folder(const std::filesystem::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
+    const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+    ::close(descriptor);
+    return error;
+}
+
+}  // namespace
+
+Result<AtomicFile> AtomicFile::create(const std::filesystem::path& destination, Beside beside) {
+    auto place = find_output_place(destination);
+    if (!place) return place.error();
+    AtomicFile file;
+    file.shown_ = destination;
+    file.destination_ = place->file;
+    if (beside == Beside::kNameless && can_name_the_nameless()) {
+        file.descriptor_ = ::open(place->folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kNewFileMode);
+    }
+    // Not every file system knows nameless files: then a hidden name does, taken away by the destructor.
+    for (int n = 0; file.descriptor_ < 0; ++n) {
+        auto name = beside_name(*place, beside, n);
+        file.descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kNewFileMode);
+        if (file.descriptor_ >= 0) {
+            file.beside_ = std::move(name);
+        } else if (errno != EEXIST || n == kMostNames) {
+            return error_of_errno(destination, errno, "write");
+        }
+    }
+    if (place->old_mode && ::fchmod(file.descriptor_, *place->old_mode) != 0) {
+        return file.lost(errno, "set the permissions");
+    }
+    file.buffer_.reserve(kBufferBytes);
+    return file;
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept {
+    *this = std::move(other);
+}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
+    if (this == &other) return *this;
+    discard();
+    shown_ = std::move(other.shown_);
+    destination_ = std::move(other.destination_);
+    beside_ = std::exchange(other.beside_, {});
+    descriptor_ = std::exchange(other.descriptor_, -1);
+    prepared_ = other.prepared_;
+    buffer_ = std::move(other.buffer_);
+    return *this;
+}
+
+AtomicFile::~AtomicFile() {
+    discard();
+}
+
+void AtomicFile::discard() noexcept {
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+    if (!beside_.empty()) ::unlink(std::exchange(beside_, {}).c_str());
+    buffer_.clear();
+}
+
+Error AtomicFile::lost(int error_number, std::string_view doing) {
+    discard();
+    return error_of_errno(shown_, error_number, doing);
+}
+
+Result<void> AtomicFile::write_through(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return lost(errno, "write");
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return {};
+}
+
+Result<void> AtomicFile::write(std::span<const std::byte> bytes) {
+    if (descriptor_ < 0) return failed(fmt::format("{}: cannot write: already ended", shown(shown_)));
+    prepared_ = false;
+    if (buffer_.size() + bytes.size() > kBufferBytes) {
+        if (auto flushed = flush(); !flushed) return flushed;
+    }
+    if (bytes.size() > kBufferBytes) return write_through(bytes);
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    return {};
+}
+
+Result<void> AtomicFile::write(std::string_view text) {
+    return write(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+Result<void> AtomicFile::flush() {
+    if (descriptor_ < 0) return failed(fmt::format("{}: cannot write: already ended", shown(shown_)));
+    auto written = write_through(buffer_);
+    buffer_.clear();
+    return written;
+}
+
+Result<void> AtomicFile::prepare() {
+    if (prepared_) return {};
+    if (auto flushed = flush(); !flushed) return flushed;
+    // A disk that fills up may say so only here.
+    if (::fsync(descriptor_) != 0) return lost(errno, "write");
+    prepared_ = true;
+    return {};
+}
+
+Result<void> AtomicFile::commit() {
+    if (auto ready = prepare(); !ready) return ready;
+    const OutputPlace place{.file = destination_, .folder = destination_.parent_path(), .old_mode = {}};
+    for (int n = 0; beside_.empty(); ++n) {
+        auto name = beside_name(place, Beside::kNameless, n);
+        if (::linkat(AT_FDCWD, descriptor_path(descriptor_).c_str(), AT_FDCWD, name.c_str(),
+                     AT_SYMLINK_FOLLOW) == 0) {
+            beside_ = std::move(name);
+        } else if (errno != EEXIST || n == kMostNames) {
+            return lost(errno, "write");
+        }
+    }
+    if (::close(std::exchange(descriptor_, -1)) != 0) return lost(errno, "write");
+    if (::rename(beside_.c_str(), destination_.c_str()) != 0) return lost(errno, "write");
+    beside_.clear();
+    if (const int error = sync_folder(place.folder); error != 0) {
+        return error_of_errno(shown_, error, "sync the folder");
+    }
+    return {};
+}
+
+Result<void> write_file_atomically(const std::filesystem::path& destination,
+                                   std::span<const std::byte> bytes) {
+    auto file = AtomicFile::create(destination);
+    if (!file) return file.error();
+    if (auto written = file->write(bytes); !written) return written;
+    return file->commit();
+}
+
+Result<void> write_file_atomically(const std::filesystem::path& destination, std::string_view text) {
+    return write_file_atomically(destination, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+}  // namespace onggi::files

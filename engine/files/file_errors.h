@@ -1,0 +1,60 @@
+// Inside engine/files only: how errno and file types become the one line a user reads. Any thread.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "engine/core/quote.h"
+#include "engine/core/result.h"
+
+namespace onggi::files {
+
+inline std::string shown(const std::filesystem::path& path) {
+    return shown_path(path.native());
+}
+
+inline std::string_view kind_of_file(mode_t mode) {
+    if (S_ISREG(mode)) return "a file";
+    if (S_ISDIR(mode)) return "a folder";
+    if (S_ISFIFO(mode)) return "a pipe";
+    if (S_ISSOCK(mode)) return "a socket";
+    if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
+    return "something else";
+}
+
+// Who can mend what the system refused: names are the user's, space and rights are the machine's.
+inline ErrorKind kind_of_errno(int error_number) {
+    switch (error_number) {
+        case ENOENT:
+        case ENOTDIR:
+        case EISDIR:
+        case ELOOP:
+        case ENAMETOOLONG:
+        case ENXIO:
+            return ErrorKind::kBadInput;
+        case EACCES:
+        case EPERM:
+        case EROFS:
+        case ENOSPC:
+        case EDQUOT:
+        case EFBIG:
+        case EMFILE:
+        case ENFILE:
+        case ENOMEM:
+            return ErrorKind::kSystemLacks;
+        default:
+            return ErrorKind::kFailed;
+    }
+}
+
+inline Error error_of_errno(const std::filesystem::path& path, int error_number, std::string_view doing) {
+    return {kind_of_errno(error_number), shown(path) + ": cannot " + std::string(doing) + ": " +
+                                             std::generic_category().message(error_number)};
+}
+
+}  // namespace onggi::files

@@ -1,0 +1,257 @@
+#include "engine/haptics/gesture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "engine/core/quote.h"
+
+namespace onggi::haptics {
+namespace {
+
+constexpr std::array<std::string_view, 6> kColumns{"t_s", "x_mm", "y_mm", "z_mm", "button", "tool_radius_mm"};
+enum Column : std::size_t { kTime, kX, kY, kZ, kButton, kRadius };
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+struct Line {
+    std::size_t number = 0;  // from 1
+    std::string_view text;   // without its end
+};
+
+// Hands out lines one by one, and never looks further for a line's end than a line may be long.
+class LineReader {
+  public:
+    explicit LineReader(std::string_view text) : rest_(text) {}
+
+    [[nodiscard]] bool at_end() const { return rest_.empty(); }
+    // Precondition: !at_end(). Nothing if the line is too long.
+    std::optional<Line> next() {
+        ++number_;
+        const std::string_view window = rest_.substr(0, kMaxGestureLineBytes + 1);
+        const std::size_t end = window.find('\n');
+        if (end == std::string_view::npos && window.size() > kMaxGestureLineBytes) return std::nullopt;
+        Line line{number_, window.substr(0, end)};
+        rest_.remove_prefix(std::min(line.text.size() + 1, rest_.size()));
+        if (line.text.ends_with('\r')) line.text.remove_suffix(1);
+        return line;
+    }
+    [[nodiscard]] std::size_t number() const { return number_; }
+
+  private:
+    std::string_view rest_;
+    std::size_t number_ = 0;
+};
+
+// The fields of a line, one after another.
+class FieldReader {
+  public:
+    explicit FieldReader(std::string_view line) : rest_(line) {}
+
+    std::optional<std::string_view> next() {
+        if (!rest_) return std::nullopt;
+        const std::size_t comma = rest_->find(',');
+        const std::string_view field = rest_->substr(0, comma);
+        if (comma == std::string_view::npos) {
+            rest_.reset();
+        } else {
+            rest_->remove_prefix(comma + 1);
+        }
+        return field;
+    }
+
+  private:
+    std::optional<std::string_view> rest_;
+};
+
+Error at_line(std::string_view name, std::size_t line, std::string_view what) {
+    return bad_input(fmt::format("{}:{}: {}", shown_path(name), line, what));
+}
+
+Error line_too_long(std::string_view name, std::size_t line) {
+    return at_line(
+        name, line,
+        fmt::format("expected a line of at most {} bytes, found a longer one", kMaxGestureLineBytes));
+}
+
+// The columns to the right of the agreed ones.
+Result<std::vector<std::string>> parse_header(const Line& line, std::string_view name) {
+    if (line.text.starts_with(kByteOrderMark)) {
+        return at_line(
+            name, line.number,
+            fmt::format("expected the header {}, found a byte order mark before it", kGestureHeader));
+    }
+    FieldReader fields(line.text);
+    for (const std::string_view column : kColumns) {
+        const auto field = fields.next();
+        if (field && *field == column) continue;
+        return at_line(name, line.number,
+                       fmt::format("expected the header {}: column {} is missing, found {}", kGestureHeader,
+                                   column, field ? quoted(*field) : "the end of the line"));
+    }
+    std::vector<std::string> extra;
+    while (const auto field = fields.next()) {
+        const bool known = std::find(kColumns.begin(), kColumns.end(), *field) != kColumns.end() ||
+                           std::find(extra.begin(), extra.end(), *field) != extra.end();
+        if (field->empty() || known) {
+            return at_line(name, line.number,
+                           fmt::format("column {}: expected a name of its own, found {}",
+                                       kColumns.size() + extra.size() + 1, quoted(*field)));
+        }
+        extra.emplace_back(*field);
+    }
+    return extra;
+}
+
+// One row's fields into numbers; the first thing wrong is kept, as a sentence.
+class RowParser {
+  public:
+    RowParser(std::string_view name, const Line& line) : name_(name), line_(line), fields_(line.text) {}
+
+    double number(Column column, double least, double most) {
+        const auto field = value(column);
+        if (!field) return 0.0;
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(field->data(), field->data() + field->size(), number);
+        if (error == std::errc::invalid_argument || end != field->data() + field->size()) {
+            fail(column, "a number", *field);
+        } else if (error != std::errc{} || !std::isfinite(number)) {
+            fail(column, "a finite number", *field);
+        } else if (number < least || number > most) {
+            fail(column, fmt::format("{} to {}", least, most), *field);
+        }
+        return number;
+    }
+
+    bool button() {
+        const auto field = value(kButton);
+        if (field && *field != "0" && *field != "1") fail(kButton, "0 or 1", *field);
+        return field && *field == "1";
+    }
+
+    void time_after(std::optional<double> previous_s, double t_s) {
+        if (!previous_s && t_s != 0.0) fail(kTime, "0 in the first row", fmt::format("{}", t_s));
+        if (previous_s && !(t_s > *previous_s)) {
+            fail(kTime, fmt::format("a time after {}", *previous_s), fmt::format("{}", t_s));
+        }
+    }
+
+    void skip_extra(const std::vector<std::string>& columns) {
+        for (const std::string& column : columns) {
+            if (!error_ && !fields_.next()) missing(column);
+        }
+        if (!error_ && fields_.next()) {
+            error_ =
+                at_line(name_, line_.number,
+                        fmt::format("expected {} columns, found more", kColumns.size() + columns.size()));
+        }
+    }
+
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+  private:
+    std::optional<std::string_view> value(Column column) {
+        if (error_) return std::nullopt;
+        const auto field = fields_.next();
+        if (!field) missing(kColumns[column]);
+        return field;
+    }
+    void fail(Column column, std::string_view expected, std::string_view found) {
+        if (error_) return;
+        error_ = at_line(name_, line_.number,
+                         fmt::format("{}: expected {}, found {}", kColumns[column], expected, quoted(found)));
+    }
+    void missing(std::string_view column) {
+        error_ = at_line(name_, line_.number,
+                         fmt::format("{}: expected a value, found the end of the line", column));
+    }
+
+    std::string_view name_;
+    Line line_;
+    FieldReader fields_;
+    std::optional<Error> error_;
+};
+
+// The header line's reading is all that a start is checked for.
+Result<std::vector<std::string>> read_header(LineReader& lines, std::string_view name) {
+    if (lines.at_end()) {
+        return at_line(name, 1, fmt::format("expected the header {}, found an empty file", kGestureHeader));
+    }
+    const auto line = lines.next();
+    if (!line) return line_too_long(name, lines.number());
+    return parse_header(*line, name);
+}
+
+}  // namespace
+
+Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
+    LineReader lines(text);
+    auto header = read_header(lines, name);
+    if (!header) return header.error();
+
+    Gesture gesture;
+    gesture.extra_columns_ = std::move(header).value();
+    std::optional<double> previous_s;
+    while (!lines.at_end()) {
+        const auto line = lines.next();
+        if (!line) return line_too_long(name, lines.number());
+        RowParser parser(name, *line);
+        Gesture::Row row;
+        row.t_s = parser.number(kTime, 0.0, kMaxGestureSeconds);
+        parser.time_after(previous_s, row.t_s);
+        row.tool.position_mm.x = parser.number(kX, -kWorkspaceMm, kWorkspaceMm);
+        row.tool.position_mm.y = parser.number(kY, -kWorkspaceMm, kWorkspaceMm);
+        row.tool.position_mm.z = parser.number(kZ, -kWorkspaceMm, kWorkspaceMm);
+        row.tool.wheel_button = parser.button();
+        row.tool.radius_mm = parser.number(kRadius, kMinToolRadiusMm, kMaxToolRadiusMm);
+        parser.skip_extra(gesture.extra_columns_);
+        if (parser.error()) return *parser.error();
+        previous_s = row.t_s;
+        gesture.rows_.push_back(row);
+    }
+    if (gesture.rows_.empty()) {
+        return at_line(name, lines.number() + 1, "expected at least one row after the header, found none");
+    }
+    return gesture;
+}
+
+Result<void> check_gesture_start(std::string_view start, std::string_view name) {
+    LineReader lines(start);
+    if (const auto header = read_header(lines, name); !header) return header.error();
+    return {};
+}
+
+ToolState Gesture::at(double t_s) const noexcept {
+    const auto after = std::upper_bound(rows_.begin(), rows_.end(), t_s,
+                                        [](double t, const Row& row) { return t < row.t_s; });
+    if (after == rows_.begin()) return rows_.front().tool;
+    const Row& before = *(after - 1);
+    ToolState tool = before.tool;
+    if (after == rows_.end()) return tool;
+    const double part = (t_s - before.t_s) / (after->t_s - before.t_s);
+    tool.position_mm += (after->tool.position_mm - before.tool.position_mm) * part;
+    return tool;
+}
+
+std::uint64_t Gesture::tick_count(double rate_hz) const noexcept {
+    // The slack lets a last row at 0.3 s have its tick at 1000 Hz, though 0.3 is less than three tenths.
+    return static_cast<std::uint64_t>(std::floor(duration_s() * rate_hz + 1e-9)) + 1;
+}
+
+GesturePlayer::GesturePlayer(Gesture gesture, double rate_hz)
+    : gesture_(std::move(gesture)),
+      rate_hz_(rate_hz) {}
+
+DeviceCapabilities GesturePlayer::capabilities() const {
+    return {.name = "gesture"};
+}
+
+ToolState GesturePlayer::read(std::uint64_t tick, double /*dt_s*/) noexcept {
+    return gesture_.at_tick(tick, rate_hz_);
+}
+
+}  // namespace onggi::haptics

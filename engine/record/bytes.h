@@ -1,0 +1,39 @@
+// Inside engine/record only: numbers as little-endian bytes, whatever the machine's own order.
+// Reading allocates nothing and is fit for the tick.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace onggi::record {
+
+template <std::unsigned_integral T>
+void put(std::vector<std::byte>& bytes, T number) {
+    for (std::size_t at = 0; at < sizeof(T); ++at) {
+        bytes.push_back(static_cast<std::byte>((number >> (8U * at)) & 0xffU));
+    }
+}
+
+inline void put(std::vector<std::byte>& bytes, double number) {
+    put(bytes, std::bit_cast<std::uint64_t>(number));
+}
+
+// Precondition of both: sizeof(T) bytes stand at `bytes`.
+template <std::unsigned_integral T>
+[[nodiscard]] T get(const std::byte* bytes) noexcept {
+    T number = 0;
+    for (std::size_t at = 0; at < sizeof(T); ++at) {
+        number = static_cast<T>(number | static_cast<T>(static_cast<T>(bytes[at]) << (8U * at)));
+    }
+    return number;
+}
+
+[[nodiscard]] inline double get_double(const std::byte* bytes) noexcept {
+    return std::bit_cast<double>(get<std::uint64_t>(bytes));
+}
+
+}  // namespace onggi::record
