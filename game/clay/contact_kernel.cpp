@@ -1,6 +1,8 @@
 // Which contact kernel runs: asked of the processor once, never inside the tick.
 #include "game/clay/contact_kernel.h"
 
+#include <cstddef>
+
 #include "game/clay/contact_kernel_variants.h"
 
 namespace onggi::clay {
@@ -14,7 +16,7 @@ bool is_supported(KernelVariant variant) {
         case KernelVariant::kSse:
             return __builtin_cpu_supports("sse4.1") != 0;
         case KernelVariant::kAvx2:
-            return __builtin_cpu_supports("avx2") != 0;
+            return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("popcnt") != 0;
     }
     return false;
 #else
@@ -38,6 +40,18 @@ const char* name(KernelVariant variant) {
             return "avx2";
     }
     return "unknown";
+}
+
+void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned lanes) noexcept {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const bool in_contact = (lanes >> lane & 1U) != 0;
+        if (!in_contact || block.new_radius_mm[lane] > minimum_radius_mm) continue;
+        const Deformed deformed = stopped_at_floor(block.radius_mm[lane], block.carry_mm[lane],
+                                                   block.depth_mm[lane], minimum_radius_mm);
+        block.new_radius_mm[lane] = deformed.radius_mm;
+        block.new_carry_mm[lane] = deformed.carry_mm;
+        block.new_depth_mm[lane] = deformed.depth_mm;
+    }
 }
 
 void find_contacts(KernelVariant variant, const ContactQuery& query, ContactSums& sums) noexcept {

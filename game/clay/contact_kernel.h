@@ -38,8 +38,8 @@ struct ContactSums {
     std::array<float, kLanes> depth_times_half_width{};  // sum of d1_i rc_i by lane, mm^2
     std::array<float, kLanes> depth_times_height{};      // sum of d1_i (y_i - h1) by lane, mm^2
     int contacts = 0;
-    int first_changed = -1;  // of the elements whose radius changed; -1: none
-    int last_changed = -1;
+    int first_contact = -1;  // the elements in contact lie between these two, inclusive; -1: none
+    int last_contact = -1;
 };
 
 // Whether this processor (and its system) can run the variant; and the fastest it can run.

@@ -33,7 +33,7 @@ double power_of_two(std::int64_t n) {
 double natural_log(double x) noexcept {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     auto n = static_cast<std::int64_t>(bits >> 52) - kExponentBias;
-    double m = std::bit_cast<double>((bits & kMantissaMask) | (std::uint64_t{kExponentBias} << 52));
+    auto m = std::bit_cast<double>((bits & kMantissaMask) | (std::uint64_t{kExponentBias} << 52));
     if (m >= kSqrt2) {
         m *= 0.5;
         ++n;
@@ -43,14 +43,14 @@ double natural_log(double x) noexcept {
     double series = 0.0;
     for (int odd = 23; odd >= 1; odd -= 2)
         series = series * s2 + 1.0 / odd;  // next term: 0.172^25 < 1e-19
-    const double whole = static_cast<double>(n);
+    const auto whole = static_cast<double>(n);
     return whole * kLn2High + (whole * kLn2Low + 2.0 * s * series);
 }
 
 // x = n ln 2 + r with |r| <= ln 2 / 2, and the Taylor series of e^r.
 double exponential(double x) noexcept {
     const std::int64_t n = nearest_whole(x * (1.0 / (kLn2High + kLn2Low)));
-    const double whole = static_cast<double>(n);
+    const auto whole = static_cast<double>(n);
     const double r = (x - whole * kLn2High) - whole * kLn2Low;
     double series = 1.0;
     for (int k = 14; k >= 1; --k)
@@ -71,7 +71,7 @@ double power(double base, double exponent) noexcept {
 Rotation rotation_by(double angle_rad) noexcept {
     // angle = n pi/2 + r with |r| <= pi/4, and the Taylor series of both functions there.
     const std::int64_t n = nearest_whole(angle_rad * (1.0 / (kHalfPiHigh + kHalfPiLow)));
-    const double whole = static_cast<double>(n);
+    const auto whole = static_cast<double>(n);
     const double r = (angle_rad - whole * kHalfPiHigh) - whole * kHalfPiLow;
     const double r2 = r * r;
     double sine = 1.0;

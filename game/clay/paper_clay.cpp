@@ -20,7 +20,8 @@ constexpr double kOnAxisMm = 1e-150;
 constexpr double kReachSlackMm = 1e-4;
 
 std::size_t padded(int element_count) {
-    return static_cast<std::size_t>((element_count + kLanes - 1) / kLanes * kLanes);
+    const int blocks = (element_count + kLanes - 1) / kLanes;
+    return static_cast<std::size_t>(blocks) * kLanes;
 }
 
 // The elements [first, end); none if they are equal.
@@ -70,8 +71,9 @@ double sum_of(const std::array<float, kLanes>& lanes) {
     return ((lane(0) + lane(4)) + (lane(2) + lane(6))) + ((lane(1) + lane(5)) + (lane(3) + lane(7)));
 }
 
-bool is_finite(const dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+bool is_somewhere(const dvec3& position_mm) {
+    const auto near = [](double coordinate_mm) { return std::fabs(coordinate_mm) <= kFarthestMm; };
+    return near(position_mm.x) && near(position_mm.y) && near(position_mm.z);
 }
 
 }  // namespace
@@ -87,8 +89,8 @@ PaperClay::PaperClay(const PaperLump& lump)
       carry_mm_(padded(lump.element_count), 0.0F),
       kernel_(best_kernel()) {
     assert(lump.element_count >= kMinElements && lump.element_count <= kMaxElements);
-    assert(std::isfinite(lump.height_mm) && lump.height_mm > 0.0);
-    assert(std::isfinite(lump.radius_mm) && lump.radius_mm > 0.0);
+    assert(lump.height_mm >= kLeastHeightMm && lump.height_mm <= kFarthestMm);
+    assert(lump.radius_mm > 0.0 && lump.radius_mm <= kFarthestMm);
     update_largest_radius();
 }
 
@@ -148,7 +150,7 @@ double PaperClay::deformation_share(double tool_radius_mm, const PaperParameters
 
 ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& parameters) noexcept {
     ContactForces forces;
-    if (!is_finite(tool.position_mm) || !std::isfinite(tool.radius_mm)) return forces;
+    if (!is_somewhere(tool.position_mm) || !std::isfinite(tool.radius_mm)) return forces;
 
     // Position.
     const dvec3 p2 = tool.position_mm;
@@ -187,9 +189,9 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
     if (sums.contacts == 0) return forces;
 
     forces.contacts = sums.contacts;
-    if (sums.first_changed >= 0) {
-        forces.first_touched = sums.first_changed;
-        forces.touched_count = sums.last_changed - sums.first_changed + 1;
+    if (tool.wheel_turning) {
+        forces.first_touched = sums.first_contact;
+        forces.touched_count = sums.last_contact - sums.first_contact + 1;
     }
 
     // Eq. (4): K d1_i times (p2 - p1_i)/|p2 - p1_i| = (rc_i/r1) e_r + ((h1 - y_i)/r1) e_Y; Eq. (5): their

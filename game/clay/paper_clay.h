@@ -22,6 +22,11 @@ constexpr int kMaxElements = 200000;
 constexpr double kSmallestToolMm = 2.0;
 constexpr double kLargestToolMm = 40.0;
 
+// Beyond this no tool and no clay is meant: it is damage, or a device that lost its senses.
+constexpr double kFarthestMm = 1e6;
+// The least height of a lump: its elements can be numbered exactly as floats, however many they are.
+constexpr double kLeastHeightMm = 1.0;
+
 // The lump before anyone has touched it.
 struct PaperLump {
     int element_count = 2000;  // N, kMinElements to kMaxElements
@@ -45,7 +50,8 @@ struct PaperParameters {
 // 10000 Hz, a c1 with which the smallest tool would have c1 r1 <= 1. The message names the parameter.
 Result<void> check(const PaperParameters& parameters);
 
-// What the tick is told of the hand. A position that is not finite counts as no contact.
+// What the tick is told of the hand. A position that is not finite, or farther than kFarthestMm, counts as no
+// contact and is not remembered.
 struct ToolInput {
     dvec3 position_mm{0.0};      // p2, centre of the tool's sphere (the haptic interface point)
     double radius_mm = 10.0;     // r1
@@ -58,7 +64,7 @@ struct ContactForces {
     dvec3 stiffness_n{0.0};  // F_s, Eq. (5)
     dvec3 viscosity_n{0.0};  // F_v, Eq. (6)
     dvec3 friction_n{0.0};   // F_f, Eq. (7)
-    int first_touched = 0;   // the rings whose radius changed lie in
+    int first_touched = 0;   // the elements Eq. (2) changed lie in
     int touched_count = 0;   // [first_touched, first_touched + touched_count); 0: none did
 
     [[nodiscard]] dvec3 total_n() const;  // F, Eq. (3)
@@ -95,7 +101,8 @@ struct ContactForces {
 // Differs: on the axis, where e_r has no direction, the last one is kept; +X before there was any.
 class PaperClay {
   public:
-    // Precondition: count within its limits, height and radius finite and above zero.
+    // Precondition: count within its limits; height kLeastHeightMm to kFarthestMm; radius above zero, at most
+    // kFarthestMm.
     explicit PaperClay(const PaperLump& lump = {});
 
     [[nodiscard]] int element_count() const { return element_count_; }

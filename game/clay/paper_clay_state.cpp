@@ -1,6 +1,7 @@
 // The paper clay outside its tick: which parameters it takes, its state as bytes and as a hash.
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -11,9 +12,6 @@
 
 namespace onggi::clay {
 namespace {
-
-// Larger than any clay or tool of this house; what is beyond is damage, not clay.
-constexpr double kLargestLengthMm = 1e6;
 
 // The start state: this head, then N radii, then N carries, each a 32-bit float.
 constexpr std::uint32_t kStateTag = 0x314c4350;  // "PCL1"
@@ -70,14 +68,14 @@ struct Bound {
 }  // namespace
 
 Result<void> check(const PaperParameters& parameters) {
-    const Bound bounds[] = {
-        {"rate, Hz", parameters.rate_hz, 100.0, 10000.0},
-        {"viscosity c2, N s/mm", parameters.viscosity_c2_n_s_per_mm, 0.0, 1.0},
-        {"friction c3, N s/mm", parameters.friction_c3_n_s_per_mm, 0.0, 1.0},
-        {"stiffness K while turning, N/mm", parameters.stiffness_turning_n_per_mm, 0.0, 100.0},
-        {"stiffness K while standing, N/mm", parameters.stiffness_standing_n_per_mm, 0.0, 100.0},
-        {"wheel speed v2, rad/s", parameters.wheel_speed_rad_s, 0.0, 100.0},
-        {"minimum radius, mm", parameters.minimum_radius_mm, 0.1, 1000.0},
+    const std::array bounds = {
+        Bound{"rate, Hz", parameters.rate_hz, 100.0, 10000.0},
+        Bound{"viscosity c2, N s/mm", parameters.viscosity_c2_n_s_per_mm, 0.0, 1.0},
+        Bound{"friction c3, N s/mm", parameters.friction_c3_n_s_per_mm, 0.0, 1.0},
+        Bound{"stiffness K while turning, N/mm", parameters.stiffness_turning_n_per_mm, 0.0, 100.0},
+        Bound{"stiffness K while standing, N/mm", parameters.stiffness_standing_n_per_mm, 0.0, 100.0},
+        Bound{"wheel speed v2, rad/s", parameters.wheel_speed_rad_s, 0.0, 100.0},
+        Bound{"minimum radius, mm", parameters.minimum_radius_mm, 0.1, 1000.0},
     };
     for (const Bound& bound : bounds) {
         if (!(bound.value >= bound.least && bound.value <= bound.most)) {
@@ -151,15 +149,17 @@ Result<PaperClay> PaperClay::from_start_state(std::span<const std::byte> bytes) 
         return damaged("size", fmt::format("{} bytes for {} elements", size, count), bytes.size());
     }
     const double height_mm = in.f64();
-    if (!(height_mm > 0.0 && height_mm <= kLargestLengthMm)) {
-        return damaged("height", fmt::format("above 0 and at most {} mm", kLargestLengthMm), height_mm);
+    if (!(height_mm >= kLeastHeightMm && height_mm <= kFarthestMm)) {
+        return damaged("height", fmt::format("{} to {} mm", kLeastHeightMm, kFarthestMm), height_mm);
     }
 
     PaperClay clay({.element_count = static_cast<int>(count), .height_mm = height_mm});
     for (double* coordinate :
          {&clay.previous_position_mm_.x, &clay.previous_position_mm_.y, &clay.previous_position_mm_.z}) {
         *coordinate = in.f64();
-        if (!std::isfinite(*coordinate)) return damaged("previous position", "a finite number", *coordinate);
+        if (!(std::fabs(*coordinate) <= kFarthestMm)) {
+            return damaged("previous position", fmt::format("at most {} mm", kFarthestMm), *coordinate);
+        }
     }
     clay.radial_unit_ = {in.f64(), 0.0, 0.0};
     clay.radial_unit_.z = in.f64();
@@ -173,9 +173,9 @@ Result<PaperClay> PaperClay::from_start_state(std::span<const std::byte> bytes) 
     clay.has_previous_ = has_previous == 1;
     for (std::size_t i = 0; i < count; ++i) {
         const float radius = in.f32();
-        if (!(radius > 0.0F && radius <= static_cast<float>(kLargestLengthMm))) {
+        if (!(radius > 0.0F && radius <= static_cast<float>(kFarthestMm))) {
             return damaged(fmt::format("radius of element {}", i),
-                           fmt::format("above 0 and at most {} mm", kLargestLengthMm), radius);
+                           fmt::format("above 0 and at most {} mm", kFarthestMm), radius);
         }
         clay.radii_mm_[i] = radius;
     }

@@ -1,0 +1,11 @@
+// How a benchmark says that what it measured is wrong: it is skipped, and the whole program exits with 1.
+// (Google Benchmark alone would print the error and exit with 0.) Main thread.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+namespace onggi::bench {
+
+void fail(benchmark::State& state, const char* message);
+
+}  // namespace onggi::bench
