@@ -63,10 +63,11 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given,
     const double x = given.position_mm.x;
     const double z = given.position_mm.z;
     const double distance = std::sqrt(x * x + z * z);
+    const bool was_outside = state.side == Side::kOut;
     state.side = next_side(state.side, rings, given.position_mm.y, distance, hand.radius_mm);
     hand.side = state.side;
     hand.distance_mm = distance;
-    if (state.side == Side::kOut && x * state.direction.x + z * state.direction.y < 0.0) {
+    if (was_outside && state.side == Side::kOut && x * state.direction.x + z * state.direction.y < 0.0) {
         // It was pushed across the axis from outside: it still pushes the way it came.
         hand.distance_mm = x * state.direction.x + z * state.direction.y;
     } else if (distance > kOnAxisMm) {

@@ -12,9 +12,11 @@
 namespace onggi::clay::studio {
 namespace {
 
-// A dome r^2 = R^2 (1 - (y/H)^3) of H = 0.9 R: its volume is 3/4 pi R^2 H.
-constexpr double kHeightPerRadius = 0.9;
-constexpr double kFullness = 0.75;
+// A low dome r^2 = R^2 (1 - 3/5 (y/H)^4) of H = 4/5 R, patted flat on top so that there is something to
+// press: its volume is 22/25 pi R^2 H.
+constexpr double kHeightPerRadius = 0.8;
+constexpr double kRounding = 0.6;
+constexpr double kFullness = 1.0 - kRounding / 5.0;
 
 }  // namespace
 
@@ -33,7 +35,7 @@ void put_lump(Rings& rings, Ledger& ledger, const StudioLump& lump) {
     double placed = 0.0;
     for (int i = count - 1; i >= 0; --i) {
         const double y = (i + 0.5) / count;
-        const double square = radius * radius * (1.0 - y * y * y);
+        const double square = radius * radius * (1.0 - kRounding * y * y * y * y);
         const double outer = std::max(std::sqrt(square), kNarrowestMm);
         const std::size_t at = Rings::at(i);
         // The foot takes what rounding left over.

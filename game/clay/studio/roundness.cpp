@@ -43,7 +43,9 @@ void centre_rings(Rings& rings, const Contact& contact, const HandState& state, 
 void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, double dt_s,
                    const StudioParameters& parameters) noexcept {
     if (!contact.has_rough_rows) return;
-    const double place = turn_of(hand.in_clay) * rings.sectors;
+    const double sign = hand.side == Side::kIn ? -1.0 : 1.0;
+    const double turn = turn_of(hand.in_clay);
+    const double place = turn * rings.sectors;
     const double half_window = std::max(0.5 * kWindowTurns * rings.sectors, 1.0);
     const int reach = static_cast<int>(half_window) + 1;
     const double strength = std::min(dt_s / (kWindowTurns * parameters.rounding_time_s), 1.0);
@@ -59,7 +61,11 @@ void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, doubl
     const int mask = rings.sectors - 1;
     for (int k = 0; k < contact.range.size(); ++k) {
         const int i = contact.range.first + k;
-        if (!(rings.rough_mm[at(i)] > 0.0F) || !(contact.depth_mm[at(k)] > 0.0)) continue;
+        if (!(rings.rough_mm[at(i)] > 0.0F)) continue;
+        // A hand on the round rounds the dents as well, though it passes over them: what counts is the
+        // circle.
+        const double circle = contact.depth_mm[at(k)] - sign * residual_at(rings, i, turn);
+        if (!(circle > 0.0)) continue;
         float* row = rings.row_of(i);
         for (int j = 0; j < width; ++j)
             row[(middle - reach + j) & mask] *= kept[at(j)];

@@ -18,7 +18,7 @@ constexpr double kReferenceKpa = 13.0;
 }  // namespace
 
 double strength_kpa(double liquidity_index) {
-    constexpr double kLogRatio = -4.360067771764446;  // ln(2.3/180)
+    constexpr double kLogRatio = -4.360047727955107;  // ln(2.3/180)
     return 180.0 * exponential(kLogRatio * liquidity_index);
 }
 

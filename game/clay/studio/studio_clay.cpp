@@ -113,6 +113,26 @@ void StudioClay::set_wall(double outer, double wall, double floor, double height
     hands_ = {};
 }
 
+void StudioClay::set_profile(std::span<const double> outer, std::span<const double> inner) {
+    const int count = rings_.count;
+    assert(outer.size() >= Rings::at(count) && inner.size() >= Rings::at(count));
+    double volume = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const std::size_t at = Rings::at(i);
+        rings_.outer_mm[at] = outer[at];
+        rings_.inner_mm[at] = inner[at];
+        rings_.volume_mm3[at] = studio::on_grid(std::numbers::pi * rings_.height_mm[at] *
+                                                (outer[at] - inner[at]) * (outer[at] + inner[at]));
+        volume += rings_.volume_mm3[at];
+    }
+    rings_.find_floor();
+    rings_.settle(0, count);
+    ledger_ = {.lump_mm3 = volume};
+    sweep_ = {};
+    studio::restart(sweep_, rings_);
+    hands_ = {};
+}
+
 void StudioClay::set_centre(const dvec2& centre) {
     std::fill_n(rings_.centre_x_mm.begin(), rings_.count, static_cast<float>(centre.x));
     std::fill_n(rings_.centre_z_mm.begin(), rings_.count, static_cast<float>(centre.y));

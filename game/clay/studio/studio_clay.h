@@ -102,6 +102,8 @@ class StudioClay {
     // demonstrations and benchmarks; the ledger starts anew. Precondition: within the bounds of
     // studio_parameters.h; the wall's rings fit.
     void set_wall(double outer_mm, double wall_mm, double floor_mm, double height_mm, int rings);
+    // New radii for the rings there are, volumes so that every height stays as it is. The same duties.
+    void set_profile(std::span<const double> outer_mm, std::span<const double> inner_mm);
     // Moves ring centres, for the same. Clay's frame.
     void set_centre(const dvec2& centre_mm);
     void set_liquidity(double liquidity_index);
