@@ -17,7 +17,12 @@ Contact::Contact(int capacity)
       half_width_mm(Rings::at(capacity), 0.0),
       depth_mm(Rings::at(capacity), 0.0),
       push_mm(Rings::at(capacity), 0.0),
-      field(Rings::at(capacity), 0.0) {}
+      field(Rings::at(capacity), 0.0),
+      met(Rings::at(capacity), 0.0),
+      place_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
+      mean_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
+      outer_step_mm(Rings::at(capacity), 0.0F),
+      inner_step_mm(Rings::at(capacity), 0.0F) {}
 
 double residual_at(const Rings& rings, int i, double turn) noexcept {
     const float* row = rings.row_of(i);

@@ -9,6 +9,9 @@
 
 namespace onggi::clay::studio {
 
+// The slope of a wall is taken over so many rings to either side.
+constexpr int kSlopeRings = 6;
+
 // What is worked out of every ring in reach of one hand. Entry k is of ring range.first + k. Not a state.
 struct Contact {
     explicit Contact(int capacity);
@@ -19,6 +22,12 @@ struct Contact {
     std::vector<double> depth_mm;       // d, of the face under the hand: what is felt
     std::vector<double> push_mm;  // x, of the mean circle against the mean hand, beyond the yield: what flows
     std::vector<double> field;    // the part of x that moves the wall as a whole
+    std::vector<double> met;      // how much of a push the other hand meets, 0 to 1
+    // Of the wall field, entry k of its own range: y and R for the slope, how the two faces move.
+    std::vector<float> place_mm;
+    std::vector<float> mean_mm;
+    std::vector<float> outer_step_mm;
+    std::vector<float> inner_step_mm;
 
     double height_mm = 0.0;       // of the hand's centre, lifted off the floor for a hand inside
     double deepest_mm = -1e9;     // of depth_mm

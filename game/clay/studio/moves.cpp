@@ -25,73 +25,112 @@ Changed together(const Changed& a, const Changed& b) {
 
 bool set_radii(Rings& rings, int i, double outer, double inner, double largest_strain) noexcept {
     const double height = ring_height_mm(rings.volume_mm3[at(i)], outer, inner);
-    const double before = rings.height_mm[at(i)];
-    const double thinnest = std::min(kThinnestWallMm, rings.wall_mm(i));
-    const double change = height - before;
-    // Comparisons that a number which is none fails.
-    const bool fits = outer >= std::min(kNarrowestMm, rings.outer_mm[at(i)]) && outer <= kWidestMm &&
-                      inner >= 0.0 && outer - inner >= thinnest && change <= 1.1 * largest_strain * before &&
-                      change >= -1.1 * largest_strain * before &&
-                      (change <= 0.0 || rings.top_mm() <= kTallestMm);
-    if (!fits) return false;
+    if (!(Gate(rings, largest_strain)
+              .lets(rings.outer_mm[at(i)], rings.inner_mm[at(i)], rings.height_mm[at(i)], outer, inner,
+                    height) >= 0.0)) {
+        return false;
+    }
     rings.outer_mm[at(i)] = outer;
     rings.inner_mm[at(i)] = inner;
     rings.height_mm[at(i)] = height;
     return true;
 }
 
+namespace {
+
+struct PushShares {
+    double share;
+    double above_floor;  // the hand's height
+    double strain;       // the most in one tick
+    double k0;
+    double per_thin_wall;
+};
+
+// Straight through, without a branch on a ring, so that several are worked on at once.
+template <bool kInside>
+void push_each(double* __restrict__ outer, double* __restrict__ inner, double* __restrict__ height,
+               double* __restrict__ field, const double* __restrict__ volume,
+               const double* __restrict__ offset, const double* __restrict__ push,
+               const double* __restrict__ met, int n, const PushShares& with, const Gate& gate) {
+    const auto [share, above_floor, strain, k0, per_thin_wall] = with;
+    const Gate let = gate;
+    for (int k = 0; k < n; ++k) {
+        const double ro = outer[k];
+        const double ri = inner[k];
+        const double before = height[k];
+        const double wall = ro - ri;
+        const double lone = 1.0 - met[k];
+        double tie = (above_floor + offset[k]) / (0.7 * wall);
+        tie = tie < 0.0 ? 0.0 : tie;
+        tie = tie > 1.0 ? 1.0 : tie;
+        const double q = wall * per_thin_wall;
+        const double phi = tie / (1.0 + (q * q) * (q * q));
+        const double wall_share = ri > 0.0 ? lone * phi : 0.0;
+        field[k] = push[k] * wall_share;
+
+        // Clay solid to the axis has no other face: from outside all of it rises. Nor is there room inside a
+        // neck that is all but closed.
+        double room = 1.0;
+        if constexpr (!kInside) room = 0.5 * ri < 1.0 ? 0.5 * ri : 1.0;
+        const double kappa = k0 * lone * (ri > 0.0 ? tie : 1.0) * room;
+        const double face = kInside ? (ri > 1.0 ? ri : 1.0) : ro;
+        // As fast as the clay can rise, and no thinner or narrower than it may become.
+        const double fastest = strain * wall * (ro + ri) / (2.0 * face * (1.0 - kappa));
+        const double thick = wall > kThinnestWallMm ? wall - kThinnestWallMm : 0.0;
+        double delta = share * push[k] * (1.0 - wall_share);
+        delta = delta < fastest ? delta : fastest;
+        delta = delta < thick ? delta : thick;
+        if constexpr (!kInside) {
+            const double narrow = ro > kNarrowestMm ? ro - kNarrowestMm : 0.0;
+            delta = delta < narrow ? delta : narrow;
+        }
+
+        // The face under the hand, and the square of the other one: kappa of the area crosses over.
+        constexpr double kLeast = kNarrowestHollowMm * kNarrowestHollowMm;
+        const double touched = kInside ? ri + delta : ro - delta;
+        const double crossed = kappa * delta * (kInside ? touched + ri : touched + ro);
+        const double square = kInside ? ro * ro + crossed : ri * ri - crossed;
+        const double far = std::sqrt(square > kLeast ? square : kLeast);
+        const double new_outer = kInside ? far : touched;
+        const double new_inner = kInside ? touched : (ri > 0.0 ? far : 0.0);
+        const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
+        // Nothing pushed is nothing changed, to the bit.
+        const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
+        const double moves = delta > 0.0 ? spare : -1.0;
+        outer[k] = moves >= 0.0 ? new_outer : ro;
+        inner[k] = moves >= 0.0 ? new_inner : ri;
+        height[k] = moves >= 0.0 ? new_height : before;
+    }
+}
+
+}  // namespace
+
 Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double share,
                    const StudioParameters& parameters) noexcept {
     const bool inside = hand.side == Side::kIn;
     const int first = contact.range.first;
     const int n = contact.range.size();
-    const double floor = rings.floor_mm();
-    const double strain = parameters.largest_strain_rate * parameters.dt_s();
-    Changed changed{first + n, first};
-    for (int k = 0; k < n; ++k) {
-        contact.field[at(k)] = 0.0;
-        const double x = contact.push_mm[at(k)];
-        if (!(x > 0.0)) continue;
-        const int i = first + k;
-        const double ro = rings.outer_mm[at(i)];
-        const double ri = rings.inner_mm[at(i)];
-        const double wall = ro - ri;
-        const bool hollow = ri > 0.0;
-        const double y = contact.height_mm + contact.offset_mm[at(k)];
-        const double lone = other != nullptr ? 1.0 - support_at(rings, i, y, *other) : 1.0;
-        const double tie = tie_to_floor(y - floor, wall);
-        const double wall_share = hollow ? lone * tie * wall_part(wall, parameters.thin_wall_mm) : 0.0;
-        contact.field[at(k)] = x * wall_share;
-
-        // Clay solid to the axis has no other face: from outside all of it rises.
-        // Nor is there room inside a neck that is all but closed.
-        const double room = inside ? 1.0 : std::min(0.5 * ri, 1.0);
-        const double kappa = parameters.wall_share_k0 * lone * (hollow ? tie : 1.0) * room;
-        const double area = wall * (ro + ri);
-        const double face = inside ? std::max(ri, 1.0) : ro;
-        double delta = share * x * (1.0 - wall_share);
-        // As fast as the clay can rise, and no thinner or narrower than it may become.
-        delta = std::min(delta, strain * area / (2.0 * face * (1.0 - kappa)));
-        delta = std::min(delta, wall - std::min(wall, kThinnestWallMm));
-        double outer = ro;
-        double inner = ri;
-        if (inside) {
-            inner = ri + delta;
-            outer = std::sqrt(ro * ro + kappa * delta * (inner + ri));
-        } else {
-            delta = std::min(delta, std::max(ro - kNarrowestMm, 0.0));
-            outer = ro - delta;
-            if (hollow) {
-                const double square = ri * ri - kappa * delta * (outer + ro);
-                inner = std::sqrt(std::max(square, kNarrowestHollowMm * kNarrowestHollowMm));
-            }
-        }
-        if (!(delta > 0.0) || !set_radii(rings, i, outer, inner, strain)) continue;
-        if (inside && !hollow) rings.first_hollow = std::min(rings.first_hollow, i);
-        changed.first = std::min(changed.first, i);
-        changed.end = i + 1;
+    double* const met = contact.met.data();
+    std::fill_n(met, n, 0.0);
+    if (other != nullptr) {
+        for (int k = 0; k < n; ++k)
+            met[k] = support_at(rings, first + k, contact.height_mm + contact.offset_mm[at(k)], *other);
     }
-    return changed.first < changed.end ? changed : Changed{};
+
+    const PushShares shares{share, contact.height_mm - rings.floor_mm(),
+                            parameters.largest_strain_rate * parameters.dt_s(), parameters.wall_share_k0,
+                            1.0 / parameters.thin_wall_mm};
+    const Gate gate(rings, shares.strain);
+    const auto push = inside ? push_each<true> : push_each<false>;
+    push(rings.outer_mm.data() + first, rings.inner_mm.data() + first, rings.height_mm.data() + first,
+         contact.field.data(), rings.volume_mm3.data() + first, contact.offset_mm.data(),
+         contact.push_mm.data(), met, n, shares, gate);
+    if (inside) {
+        for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
+            if (rings.is_hollow(i)) rings.first_hollow = i;
+        }
+    }
+    return contact.range;
 }
 
 Changed press_rim(Rings& rings, const Contact& contact, double share,

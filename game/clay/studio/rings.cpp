@@ -1,6 +1,7 @@
 #include "game/clay/studio/rings.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace onggi::clay::studio {
@@ -93,7 +94,21 @@ void Rings::place(int first, int end) {
     const int blocks = (count + kBlockRings - 1) / kBlockRings;
     const int first_block = first / kBlockRings;
     const int last_block = std::min(blocks, (end + kBlockRings - 1) / kBlockRings);
-    for (int block = first_block; block < last_block; ++block) {
+    // Four blocks side by side: each sum waits for its last addition, four of them wait together.
+    constexpr int kChains = 4;
+    int block = first_block;
+    for (; block + kChains <= last_block && (block + kChains) * kBlockRings <= count; block += kChains) {
+        std::array<double, kChains> rise{};
+        double* const rises = rise_mm.data() + block * kBlockRings;
+        const double* const heights = height_mm.data() + block * kBlockRings;
+        for (int i = 0; i < kBlockRings; ++i) {
+            for (int chain = 0; chain < kChains; ++chain) {
+                rises[chain * kBlockRings + i] = rise[at(chain)];
+                rise[at(chain)] += heights[chain * kBlockRings + i];
+            }
+        }
+    }
+    for (; block < last_block; ++block) {
         const int stop = std::min(count, (block + 1) * kBlockRings);
         double rise = 0.0;
         for (int i = block * kBlockRings; i < stop; ++i) {
@@ -101,7 +116,7 @@ void Rings::place(int first, int end) {
             rise += height_mm[at(i)];
         }
     }
-    for (int block = first_block; block < blocks; ++block) {
+    for (block = first_block; block < blocks; ++block) {
         const int last = std::min(count, (block + 1) * kBlockRings) - 1;
         base_mm[at(block + 1)] = base_mm[at(block)] + (rise_mm[at(last)] + height_mm[at(last)]);
     }

@@ -27,7 +27,15 @@ double flow_time_s(double strength, double flow_time_at_13_kpa_s) {
 }
 
 double relaxed_share(double x) {
-    return 1.0 - exponential(-x);
+    constexpr double kSmall = 0.125;
+    if (!(x < kSmall)) return 1.0 - exponential(-x);
+    // x (1 - x/2 (1 - x/3 (1 - ...))): nothing cancels where x is small, as it is in a tick. Next term:
+    // x^10/10!.
+    constexpr double kParts[] = {1.0 / 9, 1.0 / 8, 1.0 / 7, 1.0 / 6, 1.0 / 5, 1.0 / 4, 1.0 / 3, 1.0 / 2, 1.0};
+    double series = 1.0;
+    for (int k = 0; k < 8; ++k)
+        series = 1.0 - x * kParts[k] * series;
+    return x * series;
 }
 
 void set_liquidity(Rings& rings, int i, double liquidity_index) {

@@ -10,8 +10,75 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-constexpr int kSlopeRings = 6;
 constexpr double kSteepest = 3.0;
+constexpr float kSteepestF = 3.0F;
+
+struct FieldShares {
+    float push;  // u, with the sign of the way the wall goes
+    float above_floor;
+    float per_thin_wall;
+    float per_phi;
+    float per_length;
+    float chi;
+    float room_inside;  // 1 for a wall that goes outward
+};
+
+// How the two faces of each ring move. place and mean start kSlopeRings before the first ring.
+void field_steps(const double* __restrict__ outer, const double* __restrict__ inner,
+                 const float* __restrict__ place, const float* __restrict__ mean,
+                 float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
+                 const FieldShares& with) {
+    const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside] = with;
+    for (int k = 0; k < n; ++k) {
+        const auto ri = static_cast<float>(inner[k]);
+        const auto t = static_cast<float>(outer[k] - inner[k]);
+        const float y = place[k + kSlopeRings];
+        const float s = y * per_length;
+        float rest = 1.0F - s * s;
+        rest = rest > 0.0F ? rest : 0.0F;
+        float tie = (above_floor + y) / (0.7F * t);
+        tie = tie < 0.0F ? 0.0F : tie;
+        tie = tie > 1.0F ? 1.0F : tie;
+        const float q = t * per_thin_wall;
+        float phi = tie * per_phi / (1.0F + (q * q) * (q * q));
+        phi = phi < 1.0F ? phi : 1.0F;
+        // A neck that is all but closed has nowhere to go; solid clay has no wall.
+        float room = 0.5F * ri + room_inside;
+        room = room < 1.0F ? room : 1.0F;
+        const float here = ri > 0.0F ? push * rest : 0.0F;
+        const float d = here * rest * phi * room;
+        const float run = mean[k + 2 * kSlopeRings] - mean[k];
+        float rise = place[k + 2 * kSlopeRings] - place[k];
+        rise = rise > 1e-6F ? rise : 1e-6F;
+        float slope = run / rise;
+        slope = slope < kSteepestF ? slope : kSteepestF;
+        slope = slope > -kSteepestF ? slope : -kSteepestF;
+        const float rotation = slope * (here * -4.0F * s * per_length) / (1.0F + slope * slope);
+        const float hoop = d / mean[k + kSlopeRings];
+        // The wall keeps its volume: t' = t (1 - hoop - ln h'/h), and ln h'/h is -(1 - chi) hoop - rotation.
+        const float half = 0.5F * t * (rotation - chi * hoop);
+        outer_step[k] = d + half;
+        inner_step[k] = d - half;
+    }
+}
+
+void take_steps(double* __restrict__ outer, double* __restrict__ inner, double* __restrict__ height,
+                const double* __restrict__ volume, const float* __restrict__ outer_step,
+                const float* __restrict__ inner_step, int n, const Gate& gate) {
+    const Gate let = gate;
+    for (int k = 0; k < n; ++k) {
+        const double ro = outer[k];
+        const double ri = inner[k];
+        const double before = height[k];
+        const double new_outer = ro + static_cast<double>(outer_step[k]);
+        const double new_inner = ri + static_cast<double>(inner_step[k]);
+        const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
+        const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
+        outer[k] = spare >= 0.0 ? new_outer : ro;
+        inner[k] = spare >= 0.0 ? new_inner : ri;
+        height[k] = spare >= 0.0 ? new_height : before;
+    }
+}
 
 }  // namespace
 
@@ -31,7 +98,7 @@ double wall_slope(const Rings& rings, int i) noexcept {
     return std::clamp(run / rise, -kSteepest, kSteepest);
 }
 
-Changed move_wall(Rings& rings, const Contact& contact, const Hand& hand, double share,
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share,
                   const StudioParameters& parameters) noexcept {
     const int n = contact.range.size();
     double largest = 0.0;
@@ -61,31 +128,49 @@ Changed move_wall(Rings& rings, const Contact& contact, const Hand& hand, double
     Changed range = rings.rings_between(middle - length, middle + length);
     range.first = std::max(range.first, rings.first_hollow);
     if (range.size() <= 0) return {};
-    const double sign = hand.side == Side::kIn ? 1.0 : -1.0;
-    const double strain = parameters.largest_strain_rate * parameters.dt_s();
-    for (int i = range.first; i < range.end; ++i) {
-        const double ro = rings.outer_mm[at(i)];
-        const double ri = rings.inner_mm[at(i)];
-        if (!(ri > 0.0)) continue;
-        const double y = rings.centre_mm(i);
-        const double s = (y - middle) / length;
-        const double rest = 1.0 - s * s;
-        if (!(rest > 0.0)) continue;
-        const double t = ro - ri;
-        const double mean = 0.5 * (ro + ri);
-        const double phi = tie_to_floor(y - floor, t) * wall_part(t, parameters.thin_wall_mm);
-        // A neck that is all but closed has nowhere to go.
-        const double room = sign > 0.0 ? 1.0 : std::min(0.5 * ri, 1.0);
-        const double weaker = std::min(1.0, phi / phi_star) * room;
-        const double d = sign * u * rest * rest * weaker;
-        const double slope = wall_slope(rings, i);
-        const double turned = sign * u * -4.0 * s * rest / length;
-        const double rotation = slope * turned / (1.0 + slope * slope);
-        const double hoop = d / mean;
-        const double lengthened = -(1.0 - parameters.hoop_share_chi) * hoop - rotation;  // of h, a strain
-        const double half = 0.5 * t * (1.0 - hoop - lengthened);
-        set_radii(rings, i, mean + d + half, mean + d - half, strain);
+
+    // y - y* and R, of the rings of the field and as many beyond as the slope looks, the last one again and
+    // again where there are no more.
+    float* const place = contact.place_mm.data();
+    float* const mean = contact.mean_mm.data();
+    const Rings::Range seen{std::max(range.first - kSlopeRings, rings.first_hollow),
+                            std::min(range.end + kSlopeRings, rings.count)};
+    const int before = kSlopeRings - (range.first - seen.first);
+    for (int i = seen.first; i < seen.end;) {
+        const double base = rings.base_mm[at(i / kBlockRings)] - middle;
+        const int end = std::min(seen.end, (i / kBlockRings + 1) * kBlockRings);
+        for (; i < end; ++i) {
+            const int k = before + i - seen.first;
+            place[k] = static_cast<float>(base + (rings.rise_mm[at(i)] + 0.5 * rings.height_mm[at(i)]));
+            mean[k] = static_cast<float>(0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]));
+        }
     }
+    for (int k = 0; k < before; ++k) {
+        place[k] = place[before];
+        mean[k] = mean[before];
+    }
+    const int filled = before + seen.size();
+    const int needed = range.size() + 2 * kSlopeRings;
+    for (int k = filled; k < needed; ++k) {
+        place[k] = place[filled - 1];
+        mean[k] = mean[filled - 1];
+    }
+
+    const bool inside = hand.side == Side::kIn;
+    const FieldShares shares{.push = static_cast<float>(inside ? u : -u),
+                             .above_floor = static_cast<float>(middle - floor),
+                             .per_thin_wall = static_cast<float>(1.0 / parameters.thin_wall_mm),
+                             .per_phi = static_cast<float>(1.0 / phi_star),
+                             .per_length = static_cast<float>(1.0 / length),
+                             .chi = static_cast<float>(parameters.hoop_share_chi),
+                             .room_inside = inside ? 1.0F : 0.0F};
+    double* const outer = rings.outer_mm.data() + range.first;
+    double* const inner = rings.inner_mm.data() + range.first;
+    field_steps(outer, inner, place, mean, contact.outer_step_mm.data(), contact.inner_step_mm.data(),
+                range.size(), shares);
+    take_steps(outer, inner, rings.height_mm.data() + range.first, rings.volume_mm3.data() + range.first,
+               contact.outer_step_mm.data(), contact.inner_step_mm.data(), range.size(),
+               Gate(rings, parameters.largest_strain_rate * parameters.dt_s()));
     return range;
 }
 
