@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clay/studio/lanes.h"
 #include "game/clay/studio/volume_grid.h"
 
 namespace onggi::clay::studio {
@@ -48,10 +49,11 @@ struct PushShares {
 
 // Straight through, without a branch on a ring, so that several are worked on at once.
 template <bool kInside>
-void push_each(double* __restrict__ outer, double* __restrict__ inner, double* __restrict__ height,
-               double* __restrict__ field, const double* __restrict__ volume,
-               const double* __restrict__ offset, const double* __restrict__ push,
-               const double* __restrict__ met, int n, const PushShares& with, const Gate& gate) {
+ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inner,
+                           double* __restrict__ height, double* __restrict__ field,
+                           const double* __restrict__ volume, const double* __restrict__ offset,
+                           const double* __restrict__ push, const double* __restrict__ met, int n,
+                           const PushShares& with, const Gate& gate) {
     const auto [share, above_floor, strain, k0, per_thin_wall] = with;
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
@@ -60,11 +62,15 @@ void push_each(double* __restrict__ outer, double* __restrict__ inner, double* _
         const double before = height[k];
         const double wall = ro - ri;
         const double lone = 1.0 - met[k];
-        double tie = (above_floor + offset[k]) / (0.7 * wall);
-        tie = tie < 0.0 ? 0.0 : tie;
-        tie = tie > 1.0 ? 1.0 : tie;
+        // tie = above/(0.7 t), from 0 to 1, and phi = tie/(1 + q^4), by one division.
         const double q = wall * per_thin_wall;
-        const double phi = tie / (1.0 + (q * q) * (q * q));
+        const double stiff = 1.0 + (q * q) * (q * q);
+        const double tied = 0.7 * wall;
+        double above = above_floor + offset[k];
+        above = above < tied ? above : tied;
+        above = above > 0.0 ? above : 0.0;
+        const double phi = above / (tied * stiff);
+        const double tie = phi * stiff;
         const double wall_share = ri > 0.0 ? lone * phi : 0.0;
         field[k] = push[k] * wall_share;
 
@@ -103,6 +109,39 @@ void push_each(double* __restrict__ outer, double* __restrict__ inner, double* _
     }
 }
 
+struct PushedRings {
+    double* outer;
+    double* inner;
+    double* height;
+    double* field;
+    const double* volume;
+    const double* offset;
+    const double* push;
+    const double* met;
+    int count;
+    bool inside;
+};
+
+ONGGI_LANES void push_all(const PushedRings& rings, const PushShares& with, const Gate& gate) {
+    if (rings.inside)
+        push_each<true>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
+                        rings.push, rings.met, rings.count, with, gate);
+    else
+        push_each<false>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
+                         rings.push, rings.met, rings.count, with, gate);
+}
+
+void push_plain(const PushedRings& rings, const PushShares& with, const Gate& gate) {
+    push_all(rings, with, gate);
+}
+
+#if ONGGI_X86_KERNELS
+__attribute__((target("avx2"))) void push_avx2(const PushedRings& rings, const PushShares& with,
+                                               const Gate& gate) {
+    push_all(rings, with, gate);
+}
+#endif
+
 }  // namespace
 
 Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double share,
@@ -112,7 +151,14 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     const int n = contact.range.size();
     double* const met = contact.met.data();
     std::fill_n(met, n, 0.0);
-    if (other != nullptr) {
+    if (other != nullptr && other->is_assist) {
+        const double apart = contact.height_mm - other->position_mm.y;
+        const double r1 = other->radius_mm;
+        for (int k = 0; k < n; ++k) {
+            const double dy = contact.offset_mm[at(k)] + apart;
+            met[k] = (r1 - dy) * (r1 + dy) > 0.0 ? 1.0 : 0.0;
+        }
+    } else if (other != nullptr) {
         for (int k = 0; k < n; ++k)
             met[k] = support_at(rings, first + k, contact.height_mm + contact.offset_mm[at(k)], *other);
     }
@@ -121,10 +167,24 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
                             parameters.largest_strain_rate * parameters.dt_s(), parameters.wall_share_k0,
                             1.0 / parameters.thin_wall_mm};
     const Gate gate(rings, shares.strain);
-    const auto push = inside ? push_each<true> : push_each<false>;
-    push(rings.outer_mm.data() + first, rings.inner_mm.data() + first, rings.height_mm.data() + first,
-         contact.field.data(), rings.volume_mm3.data() + first, contact.offset_mm.data(),
-         contact.push_mm.data(), met, n, shares, gate);
+    const PushedRings pushed{rings.outer_mm.data() + first,
+                             rings.inner_mm.data() + first,
+                             rings.height_mm.data() + first,
+                             contact.field.data(),
+                             rings.volume_mm3.data() + first,
+                             contact.offset_mm.data(),
+                             contact.push_mm.data(),
+                             met,
+                             n,
+                             inside};
+#if ONGGI_X86_KERNELS
+    if (has_wide_lanes())
+        push_avx2(pushed, shares, gate);
+    else
+        push_plain(pushed, shares, gate);
+#else
+    push_plain(pushed, shares, gate);
+#endif
     if (inside) {
         for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
             if (rings.is_hollow(i)) rings.first_hollow = i;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clay/studio/lanes.h"
+
 namespace onggi::clay::studio {
 namespace {
 
@@ -24,10 +26,10 @@ struct FieldShares {
 };
 
 // How the two faces of each ring move. place and mean start kSlopeRings before the first ring.
-void field_steps(const double* __restrict__ outer, const double* __restrict__ inner,
-                 const float* __restrict__ place, const float* __restrict__ mean,
-                 float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
-                 const FieldShares& with) {
+ONGGI_LANES void field_steps_each(const double* __restrict__ outer, const double* __restrict__ inner,
+                                  const float* __restrict__ place, const float* __restrict__ mean,
+                                  float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
+                                  const FieldShares& with) {
     const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside] = with;
     for (int k = 0; k < n; ++k) {
         const auto ri = static_cast<float>(inner[k]);
@@ -36,24 +38,28 @@ void field_steps(const double* __restrict__ outer, const double* __restrict__ in
         const float s = y * per_length;
         float rest = 1.0F - s * s;
         rest = rest > 0.0F ? rest : 0.0F;
-        float tie = (above_floor + y) / (0.7F * t);
-        tie = tie < 0.0F ? 0.0F : tie;
-        tie = tie > 1.0F ? 1.0F : tie;
+        // phi = tie/(1 + q^4) with tie = above/(0.7 t), at most 1, in one division.
+        const float tied = 0.7F * t;
+        float above = above_floor + y;
+        above = above < tied ? above : tied;
+        above = above > 0.0F ? above : 0.0F;
         const float q = t * per_thin_wall;
-        float phi = tie * per_phi / (1.0F + (q * q) * (q * q));
+        float phi = above * per_phi / (tied * (1.0F + (q * q) * (q * q)));
         phi = phi < 1.0F ? phi : 1.0F;
         // A neck that is all but closed has nowhere to go; solid clay has no wall.
         float room = 0.5F * ri + room_inside;
         room = room < 1.0F ? room : 1.0F;
         const float here = ri > 0.0F ? push * rest : 0.0F;
         const float d = here * rest * phi * room;
-        const float run = mean[k + 2 * kSlopeRings] - mean[k];
+        // T/(1 + T^2) with T = run/rise, within +-3, in one division too.
         float rise = place[k + 2 * kSlopeRings] - place[k];
         rise = rise > 1e-6F ? rise : 1e-6F;
-        float slope = run / rise;
-        slope = slope < kSteepestF ? slope : kSteepestF;
-        slope = slope > -kSteepestF ? slope : -kSteepestF;
-        const float rotation = slope * (here * -4.0F * s * per_length) / (1.0F + slope * slope);
+        const float furthest = kSteepestF * rise;
+        float run = mean[k + 2 * kSlopeRings] - mean[k];
+        run = run < furthest ? run : furthest;
+        run = run > -furthest ? run : -furthest;
+        const float turn = run * rise / (rise * rise + run * run);
+        const float rotation = turn * (here * -4.0F * s * per_length);
         const float hoop = d / mean[k + kSlopeRings];
         // The wall keeps its volume: t' = t (1 - hoop - ln h'/h), and ln h'/h is -(1 - chi) hoop - rotation.
         const float half = 0.5F * t * (rotation - chi * hoop);
@@ -62,9 +68,10 @@ void field_steps(const double* __restrict__ outer, const double* __restrict__ in
     }
 }
 
-void take_steps(double* __restrict__ outer, double* __restrict__ inner, double* __restrict__ height,
-                const double* __restrict__ volume, const float* __restrict__ outer_step,
-                const float* __restrict__ inner_step, int n, const Gate& gate) {
+ONGGI_LANES void take_steps_each(double* __restrict__ outer, double* __restrict__ inner,
+                                 double* __restrict__ height, const double* __restrict__ volume,
+                                 const float* __restrict__ outer_step, const float* __restrict__ inner_step,
+                                 int n, const Gate& gate) {
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
         const double ro = outer[k];
@@ -79,6 +86,37 @@ void take_steps(double* __restrict__ outer, double* __restrict__ inner, double* 
         height[k] = spare >= 0.0 ? new_height : before;
     }
 }
+
+// The whole of the field's work on the rings; the same bits whichever runs.
+struct FieldColumns {
+    double* outer;
+    double* inner;
+    double* height;
+    const double* volume;
+    const float* place;
+    const float* mean;
+    float* outer_step;
+    float* inner_step;
+    int count;
+};
+
+ONGGI_LANES void move_each(const FieldColumns& rings, const FieldShares& with, const Gate& gate) {
+    field_steps_each(rings.outer, rings.inner, rings.place, rings.mean, rings.outer_step, rings.inner_step,
+                     rings.count, with);
+    take_steps_each(rings.outer, rings.inner, rings.height, rings.volume, rings.outer_step, rings.inner_step,
+                    rings.count, gate);
+}
+
+void move_plain(const FieldColumns& rings, const FieldShares& with, const Gate& gate) {
+    move_each(rings, with, gate);
+}
+
+#if ONGGI_X86_KERNELS
+__attribute__((target("avx2"))) void move_avx2(const FieldColumns& rings, const FieldShares& with,
+                                               const Gate& gate) {
+    move_each(rings, with, gate);
+}
+#endif
 
 }  // namespace
 
@@ -166,11 +204,18 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share
                              .room_inside = inside ? 1.0F : 0.0F};
     double* const outer = rings.outer_mm.data() + range.first;
     double* const inner = rings.inner_mm.data() + range.first;
-    field_steps(outer, inner, place, mean, contact.outer_step_mm.data(), contact.inner_step_mm.data(),
-                range.size(), shares);
-    take_steps(outer, inner, rings.height_mm.data() + range.first, rings.volume_mm3.data() + range.first,
-               contact.outer_step_mm.data(), contact.inner_step_mm.data(), range.size(),
-               Gate(rings, parameters.largest_strain_rate * parameters.dt_s()));
+    const FieldColumns columns{
+        outer,       inner, rings.height_mm.data() + range.first, rings.volume_mm3.data() + range.first,
+        place,       mean,  contact.outer_step_mm.data(),         contact.inner_step_mm.data(),
+        range.size()};
+    const Gate gate(rings, parameters.largest_strain_rate * parameters.dt_s());
+#if ONGGI_X86_KERNELS
+    if (has_wide_lanes()) {
+        move_avx2(columns, shares, gate);
+        return range;
+    }
+#endif
+    move_plain(columns, shares, gate);
     return range;
 }
 
