@@ -91,7 +91,7 @@ void StudioClay::restart() noexcept {
 }
 
 void StudioClay::set_wall(double outer, double wall, double floor, double height, int count) {
-    assert(count > 0 && count <= rings_.capacity && wall < outer && floor <= height);
+    assert(count > 0 && count <= rings_.capacity && wall <= outer && floor <= height);
     const auto liquidity = static_cast<double>(rings_.count > 0 ? rings_.liquidity[0] : 0.6F);
     rings_.reset(count);
     double volume = 0.0;
