@@ -27,7 +27,7 @@ void main() {
     vec2 profile = texture(outline_normals, vec2(outline.z, 0.5)).rg;
     // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
     vec4 slip = texture(detail, detail_at + vec2(draw.turn.x, 0.0));
-    vec2 lean = (slip.gb - 0.5) * draw.albedo.w;
+    vec2 lean = (slip.gb - 0.5) * (0.7 * draw.albedo.w);
     // Between two sectors the way outwards is a chord, shorter than 1 by less than a thousandth.
     vec2 outward = outline.xy;
     vec3 smooth_n = vec3(profile.x * outward.x, profile.y, profile.x * outward.y);
@@ -55,7 +55,7 @@ void main() {
     float film_gloss = ggx(max((film_v + film_l) * half_length, 0.0), film_v, film_l, 0.24) * 0.05 * 3.14159265 * wet;
     float mirror = (0.02 + 0.55 * fresnel(0.0, film_v)) * (0.25 + wet) ;
 
-    vec3 light = albedo * (ambient * sky_past_spheres(position, n) + frame.key_radiance.rgb * (max(lit, 0.0) * seen)) +
+    vec3 light = albedo * (ambient + frame.key_radiance.rgb * (max(lit, 0.0) * seen)) +
                  frame.key_radiance.rgb * ((body_gloss * (1.0 - 0.6 * draw.water.x) + film_gloss) * seen) + mirrored * mirror;
     out_colour = vec4(encode(light), 1.0);
 }

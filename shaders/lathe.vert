@@ -5,6 +5,7 @@
 // not for a few thousand vertices.
 #include "frame.glsl"
 #include "sky.glsl"
+#include "surface.glsl"
 
 layout(std430, set = 0, binding = kBindRadii) readonly buffer RadiiBlock { float radii[]; };
 layout(std430, set = 0, binding = kBindRings) readonly buffer RingBlock { RingData rings[]; };
@@ -23,7 +24,7 @@ const float kPi = 3.14159265;
 float past_wall(vec3 p) {
     vec3 l = frame.key_direction.xyz;
     float height = frame.lathe.x;
-    float reach = (height - p.y) / max(l.y, 0.05);
+    float reach = max(height - p.y, 0.1) / max(l.y, 0.05);
     float least = 1e3;
     const int kSteps = 14;
     for (int i = 1; i <= kSteps; ++i) {
@@ -86,10 +87,13 @@ void main() {
     vec3 n = vec3(normal.x * outward.x, normal.y, normal.x * outward.y);
     // Close to what it stands on, a wall sees less of the sky.
     open *= 1.0 - 0.5 * exp(-y * 0.06) * (1.0 - normal.y);
+    open *= sky_past_spheres(out_position, n);
     out_ambient = sky_diffuse(n) * open_sky_colour(open, draw.albedo.rgb);
     vec3 v = normalize(frame.eye.xyz - out_position);
     out_mirrored = sky_radiance(reflect(-v, n), 0.28) * open;
-    float key_seen = dot(n, frame.key_direction.xyz) > -0.25 ? past_wall(out_position + n * 0.5) : 1.0;
+    // Over the rounded edge the radii are those of the edge before it was rounded; nothing stands above it.
+    bool may_hide = row < ring_count && dot(n, frame.key_direction.xyz) > -0.25;
+    float key_seen = may_hide ? past_wall(out_position + n * 0.5) : 1.0;
     out_outline = vec4(outward, u, key_seen);
     // Two of the texture go round; over the top it runs on towards the axis.
     out_detail = vec2(2.0 * turned, (row < ring_count + kEdgeRows ? y : y + draw.turn.z) / 67.0);

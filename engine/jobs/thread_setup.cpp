@@ -62,7 +62,7 @@ Granted lock_memory() {
 
 // Touches the stack the tick will use, so that no tick is the first to do so.
 [[gnu::noinline]] void touch_stack() {
-    constexpr std::size_t kBytes = 128 * 1024;
+    constexpr std::size_t kBytes = std::size_t{128} * 1024;
     constexpr std::size_t kPage = 4096;
     std::array<volatile unsigned char, kBytes> stack;
     for (std::size_t at = 0; at < kBytes; at += kPage)

@@ -79,10 +79,12 @@ void lathe_normals(const LatheOutline& outline, float element_height_mm, float f
     // A mean slope over a span is the difference of its ends: no sum is needed. At least two elements, or the
     // steps between them would show.
     const float span_mm = std::max({footprint_mm, texel_mm, 2.0F * element_height_mm});
+    // Between the first and the last centre the radii say something; before and after, nothing changes.
+    const float last_centre_mm = (static_cast<float>(outline.wall.size()) - 0.5F) * element_height_mm;
     for (int i = 0; i < kWall; ++i) {
         const float y_mm = static_cast<float>(i) * texel_mm;
-        const float from_mm = std::max(y_mm - 0.5F * span_mm, 0.5F * element_height_mm);
-        const float to_mm = std::min(y_mm + 0.5F * span_mm, outline.wall_height_mm);
+        const float from_mm = std::clamp(y_mm - 0.5F * span_mm, 0.5F * element_height_mm, last_centre_mm);
+        const float to_mm = std::max(std::min(y_mm + 0.5F * span_mm, last_centre_mm), from_mm);
         const float run_mm = std::max(to_mm - from_mm, 1e-3F);
         const float out_mm = radius_at(outline.wall, to_mm / element_height_mm - 0.5F) -
                              radius_at(outline.wall, from_mm / element_height_mm - 0.5F);

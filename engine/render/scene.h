@@ -37,17 +37,17 @@ struct LatheMaterial {
 // A surface of revolution about +Y that may change every frame. Element i is centred on y = (i + 0.5)
 // element_height_mm; the solid is closed by a flat base at y = 0 and a flat top.
 struct Lathe {
-    std::span<const float> radii_mm;  // bottom first; must live until the draw call returns
+    std::span<const float> radii_mm{};  // bottom first; must live until the draw call returns
     float element_height_mm = 0.1F;
     float edge_rounding_mm = 0.0F;  // of the top edge, so that it catches light; 0 draws the exact solid
     vec2 turn{1.0F, 0.0F};          // (cos, sin) of the angle turned about +Y
-    LatheMaterial material;
+    LatheMaterial material{};
 };
 
 struct Sphere {
     vec3 centre_mm{0.0F};
     float radius_mm = 10.0F;
-    Material material;
+    Material material{};
 };
 
 // Triangles, counter-clockwise seen from outside. `open_sky` is 1 where nothing stands in the way of ambient
@@ -65,8 +65,8 @@ struct Mesh {
 // What stands still: drawn again only when `revision`, the camera, the light or the size changes.
 struct StillLife {
     struct Part {
-        std::shared_ptr<const Mesh> mesh;
-        Material material;
+        std::shared_ptr<const Mesh> mesh{};
+        Material material{};
         vec3 position_mm{0.0F};
         bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };

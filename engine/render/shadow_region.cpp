@@ -33,6 +33,7 @@ float height_of(const Lathe& lathe) {
 struct Disc {
     vec3 centre_mm;
     float radius_mm;
+    bool only_on_ground = false;  // shade from the sky, which falls on y = 0 alone
 };
 void add_shadow(const Disc& disc, const DirectionalLight& light, float ground_mm,
                 std::vector<dvec3>& points) {
@@ -158,7 +159,8 @@ std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_
     std::vector<Disc> discs;
     if (scene.lathe) {
         discs = discs_of(*scene.lathe);
-        if (!discs.empty()) discs.push_back({vec3(0.0F), scene.lathe->radii_mm.front() + kShadeOfFootMm});
+        if (!discs.empty())
+            discs.push_back({vec3(0.0F), scene.lathe->radii_mm.front() + kShadeOfFootMm, true});
     }
     for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i) {
         const Sphere& sphere = scene.spheres[i];
@@ -167,12 +169,12 @@ std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_
         // Its shade on the ground below it, (r / d)^2, is 2 % at seven radii.
         const float reach =
             std::sqrt(std::max(49.0F * sphere.radius_mm * sphere.radius_mm - clearance * clearance, 0.0F));
-        if (reach > 0.0F) discs.push_back({{sphere.centre_mm.x, 0.0F, sphere.centre_mm.z}, reach});
+        if (reach > 0.0F) discs.push_back({{sphere.centre_mm.x, 0.0F, sphere.centre_mm.z}, reach, true});
     }
     std::vector<dvec3> points;
     for (const Disc& disc : discs) {
         add_shadow(disc, scene.key, 0.0F, points);
-        if (disc.centre_mm.y > 0.0F) add_shadow(disc, scene.key, std::min(lowest_mm, 0.0F), points);
+        if (!disc.only_on_ground) add_shadow(disc, scene.key, std::min(lowest_mm, 0.0F), points);
     }
     const std::vector<dvec2> whole{{0.0, 0.0}, {width_px, 0.0}, {width_px, height_px}, {0.0, height_px}};
     std::vector<dvec2> pixels;

@@ -14,12 +14,12 @@ namespace onggi::vk {
 // A device in words, for `onggi doctor` and for choosing.
 struct DeviceDescription {
     int index = 0;  // in the loader's order
-    std::string name;
+    std::string name{};
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
-    std::string driver;       // "llvmpipe"
-    std::string driver_info;  // "Mesa 22.3.6 (LLVM 15.0.6)"
+    std::string driver{};       // "llvmpipe"
+    std::string driver_info{};  // "Mesa 22.3.6 (LLVM 15.0.6)"
     std::uint32_t api_version = 0;
-    std::string lacks;  // what it misses of what we need; empty: it can be used
+    std::string lacks{};  // what it misses of what we need; empty: it can be used
     bool chosen = false;
 
     [[nodiscard]] bool is_cpu() const { return type == VK_PHYSICAL_DEVICE_TYPE_CPU; }

@@ -1,0 +1,36 @@
+// The pots whose pictures are kept: each shows what another could hide. Any thread; mm.
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "game/wheel/pot_view.h"
+
+namespace onggi::golden {
+
+struct GoldenScene {
+    std::string name;
+    int width = 640;
+    int height = 480;
+    std::vector<float> radii_mm;
+    dvec3 tool_position_mm{110.0, 150.0, 0.0};
+    double tool_radius_mm = 10.0;
+    dvec2 wheel_direction{1.0, 0.0};
+    int contacts = 0;
+
+    // Refers to this scene.
+    [[nodiscard]] wheel::PotView pot() const;
+    // Of all that the picture shows.
+    [[nodiscard]] std::uint64_t hash() const;
+
+    // What GoogleTest prints of it.
+    friend std::ostream& operator<<(std::ostream& out, const GoldenScene& scene) { return out << scene.name; }
+};
+
+[[nodiscard]] std::vector<GoldenScene> golden_scenes();
+// As GoogleTest wants it: letters, digits and underscores.
+[[nodiscard]] std::string test_name(const GoldenScene& scene);
+
+}  // namespace onggi::golden

@@ -1,0 +1,80 @@
+#include "engine/render/camera.h"
+
+#include <gtest/gtest.h>
+
+namespace onggi::render {
+namespace {
+
+const Camera kCamera{
+    .eye_mm = {300.0F, 400.0F, 1000.0F}, .target_mm = {0.0F, 70.0F, 0.0F}, .vertical_fov_rad = 0.4F};
+
+TEST(Camera, SeesItsTargetInTheMiddleOfThePicture) {
+    const auto projected = project(kCamera, 1280, 720, {0.0, 70.0, 0.0});
+    ASSERT_TRUE(projected);
+    EXPECT_NEAR(projected->pixel.x, 640.0, 1e-6);
+    EXPECT_NEAR(projected->pixel.y, 360.0, 1e-6);
+}
+
+TEST(Camera, ProjectsAsItsMatrixDoes) {
+    for (const dvec3 point : {dvec3(60, 0, 0), dvec3(-40, 200, 30), dvec3(0, 10, -150)}) {
+        const auto projected = project(kCamera, 800, 600, point);
+        ASSERT_TRUE(projected);
+        const vec4 clip = view_projection(kCamera, 800, 600) * vec4(vec3(point), 1.0F);
+        EXPECT_NEAR(projected->pixel.x, 400.0 * (1.0 + clip.x / clip.w), 1e-2);
+        EXPECT_NEAR(projected->pixel.y, 300.0 * (1.0 + clip.y / clip.w), 1e-2);
+        EXPECT_GT(clip.z, 0.0F);
+        EXPECT_LT(clip.z, clip.w);
+    }
+}
+
+TEST(Camera, DrawsWhatIsHigherFurtherUpThePicture) {
+    EXPECT_LT(project(kCamera, 800, 600, {0, 200, 0})->pixel.y,
+              project(kCamera, 800, 600, {0, 0, 0})->pixel.y);
+}
+
+TEST(Camera, SeesNothingBehindTheEye) {
+    EXPECT_FALSE(project(kCamera, 800, 600, {600, 800, 2000}));
+}
+
+TEST(Camera, SendsEveryPixelsRayBackToThatPixel) {
+    for (const dvec2 pixel : {dvec2(0.5, 0.5), dvec2(100, 500), dvec2(799.5, 599.5)}) {
+        const Ray ray = ray_through(kCamera, 800, 600, pixel);
+        const auto projected = project(kCamera, 800, 600, ray.origin_mm + 900.0 * ray.direction);
+        ASSERT_TRUE(projected);
+        EXPECT_NEAR(projected->pixel.x, pixel.x, 1e-6);
+        EXPECT_NEAR(projected->pixel.y, pixel.y, 1e-6);
+    }
+}
+
+TEST(Camera, MeetsTheAxisPlaneWhereThePixelLooks) {
+    const dvec3 away = glm::normalize(dvec3(300, 0, 1000));
+    for (const dvec2 pixel : {dvec2(400, 300), dvec2(120, 40), dvec2(700, 550)}) {
+        const auto place = meet_axis_plane(ray_through(kCamera, 800, 600, pixel), kCamera);
+        ASSERT_TRUE(place);
+        EXPECT_NEAR(glm::dot(*place, away), 0.0, 1e-9);
+        const auto projected = project(kCamera, 800, 600, *place);
+        ASSERT_TRUE(projected);
+        EXPECT_NEAR(projected->pixel.x, pixel.x, 1e-6);
+        EXPECT_NEAR(projected->pixel.y, pixel.y, 1e-6);
+    }
+}
+
+TEST(Camera, MeetsNoPlaneWhereTheRayRunsAlongItOrAway) {
+    const Ray along{dvec3(300, 400, 1000), {0.0, 1.0, 0.0}};
+    EXPECT_FALSE(meet_axis_plane(along, kCamera));
+    const Ray away{dvec3(300, 400, 1000), glm::normalize(dvec3(0.0, 0.0, 1.0))};
+    EXPECT_FALSE(meet_axis_plane(away, kCamera));
+    const Camera above{.eye_mm = {0.0F, 900.0F, 0.0F}, .target_mm = {0.0F, 0.0F, 0.1F}};
+    EXPECT_FALSE(meet_axis_plane({dvec3(0, 900, 0), {0.0, -1.0, 0.0}}, above));
+}
+
+TEST(Camera, SaysHowManyPixelsAMillimetreSpans) {
+    const double scale = pixels_per_mm(kCamera, 600);
+    const dvec3 right = glm::normalize(glm::cross(dvec3(kCamera.target_mm - kCamera.eye_mm), dvec3(0, 1, 0)));
+    const dvec3 target(kCamera.target_mm);
+    const auto one_mm_right = project(kCamera, 800, 600, target + right);
+    EXPECT_NEAR(one_mm_right->pixel.x - 400.0, scale, 1e-6);
+}
+
+}  // namespace
+}  // namespace onggi::render

@@ -1,0 +1,53 @@
+#include "engine/render/detail_texture.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace onggi::render {
+namespace {
+
+TEST(DetailTexture, IsTheSameEveryTimeAndHasAMeanNearTheMiddle) {
+    const auto texels = detail_texture();
+    ASSERT_EQ(texels.size(), std::size_t{4} * kDetailTexels * kDetailTexels);
+    EXPECT_EQ(texels, detail_texture());
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        double sum = 0.0;
+        for (std::size_t i = channel; i < texels.size(); i += 4)
+            sum += texels[i];
+        EXPECT_NEAR(sum / (kDetailTexels * kDetailTexels), 127.5, 14.0) << channel;
+    }
+}
+
+TEST(DetailTexture, RepeatsWithoutASeam) {
+    const auto texels = detail_texture();
+    const auto at = [&](int x, int y) {
+        return static_cast<int>(texels[static_cast<std::size_t>((y * kDetailTexels + x) * 4)]);
+    };
+    int across_seam = 0;
+    int inside = 0;
+    for (int y = 0; y < kDetailTexels; ++y) {
+        across_seam += std::abs(at(kDetailTexels - 1, y) - at(0, y));
+        inside += std::abs(at(255, y) - at(256, y));
+    }
+    EXPECT_LT(across_seam, 2 * inside);
+}
+
+TEST(DetailTexture, RunsLongRoundThePotAndThinUpIt) {
+    const auto texels = detail_texture();
+    const auto at = [&](int x, int y) {
+        return static_cast<int>(texels[static_cast<std::size_t>((y * kDetailTexels + x) * 4)]);
+    };
+    long along = 0;
+    long up = 0;
+    for (int y = 0; y < kDetailTexels - 8; ++y) {
+        for (int x = 0; x < kDetailTexels - 8; ++x) {
+            along += std::abs(at(x, y) - at(x + 8, y));
+            up += std::abs(at(x, y) - at(x, y + 8));
+        }
+    }
+    EXPECT_GT(up, 2 * along);
+}
+
+}  // namespace
+}  // namespace onggi::render

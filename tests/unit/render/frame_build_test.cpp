@@ -1,0 +1,134 @@
+#include "engine/render/frame_build.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace onggi::render {
+namespace {
+
+class FrameBuild : public testing::Test {
+  protected:
+    FrameBuild() {
+        scene_.camera = {
+            .eye_mm = {0.0F, 350.0F, 1100.0F}, .target_mm = {0.0F, 70.0F, 0.0F}, .vertical_fov_rad = 0.3F};
+        scene_.key.towards_light = glm::normalize(vec3(-0.7F, 0.6F, 0.4F));
+        scene_.lathe = Lathe{.radii_mm = radii_, .element_height_mm = 0.1F, .edge_rounding_mm = 2.0F};
+        scene_.spheres = {{.centre_mm = {80.0F, 100.0F, 0.0F}, .radius_mm = 10.0F}};
+    }
+    const BuiltFrame& build() {
+        build_frame(scene_, {.lowest_mm = -100.0F}, desc_, 1280, 720, built_);
+        return built_;
+    }
+
+    std::vector<float> radii_ = std::vector<float>(2000, 60.0F);
+    RendererDesc desc_ = live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, 720);
+    Scene scene_;
+    BuiltFrame built_;
+};
+
+TEST_F(FrameBuild, NeverDrawsMoreRingsThanTheCap) {
+    for (std::size_t i = 0; i < radii_.size(); ++i)
+        radii_[i] = 50.0F + static_cast<float>((i * 2654435761U >> 7U) % 100U) * 0.05F;
+    const BuiltFrame& built = build();
+    EXPECT_LE(built.rings.size(), 128U);
+    EXPECT_GT(built.ring_error_px, desc_.ring_error_px);
+}
+
+TEST_F(FrameBuild, DrawsAStripForEachRingTheEdgeAndTheTop) {
+    const BuiltFrame& built = build();
+    EXPECT_EQ(built.lathe_indices, (built.rings.size() + shaders::kEdgeRows) * 64 * 6);
+    const auto indices = lathe_indices(desc_.max_rings, desc_.sectors);
+    ASSERT_LE(built.lathe_indices, indices.size());
+    const auto rows = static_cast<std::uint32_t>(built.rings.size()) + shaders::kEdgeRows + 1;
+    const auto last = *std::max_element(indices.begin(), indices.begin() + built.lathe_indices);
+    EXPECT_EQ(last, rows * 65 - 1);
+}
+
+TEST_F(FrameBuild, IndexesTheLargestLatheWithSixteenBits) {
+    const RendererDesc still = still_desc(VK_FORMAT_R8G8B8A8_UNORM);
+    const auto rows = static_cast<std::size_t>(still.max_rings + shaders::kEdgeRows + 1);
+    EXPECT_LE(rows * static_cast<std::size_t>(still.sectors + 1), 65536U);
+}
+
+TEST_F(FrameBuild, DrawsNoLatheWhereThereIsNone) {
+    scene_.lathe.reset();
+    EXPECT_EQ(build().lathe_indices, 0U);
+    scene_.lathe = Lathe{};
+    EXPECT_EQ(build().lathe_indices, 0U);
+    scene_.spheres.clear();
+    EXPECT_EQ(build().shade_vertices, 0U);
+}
+
+TEST_F(FrameBuild, CastsShadowsOfNoMoreSpheresThanTheShaderKnows) {
+    scene_.spheres.assign(5, {.centre_mm = {80.0F, 100.0F, 0.0F}, .radius_mm = 10.0F});
+    const BuiltFrame& built = build();
+    EXPECT_EQ(built.frame.spheres[shaders::kSpheres - 1].w, 10.0F);
+}
+
+TEST_F(FrameBuild, DarkensAndSaturatesWetClayButNeverBeyondItsWater) {
+    scene_.lathe->material = {.albedo = vec3(0.4F, 0.2F, 0.1F), .wetness = 0.0F};
+    EXPECT_EQ(vec3(build().lathe.albedo), vec3(0.4F, 0.2F, 0.1F));
+    scene_.lathe->material.wetness = 1.0F;
+    const vec3 wet(build().lathe.albedo);
+    // A' = A (1 - p) / (1 - p A), p = 0.66.
+    EXPECT_NEAR(wet.x, 0.4F * 0.34F / (1.0F - 0.66F * 0.4F), 1e-6F);
+    EXPECT_GT(wet.x / wet.z, 4.0F);
+    scene_.lathe->material.wetness = 7.0F;
+    EXPECT_EQ(vec3(build().lathe.albedo), wet);
+}
+
+TEST_F(FrameBuild, TurnsTheSlipOnceRoundInTwoOfItsTexture) {
+    scene_.lathe->turn = {0.0F, 1.0F};  // a quarter
+    EXPECT_NEAR(build().lathe.turn.x, 0.5F, 1e-6F);
+}
+
+TEST_F(FrameBuild, RedrawsTheStillLifeForWhatItShowsAndForNothingElse) {
+    const std::uint64_t before = still_hash(scene_, 1280, 720);
+    radii_[5] = 1.0F;
+    scene_.spheres[0].centre_mm.x += 1.0F;
+    scene_.lathe->turn = {0.0F, 1.0F};
+    EXPECT_EQ(still_hash(scene_, 1280, 720), before);
+    std::set<std::uint64_t> hashes{before};
+    hashes.insert(still_hash(scene_, 1281, 720));
+    scene_.camera.eye_mm.x += 1.0F;
+    hashes.insert(still_hash(scene_, 1280, 720));
+    scene_.key.radiance.x *= 0.99F;
+    hashes.insert(still_hash(scene_, 1280, 720));
+    scene_.environment.panels[2].sharpness += 1.0F;
+    hashes.insert(still_hash(scene_, 1280, 720));
+    scene_.backdrop.glow.z += 0.1F;
+    hashes.insert(still_hash(scene_, 1280, 720));
+    EXPECT_EQ(hashes.size(), 6U);
+}
+
+TEST_F(FrameBuild, RedrawsTheShadowForOutlineToolAndLight) {
+    std::set<std::uint64_t> hashes{shadow_hash(scene_)};
+    scene_.lathe->turn = {0.0F, 1.0F};
+    EXPECT_TRUE(hashes.contains(shadow_hash(scene_))) << "a turning pot casts the same shadow";
+    radii_[1999] -= 0.01F;
+    hashes.insert(shadow_hash(scene_));
+    scene_.spheres[0].centre_mm.y += 0.01F;
+    hashes.insert(shadow_hash(scene_));
+    scene_.key.angular_radius_rad *= 2.0F;
+    hashes.insert(shadow_hash(scene_));
+    EXPECT_EQ(hashes.size(), 4U);
+}
+
+TEST(StillBounds, KnowsTheGroundAndOnlyWhatCasts) {
+    auto mesh = std::make_shared<Mesh>();
+    mesh->vertices = {{.position_mm = {-10, -5, 0}, .normal = {0, 1, 0}},
+                      {.position_mm = {10, 5, 0}, .normal = {0, 1, 0}}};
+    auto ground = std::make_shared<Mesh>();
+    ground->vertices = {{.position_mm = {5000, -80, 0}, .normal = {0, 1, 0}}};
+    StillLife still_life;
+    still_life.parts = {{.mesh = mesh, .material = {}},
+                        {.mesh = ground, .material = {}, .casts_shadow = false}};
+    const StillBounds bounds = bounds_of(still_life);
+    EXPECT_EQ(bounds.lowest_mm, -80.0F);
+    EXPECT_EQ(bounds.centre_mm, vec3(0.0F));
+    EXPECT_NEAR(bounds.radius_mm, std::sqrt(125.0F), 1e-4F);
+}
+
+}  // namespace
+}  // namespace onggi::render

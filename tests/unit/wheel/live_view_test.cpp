@@ -1,0 +1,77 @@
+#include "game/wheel/live_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "game/wheel/still.h"
+
+namespace onggi::wheel {
+namespace {
+
+TEST(LiveView, DrawsFramesIntoMemoryWithoutADisplay) {
+    auto view = LiveView::open({.width = 320, .height = 240, .headless = true, .validation = true});
+    ASSERT_TRUE(view) << view.error().message;
+    std::vector<float> radii(500, 60.0F);
+    asset::Image before;
+    for (int frame = 0; frame < 3; ++frame) {
+        const auto drawn = (*view)->draw({.radii_mm = radii});
+        ASSERT_TRUE(drawn) << drawn.error().message;
+        EXPECT_TRUE(*drawn);
+        auto image = (*view)->read_back();
+        ASSERT_TRUE(image);
+        EXPECT_EQ(image->width, 320);
+        EXPECT_EQ(image->rgba.size(), 320U * 240U * 4U);
+        EXPECT_NE(image->rgba, before.rgba) << "frame " << frame << " shows what the one before it showed";
+        before = std::move(*image);
+        for (float& radius : radii)
+            radius -= 5.0F;
+    }
+}
+
+TEST(LiveView, TakesPotsOfAnyNumberOfElementsOneAfterAnother) {
+    auto view = LiveView::open({.width = 160, .height = 120, .headless = true, .validation = true});
+    ASSERT_TRUE(view) << view.error().message;
+    for (const std::size_t count : {100U, 200000U, 1U, 2000U, 0U}) {
+        const std::vector<float> radii(count, 50.0F);
+        const auto drawn = (*view)->draw({.radii_mm = radii});
+        ASSERT_TRUE(drawn) << count << ": " << drawn.error().message;
+        ASSERT_TRUE((*view)->read_back());
+    }
+}
+
+TEST(LiveView, ShowsTheSamePictureAfterAnotherAndBack) {
+    auto view = LiveView::open({.width = 320, .height = 240, .headless = true});
+    ASSERT_TRUE(view) << view.error().message;
+    const std::vector<float> lump(2000, 60.0F);
+    const std::vector<float> thin(2000, 20.0F);
+    const auto picture = [&](const std::vector<float>& radii) {
+        EXPECT_TRUE((*view)->draw({.radii_mm = radii, .tool_position_mm = {90.0, 100.0, 0.0}}));
+        return (*view)->read_back().value().rgba;
+    };
+    const auto first = picture(lump);
+    EXPECT_NE(picture(thin), first);
+    EXPECT_EQ(picture(lump), first) << "something of the frame between was left over";
+}
+
+TEST(LiveView, SaysThatThereIsNoDisplay) {
+    ::unsetenv("DISPLAY");
+    ::unsetenv("WAYLAND_DISPLAY");
+    const auto view = LiveView::open({});
+    ASSERT_FALSE(view);
+    EXPECT_EQ(view.error().kind, ErrorKind::kSystemLacks);
+    EXPECT_NE(view.error().message.find("display"), std::string::npos);
+    EXPECT_EQ(view.error().message.find('\n'), std::string::npos);
+}
+
+TEST(Still, RefusesSizesThatNoPictureHas) {
+    const std::vector<float> radii(100, 60.0F);
+    for (const auto& [width, height] : {std::pair{0, 720}, {1280, 15}, {8193, 720}, {-5, -5}}) {
+        const auto image = render_still({.radii_mm = radii}, width, height);
+        ASSERT_FALSE(image);
+        EXPECT_EQ(image.error().kind, ErrorKind::kBadInput);
+    }
+}
+
+}  // namespace
+}  // namespace onggi::wheel

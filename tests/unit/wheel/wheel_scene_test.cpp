@@ -1,0 +1,125 @@
+#include "game/wheel/wheel_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "game/wheel/components.h"
+
+namespace onggi::wheel {
+namespace {
+
+class TheWheelScene : public testing::Test {
+  protected:
+    const render::Scene& show(const PotView& pot, int width = 1280, int height = 720) {
+        return scene_.apply(pot, width, height);
+    }
+
+    std::array<float, 4> radii_{60.0F, 55.0F, 50.0F, 58.0F};
+    PotView pot_{.radii_mm = radii_,
+                 .height_mm = 200.0,
+                 .tool_position_mm = {70.0, 90.0, 5.0},
+                 .tool_radius_mm = 12.0};
+    WheelScene scene_;
+};
+
+TEST_F(TheWheelScene, ShowsTheClayExactlyAsTheSnapshotHasIt) {
+    const render::Scene& scene = show(pot_);
+    ASSERT_TRUE(scene.lathe);
+    EXPECT_TRUE(
+        std::equal(scene.lathe->radii_mm.begin(), scene.lathe->radii_mm.end(), radii_.begin(), radii_.end()));
+    EXPECT_EQ(scene.lathe->element_height_mm, 50.0F);
+}
+
+TEST_F(TheWheelScene, KeepsItsOwnCopyOfTheRadii) {
+    const render::Scene& scene = show(pot_);
+    radii_[2] = 1.0F;
+    EXPECT_EQ(scene.lathe->radii_mm[2], 50.0F);
+}
+
+TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
+    const render::Scene& scene = show(pot_);
+    ASSERT_EQ(scene.spheres.size(), 1U);
+    EXPECT_EQ(scene.spheres[0].centre_mm, vec3(70.0F, 90.0F, 5.0F));
+    EXPECT_EQ(scene.spheres[0].radius_mm, 12.0F);
+    pot_.tool_shown = false;
+    EXPECT_TRUE(show(pot_).spheres.empty());
+}
+
+TEST_F(TheWheelScene, TurnsTheClayWithTheWheel) {
+    pot_.wheel_direction = {0.6, 0.8};
+    EXPECT_EQ(show(pot_).lathe->turn, vec2(0.6F, 0.8F));
+}
+
+TEST_F(TheWheelScene, ComesOutOfItsEntitiesAndNowhereElse) {
+    ecs::Registry& registry = scene_.registry();
+    registry.get<Clay>(scene_.clay()).material.wetness = 0.9F;
+    EXPECT_EQ(show(pot_).lathe->material.wetness, 0.9F);
+    registry.destroy(scene_.tool());
+    EXPECT_TRUE(show(pot_).spheres.empty());
+    registry.destroy(scene_.clay());
+    EXPECT_FALSE(show(pot_).lathe);
+}
+
+TEST_F(TheWheelScene, GathersTheStillLifeOnce) {
+    const auto first = show(pot_).still_life;
+    ASSERT_TRUE(first);
+    EXPECT_GE(first->parts.size(), 4U);
+    EXPECT_EQ(show(pot_).still_life, first);
+}
+
+TEST_F(TheWheelScene, ShowsNothingForAPotWithoutElements) {
+    pot_.radii_mm = {};
+    EXPECT_FALSE(show(pot_).lathe);
+}
+
+TEST_F(TheWheelScene, FramesPotAndToolInEveryShapeOfPicture) {
+    struct Shape {
+        int width;
+        int height;
+    };
+    for (const Shape shape :
+         {Shape{1280, 720}, Shape{1920, 1080}, Shape{720, 1280}, Shape{1024, 768}, Shape{640, 640}}) {
+        const render::Camera camera = show(pot_, shape.width, shape.height).camera;
+        for (const dvec3 corner :
+             {dvec3(-60, 0, 0), dvec3(60, 0, 0), dvec3(-60, 200, 0), dvec3(60, 200, 60), dvec3(60, 200, -60),
+              dvec3(0, 0, 60), dvec3(120, 100, 0), dvec3(-120, 100, 0)}) {
+            const auto seen = render::project(camera, shape.width, shape.height, corner);
+            ASSERT_TRUE(seen);
+            EXPECT_GT(seen->pixel.x, 0.0);
+            EXPECT_LT(seen->pixel.x, shape.width);
+            EXPECT_GT(seen->pixel.y, 0.0);
+            EXPECT_LT(seen->pixel.y, shape.height);
+        }
+    }
+}
+
+TEST_F(TheWheelScene, FillsMoreThanHalfTheHeightOfAWidePicture) {
+    const render::Camera camera = show(pot_).camera;
+    const double top = render::project(camera, 1280, 720, {0, 200, 0})->pixel.y;
+    const double bottom = render::project(camera, 1280, 720, {0, 0, 0})->pixel.y;
+    EXPECT_NEAR((bottom - top) / 720.0, 0.57, 0.04);
+}
+
+TEST_F(TheWheelScene, PutsTheToolUnderThePointer) {
+    for (const dvec2 pixel : {dvec2(640, 300), dvec2(820, 120), dvec2(410, 480)}) {
+        const auto place = scene_.tool_target_mm(pixel.x, pixel.y, 1280, 720);
+        ASSERT_TRUE(place);
+        pot_.tool_position_mm = *place;
+        const auto seen = render::project(show(pot_).camera, 1280, 720, *place);
+        EXPECT_NEAR(seen->pixel.x, pixel.x, 1e-3);
+        EXPECT_NEAR(seen->pixel.y, pixel.y, 1e-3);
+    }
+}
+
+TEST(WheelSchedule, ReceivesBeforeItExtracts) {
+    const auto names = wheel_schedule().names();
+    const auto place_of = [&](std::string_view name) { return std::find(names.begin(), names.end(), name); };
+    for (const std::string_view received : {"receive clay", "receive wheel", "receive tool"}) {
+        ASSERT_NE(place_of(received), names.end());
+        EXPECT_LT(place_of(received), place_of("extract camera"));
+    }
+}
+
+}  // namespace
+}  // namespace onggi::wheel
