@@ -354,7 +354,7 @@ std::optional<std::int64_t> read_element(std::span<const std::uint8_t> data, Ele
     std::uint64_t bits = 0;
     for (std::size_t bit = 0; bit < element.field->bit_size; ++bit) {
         const std::size_t at = *first + bit;
-        bits |= std::uint64_t{(data[at / 8] >> (at % 8)) & 1U} << bit;
+        bits |= ((std::uint64_t{data[at / 8]} >> (at % 8)) & 1U) << bit;
     }
     if (element.field->is_signed() && (bits >> (element.field->bit_size - 1) & 1U) != 0)
         bits |= ~std::uint64_t{0} << element.field->bit_size;
