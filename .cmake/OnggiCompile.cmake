@@ -46,3 +46,11 @@ elseif(ONGGI_SANITIZE)
         target_compile_options(onggi_options INTERFACE -fno-sanitize-recover=undefined)
     endif()
 endif()
+
+# What every program links besides its own libraries.
+add_library(onggi_program INTERFACE)
+target_link_libraries(onggi_program INTERFACE onggi_options)
+if(ONGGI_SANITIZE MATCHES "address")
+    add_library(onggi_keep_libraries OBJECT ${CMAKE_SOURCE_DIR}/tests/support/keep_libraries.cpp)
+    target_link_libraries(onggi_program INTERFACE $<TARGET_OBJECTS:onggi_keep_libraries>)
+endif()

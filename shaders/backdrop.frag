@@ -9,7 +9,7 @@ layout(location = 0) in vec2 position;
 layout(location = 0) out vec4 out_colour;
 #ifdef ONGGI_LAYERS
 layout(location = 1) out vec4 out_ambient;
-layout(location = 2) out vec4 out_coords;
+layout(location = 2) out vec2 out_coords;
 #endif
 
 void main() {
@@ -21,7 +21,7 @@ void main() {
     vec4 colour = vec4(encode(light) + dither(), 1.0);
     out_colour = colour;
 #ifdef ONGGI_LAYERS
-    out_ambient = colour;
-    out_coords = vec4(-1.0, -1.0, 0.0, 0.0);  // outside the mask: nothing falls on the wall
+    out_ambient = vec4(colour.rgb, 0.0);
+    out_coords = vec2(0.0);  // the mask's corner, where nothing is in shade
 #endif
 }

@@ -4,6 +4,7 @@
 #define ONGGI_SHADERS_FRAME_DATA_H
 
 #ifdef __cplusplus
+#pragma once
 #include <cstdint>
 
 #include "engine/math/math.h"
@@ -22,7 +23,7 @@ ONGGI_CONST int kProfileEdgeTexels = 32;
 ONGGI_CONST int kEdgeRows = 5;         // rows of vertices round the top edge
 ONGGI_CONST int kPanels = 3;           // soft lights of the sky
 ONGGI_CONST int kSpheres = 2;          // that cast a shadow
-ONGGI_CONST int kMaskTexels = 128;     // the shadow mask, each way
+ONGGI_CONST int kMaskTexels = 96;      // the shadow mask, each way
 ONGGI_CONST int kKeyMapTexels = 512;   // the still life's shadow map, each way
 
 // Bindings of the one descriptor set.

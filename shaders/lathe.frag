@@ -55,7 +55,7 @@ void main() {
     float film_gloss = ggx(max((film_v + film_l) * half_length, 0.0), film_v, film_l, 0.24) * 0.05 * 3.14159265 * wet;
     float mirror = (0.02 + 0.55 * fresnel(0.0, film_v)) * (0.25 + wet) ;
 
-    vec3 light = albedo * (ambient * sky_past_spheres(position, n) + frame.key_radiance.rgb * (max(lit, 0.0) * seen)) +
+    vec3 light = albedo * (ambient + frame.key_radiance.rgb * (max(lit, 0.0) * seen)) +
                  frame.key_radiance.rgb * ((body_gloss * (1.0 - 0.6 * draw.water.x) + film_gloss) * seen) + mirrored * mirror;
     out_colour = vec4(encode(light), 1.0);
 }

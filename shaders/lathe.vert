@@ -5,6 +5,7 @@
 // not for a few thousand vertices.
 #include "frame.glsl"
 #include "sky.glsl"
+#include "surface.glsl"
 
 layout(std430, set = 0, binding = kBindRadii) readonly buffer RadiiBlock { float radii[]; };
 layout(std430, set = 0, binding = kBindRings) readonly buffer RingBlock { RingData rings[]; };
@@ -86,6 +87,7 @@ void main() {
     vec3 n = vec3(normal.x * outward.x, normal.y, normal.x * outward.y);
     // Close to what it stands on, a wall sees less of the sky.
     open *= 1.0 - 0.5 * exp(-y * 0.06) * (1.0 - normal.y);
+    open *= sky_past_spheres(out_position, n);
     out_ambient = sky_diffuse(n) * open_sky_colour(open, draw.albedo.rgb);
     vec3 v = normalize(frame.eye.xyz - out_position);
     out_mirrored = sky_radiance(reflect(-v, n), 0.28) * open;

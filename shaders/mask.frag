@@ -15,7 +15,7 @@ float past_lathe(vec3 q) {
     vec3 l = frame.key_direction.xyz;
     float height = frame.lathe.x;
     float least = 1e3;
-    const int kSteps = 40;
+    const int kSteps = 28;
     for (int i = 0; i <= kSteps; ++i) {
         float y = height * (float(i) / float(kSteps));
         float t = y / max(l.y, 0.05);

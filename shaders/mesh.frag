@@ -8,7 +8,7 @@
 #include "surface.glsl"
 #include "noise.glsl"
 
-layout(constant_id = 1) const bool kMoves = false;  // then no cached shadow falls on it
+layout(constant_id = 1) const bool kMoves = false;  // a sphere: no cached shadow falls on it
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
 layout(set = 0, binding = kBindKeyMap) uniform sampler2DShadow key_map;
@@ -19,8 +19,8 @@ layout(location = 1) in vec3 in_normal;
 layout(location = 2) in float open_sky;
 layout(location = 0) out vec4 out_colour;  // finished; of the layers: with the key light
 #ifdef ONGGI_LAYERS
-layout(location = 1) out vec4 out_ambient;  // without it
-layout(location = 2) out vec4 out_coords;   // shadow mask u, v, and how much the foot's shade counts
+layout(location = 1) out vec4 out_ambient;  // without it; alpha: how much the foot's shade counts
+layout(location = 2) out vec2 out_coords;   // where to look in the shadow mask
 #endif
 
 // The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share of the
@@ -46,7 +46,8 @@ float past_still_life() {
 void main() {
     float roughness = draw.albedo.w;
     float metalness = draw.surface.x;
-    vec3 n = normalize(in_normal);
+    // What moves is a sphere: its normal needs no mesh.
+    vec3 n = normalize(kMoves ? position - draw.place.xyz : in_normal);
     vec3 v = normalize(frame.eye.xyz - position);
     vec3 l = frame.key_direction.xyz;
 
@@ -81,7 +82,7 @@ void main() {
     vec3 body = albedo * (1.0 - metalness);
 
     float seen = past_still_life();
-    float lit = max(n_l, 0.0) * seen;
+    float lit = soft_cosine(n_l, 0.14) * seen;
     // Rings spread what they mirror along the radius: a fan of leaning normals stands for them.
     bool is_turned = draw.surface.y > 0.0 && metalness > 0.0;
     float gloss = 0.0;
@@ -112,8 +113,8 @@ void main() {
     float near_foot = smoothstep(-7.0, -1.0, position.y) * max(n.y, 0.0);
 #ifdef ONGGI_LAYERS
     out_colour = vec4(with_key, 1.0);
-    out_ambient = vec4(without_key, 1.0);
-    out_coords = vec4(uv, near_foot, 0.0);
+    out_ambient = vec4(without_key, near_foot);
+    out_coords = uv;
 #else
     vec2 mask = texture(shadow_mask, uv).rg;
     out_colour = vec4(mix(without_key, with_key, mask.r) * mix(1.0, mask.g, near_foot), 1.0);

@@ -80,7 +80,9 @@ void build_lathe(const Lathe& lathe, const Camera& camera, const RendererDesc& d
                                     .max_step = static_cast<int>(outline.wall.size() / kLeastSpans + 1)});
     built.ring_error_px = built.choice.tolerance_mm * scale;
     lathe_rings(outline, lathe.element_height_mm, built.choice, built.rings);
-    lathe_normals(outline, lathe.element_height_mm, 1.0F / scale, built.normals);
+    constexpr float kFootprintPx =
+        1.5F;  // a normal a pixel, so grooves of two pixels must have begun to fade
+    lathe_normals(outline, lathe.element_height_mm, kFootprintPx / scale, built.normals);
 
     built.frame.lathe = vec4(outline.height_mm, 1.0F / lathe.element_height_mm,
                              static_cast<float>(lathe.radii_mm.size()), lathe.radii_mm.front());

@@ -10,7 +10,7 @@ namespace onggi::render {
 
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkFormat kMaskFormat = VK_FORMAT_R8G8_UNORM;
-constexpr VkFormat kCoordsFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kCoordsFormat = VK_FORMAT_R16G16_UNORM;
 constexpr VkFormat kNormalsFormat = VK_FORMAT_R16G16_SNORM;
 constexpr VkFormat kDetailFormat = VK_FORMAT_R8G8B8A8_UNORM;
 

@@ -39,6 +39,7 @@ Result<FrameOutcome> show(wheel::LiveView& view, const wheel::PotView& pot) {
     if (view.close_requested()) return FrameOutcome::kClosed;
     const auto drawn = view.draw(pot);
     if (!drawn) return drawn.error();
+    if (auto done = view.wait(); !done) return done.error();
     return *drawn ? FrameOutcome::kDrawn : FrameOutcome::kNotShown;
 }
 

@@ -26,9 +26,11 @@ double power_of_two(std::int64_t n) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(n + kExponentBias) << 52);
 }
 
-// Natural logarithm of a normal x > 0: x = 2^n m with m in [sqrt(1/2), sqrt(2)), and
+}  // namespace
+
+// x = 2^n m with m in [sqrt(1/2), sqrt(2)), and
 // ln m = 2 atanh(s) = 2 (s + s^3/3 + s^5/5 + ...) with s = (m - 1)/(m + 1), |s| < 0.172.
-double natural_log(double x) {
+double natural_log(double x) noexcept {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     auto n = static_cast<std::int64_t>(bits >> 52) - kExponentBias;
     auto m = std::bit_cast<double>((bits & kMantissaMask) | (std::uint64_t{kExponentBias} << 52));
@@ -45,8 +47,8 @@ double natural_log(double x) {
     return whole * kLn2High + (whole * kLn2Low + 2.0 * s * series);
 }
 
-// e^x for -700 <= x <= 0: x = n ln 2 + r with |r| <= ln 2 / 2, and the Taylor series of e^r.
-double exponential(double x) {
+// x = n ln 2 + r with |r| <= ln 2 / 2, and the Taylor series of e^r.
+double exponential(double x) noexcept {
     const std::int64_t n = nearest_whole(x * (1.0 / (kLn2High + kLn2Low)));
     const auto whole = static_cast<double>(n);
     const double r = (x - whole * kLn2High) - whole * kLn2Low;
@@ -55,8 +57,6 @@ double exponential(double x) {
         series = 1.0 + series * r / k;  // next term: 0.347^15 / 15! < 1e-19
     return series * power_of_two(n);
 }
-
-}  // namespace
 
 double power(double base, double exponent) noexcept {
     constexpr double kSmallestNormal = 0x1p-1022;
@@ -91,6 +91,31 @@ Rotation rotation_by(double angle_rad) noexcept {
         default:
             return {sine, -cosine};
     }
+}
+
+double angle_of(double cosine, double sine) noexcept {
+    // The smaller over the larger coordinate, q in [0, 1], brought to |z| <= tan(pi/16) about one of three
+    // angles whose tangents are known; then the series of arctan.
+    constexpr double kHalfPi = kHalfPiHigh + kHalfPiLow;
+    constexpr double kTanEighthPi = 0x1.a827999fcef32p-2;
+    const double c = cosine < 0.0 ? -cosine : cosine;
+    const double s = sine < 0.0 ? -sine : sine;
+    const double larger = c > s ? c : s;
+    if (!(larger > 0.0)) return 0.0;
+    const double q = (c > s ? s : c) / larger;
+    // Nearest of 0, pi/8, pi/4: the bounds are tan(pi/16) and tan(3 pi/16).
+    const double base = q < 0.1989 ? 0.0 : q < 0.6682 ? kHalfPi / 4.0 : kHalfPi / 2.0;
+    const double tangent = q < 0.1989 ? 0.0 : q < 0.6682 ? kTanEighthPi : 1.0;
+    const double z = (q - tangent) / (1.0 + q * tangent);
+    const double z2 = z * z;
+    double series = 0.0;
+    for (int odd = 21; odd >= 1; odd -= 2)
+        series = 1.0 / odd - series * z2;  // next term: 0.199^23 / 23 < 1e-17
+    double angle = base + z * series;
+    if (s > c) angle = kHalfPi - angle;
+    if (cosine < 0.0) angle = 2.0 * kHalfPi - angle;
+    if (sine < 0.0) angle = 4.0 * kHalfPi - angle;
+    return angle < 0.0 || angle >= 4.0 * kHalfPi ? 0.0 : angle;
 }
 
 }  // namespace onggi::clay

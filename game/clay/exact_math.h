@@ -1,12 +1,21 @@
-// Power, sine and cosine from + - x / only. The tick may not ask libm: its last bits change with the
-// processor's fused multiply-add, and a recording would no longer replay. Within 1e-12 of libm, tested.
-// Any thread; no allocation, fit for the tick.
+// Power, logarithm, exponential, sine, cosine and angle from + - x / only. The tick may not ask libm: its
+// last bits change with the processor's fused multiply-add, and a recording would no longer replay. Within
+// 1e-12 of libm, tested. Any thread; no allocation, fit for the tick.
 #pragma once
 
 namespace onggi::clay {
 
 // base^exponent for base in (0, 1] and exponent from 0.1 to 10. Below the range of base: 0; above: 1.
 [[nodiscard]] double power(double base, double exponent) noexcept;
+
+// Natural logarithm. Precondition: x is a normal number above zero.
+[[nodiscard]] double natural_log(double x) noexcept;
+
+// e^x. Precondition: |x| <= 700.
+[[nodiscard]] double exponential(double x) noexcept;
+
+// The angle of a direction, 0 <= angle < 2 pi rad; 0 for (0, 0). The length does not matter.
+[[nodiscard]] double angle_of(double cosine, double sine) noexcept;
 
 // A turn as the unit vector it takes +X to.
 struct Rotation {

@@ -151,6 +151,10 @@ Result<bool> LiveView::draw(const PotView& pot) {
     return drawn;
 }
 
+Result<void> LiveView::wait() {
+    return impl_->target().wait();
+}
+
 std::optional<dvec3> LiveView::tool_target_mm(double x_px, double y_px) const {
     return impl_->scene.tool_target_mm(x_px, y_px, width(), height());
 }

@@ -42,6 +42,9 @@ class LiveView {
     // frame was drawn; false while the window is minimised or between two sizes.
     Result<bool> draw(const PotView& pot);
 
+    // Until the last frame has left the device: what a frame took is known only then.
+    Result<void> wait();
+
     // Where a pointer at this pixel puts the tool: on the upright plane through the wheel's axis that faces
     // the camera, mm. Nothing when the pixel looks past that plane.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px) const;

@@ -53,7 +53,8 @@ render::Profile bench() {
     render::Profile profile;
     profile.points = {{640.0F, -106.0F}};
     render::add_rounded(profile, {640.0F, -112.0F}, {640.0F, -100.0F}, {600.0F, -100.0F}, 5.0F);
-    for (const float r : {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
+    for (const float r :
+         {560.0F, 470.0F, 400.0F, 340.0F, 300.0F, 270.0F, 245.0F, 230.0F, 215.0F, 200.0F, 0.0F})
         profile.points.push_back({r, -100.0F});
     return profile;
 }
@@ -126,7 +127,7 @@ render::LatheMaterial thrown_clay() {
 }
 
 render::Material polished_wood() {
-    return {.albedo = vec3(0.42F, 0.24F, 0.10F), .roughness = 0.30F, .grain = 0.12F};
+    return {.albedo = vec3(0.56F, 0.37F, 0.19F), .roughness = 0.28F, .grain = 0.10F};
 }
 
 CameraRig throwing_camera() {

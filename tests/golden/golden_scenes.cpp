@@ -44,9 +44,9 @@ double bottle(double y) {
     return 7.0 + 46.0 * bump(y, 48.0, 42.0) + 9.0 * bump(y, 203.0, 12.0);
 }
 
-// Wide, and rough: grooves of 5 mm and of 1.2 mm, which is finer than three pixels.
+// Wide, and rough: grooves of 5 mm, and fine ones of 1.2 mm, which two pixels span.
 double grooved(double y) {
-    return 55.0 - 6.0 * bump(y, 20.0, 30.0) + 1.6 * std::sin(y * 1.25) + 0.5 * std::sin(y * 5.2);
+    return 55.0 - 6.0 * bump(y, 20.0, 30.0) + 1.6 * std::sin(y * 1.25) + 0.12 * std::sin(y * 5.2);
 }
 
 // Ledges, where outline and rings have corners.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct GoldenScene {
     [[nodiscard]] wheel::PotView pot() const;
     // Of all that the picture shows.
     [[nodiscard]] std::uint64_t hash() const;
+
+    // What GoogleTest prints of it.
+    friend std::ostream& operator<<(std::ostream& out, const GoldenScene& scene) { return out << scene.name; }
 };
 
 [[nodiscard]] std::vector<GoldenScene> golden_scenes();

@@ -1,0 +1,70 @@
+// Where a hand touches the clay and how deep, ring by ring; and how much of the wall stands behind it.
+// Haptic thread; no allocation. Units: mm.
+#pragma once
+
+#include <vector>
+
+#include "game/clay/studio/hand.h"
+#include "game/clay/studio/rings.h"
+
+namespace onggi::clay::studio {
+
+// The slope of a wall is taken over so many rings to either side.
+constexpr int kSlopeRings = 6;
+
+// What is worked out of every ring in reach of one hand. Entry k is of ring range.first + k. Not a state.
+struct Contact {
+    explicit Contact(int capacity);
+
+    Rings::Range range;
+    std::vector<double> offset_mm;      // y_i - y of the hand
+    std::vector<double> half_width_mm;  // rc
+    std::vector<double> depth_mm;       // d, of the face under the hand: what is felt
+    std::vector<double> push_mm;  // x, of the mean circle against the mean hand, beyond the yield: what flows
+    std::vector<double> field;    // the part of x that moves the wall as a whole
+    std::vector<double> met;      // how much of a push the other hand meets, 0 to 1
+    // Of the wall field, entry k of its own range: y and R for the slope, how the two faces move.
+    std::vector<float> place_mm;
+    std::vector<float> mean_mm;
+    std::vector<float> outer_step_mm;
+    std::vector<float> inner_step_mm;
+
+    double height_mm = 0.0;       // of the hand's centre, lifted off the floor for a hand inside
+    double deepest_mm = -1e9;     // of depth_mm
+    double far_depth_mm = -1e9;   // a hand inside: into the wall opposite
+    double floor_depth_mm = 0.0;  // a hand inside: how far it pushes below the floor that is kept
+    double rim_depth_mm = -1e9;   // a hand on top
+    int nearest = 0;              // the ring nearest the hand's height
+    bool has_rough_rows = false;
+
+    [[nodiscard]] bool touches() const {
+        return deepest_mm > 0.0 || rim_depth_mm > 0.0 || floor_depth_mm > 0.0;
+    }
+};
+
+// Fills the contact of one hand. Precondition: rings.count > 0.
+void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const HandState& state,
+                  const StudioParameters& parameters) noexcept;
+
+// The residual w of a ring where the hand is, between the two sectors' middles.
+double residual_at(const Rings& rings, int i, double turn) noexcept;
+
+// How much of a push on ring i is met by the other hand: 1 where its surface touches the opposite face, 0
+// from 1 mm away.
+double support_at(const Rings& rings, int i, double y_mm, const Hand& other) noexcept;
+
+// How firmly a wall stands on the floor at that height: 0 at the floor, 1 from 0.7 t above it.
+inline double tie_to_floor(double above_floor_mm, double wall_mm) {
+    const double tie = above_floor_mm / (0.7 * wall_mm);
+    return tie < 0.0 ? 0.0 : tie > 1.0 ? 1.0 : tie;
+}
+
+// The part of a push that moves the wall rather than dents it, for a wall with nothing behind it:
+// 1/(1 + (t/t0)^4). Indentation and hinge give way at the same load where t = t0.
+inline double wall_part(double wall_mm, double thin_wall_mm) {
+    const double q = wall_mm / thin_wall_mm;
+    const double q2 = q * q;
+    return 1.0 / (1.0 + q2 * q2);
+}
+
+}  // namespace onggi::clay::studio

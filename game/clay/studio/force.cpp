@@ -1,0 +1,115 @@
+#include "game/clay/studio/force.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::clay::studio {
+namespace {
+
+// Sliding slower than this sticks a little: friction grows with speed up to it.
+constexpr double kStickSpeedMmS = 5.0;
+
+// A ring near its limit is felt as soft from this load index on.
+constexpr double kSoftensFrom = 0.7;
+
+double softened_strength_n_mm2(const Rings& rings, int i) {
+    const auto su = static_cast<double>(rings.strength_kpa[Rings::at(i)]);
+    const double beyond = std::clamp(
+        (static_cast<double>(rings.load_index[Rings::at(i)]) - kSoftensFrom) / (1.0 - kSoftensFrom), 0.0,
+        1.0);
+    return su * (1.0 - 0.5 * beyond) / kKpaPerNMm2;
+}
+
+double length_of(const dvec3& v) {
+    return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+// The middle of the touched directions: sum of d times the tool's normal, in (outward, up).
+dvec2 pushed_direction(const Contact& contact, const Hand& hand) {
+    double outward = 0.0;
+    double up = 0.0;
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const double d = contact.depth_mm[Rings::at(k)];
+        if (!(d > 0.0)) continue;
+        outward += d * contact.half_width_mm[Rings::at(k)];
+        up -= d * contact.offset_mm[Rings::at(k)];
+    }
+    const double size = std::sqrt(outward * outward + up * up);
+    if (!(size > 0.0)) return {0.0, 0.0};
+    outward /= size;
+    up /= size;
+    if (hand.side == Side::kIn) {
+        // Clay all around a hand near the axis pushes it both ways.
+        const double opposite = std::clamp(contact.far_depth_mm / contact.deepest_mm, 0.0, 1.0);
+        return {-outward * (1.0 - opposite), up};
+    }
+    return {outward, up};
+}
+
+}  // namespace
+
+Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dvec3& velocity,
+          double wheel_speed, double film, double supported, const StudioParameters& parameters) noexcept {
+    Feel felt;
+    if (!contact.touches()) return felt;
+    const int i = contact.nearest;
+    const std::size_t at = Rings::at(i);
+    const double su = softened_strength_n_mm2(rings, i);
+    const double r1 = hand.radius_mm;
+    const double bearing = parameters.bearing_factor_nc * su * std::numbers::pi * 2.0;
+    const dvec2 e = hand.direction;
+
+    dvec3 normal{0.0};
+    double lever_mm = 0.0;
+    if (contact.deepest_mm > 0.0) {
+        const double depth = std::min(contact.deepest_mm, kDeepestMm);
+        const double radius = 1.0 / (1.0 / r1 + 1.0 / rings.outer_mm[at]);  // R*
+        double size = bearing * radius * depth;
+        if (rings.is_hollow(i)) {
+            const double wall = rings.wall_mm(i);
+            const double alone = (1.0 - supported) * tie_to_floor(contact.height_mm - rings.floor_mm(), wall);
+            const double hinge = 2.0 * std::numbers::pi * su * wall * wall;
+            size = size * hinge / (hinge + alone * size);
+        }
+        const dvec2 direction = pushed_direction(contact, hand);
+        normal += dvec3(e.x * direction.x, direction.y, e.y * direction.x) * size;
+        lever_mm = hand.side == Side::kIn ? std::max(rings.inner_mm[at], 1.0) : rings.outer_mm[at];
+        for (int k = 0; k < contact.range.size(); ++k)
+            felt.forces.contacts += contact.depth_mm[Rings::at(k)] > 0.0 ? 1 : 0;
+    }
+    if (contact.floor_depth_mm > 0.0) {
+        normal.y += bearing * r1 * contact.floor_depth_mm;
+        lever_mm = std::max(lever_mm, std::fabs(hand.distance_mm));
+        felt.forces.contacts = std::max(felt.forces.contacts, 1);
+    }
+    if (contact.rim_depth_mm > 0.0) {
+        const double depth = std::min(contact.rim_depth_mm, kDeepestMm);
+        const double chord = 2.0 * std::sqrt(2.0 * r1 * depth);
+        // A rim narrower than the tool's print bears on its own width only.
+        const double area = std::min(std::numbers::pi * 2.0 * r1 * depth, rings.wall_mm(i) * chord);
+        normal.y += parameters.bearing_factor_nc * su * area;
+        lever_mm = std::max(std::fabs(hand.distance_mm), 1.0);
+        felt.forces.contacts = 1;
+    }
+
+    double size = length_of(normal);
+    if (size > parameters.largest_force_n) {
+        normal *= parameters.largest_force_n / size;
+        size = parameters.largest_force_n;
+    }
+    felt.forces.stiffness_n = normal;
+    felt.forces.viscosity_n = dvec3(0.0) - velocity * parameters.viscosity_c2_n_s_per_mm;  // Eq. (6)
+
+    // The surface moves along (e.z, 0, -e.x); what counts is its speed past the hand.
+    const dvec3 along{e.y, 0.0, -e.x};
+    const dvec3 past = along * (wheel_speed * lever_mm - (velocity.x * along.x + velocity.z * along.z)) -
+                       dvec3(0.0, velocity.y, 0.0);
+    const double speed = length_of(past);
+    const double mu = parameters.friction_dry + film * (parameters.friction_wet - parameters.friction_dry);
+    felt.forces.friction_n = past * (mu * size / (speed + kStickSpeedMmS));
+    felt.wheel_load_n_mm =
+        std::max(0.0, (felt.forces.friction_n.x * along.x + felt.forces.friction_n.z * along.z) * lever_mm);
+    return felt;
+}
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,23 @@
+// What the hand feels, and what the wheel feels of the hand. Haptic thread; no allocation.
+// Units: mm, N, N mm, kPa.
+#pragma once
+
+#include "game/clay/paper_clay.h"
+#include "game/clay/studio/contact.h"
+
+namespace onggi::clay::studio {
+
+struct Feel {
+    ContactForces forces;          // F_s, F_v and F_f as in Eq. (3)
+    double wheel_load_n_mm = 0.0;  // against the turning
+};
+
+// The clay resists in series: by indentation, Nc su times the contact area pi 2 R* d, and, where a wall
+// stands alone, by its hinge, 2 pi su t^2. Sliding over it rubs with mu of that force, against the sliding.
+// film: 0 dry hands to 1 wet ones. supported: by the other hand, 0 to 1.
+// Differs: Eq. (7)'s friction grows with speed and not with pressure; here it is the other way, as on clay.
+Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dvec3& velocity_mm_s,
+          double wheel_speed_rad_s, double film, double supported,
+          const StudioParameters& parameters) noexcept;
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,97 @@
+// What the clay carries, ring by ring, and how it gives way: weight, spin, overhang and twist against twice
+// its strength. A cursor goes from the top down at the pace of simulated time; where a ring carries more than
+// it can, a second one goes up and lets the wall slump. Haptic thread; no allocation. Units: mm, s, kPa, rad,
+// N mm.
+#pragma once
+
+#include <cstdint>
+
+#include "game/clay/studio/moves.h"
+
+namespace onggi::clay::studio {
+
+enum class Cause { kNone, kWeight, kSpin, kOverhang, kTwist };
+
+// The stresses in one ring, kPa.
+//   sz   -rho g (S0 + V/2)/(pi (ro^2 - ri^2)), the weight above; S0 the volume above
+//   sth  rho w^2 ro^2, hoop of the spin (0.41 of it in solid clay), and rho g R T of the slope
+//   sb   3 rho g Le^2/tn, bending by the overhang L = 2 |S1/S0 - R|, held by the shell: 1/Le^2 = 1/L^2 +
+//        1/(0.5 R tn |T|), tn = t/sqrt(1 + T^2); S1 the sum of V R above
+//   tau  Q/(2 pi R^2 t), twist by the hands' friction Q above the ring; 2 Q/(pi ro^3) in solid clay
+struct Stress {
+    double weight_kpa = 0.0;  // sz, below zero
+    double spin_kpa = 0.0;    // the part of sth by the spin
+    double slope_kpa = 0.0;   // the part by the slope
+    double bending_kpa = 0.0;
+    double twist_kpa = 0.0;
+
+    [[nodiscard]] double axial_kpa() const { return weight_kpa - bending_kpa; }
+    [[nodiscard]] double hoop_kpa() const { return spin_kpa + slope_kpa; }
+    // sqrt(sz^2 + sth^2 - sz sth + 3 tau^2), after von Mises.
+    [[nodiscard]] double equivalent_kpa() const;
+    [[nodiscard]] Cause cause() const;  // the largest of them
+};
+
+// What is above a ring, and what turns it.
+struct Above {
+    double volume_mm3 = 0.0;         // S0
+    double volume_radius_mm4 = 0.0;  // S1
+};
+
+Stress stress_in(const Rings& rings, int i, const Above& above, double wheel_speed_rad_s,
+                 double twist_n_mm) noexcept;
+
+// The first ring that gave way, and why.
+struct Failure {
+    Cause cause = Cause::kNone;
+    double height_mm = 0.0;
+    double radius_mm = 0.0;
+    double load_index = 0.0;
+    double stress_kpa = 0.0;
+    double strength_kpa = 0.0;
+    double wheel_speed_rad_s = 0.0;
+    bool torn = false;  // the wall came off
+};
+
+// The two cursors and what they carry along. Plain state.
+struct LoadSweep {
+    bool goes_up = false;  // a slump is being applied
+    int next = 0;          // going down: the ring after the next one; going up: the next one
+    double credit = 0.0;   // rings the simulated time has paid for
+    std::uint64_t round = 0;
+    Above above;
+    float running = 0.0F;  // of the average of slump rates, down or up
+    bool last_hollow = false;
+    bool slumps = false;      // some ring of this round
+    double peak_index = 0.0;  // of the round before
+    double peak_height_mm = 0.0;
+    Cause peak_cause = Cause::kNone;
+    double growing_peak = 0.0;  // of this round
+    double growing_height_mm = 0.0;
+    Cause growing_cause = Cause::kNone;
+    int tear_at = -1;
+    Failure failure;
+};
+
+// A round over all rings takes this long.
+constexpr double kSweepS = 0.025;
+
+struct LoadInput {
+    double wheel_speed_rad_s = 0.0;
+    double twist_n_mm = 0.0;  // friction of the hands, above whose height nothing is twisted
+    double twist_height_mm = 0.0;
+    double evaporation_g_mm2_s = 0.0;
+    bool slumps = true;
+    double dt_s = 0.001;
+};
+
+// One tick's share of the work. Returns the rings whose radii changed.
+Changed sweep_load(LoadSweep& sweep, Rings& rings, const LoadInput& input) noexcept;
+
+// Keeps the cursor at its ring when others come or go.
+void after_split(LoadSweep& sweep, int ring) noexcept;
+void after_join(LoadSweep& sweep, int lower_ring) noexcept;
+// Starts over, for a stack that is no longer the same.
+void restart(LoadSweep& sweep, const Rings& rings) noexcept;
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,31 @@
+// The lump a pot is thrown from: a low dome, a little off centre. Units: g, mm.
+#pragma once
+
+#include "game/clay/studio/ledger.h"
+#include "game/clay/studio/rings.h"
+
+namespace onggi::clay {
+
+// Linear shrinkage from wet to glaze-fired, and what is said of it.
+enum class ClayBody { kStoneware, kPorcelain, kEarthenware };
+
+struct StudioLump {
+    double mass_g = 1000.0;  // 100 to 5000
+    ClayBody body = ClayBody::kStoneware;
+    double liquidity_index = 0.6;  // 0 plastic limit, 1 liquid limit; 0 to 1.2
+    int rings = 2000;              // N, nominal: a pot of 200 mm; 200 to 4000
+    int sectors = 256;             // S, a power of two from 16 to 256
+    double off_centre_mm = 2.0;    // 0 to 5
+};
+
+namespace studio {
+
+// Puts a fresh lump in place of what is there. Precondition: the lump is within its limits and the rings have
+// its capacity and sectors. No allocation.
+void put_lump(Rings& rings, Ledger& ledger, const StudioLump& lump);
+
+// How many rings a lump needs room for.
+int ring_capacity(const StudioLump& lump);
+
+}  // namespace studio
+}  // namespace onggi::clay

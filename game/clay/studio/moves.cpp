@@ -1,0 +1,345 @@
+#include "game/clay/studio/moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/clay/studio/lanes.h"
+#include "game/clay/studio/volume_grid.h"
+
+namespace onggi::clay::studio {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// The least that is left of the hollow of a ring.
+constexpr double kNarrowestHollowMm = 0.05;
+
+}  // namespace
+
+Changed together(const Changed& a, const Changed& b) {
+    if (a.size() <= 0) return b;
+    if (b.size() <= 0) return a;
+    return {std::min(a.first, b.first), std::max(a.end, b.end)};
+}
+
+bool set_radii(Rings& rings, int i, double outer, double inner, double largest_strain) noexcept {
+    const double height = ring_height_mm(rings.volume_mm3[at(i)], outer, inner);
+    if (!(Gate(rings, largest_strain)
+              .lets(rings.outer_mm[at(i)], rings.inner_mm[at(i)], rings.height_mm[at(i)], outer, inner,
+                    height) >= 0.0)) {
+        return false;
+    }
+    rings.outer_mm[at(i)] = outer;
+    rings.inner_mm[at(i)] = inner;
+    rings.height_mm[at(i)] = height;
+    return true;
+}
+
+namespace {
+
+struct PushShares {
+    double share;
+    double above_floor;  // the hand's height
+    double strain;       // the most in one tick
+    double k0;
+    double per_thin_wall;
+};
+
+// Straight through, without a branch on a ring, so that several are worked on at once.
+template <bool kInside>
+ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inner,
+                           double* __restrict__ height, double* __restrict__ field,
+                           const double* __restrict__ volume, const double* __restrict__ offset,
+                           const double* __restrict__ push, const double* __restrict__ met, int n,
+                           const PushShares& with, const Gate& gate) {
+    const auto [share, above_floor, strain, k0, per_thin_wall] = with;
+    const Gate let = gate;
+    for (int k = 0; k < n; ++k) {
+        const double ro = outer[k];
+        const double ri = inner[k];
+        const double before = height[k];
+        const double wall = ro - ri;
+        const double lone = 1.0 - met[k];
+        // tie = above/(0.7 t), from 0 to 1, and phi = tie/(1 + q^4), by one division.
+        const double q = wall * per_thin_wall;
+        const double stiff = 1.0 + (q * q) * (q * q);
+        const double tied = 0.7 * wall;
+        double above = above_floor + offset[k];
+        above = above < tied ? above : tied;
+        above = above > 0.0 ? above : 0.0;
+        const double phi = above / (tied * stiff);
+        const double tie = phi * stiff;
+        const double wall_share = ri > 0.0 ? lone * phi : 0.0;
+        field[k] = push[k] * wall_share;
+
+        // Clay solid to the axis has no other face: from outside all of it rises. Nor is there room inside a
+        // neck that is all but closed.
+        double room = 1.0;
+        if constexpr (!kInside) room = 0.5 * ri < 1.0 ? 0.5 * ri : 1.0;
+        const double kappa = k0 * lone * (ri > 0.0 ? tie : 1.0) * room;
+        const double face = kInside ? (ri > 1.0 ? ri : 1.0) : ro;
+        // As fast as the clay can rise, and no thinner or narrower than it may become.
+        const double fastest = strain * wall * (ro + ri) / (2.0 * face * (1.0 - kappa));
+        const double thick = wall > kThinnestWallMm ? wall - kThinnestWallMm : 0.0;
+        double delta = share * push[k] * (1.0 - wall_share);
+        delta = delta < fastest ? delta : fastest;
+        delta = delta < thick ? delta : thick;
+        if constexpr (!kInside) {
+            const double narrow = ro > kNarrowestMm ? ro - kNarrowestMm : 0.0;
+            delta = delta < narrow ? delta : narrow;
+        }
+
+        // The face under the hand, and the square of the other one: kappa of the area crosses over.
+        constexpr double kLeast = kNarrowestHollowMm * kNarrowestHollowMm;
+        const double touched = kInside ? ri + delta : ro - delta;
+        const double crossed = kappa * delta * (kInside ? touched + ri : touched + ro);
+        const double square = kInside ? ro * ro + crossed : ri * ri - crossed;
+        const double far = std::sqrt(square > kLeast ? square : kLeast);
+        const double new_outer = kInside ? far : touched;
+        const double new_inner = kInside ? touched : (ri > 0.0 ? far : 0.0);
+        const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
+        // Nothing pushed is nothing changed, to the bit.
+        const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
+        const double moves = delta > 0.0 ? spare : -1.0;
+        outer[k] = moves >= 0.0 ? new_outer : ro;
+        inner[k] = moves >= 0.0 ? new_inner : ri;
+        height[k] = moves >= 0.0 ? new_height : before;
+    }
+}
+
+struct PushedRings {
+    double* outer;
+    double* inner;
+    double* height;
+    double* field;
+    const double* volume;
+    const double* offset;
+    const double* push;
+    const double* met;
+    int count;
+    bool inside;
+};
+
+ONGGI_LANES void push_all(const PushedRings& rings, const PushShares& with, const Gate& gate) {
+    if (rings.inside)
+        push_each<true>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
+                        rings.push, rings.met, rings.count, with, gate);
+    else
+        push_each<false>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
+                         rings.push, rings.met, rings.count, with, gate);
+}
+
+void push_plain(const PushedRings& rings, const PushShares& with, const Gate& gate) {
+    push_all(rings, with, gate);
+}
+
+#if ONGGI_X86_KERNELS
+__attribute__((target("avx2"))) void push_avx2(const PushedRings& rings, const PushShares& with,
+                                               const Gate& gate) {
+    push_all(rings, with, gate);
+}
+#endif
+
+}  // namespace
+
+Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double share,
+                   const StudioParameters& parameters) noexcept {
+    const bool inside = hand.side == Side::kIn;
+    const int first = contact.range.first;
+    const int n = contact.range.size();
+    double* const met = contact.met.data();
+    std::fill_n(met, n, 0.0);
+    if (other != nullptr && other->is_assist) {
+        const double apart = contact.height_mm - other->position_mm.y;
+        const double r1 = other->radius_mm;
+        for (int k = 0; k < n; ++k) {
+            const double dy = contact.offset_mm[at(k)] + apart;
+            met[k] = (r1 - dy) * (r1 + dy) > 0.0 ? 1.0 : 0.0;
+        }
+    } else if (other != nullptr) {
+        for (int k = 0; k < n; ++k)
+            met[k] = support_at(rings, first + k, contact.height_mm + contact.offset_mm[at(k)], *other);
+    }
+
+    const PushShares shares{share, contact.height_mm - rings.floor_mm(),
+                            parameters.largest_strain_rate * parameters.dt_s(), parameters.wall_share_k0,
+                            1.0 / parameters.thin_wall_mm};
+    const Gate gate(rings, shares.strain);
+    const PushedRings pushed{rings.outer_mm.data() + first,
+                             rings.inner_mm.data() + first,
+                             rings.height_mm.data() + first,
+                             contact.field.data(),
+                             rings.volume_mm3.data() + first,
+                             contact.offset_mm.data(),
+                             contact.push_mm.data(),
+                             met,
+                             n,
+                             inside};
+#if ONGGI_X86_KERNELS
+    if (has_wide_lanes())
+        push_avx2(pushed, shares, gate);
+    else
+        push_plain(pushed, shares, gate);
+#else
+    push_plain(pushed, shares, gate);
+#endif
+    if (inside) {
+        for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
+            if (rings.is_hollow(i)) rings.first_hollow = i;
+        }
+    }
+    return contact.range;
+}
+
+Changed press_rim(Rings& rings, const Contact& contact, double share,
+                  const StudioParameters& parameters) noexcept {
+    const double depth = std::min(contact.rim_depth_mm, kDeepestMm) - parameters.yield_depth_mm;
+    if (!(depth > 0.0)) return {};
+    const int last = rings.count - 1;
+    const double top = rings.top_mm();
+    const double length = std::max(6.0, 2.0 * rings.wall_mm(last));
+    const double strain = parameters.largest_strain_rate * parameters.dt_s();
+    const bool hollow = rings.is_hollow(last);
+
+    // Clay directly below the rim gives way first: weight (1 - s)^2 over the zone, of the same kind as the
+    // rim.
+    const auto weight_of = [&](int i) {
+        const double s = (top - rings.centre_mm(i)) / length;
+        return s < 1.0 ? (1.0 - s) * (1.0 - s) : 0.0;
+    };
+    int first = rings.count;
+    double weighed_mm = 0.0;
+    while (first > 0 && rings.is_hollow(first - 1) == hollow && weight_of(first - 1) > 0.0) {
+        --first;
+        weighed_mm += weight_of(first) * rings.height_mm[at(first)];
+    }
+    if (!(weighed_mm > 0.0)) return {};
+    const double shortening = std::min(share * depth / weighed_mm, strain);
+    for (int i = first; i <= last; ++i) {
+        const double ro = rings.outer_mm[at(i)];
+        const double ri = rings.inner_mm[at(i)];
+        const double ratio = 1.0 / (1.0 - shortening * weight_of(i));  // of the area after to before
+        const double gained = (ratio - 1.0) * (ro - ri) * (ro + ri);
+        const double inner_square = ri * ri - 0.5 * gained;
+        if (hollow && inner_square > kNarrowestHollowMm * kNarrowestHollowMm) {
+            set_radii(rings, i, std::sqrt(ro * ro + 0.5 * gained), std::sqrt(inner_square), 2.0 * strain);
+        } else {
+            set_radii(rings, i, std::sqrt(ro * ro + gained), ri, 2.0 * strain);
+        }
+    }
+    return {first, rings.count};
+}
+
+Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, double share, double length,
+                    std::vector<double>& average) noexcept {
+    if (!(contact.deepest_mm > 0.0)) return {};
+    const bool inside = hand.side == Side::kIn;
+    std::vector<double>& face = inside ? rings.inner_mm : rings.outer_mm;
+    const double reach = 1.5 * hand.radius_mm;
+    // The average looks a few lengths beyond the window, so that its edge has no say.
+    Rings::Range range = rings.rings_between(contact.height_mm - reach - 6.0 * length,
+                                             contact.height_mm + reach + 6.0 * length);
+    // Only clay of one kind, and of the kind at the hand.
+    const bool hollow = rings.is_hollow(contact.nearest);
+    if (inside && !hollow) return {};
+    if (hollow) range.first = std::max(range.first, rings.first_hollow);
+    if (!hollow) range.end = std::min(range.end, rings.first_hollow);
+    if (range.size() < 3) return {};
+
+    // The two-sided exponential average as two recursions, up and down: f <- (f + q face)/(1 + q), q =
+    // h/length.
+    const int n = range.size();
+    double running = face[at(range.first)];
+    for (int k = 0; k < n; ++k) {
+        const double q = rings.height_mm[at(range.first + k)] / length;
+        running = (running + q * face[at(range.first + k)]) / (1.0 + q);
+        average[at(k)] = running;
+    }
+    for (int k = n - 1; k >= 0; --k) {
+        const double q = rings.height_mm[at(range.first + k)] / length;
+        running = (running + q * average[at(k)]) / (1.0 + q);
+        average[at(k)] = running;
+    }
+    for (int k = 0; k < n; ++k) {
+        const int i = range.first + k;
+        const double s = (rings.centre_mm(i) - contact.height_mm) / reach;
+        if (!(s * s < 1.0)) continue;
+        const double window = (1.0 - s * s) * (1.0 - s * s);
+        const double moved = face[at(i)] + share * window * (average[at(k)] - face[at(i)]);
+        set_radii(rings, i, inside ? rings.outer_mm[at(i)] : moved, inside ? moved : rings.inner_mm[at(i)],
+                  1.0);
+    }
+    return range;
+}
+
+Changed cut_face(Rings& rings, const Contact& contact, const Hand& hand, const std::vector<double>& depth,
+                 double share, double& off) noexcept {
+    const bool inside = hand.side == Side::kIn;
+    const int first = contact.range.first;
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const int i = first + k;
+        const double ro = rings.outer_mm[at(i)];
+        const double ri = rings.inner_mm[at(i)];
+        if (inside && !(ri > 0.0)) continue;
+        const double spare = ro - ri - std::min(ro - ri, kThinnestWallMm);
+        double cut = std::min(share * depth[at(k)], spare);
+        if (!inside) cut = std::min(cut, std::max(ro - kNarrowestMm, 0.0));
+        if (!(cut > 0.0)) continue;
+        const double outer = inside ? ro : ro - cut;
+        const double inner = inside ? ri + cut : ri;
+        // The ring keeps its height, to a grain.
+        const double kept =
+            on_grid(rings.volume_mm3[at(i)] * ((outer - inner) * (outer + inner)) / ((ro - ri) * (ro + ri)));
+        if (!(kept > 0.0)) continue;
+        off += rings.volume_mm3[at(i)] - kept;
+        rings.volume_mm3[at(i)] = kept;
+        rings.outer_mm[at(i)] = outer;
+        rings.inner_mm[at(i)] = inner;
+        rings.height_mm[at(i)] = ring_height_mm(kept, outer, inner);
+    }
+    return contact.range;
+}
+
+namespace {
+
+// Cuts ring i so that `part` of it, from below, counts as one side. Returns the grains of the upper part.
+double upper_grains(const Rings& rings, int i, double y) {
+    const double part = (y - rings.bottom_mm(i)) / rings.height_mm[at(i)];
+    const double volume = rings.volume_mm3[at(i)];
+    return volume - on_grid(volume * std::clamp(part, 0.0, 1.0));
+}
+
+}  // namespace
+
+void cut_above(Rings& rings, Ledger& ledger, double y) noexcept {
+    if (rings.count == 0 || !(y < rings.top_mm())) return;
+    const int i = rings.ring_at(std::max(y, 0.0));
+    const double above = upper_grains(rings, i, y);
+    double off = above;
+    for (int above_i = i + 1; above_i < rings.count; ++above_i)
+        off += rings.volume_mm3[at(above_i)];
+    rings.volume_mm3[at(i)] -= above;
+    const bool keeps_ring = rings.volume_mm3[at(i)] > 0.0;
+    rings.remove(keeps_ring ? i + 1 : i, rings.count);
+    ledger.trimmings_mm3 += off;
+    rings.settle(keeps_ring ? i : std::max(i - 1, 0), rings.count);
+    rings.find_floor();
+}
+
+void cut_below(Rings& rings, Ledger& ledger, double y) noexcept {
+    if (rings.count == 0 || !(y > 0.0)) return;
+    const int i = rings.ring_at(std::min(y, rings.top_mm()));
+    const double above = upper_grains(rings, i, y);
+    double off = rings.volume_mm3[at(i)] - above;
+    for (int below = 0; below < i; ++below)
+        off += rings.volume_mm3[at(below)];
+    rings.volume_mm3[at(i)] = above;
+    rings.remove(0, above > 0.0 ? i : i + 1);
+    ledger.trimmings_mm3 += off;
+    rings.settle(0, rings.count);
+    rings.find_floor();
+}
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,169 @@
+#include "game/clay/studio/rings.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace onggi::clay::studio {
+namespace {
+
+std::size_t size(int n) {
+    return static_cast<std::size_t>(n);
+}
+
+// Every column with one entry a ring.
+template <typename Stack, typename Action>
+void for_each_column(Stack& rings, const Action& action) {
+    for (auto* column :
+         {&rings.volume_mm3, &rings.outer_mm, &rings.inner_mm, &rings.height_mm, &rings.rise_mm})
+        action(*column);
+    for (auto* column : {&rings.centre_x_mm, &rings.centre_z_mm, &rings.rough_mm, &rings.liquidity,
+                         &rings.strength_kpa, &rings.load_index, &rings.shear, &rings.slump_rate,
+                         &rings.slump_above, &rings.slump_axial, &rings.slump_hoop})
+        action(*column);
+    action(rings.row);
+}
+
+}  // namespace
+
+Rings::Rings(int ring_capacity, int sector_count)
+    : capacity(ring_capacity),
+      sectors(sector_count),
+      residual_mm(size(ring_capacity) * size(sector_count), 0.0F),
+      free_rows(size(ring_capacity), 0),
+      base_mm(size(ring_capacity / kBlockRings + 2), 0.0) {
+    assert(ring_capacity > 0 && ring_capacity <= 8000);
+    assert(sector_count > 0 && (sector_count & (sector_count - 1)) == 0);
+    for_each_column(*this, [&](auto& column) { column.assign(size(ring_capacity), {}); });
+    reset(0);
+}
+
+void Rings::reset(int rings) {
+    assert(rings >= 0 && rings <= capacity);
+    for_each_column(*this, [](auto& column) { std::fill(column.begin(), column.end(), 0); });
+    count = rings;
+    first_hollow = rings;
+    for (int i = 0; i < rings; ++i)
+        row[at(i)] = static_cast<std::uint16_t>(i);
+    free_count = capacity - rings;
+    for (int i = 0; i < free_count; ++i)
+        free_rows[at(i)] = static_cast<std::uint16_t>(capacity - 1 - i);
+    place(0, count);
+}
+
+double Rings::on_wheel_mm3() const {
+    double sum = 0.0;  // whole grains: exact in any order
+    for (int i = 0; i < count; ++i)
+        sum += volume_mm3[at(i)];
+    return sum;
+}
+
+int Rings::ring_at(double y_mm) const {
+    assert(count > 0);
+    int first = 0;
+    int last = count - 1;
+    while (first < last) {
+        const int middle = (first + last + 1) / 2;
+        if (bottom_mm(middle) <= y_mm)
+            first = middle;
+        else
+            last = middle - 1;
+    }
+    return first;
+}
+
+Rings::Range Rings::rings_between(double low_mm, double high_mm) const {
+    if (count == 0 || !(high_mm >= low_mm) || high_mm < 0.0 || low_mm > top_) return {};
+    int first = ring_at(low_mm);
+    int end = ring_at(high_mm) + 1;
+    if (centre_mm(first) < low_mm) ++first;
+    if (centre_mm(end - 1) > high_mm) --end;
+    return {first, std::max(first, end)};
+}
+
+void Rings::centres_from(double from_mm, Range range, double* out) const {
+    for (int i = range.first; i < range.end;) {
+        const double base = base_mm[at(i / kBlockRings)] - from_mm;
+        const int end = std::min(range.end, (i / kBlockRings + 1) * kBlockRings);
+        for (; i < end; ++i)
+            out[i - range.first] = base + (rise_mm[at(i)] + 0.5 * height_mm[at(i)]);
+    }
+}
+
+void Rings::place(int first, int end) {
+    const int blocks = (count + kBlockRings - 1) / kBlockRings;
+    const int first_block = first / kBlockRings;
+    const int last_block = std::min(blocks, (end + kBlockRings - 1) / kBlockRings);
+    // Four blocks side by side: each sum waits for its last addition, four of them wait together.
+    constexpr int kChains = 4;
+    int block = first_block;
+    for (; block + kChains <= last_block && (block + kChains) * kBlockRings <= count; block += kChains) {
+        std::array<double, kChains> rise{};
+        double* const rises = rise_mm.data() + block * kBlockRings;
+        const double* const heights = height_mm.data() + block * kBlockRings;
+        for (int i = 0; i < kBlockRings; ++i) {
+            for (int chain = 0; chain < kChains; ++chain) {
+                rises[chain * kBlockRings + i] = rise[at(chain)];
+                rise[at(chain)] += heights[chain * kBlockRings + i];
+            }
+        }
+    }
+    for (; block < last_block; ++block) {
+        const int stop = std::min(count, (block + 1) * kBlockRings);
+        double rise = 0.0;
+        for (int i = block * kBlockRings; i < stop; ++i) {
+            rise_mm[at(i)] = rise;
+            rise += height_mm[at(i)];
+        }
+    }
+    for (block = first_block; block < blocks; ++block) {
+        const int last = std::min(count, (block + 1) * kBlockRings) - 1;
+        base_mm[at(block + 1)] = base_mm[at(block)] + (rise_mm[at(last)] + height_mm[at(last)]);
+    }
+    top_ = base_mm[at(blocks)];
+}
+
+void Rings::settle(int first, int end) {
+    for (int i = first; i < end; ++i)
+        height_mm[at(i)] = ring_height_mm(volume_mm3[at(i)], outer_mm[at(i)], inner_mm[at(i)]);
+    place(first, end);
+}
+
+void Rings::find_floor() {
+    first_hollow = 0;
+    while (first_hollow < count && !is_hollow(first_hollow))
+        ++first_hollow;
+}
+
+// Moves the rings [from, count) so that they start at `to`.
+void Rings::shift(int from, int to) {
+    for_each_column(*this, [&](auto& column) {
+        if (to > from)
+            std::copy_backward(column.begin() + from, column.begin() + count,
+                               column.begin() + count + (to - from));
+        else
+            std::copy(column.begin() + from, column.begin() + count, column.begin() + to);
+    });
+    count += to - from;
+}
+
+void Rings::duplicate(int i) {
+    assert(count < capacity && free_count > 0);
+    const std::uint16_t fresh = free_rows[at(--free_count)];
+    shift(i, i + 1);  // ring i stays where it was copied from: both places hold it now
+    row[at(i + 1)] = fresh;
+    if (rough_mm[at(i)] > 0.0F) std::copy_n(row_of(i), sectors, row_of(i + 1));
+    if (i < first_hollow) ++first_hollow;
+}
+
+void Rings::remove(int first, int end) {
+    for (int i = first; i < end; ++i)
+        free_rows[at(free_count++)] = row[at(i)];
+    shift(end, first);
+    if (first_hollow >= end)
+        first_hollow -= end - first;
+    else if (first_hollow > first)
+        first_hollow = first;
+}
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,103 @@
+// The studio clay's stack of rings: each owns a volume and two radii; its height is a result of them, and its
+// place is the running sum of the heights below. Plain state of fixed capacity: nothing here allocates after
+// construction. Any one thread at a time; fit for the tick. Units: mm, mm^3, kPa.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace onggi::clay::studio {
+
+// h = V / (pi (ro^2 - ri^2)), the one expression by which every height of the room is worked out.
+inline double ring_height_mm(double volume_mm3, double outer_mm, double inner_mm) {
+    return volume_mm3 / (std::numbers::pi * ((outer_mm - inner_mm) * (outer_mm + inner_mm)));
+}
+
+// Rings share a base height in blocks, so that a change below moves a few bases instead of every ring above.
+constexpr int kBlockRings = 64;
+
+// The columns of the stack. Ring 0 lies on the wheel head; [0, count) are real.
+struct Rings {
+    // Precondition: capacity from 1 to 8000, sectors a power of two.
+    Rings(int capacity, int sectors);
+
+    int count = 0;
+    int capacity = 0;
+    int sectors = 0;       // S
+    int first_hollow = 0;  // the rings below are solid; count where all are
+
+    std::vector<double> volume_mm3;  // V, whole grains
+    std::vector<double> outer_mm;    // ro
+    std::vector<double> inner_mm;    // ri, 0 in solid clay
+    std::vector<double> height_mm;   // h, always ring_height_mm(V, ro, ri)
+    std::vector<double> rise_mm;     // of the ring's lower face above its block's base
+    std::vector<float> centre_x_mm;  // c, off-centre in the clay's frame, apart from the sectors
+    std::vector<float> centre_z_mm;
+    std::vector<float> rough_mm;           // largest |w| of the ring's row; 0: the row counts as zero
+    std::vector<float> liquidity;          // LI
+    std::vector<float> strength_kpa;       // su, of LI
+    std::vector<float> load_index;         // as of the last sweep
+    std::vector<float> shear;              // accumulated by twist, rad
+    std::vector<float> slump_rate;         // 1/s, as of the last sweep
+    std::vector<float> slump_above;        // its average over the clay above, 1/s
+    std::vector<float> slump_axial;        // how a unit of slump strain divides: along the wall,
+    std::vector<float> slump_hoop;         // and around it
+    std::vector<std::uint16_t> row;        // which row of residuals is this ring's; rows never move
+    std::vector<float> residual_mm;        // w, capacity rows of S
+    std::vector<std::uint16_t> free_rows;  // the last free_count are free
+    int free_count = 0;
+    std::vector<double> base_mm;  // of each block; one more holds the top
+
+    [[nodiscard]] bool is_hollow(int i) const { return inner_mm[at(i)] > 0.0; }
+    [[nodiscard]] double wall_mm(int i) const { return outer_mm[at(i)] - inner_mm[at(i)]; }
+    [[nodiscard]] double bottom_mm(int i) const { return base_mm[at(i / kBlockRings)] + rise_mm[at(i)]; }
+    [[nodiscard]] double centre_mm(int i) const { return bottom_mm(i) + 0.5 * height_mm[at(i)]; }
+    [[nodiscard]] double top_mm() const { return top_; }
+    // Height of the floor inside: where the hollow begins. The top of a solid lump.
+    [[nodiscard]] double floor_mm() const { return first_hollow < count ? bottom_mm(first_hollow) : top_; }
+    [[nodiscard]] double on_wheel_mm3() const;
+
+    [[nodiscard]] float* row_of(int i) { return residual_mm.data() + at(row[at(i)]) * at(sectors); }
+    [[nodiscard]] const float* row_of(int i) const {
+        return residual_mm.data() + at(row[at(i)]) * at(sectors);
+    }
+
+    // The ring at that height, [0, count); below the clay the first, above it the last.
+    // Precondition: count > 0.
+    [[nodiscard]] int ring_at(double y_mm) const;
+    // The rings whose centres lie in [low_mm, high_mm], as [first, end).
+    struct Range {
+        int first = 0;
+        int end = 0;
+        [[nodiscard]] int size() const { return end - first; }
+    };
+    [[nodiscard]] Range rings_between(double low_mm, double high_mm) const;
+    // Writes centre_mm(i) - from_mm for the rings of the range.
+    void centres_from(double from_mm, Range range, double* out) const;
+
+    // Works out the places again after the heights of [first, end) changed.
+    void place(int first, int end);
+    // Works out h of [first, end) and the places.
+    void settle(int first, int end);
+    // first_hollow by a look at every ring.
+    void find_floor();
+
+    // Makes room for a ring after i, a copy of ring i with a row of its own. Heights and places are the
+    // caller's. Precondition: count < capacity.
+    void duplicate(int i);
+    // Takes rings [first, end) away; the same duties.
+    void remove(int first, int end);
+    // Gives all rings away and takes count solid ones of nothing.
+    void reset(int rings);
+
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  private:
+    void shift(int from, int to);
+
+    double top_ = 0.0;
+};
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,140 @@
+#include "game/clay/studio/roundness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "game/clay/exact_math.h"
+#include "game/clay/studio/moves.h"
+
+namespace onggi::clay::studio {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// Of 256; fewer sectors are wider.
+constexpr double kWindowTurns = 16.0 / 256.0;
+
+// The row of ring i, cleared if it counted as zero until now.
+float* open_row(Rings& rings, int i) {
+    float* row = rings.row_of(i);
+    if (!(rings.rough_mm[at(i)] > 0.0F)) std::fill_n(row, rings.sectors, 0.0F);
+    return row;
+}
+
+}  // namespace
+
+void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double share,
+                  double yield) noexcept {
+    const auto keep = static_cast<float>(1.0 - share);
+    const auto bx = static_cast<float>(share * state.wobble_mm.x);
+    const auto bz = static_cast<float>(share * state.wobble_mm.y);
+    float* const cx = rings.centre_x_mm.data() + contact.range.first;
+    float* const cz = rings.centre_z_mm.data() + contact.range.first;
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const bool held = contact.depth_mm[at(k)] > yield;
+        cx[k] = held ? cx[k] * keep + bx : cx[k];
+        cz[k] = held ? cz[k] * keep + bz : cz[k];
+    }
+}
+
+void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, double dt_s,
+                   const StudioParameters& parameters) noexcept {
+    if (!contact.has_rough_rows) return;
+    const double sign = hand.side == Side::kIn ? -1.0 : 1.0;
+    const double turn = turn_of(hand.in_clay);
+    const double place = turn * rings.sectors;
+    const double half_window = std::max(0.5 * kWindowTurns * rings.sectors, 1.0);
+    const int reach = static_cast<int>(half_window) + 1;
+    const double strength = std::min(dt_s / (kWindowTurns * parameters.rounding_time_s), 1.0);
+    std::array<float, 32> kept{};
+    const int middle = static_cast<int>(place);
+    const int width = std::min(2 * reach + 1, static_cast<int>(kept.size()));
+    for (int j = 0; j < width; ++j) {
+        // Raised cosine of the distance to the sector's middle.
+        const double s = (middle - reach + j + 0.5 - place) / half_window;
+        const double kernel = s * s < 1.0 ? 0.5 + 0.5 * rotation_by(std::numbers::pi * s).cosine : 0.0;
+        kept[at(j)] = static_cast<float>(1.0 - strength * kernel);
+    }
+    const int mask = rings.sectors - 1;
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const int i = contact.range.first + k;
+        if (!(rings.rough_mm[at(i)] > 0.0F)) continue;
+        // A hand on the round rounds the dents as well, though it passes over them: what counts is the
+        // circle.
+        const double circle = contact.depth_mm[at(k)] - sign * residual_at(rings, i, turn);
+        if (!(circle > 0.0)) continue;
+        float* row = rings.row_of(i);
+        for (int j = 0; j < width; ++j)
+            row[(middle - reach + j) & mask] *= kept[at(j)];
+    }
+}
+
+void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double share,
+                  double yield) noexcept {
+    const bool inside = hand.side == Side::kIn;
+    const double sign = inside ? -1.0 : 1.0;
+    const double turn = turn_of(hand.in_clay);
+    const double angle_a_sector = 2.0 * std::numbers::pi / rings.sectors;
+    const int mask = rings.sectors - 1;
+    const int middle = static_cast<int>(turn * rings.sectors);
+    const double to_middle = (middle + 0.5 - turn * rings.sectors) * angle_a_sector;
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const int i = contact.range.first + k;
+        const double rc = contact.half_width_mm[at(k)];
+        if (!(contact.depth_mm[at(k)] > yield) || !(rc > 0.1)) continue;
+        if (inside && !rings.is_hollow(i)) continue;
+        // The tool's circle of radius rc about r3, near its point nearest the face, as a parabola of the
+        // angle: outside r3 - rc + a^2 r3 (r3 - rc)/(2 rc), inside r3 + rc - a^2 r3 (r3 + rc)/(2 rc).
+        const double r3 = std::fabs(hand.distance_mm);
+        const double bend = inside ? r3 * (r3 + rc) / (2.0 * rc) : r3 * std::max(r3 - rc, 0.0) / (2.0 * rc);
+        const double base = contact.depth_mm[at(k)];
+        float* row = open_row(rings, i);
+        const double w_there = sign * residual_at(rings, i, turn);
+        float rough = rings.rough_mm[at(i)];
+        // Away from the hand's own direction until the tool leaves the clay, first one way, then the other.
+        for (const int step : {1, -1}) {
+            for (int j = step > 0 ? 0 : 1; j <= rings.sectors / 4; ++j) {
+                const double angle = to_middle + step * j * angle_a_sector;
+                float& w = row[(middle + step * j) & mask];
+                const double depth =
+                    base - w_there + sign * static_cast<double>(w) - bend * angle * angle - yield;
+                if (!(depth > 0.0)) break;
+                const double pressed = static_cast<double>(w) - sign * share * std::min(depth, kDeepestMm);
+                w = static_cast<float>(std::clamp(pressed, -kLargestResidualMm, kLargestResidualMm));
+                rough = std::max(rough, std::fabs(w));
+            }
+        }
+        rings.rough_mm[at(i)] = rough;
+    }
+}
+
+bool tend_row(Rings& rings, int i) noexcept {
+    if (!(rings.rough_mm[at(i)] > 0.0F)) return false;
+    float* row = rings.row_of(i);
+    // Eight lanes in a fixed order.
+    std::array<double, 8> lanes{};
+    for (int s = 0; s < rings.sectors; s += 8) {
+        for (int lane = 0; lane < 8; ++lane)
+            lanes[at(lane)] += static_cast<double>(row[s + lane]);
+    }
+    const double sum =
+        ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
+    const double mean = sum / rings.sectors;
+    const double inner = rings.is_hollow(i) ? rings.inner_mm[at(i)] + mean : 0.0;
+    const bool moved = mean != 0.0 && (inner > 0.0 || !rings.is_hollow(i)) &&
+                       set_radii(rings, i, rings.outer_mm[at(i)] + mean, inner, 1.0);
+    const auto shift = moved ? static_cast<float>(mean) : 0.0F;
+    float rough = 0.0F;
+    for (int s = 0; s < rings.sectors; ++s) {
+        row[s] -= shift;
+        const float size = std::fabs(row[s]);
+        rough = size > rough ? size : rough;
+    }
+    rings.rough_mm[at(i)] = rough < kSmoothMm ? 0.0F : rough;
+    return moved;
+}
+
+}  // namespace onggi::clay::studio

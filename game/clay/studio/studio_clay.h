@@ -1,0 +1,167 @@
+// The studio clay: clay with an inside, a weight and a temper, thrown on a wheel of its own. Any one thread
+// at a time; the tick allocates nothing, calls nothing outside this room and cannot fail. Units: mm, mm^3, N,
+// s, rad, kPa, g. Frame: +Y up along the wheel axis, origin at the centre of the wheel head; the wheel turns
+// counter-clockwise seen from above.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "game/clay/paper_clay.h"
+#include "game/clay/studio/contact.h"
+#include "game/clay/studio/hand.h"
+#include "game/clay/studio/ledger.h"
+#include "game/clay/studio/load.h"
+#include "game/clay/studio/lump.h"
+#include "game/clay/studio/rings.h"
+#include "game/clay/studio/studio_parameters.h"
+#include "game/clay/studio/wheel.h"
+
+namespace onggi::clay {
+
+// What one tick did.
+struct StudioForces {
+    ContactForces hand;    // of the first hand; touched rings as in the paper's clay
+    ContactForces second;  // of the second one, or of the assist
+    double wheel_load_n_mm = 0.0;
+    studio::Side side = studio::Side::kFree;
+    studio::Side second_side = studio::Side::kFree;
+    bool rings_moved = false;  // rings came or went: every index is new
+
+    [[nodiscard]] dvec3 total_n() const { return hand.total_n(); }  // what the device in the first hand feels
+};
+
+// Checks a lump against the limits named at its fields.
+Result<void> check(const StudioLump& lump);
+
+// A pot of N rings that own volume (rings.h), whose heights follow from their radii, thrown by what its hands
+// touch. A tick goes in this order: wheel, hands (hand.h), contact (contact.h), pushes and presses (moves.h),
+// the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (resplit.h),
+// load and slump (load.h), forces (force.h).
+//
+// Differs from clay.md, section 2: a lump starts with as many rings as its height asks for at 200 mm/N each,
+// and
+//   has room for 2 N; N rings of a low dome would be flakes.
+// Differs: a push that would break a bound is shortened to it rather than refused, so that a fast hand moves
+// the
+//   clay as fast as it may instead of not at all. The refusal stays as the last guard.
+// Differs: sectors do not take part in the flow of the mean circle. A bump passing under the hand would cone
+// the
+//   whole ring, as off-centre clay would.
+// Differs: forces are of the depth before the tick's flow; the flow takes about a hundredth of it.
+class StudioClay {
+  public:
+    // Precondition: check(lump) holds.
+    explicit StudioClay(const StudioLump& lump = {});
+
+    [[nodiscard]] const StudioLump& lump() const { return lump_; }
+    [[nodiscard]] int ring_count() const { return rings_.count; }
+    [[nodiscard]] int ring_capacity() const { return rings_.capacity; }
+    [[nodiscard]] int sector_count() const { return rings_.sectors; }
+    [[nodiscard]] double height_mm() const { return rings_.top_mm(); }
+    [[nodiscard]] double floor_mm() const { return rings_.floor_mm(); }
+    // Bottom first, ring_count() of each.
+    [[nodiscard]] std::span<const double> outer_mm() const { return column(rings_.outer_mm); }
+    [[nodiscard]] std::span<const double> inner_mm() const { return column(rings_.inner_mm); }
+    [[nodiscard]] std::span<const double> heights_mm() const { return column(rings_.height_mm); }
+    [[nodiscard]] std::span<const double> volumes_mm3() const { return column(rings_.volume_mm3); }
+    [[nodiscard]] std::span<const float> load_indices() const {
+        return {rings_.load_index.data(), static_cast<std::size_t>(rings_.count)};
+    }
+    [[nodiscard]] double centre_height_mm(int ring) const { return rings_.centre_mm(ring); }
+    // Off-centre of a ring in the clay's frame: x along its direction 0, y along -Z of it.
+    [[nodiscard]] dvec2 centre_mm(int ring) const;
+    // Residuals of a ring, sector_count() of them, counter-clockwise; empty where the ring is round.
+    [[nodiscard]] std::span<const float> residuals_mm(int ring) const;
+    [[nodiscard]] const studio::Rings& rings() const { return rings_; }
+
+    [[nodiscard]] const studio::Ledger& ledger() const { return ledger_; }
+    [[nodiscard]] double volume_mm3() const { return rings_.on_wheel_mm3(); }
+    [[nodiscard]] double ledger_error_mm3() const { return ledger_.error_mm3(volume_mm3()); }
+
+    // The warning: the largest load index of the last round over the clay, where, and by what.
+    [[nodiscard]] double load_index() const { return sweep_.peak_index; }
+    [[nodiscard]] double load_height_mm() const { return sweep_.peak_height_mm; }
+    [[nodiscard]] studio::Cause load_cause() const { return sweep_.peak_cause; }
+    // The first ring that gave way; Cause::kNone while all stand.
+    [[nodiscard]] const studio::Failure& failure() const { return sweep_.failure; }
+    // Cut off the wheel: the pot is done, hands no longer move it.
+    [[nodiscard]] bool is_cut_off() const { return cut_off_; }
+    [[nodiscard]] std::uint64_t splits() const { return splits_; }
+    [[nodiscard]] std::uint64_t joins() const { return joins_; }
+
+    [[nodiscard]] const studio::PoweredWheel& wheel() const { return wheel_; }
+    void set_wheel_speed(double speed_rad_s) { wheel_.set_speed(speed_rad_s); }
+
+    // Puts a wall in place of the clay: solid of that outer radius up to floor_mm, hollow above. For tests,
+    // demonstrations and benchmarks; the ledger starts anew. Precondition: within the bounds of
+    // studio_parameters.h; the wall's rings fit.
+    void set_wall(double outer_mm, double wall_mm, double floor_mm, double height_mm, int rings);
+    // New radii for the rings there are, volumes so that every height stays as it is. The same duties.
+    void set_profile(std::span<const double> outer_mm, std::span<const double> inner_mm);
+    // Moves ring centres, for the same. Clay's frame.
+    void set_centre(const dvec2& centre_mm);
+    void set_liquidity(double liquidity_index);
+
+    // Puts a fresh lump on the wheel; the wheel turns on. No allocation.
+    void restart() noexcept;
+
+    // One step of 1/f. Precondition: check(parameters) holds.
+    StudioForces tick(const StudioInput& input, const StudioParameters& parameters) noexcept;
+
+    // Of all that a later tick depends on, for replay checks. No allocation.
+    [[nodiscard]] std::uint64_t state_hash() const;
+    // The same as bytes, little-endian, and back. Refuses a wrong size and what no tick could have left.
+    [[nodiscard]] std::vector<std::byte> start_state() const;
+    static Result<StudioClay> from_start_state(std::span<const std::byte> bytes);
+
+  private:
+    [[nodiscard]] std::span<const double> column(const std::vector<double>& values) const {
+        return {values.data(), static_cast<std::size_t>(rings_.count)};
+    }
+    // Visits every number of the state, in one order: for the hash, the bytes out and the bytes in.
+    template <typename Self, typename Visitor>
+    static void visit_state(Self& self, Visitor& visitor);
+
+    void use_wire(const StudioInput& input);
+    studio::Changed act(studio::HandState& state, studio::Contact& contact, const studio::Hand& hand,
+                        const studio::Hand* other, const StudioParameters& parameters);
+    bool tend_rings(double dt_s);
+    double allowed_speed(double wanted_rad_s, const StudioParameters& parameters) const;
+    ContactForces feel_hand(studio::HandState& state, const studio::Contact& contact,
+                            const studio::Hand& hand, const studio::Hand* other,
+                            const StudioParameters& parameters, double& load_n_mm);
+    void tear();
+    static std::string damage_of(const StudioClay& clay);
+
+    StudioLump lump_;
+    studio::Rings rings_;
+    studio::Ledger ledger_;
+    studio::PoweredWheel wheel_;
+    studio::LoadSweep sweep_;
+    std::array<studio::HandState, 2> hands_;
+    double film_ = 0.0;           // of water on the hands, 0 to 1
+    double tend_credit_ = 0.0;    // rings to look at that simulated time has paid for
+    double change_credit_ = 0.0;  // splits and joins, the same
+    int tend_next_ = 0;
+    double wheel_load_n_mm_ = 0.0;  // of the last tick
+    double load_height_mm_ = 0.0;
+    bool cut_off_ = false;
+    bool wire_was_used_ = false;  // one cut a pull
+    std::uint64_t splits_ = 0;
+    std::uint64_t joins_ = 0;
+
+    // Work space; never hashed.
+    std::array<studio::Contact, 2> contacts_;
+    std::vector<double> scratch_;
+};
+
+// One sentence on why the clay gave way; empty while it stands.
+std::string sentence(const studio::Failure& failure);
+
+}  // namespace onggi::clay

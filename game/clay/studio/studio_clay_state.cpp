@@ -1,0 +1,415 @@
+// The studio clay outside its tick: what it takes, its state as bytes and as a hash, and what is said of it.
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <string_view>
+
+#include "engine/core/hash.h"
+#include "engine/core/units.h"
+#include "game/clay/studio/studio_clay.h"
+#include "game/clay/studio/volume_grid.h"
+
+namespace onggi::clay {
+namespace {
+
+using studio::Rings;
+
+// The start state opens with this and the lump: they say how much more there is.
+constexpr std::uint32_t kStateTag = 0x314c4353;  // "SCL1"
+constexpr std::size_t kHeadBytes = 4 + 8 + 4 + 8 + 4 + 4 + 8 + 4;
+
+struct Bound {
+    std::string_view name;
+    double value;
+    double least;
+    double most;
+};
+
+Result<void> check_bounds(std::string_view what, std::span<const Bound> bounds) {
+    for (const Bound& bound : bounds) {
+        if (!(bound.value >= bound.least && bound.value <= bound.most)) {
+            return bad_input(fmt::format("{} {}: expected {} to {}, found {}", what, bound.name, bound.least,
+                                         bound.most, bound.value));
+        }
+    }
+    return {};
+}
+
+// Takes every number of a state as words.
+class Hasher {
+  public:
+    void number(const double& value) { hash_.add(value); }
+    void number(const float& value) { hash_.add_word(std::bit_cast<std::uint32_t>(value)); }
+    void number(const bool& value) { hash_.add_word(value ? 1 : 0); }
+    void number(const int& value) { hash_.add_word(static_cast<std::uint32_t>(value)); }
+    void number(const std::uint64_t& value) { hash_.add_word(value); }
+    void numbers(std::span<const double> values) { hash_.add_bytes(std::as_bytes(values)); }
+    void numbers(std::span<const float> values) { hash_.add(values); }
+    [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+  private:
+    StateHash hash_;
+};
+
+class Writer {
+  public:
+    void number(const double& value) { put(std::bit_cast<std::uint64_t>(value), 8); }
+    void number(const float& value) { put(std::bit_cast<std::uint32_t>(value), 4); }
+    void number(const bool& value) { put(value ? 1 : 0, 4); }
+    void number(const int& value) { put(static_cast<std::uint32_t>(value), 4); }
+    void number(const std::uint64_t& value) { put(value, 8); }
+    template <typename T>
+    void numbers(std::span<const T> values) {
+        for (const T& value : values)
+            number(value);
+    }
+    std::vector<std::byte> take() { return std::move(bytes_); }
+
+  private:
+    void put(std::uint64_t value, int size) {
+        for (int i = 0; i < size; ++i)
+            bytes_.push_back(static_cast<std::byte>(value >> (8 * i)));
+    }
+
+    std::vector<std::byte> bytes_;
+};
+
+// Reading past the end gives zeros and is remembered.
+class Reader {
+  public:
+    explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    void number(double& value) { value = std::bit_cast<double>(take(8)); }
+    void number(float& value) { value = std::bit_cast<float>(static_cast<std::uint32_t>(take(4))); }
+    void number(bool& value) {
+        const std::uint64_t word = take(4);
+        strange_ = strange_ || word > 1;
+        value = word == 1;
+    }
+    void number(int& value) { value = static_cast<int>(static_cast<std::uint32_t>(take(4))); }
+    void number(std::uint64_t& value) { value = take(8); }
+    template <typename T>
+    void numbers(std::span<T> values) {
+        for (T& value : values)
+            number(value);
+    }
+    [[nodiscard]] bool is_short() const { return short_; }
+    [[nodiscard]] bool is_strange() const { return strange_; }
+    [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
+
+  private:
+    std::uint64_t take(std::size_t size) {
+        if (left() < size) {
+            short_ = true;
+            return 0;
+        }
+        std::uint64_t value = 0;
+        for (std::size_t i = 0; i < size; ++i)
+            value |= static_cast<std::uint64_t>(bytes_[at_ + i]) << (8 * i);
+        at_ += size;
+        return value;
+    }
+
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;
+    bool short_ = false;
+    bool strange_ = false;
+};
+
+template <typename Visitor, typename Enum>
+void visit_enum(Visitor& visitor, Enum& value) {
+    int number = static_cast<int>(value);
+    visitor.number(number);
+    if constexpr (!std::is_const_v<Enum>) value = static_cast<Enum>(number);
+}
+
+template <typename Visitor, typename Vector>
+void visit_vector(Visitor& visitor, Vector& v) {
+    visitor.number(v.x);
+    visitor.number(v.y);
+    if constexpr (requires { v.z; }) visitor.number(v.z);
+}
+
+bool is_between(double value, double least, double most) {
+    return value >= least && value <= most;
+}
+
+}  // namespace
+
+template <typename Self, typename Visitor>
+void StudioClay::visit_state(Self& self, Visitor& visitor) {
+    auto& rings = self.rings_;
+    const auto count = static_cast<std::size_t>(rings.count);
+    for (auto* column : {&rings.volume_mm3, &rings.outer_mm, &rings.inner_mm})
+        visitor.numbers(std::span(column->data(), count));
+    for (auto* column : {&rings.centre_x_mm, &rings.centre_z_mm, &rings.rough_mm, &rings.liquidity,
+                         &rings.strength_kpa, &rings.load_index, &rings.shear, &rings.slump_rate,
+                         &rings.slump_above, &rings.slump_axial, &rings.slump_hoop})
+        visitor.numbers(std::span(column->data(), count));
+    for (int i = 0; i < rings.count; ++i) {
+        if (rings.rough_mm[Rings::at(i)] > 0.0F)
+            visitor.numbers(std::span(rings.row_of(i), static_cast<std::size_t>(rings.sectors)));
+    }
+    for (auto* volume : {&self.ledger_.lump_mm3, &self.ledger_.trimmings_mm3, &self.ledger_.slip_mm3})
+        visitor.number(*volume);
+
+    auto& sweep = self.sweep_;
+    visitor.number(sweep.goes_up);
+    visitor.number(sweep.next);
+    visitor.number(sweep.credit);
+    visitor.number(sweep.round);
+    visitor.number(sweep.above.volume_mm3);
+    visitor.number(sweep.above.volume_radius_mm4);
+    visitor.number(sweep.running);
+    visitor.number(sweep.last_hollow);
+    visitor.number(sweep.slumps);
+    visitor.number(sweep.peak_index);
+    visitor.number(sweep.peak_height_mm);
+    visit_enum(visitor, sweep.peak_cause);
+    visitor.number(sweep.growing_peak);
+    visitor.number(sweep.growing_height_mm);
+    visit_enum(visitor, sweep.growing_cause);
+    visit_enum(visitor, sweep.failure.cause);
+    for (auto* number :
+         {&sweep.failure.height_mm, &sweep.failure.radius_mm, &sweep.failure.load_index,
+          &sweep.failure.stress_kpa, &sweep.failure.strength_kpa, &sweep.failure.wheel_speed_rad_s})
+        visitor.number(*number);
+    visitor.number(sweep.failure.torn);
+
+    for (auto& hand : self.hands_) {
+        visit_enum(visitor, hand.side);
+        visit_vector(visitor, hand.direction);
+        visitor.number(hand.has_mean);
+        visitor.number(hand.mean_distance_mm);
+        visit_vector(visitor, hand.wobble_mm);
+        visit_vector(visitor, hand.previous_position_mm);
+        visitor.number(hand.has_previous);
+    }
+    for (auto* number : {&self.film_, &self.tend_credit_, &self.change_credit_, &self.wheel_load_n_mm_,
+                         &self.load_height_mm_})
+        visitor.number(*number);
+    visitor.number(self.tend_next_);
+    visitor.number(self.cut_off_);
+    visitor.number(self.wire_was_used_);
+    visitor.number(self.splits_);
+    visitor.number(self.joins_);
+}
+
+std::uint64_t StudioClay::state_hash() const {
+    Hasher hash;
+    hash.number(rings_.count);
+    hash.number(wheel_.heading().cosine);
+    hash.number(wheel_.heading().sine);
+    hash.number(wheel_.speed_rad_s());
+    visit_state(*this, hash);
+    return hash.value();
+}
+
+std::vector<std::byte> StudioClay::start_state() const {
+    Writer out;
+    out.number(static_cast<int>(kStateTag));
+    out.number(lump_.mass_g);
+    out.number(static_cast<int>(lump_.body));
+    out.number(lump_.liquidity_index);
+    out.number(lump_.rings);
+    out.number(lump_.sectors);
+    out.number(lump_.off_centre_mm);
+    out.number(rings_.count);
+    out.number(wheel_.heading().cosine);
+    out.number(wheel_.heading().sine);
+    out.number(wheel_.speed_rad_s());
+    visit_state(*this, out);
+    return out.take();
+}
+
+Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes) {
+    const auto damaged = [](std::string_view found) {
+        return bad_input(fmt::format("studio clay start state, {}", found));
+    };
+    if (bytes.size() < kHeadBytes)
+        return damaged(fmt::format("size: expected at least {} bytes, found {}", kHeadBytes, bytes.size()));
+    Reader in(bytes);
+    int tag = 0;
+    in.number(tag);
+    if (static_cast<std::uint32_t>(tag) != kStateTag)
+        return damaged(fmt::format("tag: expected {:#010x}, found {:#010x}", kStateTag,
+                                   static_cast<std::uint32_t>(tag)));
+    StudioLump lump;
+    in.number(lump.mass_g);
+    visit_enum(in, lump.body);
+    in.number(lump.liquidity_index);
+    in.number(lump.rings);
+    in.number(lump.sectors);
+    in.number(lump.off_centre_mm);
+    if (const auto checked = check(lump); !checked) return damaged(checked.error().message);
+    int count = 0;
+    in.number(count);
+    if (count < 0 || count > studio::ring_capacity(lump))
+        return damaged(fmt::format("rings: expected 0 to {}, found {}", studio::ring_capacity(lump), count));
+
+    StudioClay clay(lump);
+    clay.rings_.reset(count);
+    Rotation heading;
+    double speed = 0.0;
+    in.number(heading.cosine);
+    in.number(heading.sine);
+    in.number(speed);
+    visit_state(clay, in);
+    if (in.is_short() || in.left() != 0)
+        return damaged(fmt::format("size: expected {} {} bytes for {} rings",
+                                   in.is_short() ? "more than" : "exactly",
+                                   in.is_short() ? bytes.size() : bytes.size() - in.left(), count));
+    const double length2 = heading.cosine * heading.cosine + heading.sine * heading.sine;
+    if (!(std::fabs(length2 - 1.0) < 1e-9)) return damaged("wheel angle: expected a unit vector");
+    if (!is_between(speed, 0.0, studio::kFastestWheelRadS))
+        return damaged(fmt::format("wheel speed: expected 0 to {:.4g} rad/s, found {}",
+                                   studio::kFastestWheelRadS, speed));
+    clay.wheel_ = studio::PoweredWheel(heading, speed);
+    std::string damage = in.is_strange() ? "flag: expected 0 or 1" : damage_of(clay);
+    if (!damage.empty()) return damaged(damage);
+    clay.rings_.find_floor();
+    clay.rings_.settle(0, count);
+    if (!std::isfinite(clay.height_mm())) return damaged("height: expected a finite number");
+    return clay;
+}
+
+// What no tick could have left; empty if all is well. Heights and places are not looked at: they follow.
+std::string StudioClay::damage_of(const StudioClay& clay) {
+    const Rings& rings = clay.rings_;
+    for (int i = 0; i < rings.count; ++i) {
+        const std::size_t at = Rings::at(i);
+        if (!studio::is_on_grid(rings.volume_mm3[at]) || !(rings.volume_mm3[at] > 0.0))
+            return fmt::format("volume of ring {}: expected whole grains above zero, found {}", i,
+                               rings.volume_mm3[at]);
+        if (!(rings.inner_mm[at] >= 0.0 && rings.outer_mm[at] - rings.inner_mm[at] > 1e-3 &&
+              rings.outer_mm[at] <= studio::kWidestMm))
+            return fmt::format("radii of ring {}: expected 0 <= inner < outer <= {} mm, found {} and {}", i,
+                               studio::kWidestMm, rings.inner_mm[at], rings.outer_mm[at]);
+        const auto in = [&](const std::vector<float>& column, double least, double most) {
+            return is_between(static_cast<double>(column[at]), least, most);
+        };
+        const bool sound = in(rings.centre_x_mm, -10.0, 10.0) && in(rings.centre_z_mm, -10.0, 10.0) &&
+                           in(rings.rough_mm, 0.0, 1000.0) && in(rings.liquidity, -1.0, 2.0) &&
+                           in(rings.strength_kpa, 1e-3, 1e5) && in(rings.load_index, 0.0, 1e9) &&
+                           in(rings.shear, 0.0, 1e3) && in(rings.slump_rate, 0.0, 1e3) &&
+                           in(rings.slump_above, 0.0, 1e3) && in(rings.slump_axial, -10.0, 10.0) &&
+                           in(rings.slump_hoop, -10.0, 10.0);
+        if (!sound) return fmt::format("ring {}: expected numbers within their bounds", i);
+        if (rings.rough_mm[at] > 0.0F) {
+            for (int s = 0; s < rings.sectors; ++s) {
+                if (!is_between(static_cast<double>(rings.row_of(i)[s]), -1000.0, 1000.0))
+                    return fmt::format("residual of ring {}, sector {}: expected within 1000 mm", i, s);
+            }
+        }
+    }
+    const studio::Ledger& ledger = clay.ledger_;
+    for (const double volume : {ledger.lump_mm3, ledger.trimmings_mm3, ledger.slip_mm3}) {
+        if (!studio::is_on_grid(volume))
+            return fmt::format("ledger: expected whole grains, found {}", volume);
+    }
+    if (clay.ledger_error_mm3() != 0.0)
+        return fmt::format("ledger: expected an error of 0, found {} mm^3", clay.ledger_error_mm3());
+
+    const studio::LoadSweep& sweep = clay.sweep_;
+    const auto is_cause = [](studio::Cause cause) {
+        return is_between(static_cast<int>(cause), 0, static_cast<int>(studio::Cause::kTwist));
+    };
+    const int most = rings.count;
+    // Going down there is always a next ring; going up one may just have been the last.
+    if (!is_between(sweep.next, sweep.goes_up || most == 0 ? 0 : 1, most) ||
+        !is_between(sweep.credit, 0.0, 1e6) || !is_between(static_cast<double>(sweep.running), 0.0, 1e3) ||
+        !is_cause(sweep.peak_cause) || !is_cause(sweep.growing_cause) || !is_cause(sweep.failure.cause) ||
+        !is_between(sweep.above.volume_mm3, 0.0, 1e12) ||
+        !is_between(sweep.above.volume_radius_mm4, 0.0, 1e15) || !is_between(sweep.peak_index, 0.0, 1e9) ||
+        !is_between(sweep.growing_peak, 0.0, 1e9))
+        return "load cursor: expected numbers within their bounds";
+    for (const studio::HandState& hand : clay.hands_) {
+        const double length2 = hand.direction.x * hand.direction.x + hand.direction.y * hand.direction.y;
+        const bool sound =
+            is_between(static_cast<int>(hand.side), 0, static_cast<int>(studio::Side::kTop)) &&
+            std::fabs(length2 - 1.0) < 1e-9 && std::isfinite(hand.mean_distance_mm) &&
+            is_between(hand.wobble_mm.x, -10.0, 10.0) && is_between(hand.wobble_mm.y, -10.0, 10.0) &&
+            std::isfinite(hand.previous_position_mm.x) && std::isfinite(hand.previous_position_mm.y) &&
+            std::isfinite(hand.previous_position_mm.z);
+        if (!sound) return "hand: expected a known side, a unit direction and finite numbers";
+    }
+    if (!is_between(clay.film_, 0.0, 1.0) || !is_between(clay.tend_credit_, 0.0, 1e6) ||
+        !is_between(clay.change_credit_, 0.0, 1e6) || !is_between(clay.wheel_load_n_mm_, 0.0, 1e9) ||
+        !std::isfinite(clay.load_height_mm_) || !is_between(clay.tend_next_, 0, rings.capacity + 2))
+        return "cursor: expected numbers within their bounds";
+    return {};
+}
+
+Result<void> check(const StudioLump& lump) {
+    const Bound bounds[] = {
+        {"mass, g", lump.mass_g, 100.0, 5000.0},
+        {"body", static_cast<double>(lump.body), 0.0, 2.0},
+        {"liquidity index", lump.liquidity_index, 0.0, 1.2},
+        {"rings", static_cast<double>(lump.rings), 200.0, 4000.0},
+        {"sectors", static_cast<double>(lump.sectors), 16.0, 256.0},
+        {"off-centre, mm", lump.off_centre_mm, 0.0, 5.0},
+    };
+    if (auto checked = check_bounds("lump", bounds); !checked) return checked;
+    if ((lump.sectors & (lump.sectors - 1)) != 0)
+        return bad_input(fmt::format("lump sectors: expected a power of two, found {}", lump.sectors));
+    return {};
+}
+
+Result<void> check(const StudioParameters& p) {
+    const Bound bounds[] = {
+        {"rate, Hz", p.rate_hz, 100.0, 10000.0},
+        {"flow time, s", p.flow_time_s, 0.01, 10.0},
+        {"yield depth, mm", p.yield_depth_mm, 0.0, 5.0},
+        {"wall share k0", p.wall_share_k0, 0.0, 0.95},
+        {"thin wall, mm", p.thin_wall_mm, 1.0, 50.0},
+        {"hoop share chi", p.hoop_share_chi, 0.0, 1.0},
+        {"field length beta", p.field_length_beta, 0.1, 10.0},
+        {"floor, mm", p.floor_mm, 1.0, 100.0},
+        {"shaft radius, mm", p.shaft_radius_mm, 0.0, 40.0},
+        {"largest strain rate, 1/s", p.largest_strain_rate, 0.1, 50.0},
+        {"centring time, s", p.centring_time_s, 0.05, 100.0},
+        {"rounding time, s", p.rounding_time_s, 0.05, 100.0},
+        {"denting time, s", p.denting_time_s, 0.05, 100.0},
+        {"sponge length, mm", p.sponge_length_mm, 0.1, 3.0},
+        {"rib length, mm", p.rib_length_mm, 0.1, 3.0},
+        {"trim time, s", p.trim_time_s, 0.01, 10.0},
+        {"sponge water, ml/s", p.sponge_water_ml_s, 0.0, 100.0},
+        {"slip, mm/s", p.slip_mm_s, 0.0, 1.0},
+        {"evaporation, g/(mm^2 s)", p.evaporation_g_mm2_s, 0.0, 1e-3},
+        {"film time, s", p.film_time_s, 0.1, 1e4},
+        {"bearing factor Nc", p.bearing_factor_nc, 0.1, 100.0},
+        {"viscosity c2, N s/mm", p.viscosity_c2_n_s_per_mm, 0.0, 1.0},
+        {"dry friction", p.friction_dry, 0.0, 2.0},
+        {"wet friction", p.friction_wet, 0.0, 2.0},
+        {"largest force, N", p.largest_force_n, 0.1, 1000.0},
+        {"wheel inertia, kg m^2", p.wheel.inertia_kg_m2, 1e-3, 100.0},
+        {"wheel torque, N mm", p.wheel.largest_torque_n_mm, 0.0, 1e6},
+        {"wheel drag, N mm s", p.wheel.drag_n_mm_s, 0.0, 1e5},
+        {"wheel pull, N mm s", p.wheel.pull_n_mm_s, 0.0, 1e6},
+    };
+    return check_bounds("clay parameter", bounds);
+}
+
+std::string sentence(const studio::Failure& failure) {
+    const double speed = units::rev_min_from_rad_s(failure.wheel_speed_rad_s);
+    const std::string what = fmt::format("at {:.0f} mm the clay held {:.1f} kPa and had to carry {:.1f}",
+                                         failure.height_mm, 2.0 * failure.strength_kpa, failure.stress_kpa);
+    switch (failure.cause) {
+        case studio::Cause::kNone:
+            return {};
+        case studio::Cause::kWeight:
+            return fmt::format("The wall sank under its own weight: {}.", what);
+        case studio::Cause::kSpin:
+            return fmt::format("The wheel spun the wall apart: {:.0f} rev/min on {:.0f} mm across, {}.",
+                               speed, 2.0 * failure.radius_mm, what);
+        case studio::Cause::kOverhang:
+            return fmt::format("The wall leaned out too far and sagged: {}.", what);
+        case studio::Cause::kTwist:
+            return fmt::format("The hands {} the wall: {}; more water on them would let it slide.",
+                               failure.torn ? "tore off" : "twisted", what);
+    }
+    return {};
+}
+
+}  // namespace onggi::clay

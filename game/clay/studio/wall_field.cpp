@@ -1,0 +1,222 @@
+#include "game/clay/studio/wall_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/clay/studio/lanes.h"
+
+namespace onggi::clay::studio {
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+constexpr double kSteepest = 3.0;
+constexpr float kSteepestF = 3.0F;
+
+struct FieldShares {
+    float push;  // u, with the sign of the way the wall goes
+    float above_floor;
+    float per_thin_wall;
+    float per_phi;
+    float per_length;
+    float chi;
+    float room_inside;  // 1 for a wall that goes outward
+};
+
+// How the two faces of each ring move. place and mean start kSlopeRings before the first ring.
+ONGGI_LANES void field_steps_each(const double* __restrict__ outer, const double* __restrict__ inner,
+                                  const float* __restrict__ place, const float* __restrict__ mean,
+                                  float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
+                                  const FieldShares& with) {
+    const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside] = with;
+    for (int k = 0; k < n; ++k) {
+        const auto ri = static_cast<float>(inner[k]);
+        const auto t = static_cast<float>(outer[k] - inner[k]);
+        const float y = place[k + kSlopeRings];
+        const float s = y * per_length;
+        float rest = 1.0F - s * s;
+        rest = rest > 0.0F ? rest : 0.0F;
+        // phi = tie/(1 + q^4) with tie = above/(0.7 t), at most 1, in one division.
+        const float tied = 0.7F * t;
+        float above = above_floor + y;
+        above = above < tied ? above : tied;
+        above = above > 0.0F ? above : 0.0F;
+        const float q = t * per_thin_wall;
+        float phi = above * per_phi / (tied * (1.0F + (q * q) * (q * q)));
+        phi = phi < 1.0F ? phi : 1.0F;
+        // A neck that is all but closed has nowhere to go; solid clay has no wall.
+        float room = 0.5F * ri + room_inside;
+        room = room < 1.0F ? room : 1.0F;
+        const float here = ri > 0.0F ? push * rest : 0.0F;
+        const float d = here * rest * phi * room;
+        // T/(1 + T^2) with T = run/rise, within +-3, in one division too.
+        float rise = place[k + 2 * kSlopeRings] - place[k];
+        rise = rise > 1e-6F ? rise : 1e-6F;
+        const float furthest = kSteepestF * rise;
+        float run = mean[k + 2 * kSlopeRings] - mean[k];
+        run = run < furthest ? run : furthest;
+        run = run > -furthest ? run : -furthest;
+        const float turn = run * rise / (rise * rise + run * run);
+        const float rotation = turn * (here * -4.0F * s * per_length);
+        const float hoop = d / mean[k + kSlopeRings];
+        // The wall keeps its volume: t' = t (1 - hoop - ln h'/h), and ln h'/h is -(1 - chi) hoop - rotation.
+        const float half = 0.5F * t * (rotation - chi * hoop);
+        outer_step[k] = d + half;
+        inner_step[k] = d - half;
+    }
+}
+
+ONGGI_LANES void take_steps_each(double* __restrict__ outer, double* __restrict__ inner,
+                                 double* __restrict__ height, const double* __restrict__ volume,
+                                 const float* __restrict__ outer_step, const float* __restrict__ inner_step,
+                                 int n, const Gate& gate) {
+    const Gate let = gate;
+    for (int k = 0; k < n; ++k) {
+        const double ro = outer[k];
+        const double ri = inner[k];
+        const double before = height[k];
+        const double new_outer = ro + static_cast<double>(outer_step[k]);
+        const double new_inner = ri + static_cast<double>(inner_step[k]);
+        const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
+        const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
+        outer[k] = spare >= 0.0 ? new_outer : ro;
+        inner[k] = spare >= 0.0 ? new_inner : ri;
+        height[k] = spare >= 0.0 ? new_height : before;
+    }
+}
+
+// The whole of the field's work on the rings; the same bits whichever runs.
+struct FieldColumns {
+    double* outer;
+    double* inner;
+    double* height;
+    const double* volume;
+    const float* place;
+    const float* mean;
+    float* outer_step;
+    float* inner_step;
+    int count;
+};
+
+ONGGI_LANES void move_each(const FieldColumns& rings, const FieldShares& with, const Gate& gate) {
+    field_steps_each(rings.outer, rings.inner, rings.place, rings.mean, rings.outer_step, rings.inner_step,
+                     rings.count, with);
+    take_steps_each(rings.outer, rings.inner, rings.height, rings.volume, rings.outer_step, rings.inner_step,
+                    rings.count, gate);
+}
+
+void move_plain(const FieldColumns& rings, const FieldShares& with, const Gate& gate) {
+    move_each(rings, with, gate);
+}
+
+#if ONGGI_X86_KERNELS
+__attribute__((target("avx2"))) void move_avx2(const FieldColumns& rings, const FieldShares& with,
+                                               const Gate& gate) {
+    move_each(rings, with, gate);
+}
+#endif
+
+}  // namespace
+
+double wall_slope(const Rings& rings, int i) noexcept {
+    int low = i;
+    int high = i;
+    const bool hollow = rings.is_hollow(i);
+    const int lowest = std::max(i - kSlopeRings, hollow ? rings.first_hollow : 0);
+    const int highest = std::min(i + kSlopeRings, (hollow ? rings.count : rings.first_hollow) - 1);
+    if (lowest < i) low = lowest;
+    if (highest > i) high = highest;
+    if (low == high || rings.is_hollow(low) != hollow || rings.is_hollow(high) != hollow) return 0.0;
+    const double rise = rings.centre_mm(high) - rings.centre_mm(low);
+    // Solid clay has its slope at the outer face; half of it is the middle between face and axis.
+    const double run = 0.5 * ((rings.outer_mm[at(high)] + rings.inner_mm[at(high)]) -
+                              (rings.outer_mm[at(low)] + rings.inner_mm[at(low)]));
+    return std::clamp(run / rise, -kSteepest, kSteepest);
+}
+
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share,
+                  const StudioParameters& parameters) noexcept {
+    const int n = contact.range.size();
+    double largest = 0.0;
+    double weight_sum = 0.0;
+    double moment = 0.0;
+    for (int k = 0; k < n; ++k) {
+        const double field = contact.field[at(k)];
+        if (!(field > 0.0)) continue;
+        largest = std::max(largest, field);
+        const double weight = field * field * rings.height_mm[at(contact.range.first + k)];
+        weight_sum += weight;
+        moment += weight * contact.offset_mm[at(k)];
+    }
+    const double u = share * largest;
+    if (!(u > 1e-9)) return {};
+    const double middle = contact.height_mm + moment / weight_sum;
+    const int star = std::max(rings.ring_at(middle), std::min(rings.first_hollow, rings.count - 1));
+    const double wall = rings.wall_mm(star);
+    const double length =
+        std::max(parameters.field_length_beta *
+                     std::sqrt(0.5 * (rings.outer_mm[at(star)] + rings.inner_mm[at(star)]) * wall),
+                 hand.radius_mm);
+    const double floor = rings.floor_mm();
+    const double phi_star =
+        std::max(tie_to_floor(middle - floor, wall) * wall_part(wall, parameters.thin_wall_mm), 1e-6);
+
+    Changed range = rings.rings_between(middle - length, middle + length);
+    range.first = std::max(range.first, rings.first_hollow);
+    if (range.size() <= 0) return {};
+
+    // y - y* and R, of the rings of the field and as many beyond as the slope looks, the last one again and
+    // again where there are no more.
+    float* const place = contact.place_mm.data();
+    float* const mean = contact.mean_mm.data();
+    const Rings::Range seen{std::max(range.first - kSlopeRings, rings.first_hollow),
+                            std::min(range.end + kSlopeRings, rings.count)};
+    const int before = kSlopeRings - (range.first - seen.first);
+    for (int i = seen.first; i < seen.end;) {
+        const double base = rings.base_mm[at(i / kBlockRings)] - middle;
+        const int end = std::min(seen.end, (i / kBlockRings + 1) * kBlockRings);
+        for (; i < end; ++i) {
+            const int k = before + i - seen.first;
+            place[k] = static_cast<float>(base + (rings.rise_mm[at(i)] + 0.5 * rings.height_mm[at(i)]));
+            mean[k] = static_cast<float>(0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]));
+        }
+    }
+    for (int k = 0; k < before; ++k) {
+        place[k] = place[before];
+        mean[k] = mean[before];
+    }
+    const int filled = before + seen.size();
+    const int needed = range.size() + 2 * kSlopeRings;
+    for (int k = filled; k < needed; ++k) {
+        place[k] = place[filled - 1];
+        mean[k] = mean[filled - 1];
+    }
+
+    const bool inside = hand.side == Side::kIn;
+    const FieldShares shares{.push = static_cast<float>(inside ? u : -u),
+                             .above_floor = static_cast<float>(middle - floor),
+                             .per_thin_wall = static_cast<float>(1.0 / parameters.thin_wall_mm),
+                             .per_phi = static_cast<float>(1.0 / phi_star),
+                             .per_length = static_cast<float>(1.0 / length),
+                             .chi = static_cast<float>(parameters.hoop_share_chi),
+                             .room_inside = inside ? 1.0F : 0.0F};
+    double* const outer = rings.outer_mm.data() + range.first;
+    double* const inner = rings.inner_mm.data() + range.first;
+    const FieldColumns columns{
+        outer,       inner, rings.height_mm.data() + range.first, rings.volume_mm3.data() + range.first,
+        place,       mean,  contact.outer_step_mm.data(),         contact.inner_step_mm.data(),
+        range.size()};
+    const Gate gate(rings, parameters.largest_strain_rate * parameters.dt_s());
+#if ONGGI_X86_KERNELS
+    if (has_wide_lanes()) {
+        move_avx2(columns, shares, gate);
+        return range;
+    }
+#endif
+    move_plain(columns, shares, gate);
+    return range;
+}
+
+}  // namespace onggi::clay::studio

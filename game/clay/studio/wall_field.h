@@ -1,0 +1,27 @@
+// A push on a wall with nothing behind it moves the wall, not only the clay under the finger: one smooth
+// field a hand, of compact reach, so that clay beyond it is untouched to the bit. Haptic thread; no
+// allocation.
+#pragma once
+
+#include "game/clay/studio/moves.h"
+
+namespace onggi::clay::studio {
+
+// Moves the hollow rings within L = beta sqrt(R t) of the push that contact.field describes.
+//
+//   u      how far the wall gives at the middle of the push: share times the largest x phi
+//   y*     that middle, the mean of y weighted with (x phi)^2 h
+//   g(s)   (1 - s^2)^2 with s = (y - y*)/L
+//   R      mean radius; R' = R + d with d = u g min(1, phi/phi(y*))
+//   chi    of the hoop strain d/R, goes into thickness; the rest into height
+//   T      slope dR/dy; turning the wall keeps its length along the slope: h' carries
+//          sqrt((1 + T^2)/(1 + (T + dT)^2)), dT = u g'/L
+//
+// Everything is linear in u, which is a few hundredths of a millimetre a tick.
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share,
+                  const StudioParameters& parameters) noexcept;
+
+// dR/dy at ring i over six rings to either side, of the same kind of clay, within +-3.
+double wall_slope(const Rings& rings, int i) noexcept;
+
+}  // namespace onggi::clay::studio

@@ -1,0 +1,83 @@
+// Two wild hands, every tool, wires and fresh lumps: the ledger stays at zero and no ring leaves its bounds.
+#include <random>
+
+#include "tests/studio/bench.h"
+
+namespace onggi::clay::studio {
+namespace {
+
+#ifdef NDEBUG
+constexpr int kTicks = 1000000;
+#else
+constexpr int kTicks = 100000;
+#endif
+
+TEST(Chaos, TheLedgerErrorIsExactlyZero) {
+    Bench bench({.mass_g = 1000.0, .rings = 1000, .sectors = 64});
+    bench.parameters.wheel = electric_wheel();
+    std::mt19937 random(20240229);
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    std::uint64_t splits = 0;
+    std::uint64_t joins = 0;
+    int lumps = 0;
+    int wires = 0;
+    std::array<dvec3, 2> goal{};
+    std::array<dvec3, 2> place{dvec3(0.0, 200.0, 0.0), dvec3(0.0, 200.0, 0.0)};
+    for (int k = 0; k < kTicks; ++k) {
+        if (k % 500 == 0) {
+            for (std::size_t h = 0; h < 2; ++h) {
+                const double spread = uniform(5.0, 90.0);
+                goal[h] = {uniform(-spread, spread), uniform(-20.0, 250.0), uniform(-spread, spread)};
+                if (random() % 20 == 0) place[h] = goal[h];  // a jump
+            }
+            StudioHand& hand = random() % 2 == 0 ? bench.input.hand : bench.input.second;
+            hand.radius_mm = uniform(2.0, 40.0);
+            hand.tool = static_cast<StudioTool>(random() % 8 == 0 ? random() % 4 : 0);
+            bench.input.has_second = random() % 3 != 0;
+            bench.input.assist_gap_mm = random() % 3 == 0 ? uniform(2.0, 12.0) : 0.0;
+            bench.input.wheel_speed_rad_s = random() % 8 == 0 ? 0.0 : uniform(2.0, 25.0);
+            bench.input.wet_hands = random() % 2 == 0;
+            bench.parameters.sponge_water_ml_s = random() % 2 == 0 ? uniform(0.0, 2.0) : 0.0;
+            bench.parameters.shaft_radius_mm = random() % 4 == 0 ? 9.0 : 0.0;
+        }
+        if (random() % 20000 == 0) {
+            bench.input.wire = Wire::kCutRim;
+            bench.input.wire_height_mm = uniform(0.2, 1.1) * bench.clay.height_mm();
+            ++wires;
+        } else {
+            bench.input.wire = Wire::kNone;
+        }
+        if (random() % 40000 == 0 || bench.clay.ring_count() < 20 || bench.clay.height_mm() < 8.0) {
+            splits += bench.clay.splits();
+            joins += bench.clay.joins();
+            bench.clay.restart();
+            ++lumps;
+        }
+        for (std::size_t h = 0; h < 2; ++h)
+            place[h] += (goal[h] - place[h]) * 0.01;
+        bench.input.hand.position_mm = place[0];
+        bench.input.second.position_mm = place[1];
+        const StudioForces forces = bench.tick();
+        const dvec3 total = forces.total_n();
+        ASSERT_TRUE(std::isfinite(total.x) && std::isfinite(total.y) && std::isfinite(total.z))
+            << "tick " << k;
+        if (k % 1000 == 0) {
+            ASSERT_EQ(bench.clay.ledger_error_mm3(), 0.0) << "tick " << k;
+            expect_sound(bench.clay);
+            if (testing::Test::HasFatalFailure()) FAIL() << "tick " << k;
+        }
+    }
+    splits += bench.clay.splits();
+    joins += bench.clay.joins();
+    std::printf("%d ticks: %llu splits, %llu joins, %d lumps, %d wires\n", kTicks,
+                static_cast<unsigned long long>(splits), static_cast<unsigned long long>(joins), lumps,
+                wires);
+    EXPECT_GT(splits, 100U);
+    EXPECT_GT(joins, 100U);
+    EXPECT_EQ(bench.clay.ledger_error_mm3(), 0.0);
+}
+
+}  // namespace
+}  // namespace onggi::clay::studio

@@ -1,0 +1,254 @@
+// What the clay carries and when it gives way; every stress worked out by hand beside it.
+#include "game/clay/studio/load.h"
+
+#include "engine/core/units.h"
+#include "game/clay/studio/strength.h"
+#include "tests/studio/bench.h"
+
+namespace onggi::clay::studio {
+namespace {
+
+TEST(Strength, FollowsTheLiquidityIndex) {
+    EXPECT_NEAR(strength_kpa(0.0), 180.0, 1e-9);
+    EXPECT_NEAR(strength_kpa(1.0), 2.3, 1e-9);
+    EXPECT_NEAR(strength_kpa(0.6), 180.0 * std::pow(2.3 / 180.0, 0.6), 1e-9);  // 13.2 kPa
+    EXPECT_NEAR(strength_kpa(0.9), 3.56, 0.01);
+    EXPECT_NEAR(flow_time_s(13.0, 0.1), 0.1, 1e-12);
+    EXPECT_NEAR(flow_time_s(3.25, 0.1), 0.05, 1e-12) << "wetter clay gives way faster";
+}
+
+TEST(Load, OfACylinderIsItsWeight) {
+    Bench bench;
+    bench.wall(45.0, 6.0, 12.0, 112.0, 1000);
+    Above above;
+    for (int i = 999; i > bench.clay.rings().first_hollow; --i)
+        above.volume_mm3 += bench.clay.volumes_mm3()[static_cast<std::size_t>(i)];
+    above.volume_radius_mm4 = above.volume_mm3 * 42.0;
+    const Stress stress = stress_in(bench.clay.rings(), bench.clay.rings().first_hollow, above, 0.0, 0.0);
+    // 100 mm of clay: 1900 kg/m^3 x 9.81 m/s^2 x 0.1 m = 1.864 kPa, whatever the wall.
+    EXPECT_NEAR(stress.weight_kpa, -1.864, 0.002);
+    EXPECT_NEAR(stress.bending_kpa, 0.0, 1e-9);
+    EXPECT_EQ(stress.cause(), Cause::kWeight);
+}
+
+TEST(Load, OfSpinIsHoopStress) {
+    Bench bench;
+    bench.wall(100.0, 6.0, 12.0, 60.0, 600);
+    const double w = units::rad_s_from_rev_min(200.0);
+    const Stress stress = stress_in(bench.clay.rings(), 500, {}, w, 0.0);
+    // 1900 x (20.94)^2 x 0.1^2 = 8334 Pa.
+    EXPECT_NEAR(stress.spin_kpa, 8.334, 0.01);
+    // A solid disc carries 0.41 of it.
+    EXPECT_NEAR(stress_in(bench.clay.rings(), 5, {}, w, 0.0).spin_kpa, 0.41 * 8.334, 0.01);
+    EXPECT_EQ(stress.cause(), Cause::kSpin);
+}
+
+TEST(Load, OfTheHandsIsTwist) {
+    Bench bench;
+    bench.wall(45.0, 2.0, 12.0, 60.0, 600);
+    // 500 N mm on a mean radius of 44 mm and 2 mm of wall: 500/(2 pi 44^2 2) N/mm^2 = 20.55 kPa.
+    const Stress stress = stress_in(bench.clay.rings(), 300, {}, 0.0, 500.0);
+    EXPECT_NEAR(stress.twist_kpa, 20.55, 0.01);
+    EXPECT_NEAR(stress.equivalent_kpa(), std::sqrt(3.0) * 20.55, 0.2);
+    EXPECT_EQ(stress.cause(), Cause::kTwist);
+}
+
+// A bowl's wall: the mean radius grows from low to high over the hollow rings.
+void flare(Bench& bench, double low, double high, double wall, double height, double liquidity) {
+    bench.clay.set_liquidity(liquidity);
+    const int rings = 800;
+    bench.wall(low, wall, 8.0, height, rings);
+    StudioClay& clay = bench.clay;
+    // As a thrower would: from the bytes of a state, so that every bound is checked.
+    Rings shaped = clay.rings();
+    for (int i = shaped.first_hollow; i < shaped.count; ++i) {
+        const double part =
+            static_cast<double>(i - shaped.first_hollow) / (shaped.count - shaped.first_hollow);
+        const double mean = low + (high - low) * part * (2.0 - part) - 0.5 * wall;
+        const std::size_t at = Rings::at(i);
+        shaped.outer_mm[at] = mean + 0.5 * wall;
+        shaped.inner_mm[at] = mean - 0.5 * wall;
+    }
+    clay.set_profile(shaped.outer_mm, shaped.inner_mm);
+}
+
+struct Outcome {
+    double index = 0.0;
+    Failure failure;
+    double height_before = 0.0;
+    double height = 0.0;
+    double widest = 0.0;
+};
+
+Outcome spin_bowl(double liquidity, double rev_min, bool forgiving = false) {
+    Bench bench({.mass_g = 1500.0, .rings = 1000});
+    flare(bench, 45.0, 100.0, 6.5, 75.0, liquidity);
+    bench.parameters.forgiving = forgiving;
+    bench.parameters.wheel = electric_wheel();
+    bench.clay.set_wheel_speed(0.0);
+    bench.input.wheel_speed_rad_s = units::rad_s_from_rev_min(rev_min);
+    bench.lift();
+    Outcome outcome;
+    outcome.height_before = bench.clay.height_mm();
+    for (int k = 0; k < 4000; ++k) {
+        bench.tick();
+        outcome.index = std::max(outcome.index, bench.clay.load_index());
+    }
+    expect_sound(bench.clay);
+    outcome.failure = bench.clay.failure();
+    outcome.height = bench.clay.height_mm();
+    for (const double outer : bench.clay.outer_mm())
+        outcome.widest = std::max(outcome.widest, outer);
+    return outcome;
+}
+
+TEST(Slump, ABowlTwentyCentimetresWideOfWetClayStandsAtSixtyTurnsAndFailsAtTwoHundred) {
+    const Outcome slow = spin_bowl(0.9, 60.0);
+    EXPECT_EQ(slow.failure.cause, Cause::kNone) << sentence(slow.failure);
+    EXPECT_LT(slow.index, 1.0);
+    EXPECT_GT(slow.index, 0.1);
+    EXPECT_NEAR(slow.height, slow.height_before, 0.05);
+
+    const Outcome fast = spin_bowl(0.9, 200.0);
+    EXPECT_EQ(fast.failure.cause, Cause::kSpin);
+    EXPECT_GT(fast.index, 1.1);
+    EXPECT_LT(fast.height, fast.height_before - 3.0);
+    EXPECT_GT(fast.widest, 105.0);
+    EXPECT_LE(fast.widest, kWidestMm);
+    EXPECT_NE(sentence(fast.failure).find("spun"), std::string::npos) << sentence(fast.failure);
+}
+
+TEST(Slump, OrdinaryClayOfThatBowlStandsAtTwoHundred) {
+    const Outcome outcome = spin_bowl(0.6, 200.0);
+    EXPECT_EQ(outcome.failure.cause, Cause::kNone) << sentence(outcome.failure);
+    EXPECT_LT(outcome.index, 0.6);
+}
+
+TEST(Slump, AForgivingWheelSlowsBeforeTheClayGivesWay) {
+    const Outcome outcome = spin_bowl(0.9, 200.0, true);
+    EXPECT_EQ(outcome.failure.cause, Cause::kNone) << sentence(outcome.failure);
+    EXPECT_GT(outcome.index, 0.7);
+    EXPECT_LT(outcome.index, 1.0);
+    EXPECT_NEAR(outcome.height, outcome.height_before, 0.05);
+}
+
+TEST(Slump, AFlatRimOfWetClaySags) {
+    Bench bench({.mass_g = 2500.0, .rings = 1000});
+    flare(bench, 40.0, 140.0, 4.0, 60.0, 1.0);
+    bench.turn_at(units::rad_s_from_rev_min(20.0));
+    bench.lift();
+    const double before = bench.clay.height_mm();
+    bench.hold(3.0);
+    EXPECT_EQ(bench.clay.failure().cause, Cause::kOverhang) << sentence(bench.clay.failure());
+    EXPECT_LT(bench.clay.height_mm(), before - 1.0);
+    EXPECT_NE(sentence(bench.clay.failure()).find("sagged"), std::string::npos);
+    expect_sound(bench.clay);
+}
+
+TEST(Slump, ATallWallOfSlurrySinksUnderItsWeight) {
+    Bench bench({.mass_g = 2500.0, .rings = 1000});
+    bench.clay.set_liquidity(1.1);  // su = 1.49 kPa: 2 su carry 160 mm of clay
+    bench.wall(45.0, 6.0, 12.0, 220.0, 1000);
+    bench.turn_at(units::rad_s_from_rev_min(20.0));
+    bench.lift();
+    bench.hold(2.0);
+    EXPECT_EQ(bench.clay.failure().cause, Cause::kWeight) << sentence(bench.clay.failure());
+    EXPECT_LT(bench.clay.failure().height_mm, 70.0) << "at the bottom, where all of it rests";
+    EXPECT_LT(bench.clay.height_mm(), 219.0);
+    // The bulge is below.
+    EXPECT_GT(bench.outer_at(25.0), 45.5);
+    expect_sound(bench.clay);
+}
+
+TEST(Slump, DryHandsTearAThinWetWallOff) {
+    Bench bench({.mass_g = 500.0, .rings = 1000, .off_centre_mm = 0.0});
+    bench.clay.set_liquidity(0.9);
+    bench.wall(30.0, 1.6, 12.0, 90.0, 900);
+    bench.parameters.friction_dry = 1.5;  // a hand that sticks
+    bench.parameters.largest_force_n = 100.0;
+    bench.input.assist_gap_mm = 0.2;
+    bench.at(45.0, 70.05);
+    bench.move({38.0, 70.05, 0.0}, 0.5);
+    bench.hold(4.0);
+    ASSERT_NE(bench.clay.failure().cause, Cause::kNone);
+    EXPECT_EQ(bench.clay.failure().cause, Cause::kTwist) << sentence(bench.clay.failure());
+    EXPECT_TRUE(bench.clay.failure().torn);
+    EXPECT_GT(bench.clay.ledger().trimmings_mm3, 1000.0);
+    expect_sound(bench.clay);
+}
+
+TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
+    bench.wall(45.0, 6.5, 12.0, 80.0, 800);
+    bench.at(54.5, 50.05);
+    const auto rubbing = [&] { return bench.tick().hand; };
+    const ContactForces dry = rubbing();
+    const double dry_ratio =
+        std::sqrt(glm::dot(dry.friction_n, dry.friction_n) / glm::dot(dry.stiffness_n, dry.stiffness_n));
+    EXPECT_NEAR(dry_ratio, 0.5, 0.01);
+    bench.input.wet_hands = true;
+    const ContactForces wet = rubbing();
+    const double wet_ratio =
+        std::sqrt(glm::dot(wet.friction_n, wet.friction_n) / glm::dot(wet.stiffness_n, wet.stiffness_n));
+    EXPECT_NEAR(wet_ratio, 0.2, 0.01);
+
+    bench.input.hand.tool = StudioTool::kSponge;
+    bench.parameters.sponge_water_ml_s = 0.5;
+    bench.hold(4.0);
+    const Rings& rings = bench.clay.rings();
+    EXPECT_GT(rings.liquidity[Rings::at(bench.ring_at(50.0))], rings.liquidity[0] + 0.02F);
+    EXPECT_LT(rings.strength_kpa[Rings::at(bench.ring_at(50.0))], 0.95F * rings.strength_kpa[0]);
+    EXPECT_GT(bench.clay.ledger().slip_mm3, 0.0);
+    EXPECT_EQ(bench.clay.ledger_error_mm3(), 0.0);
+}
+
+TEST(Water, DriesFromThinWallsFaster) {
+    Bench bench({.mass_g = 500.0});
+    bench.wall(45.0, 5.0, 12.0, 80.0, 800);
+    bench.parameters.evaporation_g_mm2_s = 5.6e-5;  // a thousand times the air's
+    bench.lift();
+    bench.hold(2.4);
+    const Rings& rings = bench.clay.rings();
+    // 5.6e-5 g/mm^2 s x 2/5 mm^-1 x 2.4 s over 1.52e-3 g/mm^3 dry clay and an index of 0.2: 0.177.
+    EXPECT_NEAR(0.6 - static_cast<double>(rings.liquidity[Rings::at(bench.ring_at(50.0))]), 0.177, 0.04);
+    EXPECT_GT(rings.liquidity[0], rings.liquidity[Rings::at(bench.ring_at(50.0))] + 0.1F);
+}
+
+TEST(Wheel, TakesItsTimeAndFeelsTheHand) {
+    PoweredWheel wheel;
+    const WheelParameters electric = electric_wheel();
+    int ticks = 0;
+    while (wheel.speed_rad_s() < 0.95 * kThrowingSpeed && ticks < 10000) {
+        wheel.step(kThrowingSpeed, 0.0, 0.001, electric);
+        ++ticks;
+    }
+    // 6 N m on 0.12 kg m^2 is 50 rad/s^2: 12.6 rad/s in a quarter of a second.
+    EXPECT_GT(ticks, 200);
+    EXPECT_LT(ticks, 400);
+    EXPECT_NEAR(wheel.heading().cosine * wheel.heading().cosine + wheel.heading().sine * wheel.heading().sine,
+                1.0, 1e-12);
+    for (int k = 0; k < 5000; ++k)
+        wheel.step(kThrowingSpeed, 0.0, 0.001, electric);
+    const double free = wheel.speed_rad_s();
+    for (int k = 0; k < 5000; ++k)
+        wheel.step(kThrowingSpeed, 1000.0, 0.001, electric);
+    EXPECT_LT(wheel.speed_rad_s(), free - 0.2);
+    for (int k = 0; k < 5000; ++k)
+        wheel.step(kThrowingSpeed, 20000.0, 0.001, electric);
+    EXPECT_EQ(wheel.speed_rad_s(), 0.0) << "more than the motor has stops it, and does not turn it back";
+}
+
+TEST(Wheel, AKickWheelRunsOnByItself) {
+    PoweredWheel kicked({}, kThrowingSpeed);
+    for (int k = 0; k < 10000; ++k)
+        kicked.step(0.0, 0.0, 0.001, kick_wheel());
+    // Drag 25 N mm s on 1.8 kg m^2: a time of 72 s; after 10 s 87 % are left.
+    EXPECT_NEAR(kicked.speed_rad_s() / kThrowingSpeed, std::exp(-10.0 / 72.0), 0.001);
+    PoweredWheel braked({}, kThrowingSpeed);
+    for (int k = 0; k < 1000; ++k)
+        braked.step(0.0, 0.0, 0.001, electric_wheel());
+    EXPECT_LT(braked.speed_rad_s(), 0.05 * kThrowingSpeed);
+}
+
+}  // namespace
+}  // namespace onggi::clay::studio
