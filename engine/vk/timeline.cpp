@@ -7,8 +7,9 @@
 namespace onggi::vk {
 namespace {
 
-// Longer than any frame: a device that takes ten seconds hangs.
-constexpr std::uint64_t kHangNs = 10'000'000'000ULL;
+// Longer than any frame, even a first one whose shaders are compiled in software on a machine that is busy
+// with ten other things: a device that takes two minutes hangs.
+constexpr std::uint64_t kHangNs = 120'000'000'000ULL;
 
 VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, std::uint64_t value,
                                      VkPipelineStageFlags2 stages) {
