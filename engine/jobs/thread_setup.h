@@ -39,9 +39,9 @@ struct Granted {
 // user has set are respected. Does nothing on a shared core.
 Granted keep_this_thread_off_haptic_core(const CoreChoice& choice);
 
-// Asks the kernel not to let idle cores fall into a sleep from which they wake slowly, as cyclictest does
-// (cyclictest with and without it, on a virtual machine at rest: 12 and 22 us in the median). Holds for the
-// whole machine, as long as it lives.
+// Asks the kernel not to let idle cores fall into a sleep from which they wake slowly, as cyclictest does.
+// Holds for the whole machine, as long as it lives. On a virtual machine no difference was measured: the host
+// decides.
 class WakefulCores {
   public:
     WakefulCores() = default;

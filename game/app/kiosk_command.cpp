@@ -16,6 +16,7 @@
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
+#include "game/app/haptic_core.h"
 #include "game/app/kiosk_input.h"
 #include "game/app/live_loop.h"
 #include "game/app/options.h"
@@ -156,12 +157,7 @@ class Kiosk {
 };
 
 Result<void> open_kiosk(const KioskOptions& options) {
-    // Before Vulkan: its software driver starts threads that inherit this one's cores.
-    const jobs::CoreChoice core = jobs::choose_haptic_core();
-    if (const jobs::Granted kept = jobs::keep_this_thread_off_haptic_core(core);
-        kept.grant == jobs::Grant::kRefused) {
-        remark(fmt::format("real time: the picture could not be kept off core {}", core.core));
-    }
+    const jobs::CoreChoice core = leave_haptic_core();
     auto view = wheel::LiveView::open({.width = options.size.width,
                                        .height = options.size.height,
                                        .full_screen = options.full_screen,

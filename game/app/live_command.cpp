@@ -11,6 +11,7 @@
 #include "engine/files/atomic_file.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
+#include "game/app/haptic_core.h"
 #include "game/app/options.h"
 #include "game/app/performance.h"
 #include "game/app/progress.h"
@@ -57,12 +58,7 @@ Result<void> play(const LiveOptions& options) {
     if (!performance) return performance.error();
     if (performance->remark) remark(*performance->remark);
 
-    // Before Vulkan: its software driver starts threads that inherit this one's cores.
-    const jobs::CoreChoice core = jobs::choose_haptic_core();
-    if (const jobs::Granted kept = jobs::keep_this_thread_off_haptic_core(core);
-        kept.grant == jobs::Grant::kRefused) {
-        remark(fmt::format("real time: the picture could not be kept off core {}", core.core));
-    }
+    const jobs::CoreChoice core = leave_haptic_core();
     auto view = wheel::LiveView::open({.width = options.size.width,
                                        .height = options.size.height,
                                        .headless = options.headless,

@@ -6,6 +6,10 @@
 
 namespace onggi::haptic {
 
+// The clay may not include the devices' room, and neither may be wider than the other.
+static_assert(clay::kSmallestToolMm == haptics::kMinToolRadiusMm);
+static_assert(clay::kLargestToolMm == haptics::kMaxToolRadiusMm);
+
 std::uint64_t HapticState::hash() const {
     StateHash hash;
     hash.add_word(clay.state_hash());
