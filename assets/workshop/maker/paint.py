@@ -116,13 +116,20 @@ class Paint:
         g = self._new("hanji", (0.75, 0.70, 0.60), 0.9, specular=0.1)
         fibres = g.noise(g.place((1.0, 1.0, 3.0)), 45.0, 6.0, 0.7, twist=2.0)
         leaves = g.ramp(g.noise(g.place((1.0, 1.0, 0.8)), 7.5, 3.0, 0.5, twist=0.8), 0.40, 0.62)
-        glow = g.mix(leaves, (0.80, 0.81, 0.76), (1.0, 0.96, 0.88))
+        glow = g.mix(leaves, (0.70, 0.66, 0.56), (1.0, 0.92, 0.78))
         g.feed(g.surface.inputs["Emission"], g.mix(g.math("MULTIPLY", g.ramp(fibres, 0.3, 0.7), 0.16), glow,
                                                    (0.62, 0.57, 0.48)))
-        g.feed(g.surface.inputs["Emission Strength"], 1.0)  # lights.py sets it
+        # A photographer would expose the window down: seen, it is dimmer than the light it gives.
+        seen = g.node("Value")
+        given = g.node("Value")
+        seen.name, given.name = "seen", "given"  # lights.py sets both
+        eye = g.node("LightPath").outputs["Is Camera Ray"]
+        g.feed(g.surface.inputs["Emission Strength"],
+               g.math("ADD", g.math("MULTIPLY", eye, seen.outputs[0]),
+                      g.math("MULTIPLY", g.math("SUBTRACT", 1.0, eye), given.outputs[0])))
 
     def _wood(self):
-        def wood(name, light, dark, rough, board_m=None):
+        def wood(name, light, dark, rough, board_m=None, clay=0.0):
             middle = tuple(0.55 * a + 0.45 * b for a, b in zip(light, dark))
             g = self._new(name, middle, rough, specular=0.35)
             where = g.place()
@@ -133,21 +140,26 @@ class Paint:
                 which = g.math("FLOOR", position)
                 across = g.math("ABSOLUTE", g.math("SUBTRACT", g.math("SUBTRACT", position, which), 0.5))
                 boards = g.ramp(across, 0.484, 0.496)
-                step = g.node("CombineXYZ", X=g.math("MULTIPLY", which, 0.37), Y=g.math("MULTIPLY", which, 0.013),
-                              Z=g.math("MULTIPLY", which, 0.071)).outputs[0]
+                step = g.node("CombineXYZ", X=g.math("MULTIPLY", which, 3.7), Y=g.math("MULTIPLY", which, 0.43),
+                              Z=g.math("MULTIPLY", which, 0.29)).outputs[0]
                 where = g.node("VectorMath", {"operation": "ADD"}, i0=where, i1=step).outputs[0]
             lay = lambda s: g.node("VectorMath", {"operation": "MULTIPLY"}, i0=where, i1=s).outputs[0]
-            rings = g.node("TexWave", {"wave_type": "RINGS", "rings_direction": "X"}, Vector=lay((0.28, 1.0, 1.6)),
-                           Scale=22.0, Distortion=3.2, Detail=2.0, **{"Detail Scale": 1.6}).outputs["Fac"]
+            rings = g.node("TexWave", {"wave_type": "RINGS", "rings_direction": "X"}, Vector=lay((0.10, 1.0, 1.7)),
+                           Scale=9.0, Distortion=7.0, Detail=3.0, **{"Detail Scale": 3.5}).outputs["Fac"]
             fibre = g.noise(lay((2.2, 70.0, 70.0)), 5.0, 5.0, 0.65)
             drift = g.noise(lay((1.0, 3.0, 3.0)), 2.5, 3.0)
-            figure = g.math("ADD", g.math("MULTIPLY", rings, 0.42),
-                            g.math("ADD", g.math("MULTIPLY", fibre, 0.55), g.math("MULTIPLY", drift, 0.40)))
+            figure = g.math("ADD", g.math("MULTIPLY", rings, 0.22),
+                            g.math("ADD", g.math("MULTIPLY", fibre, 0.60), g.math("MULTIPLY", drift, 0.55)))
             colour = g.mix(g.ramp(figure, 0.35, 1.0), dark, light)
             normal = g.bump(fibre, 0.0009, 0.5)
             if boards:
                 colour = g.mix(boards, colour, tuple(0.25 * c for c in dark))
                 normal = g.bump(g.math("MULTIPLY", boards, -1.0), 0.002, 1.0, after=normal)
+            if clay:  # dry clay around the wheel: thick by the pan, gone at the edge of the deck
+                near = g.ramp(g.radius(), 0.46, 0.22)
+                smear = g.ramp(g.math("ADD", g.noise(g.place((1.0, 1.8, 1.0)), 9.0, 7.0, 0.7),
+                                      g.math("MULTIPLY", near, 0.20)), 0.52, 0.82)
+                colour = g.mix(g.math("MULTIPLY", smear, clay), colour, (0.36, 0.29, 0.215))
             g.feed(g.surface.inputs["Base Color"], colour)
             g.feed(g.surface.inputs["Roughness"], g.node("MapRange", Value=fibre, **{
                 "To Min": rough - 0.10, "To Max": rough + 0.14}).outputs[0])
@@ -155,6 +167,7 @@ class Paint:
 
         wood("oak", (0.40, 0.245, 0.125), (0.20, 0.105, 0.048), 0.52)
         wood("oak boards", (0.37, 0.225, 0.115), (0.185, 0.098, 0.045), 0.50, board_m=0.118)
+        wood("deck boards", (0.235, 0.145, 0.080), (0.105, 0.060, 0.031), 0.52, board_m=0.150, clay=0.55)
         wood("dark timber", (0.135, 0.078, 0.045), (0.055, 0.031, 0.019), 0.55)
         wood("boxwood", (0.55, 0.36, 0.17), (0.38, 0.22, 0.09), 0.42)
 
@@ -166,9 +179,9 @@ class Paint:
         radius = g.radius()
         line = g.node("CombineXYZ", X=radius).outputs[0]
         grooves = g.noise(line, 620.0, 3.0, 0.7)
-        film = g.ramp(g.noise(line, 34.0, 5.0, 0.7), 0.50, 0.66)
+        film = g.ramp(g.noise(line, 34.0, 5.0, 0.7), 0.46, 0.74)
         near = g.ramp(radius, 0.128, 0.085)  # fingers leave most of it around the foot
-        slip = g.math("MULTIPLY", film, g.math("ADD", g.math("MULTIPLY", near, 0.30), 0.10))
+        slip = g.math("MULTIPLY", film, g.math("ADD", g.math("MULTIPLY", near, 0.16), 0.10))
         g.feed(g.surface.inputs["Base Color"], g.mix(slip, metal, (0.36, 0.28, 0.20)))
         g.feed(g.surface.inputs["Metallic"], g.math("SUBTRACT", 1.0, slip))
         g.feed(g.surface.inputs["Roughness"], g.math("ADD", g.math("MULTIPLY", slip, 0.5),
@@ -196,7 +209,7 @@ class Paint:
 
         ware("bisque", (0.56, 0.29, 0.165), 0.86)
         ware("greenware", (0.40, 0.33, 0.25), 0.80)
-        ware("wet clay", (0.25, 0.175, 0.118), 0.38, bumpy=0.003, cloud=0.25)
+        ware("wet clay", (0.25, 0.175, 0.118), 0.38, bumpy=0.0012, cloud=0.25)
         ware("moon white", (0.74, 0.715, 0.66), 0.35, coat=0.8, coat_rough=0.12, cloud=0.06, speck=0.05)
         ware("celadon", (0.31, 0.405, 0.325), 0.30, coat=1.0, coat_rough=0.07, cloud=0.16)
         ware("ash", (0.34, 0.31, 0.235), 0.55, coat=0.35, coat_rough=0.3, speck=0.35, cloud=0.25)
@@ -238,5 +251,3 @@ class Paint:
         self._new("bristle", (0.60, 0.52, 0.40), 0.8)
         self._new("twig", (0.10, 0.065, 0.045), 0.8)
         self._new("bud", (0.46, 0.20, 0.17), 0.7)
-        self._new("gourd", (0.50, 0.31, 0.13), 0.45)
-        self._new("rope", (0.42, 0.33, 0.21), 0.95, specular=0.1)
