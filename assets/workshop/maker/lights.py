@@ -75,7 +75,14 @@ def _beam(paint):
         bar(0.16, 0.006, 0, k * 0.044)
 
 
-def build(paint, with_window=True):
+def set_window(paint, seen, given):
+    """How bright the paper of the window is to the camera, and as a light."""
+    nodes = paint["hanji"].node_tree.nodes
+    nodes["seen"].outputs[0].default_value = seen
+    nodes["given"].outputs[0].default_value = given
+
+
+def build(paint):
     """Lights the scene; returns the key light's object."""
     key = _area("key", KEY, "key")
     _area("fill", FILL, "rest")
@@ -87,10 +94,7 @@ def build(paint, with_window=True):
     background.inputs[0].default_value = (*ROOM["colour"], 1.0)
     background.inputs[1].default_value = ROOM["strength"]
     _group(world, "rest")
-    if with_window:
-        nodes = paint["hanji"].node_tree.nodes
-        nodes["seen"].outputs[0].default_value = WINDOW_SEEN
-        nodes["given"].outputs[0].default_value = WINDOW_GIVEN
+    set_window(paint, WINDOW_SEEN, WINDOW_GIVEN)
     for thing in bpy.context.scene.objects:
         if thing.type == "MESH":
             _group(thing, "rest")
