@@ -34,11 +34,12 @@ def unit(normals):
 
 
 def _without_fireflies(passes):
-    """Caps a pixel of one pass at what its neighbours in all passes reach."""
-    mean = passes.mean(0)
-    bright = luminance(mean)
-    around = np.max([np.median([_shifted(bright, dy, dx) for dy in (-1, 0, 1) for dx in (-1, 0, 1)], 0)], 0)
-    limit = around * 4.0 + 0.02
+    """Caps a pixel of one pass at a few times what its neighbourhood in all passes has on the average. (Not
+    the median: in the outer penumbra most pixels see nothing of a light, and the few that do are right.)"""
+    around = luminance(passes.mean(0))
+    for axis in (0, 1):
+        around = sum(_shifted(around, d * (axis == 0), d * (axis == 1)) for d in range(-3, 4)) / 7.0
+    limit = around * 6.0 + 0.01
     scale = np.minimum(1.0, limit[None] / np.maximum(luminance(passes), 1e-6))
     return passes * scale[..., None]
 
@@ -60,6 +61,8 @@ def denoise(passes, albedo, normal, depth, levels=5, strength=3.0):
     for level in range(levels):
         step = 1 << level
         bright = luminance(mean)
+        if level < 2:
+            bright = _blur3(bright)  # still too noisy to tell an edge of light by
         spread = strength * np.sqrt(_blur3(variance)) + 1e-3 + 0.004 * bright
         total = np.zeros_like(mean)
         total_variance = np.zeros_like(variance)

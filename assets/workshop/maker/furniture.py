@@ -53,6 +53,8 @@ def _deck(paint):
     for x in (-DECK["half_width"] + 0.05, DECK["half_width"] - 0.05):
         for y in (DECK["front"] + 0.05, DECK["back"] - 0.05):
             high = DECK_TOP - thick - building.FLOOR
-            shapes.box("deck leg", (high, 0.06, 0.06), paint["dark timber"], (x, y, building.FLOOR + high / 2), (0, 1.5708, 0))
+            shapes.box("deck leg", (high, 0.06, 0.06), paint["dark timber"], (x, y, building.FLOOR + high / 2),
+                       (0, 1.5708, 0))
     for y in (DECK["front"] + 0.05, DECK["back"] - 0.05):
-        shapes.box("deck rail", (2 * DECK["half_width"] - 0.1, 0.03, 0.06), paint["dark timber"], (0, y, DECK_TOP - thick - 0.03))
+        shapes.box("deck rail", (2 * DECK["half_width"] - 0.1, 0.03, 0.06), paint["dark timber"],
+                   (0, y, DECK_TOP - thick - 0.03))

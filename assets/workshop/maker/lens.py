@@ -9,7 +9,7 @@ import numpy as np
 from .denoise import _shifted
 
 SHARP_M = 0.34       # within this of the focal distance nothing is blurred at all: wheel, pan, tools
-BLUR_SHARE = 0.0085  # radius of the blur for things infinitely far away, of the picture's height
+BLUR_SHARE = 0.0068  # radius of the blur for things infinitely far away, of the picture's height
 
 
 def blur(light, depth, focus_m):

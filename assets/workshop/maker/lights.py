@@ -8,8 +8,8 @@ from mathutils import Quaternion, Vector
 
 from . import shapes
 
-KEY = {"at": (-0.92, -0.58, 0.80), "towards": (-0.02, -0.03, 0.05), "size": 0.30, "power_w": 9.0, "colour": (1.0, 0.79, 0.56),
-       "spread": 1.25}  # rad; a narrow light, so that the wall keeps its own
+KEY = {"at": (-0.92, -0.58, 0.80), "towards": (-0.02, -0.03, 0.05), "size": 0.30, "power_w": 9.0,
+       "colour": (1.0, 0.79, 0.56), "spread": 1.25}  # rad; a narrow light, so that the wall keeps its own
 FILL = {"at": (1.25, -1.5, 1.1), "towards": (0.0, 0.2, 0.0), "size": 1.2, "power_w": 7.5, "colour": (0.84, 0.90, 1.0)}
 # Low sun through a lattice behind the visitor. It passes over the wheel and only ever reaches the wall, so it
 # belongs to both plates and throws no shadow of the pot.

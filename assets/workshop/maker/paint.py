@@ -181,7 +181,7 @@ class Paint:
         grooves = g.noise(line, 620.0, 3.0, 0.7)
         film = g.ramp(g.noise(line, 34.0, 5.0, 0.7), 0.46, 0.74)
         near = g.ramp(radius, 0.128, 0.085)  # fingers leave most of it around the foot
-        slip = g.math("MULTIPLY", film, g.math("ADD", g.math("MULTIPLY", near, 0.16), 0.10))
+        slip = g.math("MULTIPLY", film, g.math("ADD", g.math("MULTIPLY", near, 0.12), 0.08))
         g.feed(g.surface.inputs["Base Color"], g.mix(slip, metal, (0.36, 0.28, 0.20)))
         g.feed(g.surface.inputs["Metallic"], g.math("SUBTRACT", 1.0, slip))
         g.feed(g.surface.inputs["Roughness"], g.math("ADD", g.math("MULTIPLY", slip, 0.5),
@@ -238,15 +238,13 @@ class Paint:
 
     def _soft(self):
         g = self._new("sponge", (0.66, 0.43, 0.15), 0.95, specular=0.1)
-        holes = g.node("TexVoronoi", Vector=g.place(), Scale=210.0).outputs["Distance"]
-        g.feed(g.surface.inputs["Base Color"], g.mix(g.ramp(holes, 0.25, 0.65), (0.30, 0.17, 0.05), (0.72, 0.49, 0.19)))
-        g.feed(g.surface.inputs["Normal"], g.bump(holes, 0.004))
-
-        g = self._new("linen", (0.52, 0.47, 0.385), 0.95, specular=0.1)
-        weave = g.math("MULTIPLY", g.node("TexWave", {"bands_direction": "X"}, Vector=g.place(), Scale=260.0).outputs["Fac"],
-                       g.node("TexWave", {"bands_direction": "Y"}, Vector=g.place(), Scale=260.0).outputs["Fac"])
-        g.feed(g.surface.inputs["Base Color"], g.mix(g.noise(g.place(), 20.0), (0.44, 0.395, 0.32), (0.58, 0.53, 0.44)))
-        g.feed(g.surface.inputs["Normal"], g.bump(weave, 0.0006))
+        where = g.place()
+        pores = g.node("TexVoronoi", Vector=where, Scale=330.0).outputs["Distance"]
+        wide = g.noise(where, 120.0, 4.0)  # where the pores are open and where they have closed
+        solid = g.ramp(g.math("SUBTRACT", pores, g.math("MULTIPLY", wide, 0.5)), -0.10, 0.10)
+        body = g.mix(g.noise(where, 40.0), (0.56, 0.36, 0.13), (0.72, 0.50, 0.21))
+        g.feed(g.surface.inputs["Base Color"], g.mix(solid, (0.27, 0.155, 0.05), body))
+        g.feed(g.surface.inputs["Normal"], g.bump(g.math("ADD", solid, g.math("MULTIPLY", wide, 0.8)), 0.0016))
 
         self._new("bristle", (0.60, 0.52, 0.40), 0.8)
         self._new("twig", (0.10, 0.065, 0.045), 0.8)

@@ -35,15 +35,16 @@ def pot(name, outline, height, material, at, wall=0.0042, rings=0.00035, pitch=0
     lip = [(radius - wall / 2 + wall / 2 * math.cos(a), top + wall / 2 * math.sin(a))
            for a in (0.35, 0.8, 1.25, 1.57, 1.9, 2.35, 2.8)]
     inside = [(max(r - wall, 0.002), z) for r, z in reversed(outside) if z > 2 * wall]
-    return shapes.lathe(name, [(0, 0.002), (outside[0][0] * 0.86, 0.002), (outside[0][0] * 0.9, 0.0)] + outside + lip + inside +
-                        [(0, 2 * wall)], material, at, turn, cuts)
+    foot = outside[0][0]
+    profile = [(0, 0.002), (foot * 0.86, 0.002), (foot * 0.9, 0.0)] + outside + lip + inside + [(0, 2 * wall)]
+    return shapes.lathe(name, profile, material, at, turn, cuts)
 
 
 def lid(name, radius, material, at):
     """The lid of an onggi jar: a shallow dish upside down with a knob."""
     r = radius
-    shapes.lathe(name, [(r, 0.0), (r + 0.004, 0.004), (r + 0.002, 0.012), (r * 0.75, 0.026), (r * 0.3, 0.034), (0.016, 0.036),
-                        (0.013, 0.044), (0.019, 0.051), (0.017, 0.057), (0, 0.059)], material, at, cuts=72)
+    shapes.lathe(name, [(r, 0.0), (r + 0.004, 0.004), (r + 0.002, 0.012), (r * 0.75, 0.026), (r * 0.3, 0.034),
+                        (0.016, 0.036), (0.013, 0.044), (0.019, 0.051), (0.017, 0.057), (0, 0.059)], material, at, cuts=72)
 
 
 def build(paint):
@@ -80,4 +81,4 @@ def build(paint):
     put("bench bowl", "bowl", 0.075, "buncheong", 0.245, 0.665, bench)
     put("brush jar", "cylinder", 0.105, "ash", 0.395, 0.72, bench)
     for k in range(3):
-        put("bisque cup %d" % k, "cup", 0.078, "bisque", 0.70 + 0.088 * k, 0.78 - 0.03 * (k % 2), bench)
+        put("bisque cup %d" % k, "cup", 0.078, "bisque", 0.80 + 0.088 * k, 0.78 - 0.03 * (k % 2), bench)

@@ -146,7 +146,8 @@ def fit_sky(directions, solid, light):
         best = None
         for sharpness in (4.0, 12.0, 40.0):
             for k in range(0, len(directions), 97):
-                gain = float((np.exp(sharpness * (directions @ directions[k] - 1)) * left * solid).sum() * math.sqrt(sharpness))
+                lobe = np.exp(sharpness * (directions @ directions[k] - 1))
+                gain = float((lobe * left * solid).sum() * math.sqrt(sharpness))
                 if best is None or gain > best[0]:
                     best = (gain, directions[k], sharpness)
         panels.append((best[1], best[2]))
@@ -158,7 +159,8 @@ def fit_sky(directions, solid, light):
                 side = np.cross(towards, (0.0, 1.0, 0.01))
                 side /= np.linalg.norm(side)
                 over = np.cross(side, towards)
-                for move, factor in ((side, 1), (-side, 1), (over, 1), (-over, 1), (0 * side, 1 + step), (0 * side, 1 / (1 + step))):
+                still = np.zeros(3)
+                for move, factor in ((side, 1), (-side, 1), (over, 1), (-over, 1), (still, 1 + step), (still, 1 / (1 + step))):
                     moved = towards + step * move
                     trial = list(panels)
                     trial[k] = (moved / np.linalg.norm(moved), min(max(sharpness * factor, 1.0), 200.0))
@@ -181,12 +183,16 @@ def measure(paint, key_lamp, work, out, threads):
     for lamp in lamps:
         lamp.hide_render = True
     lights.set_window(paint, 0.0, 0.0)
+    for material in bpy.data.materials:  # whatever glows in a museum's own room
+        glow = material.node_tree and material.node_tree.nodes.get("Principled BSDF")
+        if glow:
+            glow.inputs["Emission Strength"].default_value = 0.0
     background = bpy.context.scene.world.node_tree.nodes["Background"].inputs[1]
     background.default_value = 0.0
     direct = _bake(ball, 256, direct_only=True)
     bpy.data.objects.remove(ball)
 
-    towards, colour, key_error = _key(normals, direct)
+    key_towards, colour, key_error = _key(normals, direct)
     ambient = np.maximum(everything - direct, 0.0)
     terms = basis(normals)
     harmonics, *_ = np.linalg.lstsq(terms, ambient, rcond=None)
@@ -198,19 +204,21 @@ def measure(paint, key_lamp, work, out, threads):
         return [round(float(v), 5) for v in values]
 
     result = {
-        "units": "linear light times the plates' exposure of %.2f; directions are unit vectors in the game's frame (+y up, +z to the visitor); angles rad" % tone.EXPOSURE,
+        "units": "linear light times the plates' exposure of %.2f; directions are unit vectors in the game's frame "
+                 "(+y up, +z to the visitor); angles rad" % tone.EXPOSURE,
         "measured_at_mm": [AT[0] * 1000, AT[2] * 1000, -AT[1] * 1000],
-        "key": {"towards_light": tidy(towards), "radiance": tidy(colour), "angular_radius_rad": round(angular, 4),
+        "key": {"towards_light": tidy(key_towards), "radiance": tidy(colour), "angular_radius_rad": round(angular, 4),
                 "rms_error": round(float(key_error), 5)},
         "irradiance_over_pi": {"basis": "c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3zz-1) + c7 xz + c8 (xx-yy)",
                                "coefficients": [tidy(row) for row in harmonics],
                                "mean": round(float(ambient.mean()), 5), "rms_error": round(harmonic_error, 5)},
         "environment": {"zenith": tidy(sky[0]), "horizon": tidy(sky[1]), "nadir": tidy(sky[2]),
-                        "panels": [{"direction": tidy(p[0]), "sharpness": round(float(p[1]), 3), "radiance": tidy(sky[3 + k])}
-                                   for k, p in enumerate(panels)]},
+                        "panels": [{"direction": tidy(towards), "sharpness": round(float(sharpness), 3),
+                                    "radiance": tidy(radiance)}
+                                   for (towards, sharpness), radiance in zip(panels, sky[3:])]},
         "plates": {"exposure": tone.EXPOSURE, "tone": "c / (0.8 c + 0.35)", "transfer": "sRGB (IEC 61966-2-1)",
                    "cameras": sorted(cameras_file.load())},
     }
     pathlib.Path(out).write_text(json.dumps(result, indent=2) + "\n")
-    print("light: key", tidy(towards), tidy(colour), "ambient mean", result["irradiance_over_pi"]["mean"],
+    print("light: key", tidy(key_towards), tidy(colour), "ambient mean", result["irradiance_over_pi"]["mean"],
           "rms", harmonic_error, flush=True)

@@ -96,12 +96,12 @@ def plate_with_hole(name, half_width, front, back, hole_radius, thickness, mater
     return _finish(name, builder, material, at, (0, 0, 0), 30)
 
 
-def tube(name, points, radius, material, at=(0, 0, 0), turn=(0, 0, 0), cuts=10, taper=1.0):
+def tube(name, points, radius, material, at=(0, 0, 0), turn=(0, 0, 0), cuts=20, taper=1.0):
     """A round rod along a line of points; `taper` is the radius at its end over that at its beginning."""
     curve = bpy.data.curves.new(name, "CURVE")
     curve.dimensions = "3D"
     curve.bevel_depth = radius
-    curve.bevel_resolution = max(1, int(cuts * fineness) // 4)
+    curve.bevel_resolution = max(1, int(cuts * fineness) // 4 - 1)
     curve.use_fill_caps = True
     spline = curve.splines.new("POLY")
     spline.points.add(len(points) - 1)

@@ -13,21 +13,21 @@ def build(paint):
 def _deck_things(paint):
     deck = furniture.DECK_TOP
     rng = dice("deck")
-    # Water within reach of the right hand: an onggi bowl, and the sponge on its rim.
-    pots.pot("water bowl", "crock", 0.082, paint["onggi glaze"], (0.325, 0.105, deck), wall=0.006, rings=0.0002, pitch=0.012, cuts=112)
+    # Water within reach of the right hand: an onggi bowl, a sponge beside it.
+    pots.pot("water bowl", "crock", 0.082, paint["onggi glaze"], (0.325, 0.105, deck), wall=0.006,
+             rings=0.0002, pitch=0.012, cuts=112)
     shapes.lathe("water", [(0.0355, 0.0), (0, 0.0)], paint["slip water"], (0.325, 0.105, deck + 0.066))
-    shapes.lump("sponge", (0.033, 0.025, 0.017), paint["sponge"], rng, (0.300, -0.045, deck), roughness=0.16)
+    shapes.lump("sponge", (0.033, 0.025, 0.017), paint["sponge"], rng, (0.300, -0.045, deck), roughness=0.22)
     _rib(paint, (0.385, -0.065, deck), 0.5)
     _needle(paint, (-0.315, -0.055, deck), 1.25)
     _loop_tool(paint, (-0.352, -0.045, deck), 1.38)
     _wire(paint, (-0.335, 0.135, deck))
-    shapes.box("cloth", (0.13, 0.088, 0.010), paint["linen"], (0.435, 0.185, deck + 0.005), (0, 0, -0.25), bevel=0.0045)
-    shapes.box("cloth fold", (0.126, 0.080, 0.009), paint["linen"], (0.433, 0.187, deck + 0.0145), (0, 0.01, -0.22), bevel=0.004)
 
 
 def _rib(paint, at, angle):
     """A kidney-shaped rib of boxwood."""
-    shape = shapes.box("rib", (0.076, 0.040, 0.006), paint["boxwood"], (at[0], at[1], at[2] + 0.003), (0, 0, angle), bevel=0.0028)
+    shape = shapes.box("rib", (0.076, 0.040, 0.006), paint["boxwood"], (at[0], at[1], at[2] + 0.003), (0, 0, angle),
+                       bevel=0.0028)
     for vertex in shape.data.vertices:  # bend the block into a kidney
         x = vertex.co.x / 0.038
         vertex.co.y += 0.011 * (1 - x * x) * (1 if vertex.co.y > 0 else 0.35)
@@ -37,7 +37,8 @@ def _rib(paint, at, angle):
 
 def _needle(paint, at, angle):
     turn = (0, 0, angle)
-    shapes.tube("needle handle", [(0, 0, 0.0052), (0.045, 0, 0.0058), (0.085, 0, 0.0052)], 0.0055, paint["boxwood"], at, turn)
+    shapes.tube("needle handle", [(0, 0, 0.0052), (0.045, 0, 0.0058), (0.085, 0, 0.0052)], 0.0055, paint["boxwood"],
+                at, turn)
     shapes.tube("needle ferrule", [(0.085, 0, 0.0052), (0.094, 0, 0.0050)], 0.0036, paint["brass"], at, turn)
     shapes.tube("needle", [(0.094, 0, 0.0050), (0.138, 0, 0.0040)], 0.0011, paint["steel"], at, turn, taper=0.3)
 
@@ -58,7 +59,8 @@ def _wire(paint, at):
     shapes.tube("cutting wire", line, 0.0008, paint["steel"], at)
     for end, angle in ((line[0], 0.9), (line[-1], 2.2)):
         c, s = math.cos(angle) * 0.026, math.sin(angle) * 0.026
-        shapes.tube("toggle", [(end[0] - c, end[1] - s, 0.007), (end[0] + c, end[1] + s, 0.007)], 0.007, paint["boxwood"], at)
+        rod = [(end[0] + k * c, end[1] + k * s, 0.0062) for k in (-1.0, -0.97, 0.97, 1.0)]
+        shapes.tube("toggle", rod, 0.0062, paint["boxwood"], at)
 
 
 def _bench_things(paint):
