@@ -54,7 +54,10 @@ def load(path):
     if not hasattr(numpy, "bool"):  # Blender 3.4's importer says numpy.bool, which numpy 1.24 no longer knows
         numpy.bool = bool
     before = set(bpy.context.scene.objects)
-    bpy.ops.import_scene.gltf(filepath=str(path))
+    try:
+        bpy.ops.import_scene.gltf(filepath=str(path))
+    except RuntimeError as problem:
+        raise SystemExit("%s: expected a glTF 2.0 room: %s" % (path, str(problem).splitlines()[0])) from None
     things = [o for o in bpy.context.scene.objects if o not in before]
     meshes = [o for o in things if o.type == "MESH"]
     if not meshes:
