@@ -77,9 +77,10 @@ def main():
         for name, spec in cameras_file.load().items():
             if chosen.camera and name not in chosen.camera:
                 continue
-            plates.set_up(chosen.samples, chosen.threads, spec["size"], chosen.scale)
+            source = spec.get("middle_of", name)
+            plates.set_up(chosen.samples, chosen.threads, cameras_file.load()[source]["size"], chosen.scale)
             cameras.place(spec)
-            plates.render(name, work, chosen.passes)
+            plates.render(source, work, chosen.passes)
             develop.develop(work, out / "plates", [name])
 
 

@@ -7,6 +7,7 @@ import pathlib
 import sys
 
 import numpy as np
+from PIL import Image
 
 from . import cameras_file, denoise, exr, lens, tone
 
@@ -31,10 +32,26 @@ def light_of(work, name, spec):
     return [lens.blur(light, depth, focus) for light in (groups[0] + ambient, ambient)]
 
 
+def middle_of(light, size):
+    """The middle of a plate at another size: what a camera in the same place sees that shows as much from top
+    to bottom and less to the sides. Lanczos, in linear light."""
+    width, height = size
+    used = light.shape[0] * width / height
+    left = (light.shape[1] - used) / 2
+    box = (left, 0, left + used, light.shape[0])
+    planes = [Image.fromarray(np.ascontiguousarray(light[..., k])).resize((width, height), Image.LANCZOS, box)
+              for k in range(3)]
+    return np.maximum(np.stack([np.asarray(plane) for plane in planes], -1), 0.0)
+
+
 def develop(work, out, names, suffix=".jpg"):
     pathlib.Path(out).mkdir(parents=True, exist_ok=True)
     for name in names:
-        lit, ambient = light_of(work, name, cameras_file.load()[name])
+        spec = cameras_file.load()[name]
+        wider = spec.get("middle_of")
+        lit, ambient = light_of(work, wider or name, spec)
+        if wider:
+            lit, ambient = middle_of(lit, spec["size"]), middle_of(ambient, spec["size"])
         tone.write(pathlib.Path(out) / (name + "_key" + suffix), lit)
         tone.write(pathlib.Path(out) / (name + "_ambient" + suffix), ambient)
         print("developed", name, flush=True)

@@ -24,7 +24,7 @@ def to_bytes(light, seed=1):
     return np.clip(curve(light) * 255.0 + 0.6 * dither + 0.5, 0, 255).astype(np.uint8)
 
 
-def write(path, light, quality=93):
+def write(path, light, quality=95):
     image = Image.fromarray(to_bytes(light))
     if str(path).endswith(".jpg"):
         image.save(path, quality=quality, subsampling=0, optimize=True)
