@@ -20,7 +20,8 @@ class GlfwLibrary {
             const char* reason = nullptr;
             glfwGetError(&reason);
             return system_lacks(
-                fmt::format("window: expected a display, found none ({}); set DISPLAY or go headless",
+                fmt::format("window: expected a display, found none ({}); set DISPLAY, or throw without a "
+                            "window: onggi throw",
                             reason == nullptr ? "no reason given" : reason));
         }
         return std::unique_ptr<GlfwLibrary>(new GlfwLibrary);

@@ -51,6 +51,14 @@ void add_input_file(CLI::App& command, InputOptions& options) {
     command.add_option("file", options.file, "a gesture (.csv) or a recorded session (.onggi)")
         ->type_name("GESTURE.csv|SESSION.onggi")
         ->required();
+    command.footer(
+        "A gesture is a table with the header line\n"
+        "  t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n"
+        "and rows with t_s rising from 0 to at most 3600. Position (wheel frame, y up from the wheel head, "
+        "within\n"
+        "+-1000) is linear between rows; button (0 the wheel stands, 1 it turns) and tool radius (2 to 40) "
+        "hold from\n"
+        "their row on. More columns may follow to the right.");
 }
 
 void add_rate_option(CLI::App& command, InputOptions& options) {
