@@ -31,7 +31,7 @@ def options():
     parser.add_argument("--work", default="/tmp/onggi-workshop", help="folder for the unfinished renderings; "
                         "passes found in it are not rendered again: empty it after a change")
     parser.add_argument("--samples", type=int, default=10, help="a pixel in each pass")
-    parser.add_argument("--passes", type=int, default=4, help="two or more, for the denoiser")
+    parser.add_argument("--passes", type=int, default=3, help="two or more, for the denoiser")
     parser.add_argument("--scale", type=float, default=1.0, help="of the picture's size; 0.5 for a preview")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--stand-in", action="store_true", help="preview: put a pot on the wheel")

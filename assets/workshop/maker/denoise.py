@@ -63,7 +63,7 @@ def denoise(passes, albedo, normal, depth, levels=5, strength=3.0):
     for _ in range(4):
         variance = _blur3(variance)
 
-    slope = np.maximum(np.abs(_shifted(depth, 0, 1) - depth), np.abs(_shifted(depth, 1, 0) - depth))
+    slope = np.max([np.abs(_shifted(depth, dy, dx) - depth) for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0))], 0)
     slope = np.minimum(slope, 0.02 * depth)
     for level in range(levels):
         step = 1 << level
