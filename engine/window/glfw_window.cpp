@@ -20,8 +20,7 @@ class GlfwLibrary {
             const char* reason = nullptr;
             glfwGetError(&reason);
             return system_lacks(
-                fmt::format("window: expected a display, found none ({}); set DISPLAY, or throw without a "
-                            "window: onggi throw",
+                fmt::format("window: expected a display, found none ({}); set DISPLAY or do without a window",
                             reason == nullptr ? "no reason given" : reason));
         }
         return std::unique_ptr<GlfwLibrary>(new GlfwLibrary);
