@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/record/bytes.h"
+#include "engine/core/little_endian.h"
 #include "engine/record/layout.h"
 
 namespace onggi::record {
+
+using little_endian::get;
+using little_endian::get_double;
 
 const std::byte* Session::at(std::size_t offset) const noexcept {
     return reinterpret_cast<const std::byte*>(bytes_.data()) + offset;

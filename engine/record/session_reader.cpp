@@ -5,12 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "engine/core/little_endian.h"
 #include "engine/core/quote.h"
-#include "engine/record/bytes.h"
 #include "engine/record/layout.h"
 #include "engine/record/session.h"
 
 namespace onggi::record {
+
+using little_endian::get;
+using little_endian::get_double;
 
 class SessionReader {
   public:

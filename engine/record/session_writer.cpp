@@ -7,10 +7,12 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/record/bytes.h"
+#include "engine/core/little_endian.h"
 #include "engine/record/layout.h"
 
 namespace onggi::record {
+
+using little_endian::put;
 namespace {
 
 bool is_within(double number, double least, double most) {

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string_view>
 
 #include "engine/core/hash.h"
+#include "engine/core/little_endian.h"
 #include "game/clay/paper_clay.h"
 
 namespace onggi::clay {
@@ -17,41 +17,19 @@ namespace {
 constexpr std::uint32_t kStateTag = 0x314c4350;  // "PCL1"
 constexpr std::size_t kHeadBytes = 4 + 4 + 8 + 3 * 8 + 2 * 8 + 4;
 
-class Writer {
-  public:
-    explicit Writer(std::size_t size) { bytes_.reserve(size); }
-
-    void u32(std::uint32_t value) { put(value, 4); }
-    void f32(float value) { put(std::bit_cast<std::uint32_t>(value), 4); }
-    void f64(double value) { put(std::bit_cast<std::uint64_t>(value), 8); }
-    std::vector<std::byte> take() { return std::move(bytes_); }
-
-  private:
-    void put(std::uint64_t value, int size) {
-        for (int i = 0; i < size; ++i)
-            bytes_.push_back(static_cast<std::byte>(value >> (8 * i)));
-    }
-
-    std::vector<std::byte> bytes_;
-};
-
-// Precondition of each: as many bytes are left.
+// Walks bytes number by number. Precondition of each call: as many bytes are left.
 class Reader {
   public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-    std::uint32_t u32() { return static_cast<std::uint32_t>(take(4)); }
-    float f32() { return std::bit_cast<float>(u32()); }
-    double f64() { return std::bit_cast<double>(take(8)); }
+    std::uint32_t u32() { return little_endian::get<std::uint32_t>(pass(sizeof(std::uint32_t))); }
+    float f32() { return little_endian::get_float(pass(sizeof(float))); }
+    double f64() { return little_endian::get_double(pass(sizeof(double))); }
 
   private:
-    std::uint64_t take(std::size_t size) {
-        std::uint64_t value = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-            value |= static_cast<std::uint64_t>(bytes_[at_ + i]) << (8 * i);
-        }
+    const std::byte* pass(std::size_t size) {
         at_ += size;
-        return value;
+        return bytes_.data() + at_ - size;
     }
 
     std::span<const std::byte> bytes_;
@@ -112,21 +90,23 @@ std::uint64_t PaperClay::state_hash() const {
 
 std::vector<std::byte> PaperClay::start_state() const {
     const auto count = static_cast<std::size_t>(element_count_);
-    Writer out(kHeadBytes + count * 2 * sizeof(float));
-    out.u32(kStateTag);
-    out.u32(static_cast<std::uint32_t>(element_count_));
-    out.f64(height_mm_);
-    out.f64(previous_position_mm_.x);
-    out.f64(previous_position_mm_.y);
-    out.f64(previous_position_mm_.z);
-    out.f64(radial_unit_.x);
-    out.f64(radial_unit_.z);
-    out.u32(has_previous_ ? 1 : 0);
+    std::vector<std::byte> bytes;
+    bytes.reserve(kHeadBytes + count * 2 * sizeof(float));
+    using little_endian::put;
+    put(bytes, kStateTag);
+    put(bytes, static_cast<std::uint32_t>(element_count_));
+    put(bytes, height_mm_);
+    put(bytes, previous_position_mm_.x);
+    put(bytes, previous_position_mm_.y);
+    put(bytes, previous_position_mm_.z);
+    put(bytes, radial_unit_.x);
+    put(bytes, radial_unit_.z);
+    put(bytes, std::uint32_t{has_previous_ ? 1U : 0U});
     for (std::size_t i = 0; i < count; ++i)
-        out.f32(radii_mm_[i]);
+        put(bytes, radii_mm_[i]);
     for (std::size_t i = 0; i < count; ++i)
-        out.f32(carry_mm_[i]);
-    return out.take();
+        put(bytes, carry_mm_[i]);
+    return bytes;
 }
 
 Result<PaperClay> PaperClay::from_start_state(std::span<const std::byte> bytes) {

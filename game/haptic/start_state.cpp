@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/record/bytes.h"
+#include "engine/core/little_endian.h"
 
 namespace onggi::haptic {
 namespace {
@@ -36,17 +36,17 @@ Error damaged(std::string_view place, std::string_view expected, std::string_vie
 
 std::vector<std::byte> start_state_bytes(const HapticState& state, const HapticParameters& parameters) {
     std::vector<std::byte> bytes;
-    record::put(bytes, kTag);
+    little_endian::put(bytes, kTag);
     for (const double* parameter : stored_parameters(parameters.clay))
-        record::put(bytes, *parameter);
-    record::put(bytes, state.wheel.heading().cosine);
-    record::put(bytes, state.wheel.heading().sine);
+        little_endian::put(bytes, *parameter);
+    little_endian::put(bytes, state.wheel.heading().cosine);
+    little_endian::put(bytes, state.wheel.heading().sine);
     for (const double number : {state.tool.position_mm.x, state.tool.position_mm.y, state.tool.position_mm.z,
                                 state.tool.radius_mm}) {
-        record::put(bytes, number);
+        little_endian::put(bytes, number);
     }
-    record::put(bytes, std::uint32_t{state.tool.wheel_button ? 1U : 0U});
-    record::put(bytes, state.ticks);
+    little_endian::put(bytes, std::uint32_t{state.tool.wheel_button ? 1U : 0U});
+    little_endian::put(bytes, state.ticks);
     const auto clay = state.clay.start_state();
     bytes.insert(bytes.end(), clay.begin(), clay.end());
     return bytes;
@@ -56,11 +56,11 @@ Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz)
     if (bytes.size() < kHeadBytes) {
         return damaged("size", fmt::format("at least {} bytes", kHeadBytes), fmt::format("{}", bytes.size()));
     }
-    if (const auto tag = record::get<std::uint32_t>(bytes.data()); tag != kTag) {
+    if (const auto tag = little_endian::get<std::uint32_t>(bytes.data()); tag != kTag) {
         return damaged("tag", fmt::format("{:08x}", kTag), fmt::format("{:08x}", tag));
     }
     std::size_t at = 4;
-    const auto next = [&] { return record::get_double(bytes.data() + std::exchange(at, at + 8)); };
+    const auto next = [&] { return little_endian::get_double(bytes.data() + std::exchange(at, at + 8)); };
 
     HapticParameters parameters;
     parameters.clay.rate_hz = rate_hz;
@@ -83,7 +83,7 @@ Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz)
                        fmt::format("({}, {}, {}) mm, radius {} mm", tool.position_mm.x, tool.position_mm.y,
                                    tool.position_mm.z, tool.radius_mm));
     }
-    const auto button = record::get<std::uint32_t>(bytes.data() + kButtonAt);
+    const auto button = little_endian::get<std::uint32_t>(bytes.data() + kButtonAt);
     if (button > 1) return damaged("button", "0 or 1", fmt::format("{}", button));
     tool.wheel_button = button == 1;
 
@@ -92,7 +92,7 @@ Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz)
     Start start{HapticState(std::move(clay).value()), parameters};
     start.state.wheel = clay::WheelAngle({cosine, sine});
     start.state.tool = tool;
-    start.state.ticks = record::get<std::uint64_t>(bytes.data() + kTicksAt);
+    start.state.ticks = little_endian::get<std::uint64_t>(bytes.data() + kTicksAt);
     return start;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/core/hash.h"
+#include "engine/core/little_endian.h"
 #include "engine/core/units.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/clay/studio/volume_grid.h"
@@ -54,11 +55,11 @@ class Hasher {
 
 class Writer {
   public:
-    void number(const double& value) { put(std::bit_cast<std::uint64_t>(value), 8); }
-    void number(const float& value) { put(std::bit_cast<std::uint32_t>(value), 4); }
-    void number(const bool& value) { put(value ? 1 : 0, 4); }
-    void number(const int& value) { put(static_cast<std::uint32_t>(value), 4); }
-    void number(const std::uint64_t& value) { put(value, 8); }
+    void number(const double& value) { little_endian::put(bytes_, value); }
+    void number(const float& value) { little_endian::put(bytes_, value); }
+    void number(const bool& value) { little_endian::put(bytes_, std::uint32_t{value ? 1U : 0U}); }
+    void number(const int& value) { little_endian::put(bytes_, static_cast<std::uint32_t>(value)); }
+    void number(const std::uint64_t& value) { little_endian::put(bytes_, value); }
     template <typename T>
     void numbers(std::span<const T> values) {
         for (const T& value : values)
@@ -67,11 +68,6 @@ class Writer {
     std::vector<std::byte> take() { return std::move(bytes_); }
 
   private:
-    void put(std::uint64_t value, int size) {
-        for (int i = 0; i < size; ++i)
-            bytes_.push_back(static_cast<std::byte>(value >> (8 * i)));
-    }
-
     std::vector<std::byte> bytes_;
 };
 
@@ -80,15 +76,15 @@ class Reader {
   public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-    void number(double& value) { value = std::bit_cast<double>(take(8)); }
-    void number(float& value) { value = std::bit_cast<float>(static_cast<std::uint32_t>(take(4))); }
+    void number(double& value) { value = std::bit_cast<double>(take<std::uint64_t>()); }
+    void number(float& value) { value = std::bit_cast<float>(take<std::uint32_t>()); }
     void number(bool& value) {
-        const std::uint64_t word = take(4);
+        const auto word = take<std::uint32_t>();
         strange_ = strange_ || word > 1;
         value = word == 1;
     }
-    void number(int& value) { value = static_cast<int>(static_cast<std::uint32_t>(take(4))); }
-    void number(std::uint64_t& value) { value = take(8); }
+    void number(int& value) { value = static_cast<int>(take<std::uint32_t>()); }
+    void number(std::uint64_t& value) { value = take<std::uint64_t>(); }
     template <typename T>
     void numbers(std::span<T> values) {
         for (T& value : values)
@@ -99,16 +95,14 @@ class Reader {
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
 
   private:
-    std::uint64_t take(std::size_t size) {
-        if (left() < size) {
+    template <typename Word>
+    Word take() {
+        if (left() < sizeof(Word)) {
             short_ = true;
             return 0;
         }
-        std::uint64_t value = 0;
-        for (std::size_t i = 0; i < size; ++i)
-            value |= static_cast<std::uint64_t>(bytes_[at_ + i]) << (8 * i);
-        at_ += size;
-        return value;
+        at_ += sizeof(Word);
+        return little_endian::get<Word>(bytes_.data() + at_ - sizeof(Word));
     }
 
     std::span<const std::byte> bytes_;

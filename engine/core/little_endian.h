@@ -1,5 +1,5 @@
-// Numbers as little-endian bytes, whatever the machine's own order: for what a session file holds.
-// Reading allocates nothing and is fit for the tick.
+// Numbers as little-endian bytes, whatever the machine's own order: for what session files and start states
+// hold. Any thread; reading allocates nothing and is fit for the tick.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace onggi::record {
+namespace onggi::little_endian {
 
 template <std::unsigned_integral T>
 void put(std::vector<std::byte>& bytes, T number) {
@@ -22,7 +22,11 @@ inline void put(std::vector<std::byte>& bytes, double number) {
     put(bytes, std::bit_cast<std::uint64_t>(number));
 }
 
-// Precondition of both: sizeof(T) bytes stand at `bytes`.
+inline void put(std::vector<std::byte>& bytes, float number) {
+    put(bytes, std::bit_cast<std::uint32_t>(number));
+}
+
+// Precondition of each: sizeof(T) bytes stand at `bytes`.
 template <std::unsigned_integral T>
 [[nodiscard]] T get(const std::byte* bytes) noexcept {
     T number = 0;
@@ -36,4 +40,8 @@ template <std::unsigned_integral T>
     return std::bit_cast<double>(get<std::uint64_t>(bytes));
 }
 
-}  // namespace onggi::record
+[[nodiscard]] inline float get_float(const std::byte* bytes) noexcept {
+    return std::bit_cast<float>(get<std::uint32_t>(bytes));
+}
+
+}  // namespace onggi::little_endian
