@@ -21,7 +21,7 @@ function(onggi_test NAME)
         ONGGI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" ONGGI_BINARY_DIR="${CMAKE_BINARY_DIR}")
     set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     if(NOT ARG_TIMEOUT)
-        set(ARG_TIMEOUT 60)
+        set(ARG_TIMEOUT 120)
     endif()
     add_test(NAME ${NAME} COMMAND ${NAME})
     set_tests_properties(${NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
