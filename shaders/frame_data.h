@@ -20,11 +20,11 @@ namespace onggi::shaders {
 ONGGI_CONST int kProfileTexels = 1024;
 ONGGI_CONST int kProfileWallTexels = 976;
 ONGGI_CONST int kProfileEdgeTexels = 32;
-ONGGI_CONST int kEdgeRows = 5;         // rows of vertices round the top edge
-ONGGI_CONST int kPanels = 3;           // soft lights of the sky
-ONGGI_CONST int kSpheres = 2;          // that cast a shadow
-ONGGI_CONST int kMaskTexels = 96;      // the shadow mask, each way
-ONGGI_CONST int kKeyMapTexels = 512;   // the still life's shadow map, each way
+ONGGI_CONST int kEdgeRows = 5;        // rows of vertices round the top edge
+ONGGI_CONST int kPanels = 3;          // soft lights of the sky
+ONGGI_CONST int kSpheres = 2;         // that cast a shadow
+ONGGI_CONST int kMaskTexels = 96;     // the shadow mask, each way
+ONGGI_CONST int kKeyMapTexels = 512;  // the still life's shadow map, each way
 
 // Bindings of the one descriptor set.
 ONGGI_CONST int kBindFrame = 0;

@@ -7,6 +7,7 @@ Without options: light.json, room.glb and the plates of every camera in cameras.
 import argparse
 import pathlib
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
@@ -28,7 +29,8 @@ def options():
     parser.add_argument("--camera", action="append", help="plates of this camera only; may be repeated")
     parser.add_argument("--room", metavar="GLB", help="a room of your own instead of ours (metres, +Y up)")
     parser.add_argument("--out", default=str(HERE), help="where plates/, light.json and room.glb go")
-    parser.add_argument("--work", default="/tmp/onggi-workshop", help="folder for the unfinished renderings; "
+    parser.add_argument("--work", default=str(pathlib.Path(tempfile.gettempdir()) / "onggi-workshop"),
+                        help="folder for the unfinished renderings; "
                         "passes found in it are not rendered again: empty it after a change")
     parser.add_argument("--samples", type=int, default=10, help="a pixel in each pass")
     parser.add_argument("--passes", type=int, default=3, help="two or more, for the denoiser")
