@@ -1,15 +1,29 @@
 #!/usr/bin/env bash
 # A visitor at the window: keeps the fresh lump, presses the tool into the turning clay with the mouse, keeps what came
-# of it and its picture, leaves. Run under a display of its own: xvfb-run -a throw_by_mouse.sh ONGGI FOLDER
+# of it and its picture, leaves. It brings a display of its own: throw_by_mouse.sh ONGGI FOLDER
 set -euo pipefail
 onggi=$1
 rm -rf "$2"
 mkdir -p "$2"
 cd "$2"
 
+# The server itself picks a free number and tells it once it listens; guessing one would race with other tests.
+Xvfb -displayfd 1 -screen 0 1280x720x24 -nolisten tcp >display 2>display.log &
+server=$!
+kiosk=
+trap 'kill $kiosk "$server" 2>/dev/null || true' EXIT
+for _ in $(seq 300); do
+    [ -s display ] && break
+    sleep 0.1
+done
+[ -s display ] || { echo "no display after half a minute"; cat display.log; exit 1; }
+DISPLAY=:$(cat display)
+export DISPLAY
+unset WAYLAND_DISPLAY
+
 "$onggi" kiosk >kiosk.log 2>&1 &
 kiosk=$!
-fail() { printf '%s\n' "$*"; cat kiosk.log; kill "$kiosk" 2>/dev/null || true; exit 1; }
+fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
 
 # wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
 wait_for() {
