@@ -7,8 +7,9 @@ rm -rf "$2"
 mkdir -p "$2"
 cd "$2"
 
-# The server itself picks a free number and tells it once it listens; guessing one would race with other tests.
-Xvfb -displayfd 1 -screen 0 1280x720x24 -nolisten tcp >display 2>display.log &
+# The server itself picks a free number and tells it once it listens; guessing one would race with other tests. Without
+# -noreset it starts anew whenever its last client leaves, and turns away who comes just then.
+Xvfb -displayfd 1 -noreset -screen 0 1280x720x24 -nolisten tcp >display 2>display.log &
 server=$!
 kiosk=
 trap 'kill $kiosk "$server" 2>/dev/null || true' EXIT
