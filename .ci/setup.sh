@@ -11,7 +11,7 @@ packages_to_run=(
     mesa-vulkan-drivers)
 packages_to_check=(
     clang-14 clang-format-14 libclang-rt-14-dev libgtest-dev libbenchmark-dev vulkan-validationlayers
-    xvfb xauth xdotool umockdev libumockdev-dev admesh git)
+    xvfb xdotool umockdev libumockdev-dev admesh git)
 packages_for_web=(chromium)
 
 # install_packages NAME...: installs those that are missing, after saying so.
