@@ -117,7 +117,9 @@ TEST(Throw, OfASessionIsThatOfItsGesture) {
 
 TEST(Throw, ShowsProgressOnATerminalWithoutColours) {
     const TemporaryFolder folder;
-    put_file(folder / "long.csv", kGestureHeaderLine + "0,90,100,0,1,10\n2000,90,100,0,1,10\n");
+    // An hour in the clay takes about a second in Release: several times what goes by before progress is
+    // shown.
+    put_file(folder / "long.csv", kGestureHeaderLine + "0,65,100,0,1,20\n3600,65,100,0,1,20\n");
     const ProgramRun run = run_onggi_on_terminal({"throw", "long.csv"},
                                                  {.folder = folder.path(), .environment = {"NO_COLOR=1"}});
     EXPECT_EQ(run.exit_code, 0);
