@@ -2,13 +2,13 @@
 #include "tests/support/image_gate.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "tests/support/image_compare.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/support/synthetic_pot.h"
 
 namespace onggi::support {
@@ -22,13 +22,10 @@ const RenderInfo kLavapipe{"llvmpipe", "Mesa 22.3.6", "Mesa 22.3.6 (LLVM 15.0.6)
 class ImageGate : public testing::Test {
   protected:
     ImageGate() {
-        std::string name = (std::filesystem::temp_directory_path() / "onggi-gate-XXXXXX").string();
-        folder_ = mkdtemp(name.data());
         options_.golden_folder = folder_ / "golden";
         options_.output_folder = folder_ / "out";
         options_.dirty_paths = [] { return Result<std::string>(std::string()); };
     }
-    ~ImageGate() override { std::filesystem::remove_all(folder_); }
 
     void bless(const Image& image, const RenderInfo& info = kLavapipe) {
         GateOptions options = options_;
@@ -51,7 +48,7 @@ class ImageGate : public testing::Test {
         return text.str();
     }
 
-    path folder_;
+    test::TemporaryFolder folder_;
     GateOptions options_;
 };
 
