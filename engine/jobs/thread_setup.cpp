@@ -43,11 +43,15 @@ Granted allow_this_thread(std::span<const int> cores) {
     return outcome(pthread_setaffinity_np(pthread_self(), sizeof mask, &mask));
 }
 
+}  // namespace
+
 Granted ask_for_fifo(int priority) {
     sched_param parameter{};
     parameter.sched_priority = priority;
     return outcome(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter));
 }
+
+namespace {
 
 // Everything mapped now is read in and locked. What is mapped later is locked as it is first touched, but
 // only where there is no limit: under one, a later allocation of the renderer would fail instead.

@@ -96,6 +96,9 @@ struct RealTimeReport {
 // cores are not the thread's but its owner's to hold.
 [[nodiscard]] RealTimeReport set_up_this_thread(const RealTimeRequest& request);
 
+// The calling thread, alone: SCHED_FIFO at that priority. For the few others whose lateness matters.
+Granted ask_for_fifo(int priority);
+
 // Finds out what would be granted, on a thread of its own that ends at once; the process is left as it was,
 // but for memory locked before, which is unlocked. Any thread that is not real-time; takes a few ms.
 [[nodiscard]] RealTimeReport probe_real_time(const RealTimeRequest& request);

@@ -8,12 +8,19 @@
 #define GLM_FORCE_PURE
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace onggi {
 
+using glm::dmat3;
+using glm::dmat4;
+using glm::dquat;
 using glm::dvec2;
 using glm::dvec3;
+using glm::dvec4;
+using glm::mat3;
 using glm::mat4;
+using glm::quat;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;

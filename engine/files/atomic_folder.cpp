@@ -1,0 +1,84 @@
+#include "engine/files/atomic_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "engine/core/quote.h"
+
+namespace onggi::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error lost(const fs::path& place, std::string_view doing, const std::error_code& error) {
+    return system_lacks(
+        fmt::format("{}: expected {}, found {}", shown_path(place.string()), doing, error.message()));
+}
+
+Result<void> sync_folder(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return lost(folder, "to open the folder", {errno, std::generic_category()});
+    const int synced = ::fsync(descriptor);
+    const std::error_code error(errno, std::generic_category());
+    ::close(descriptor);
+    if (synced != 0) return lost(folder, "to sync the folder", error);
+    return {};
+}
+
+}  // namespace
+
+AtomicFolder::AtomicFolder(fs::path destination, fs::path part)
+    : destination_(std::move(destination)),
+      part_(std::move(part)) {}
+
+AtomicFolder::AtomicFolder(AtomicFolder&& other) noexcept
+    : destination_(std::move(other.destination_)),
+      part_(std::exchange(other.part_, {})) {}
+
+AtomicFolder::~AtomicFolder() {
+    std::error_code ignored;
+    if (!part_.empty()) fs::remove_all(part_, ignored);
+}
+
+Result<AtomicFolder> AtomicFolder::create(const fs::path& destination) {
+    std::error_code error;
+    if (fs::exists(destination, error)) {
+        return bad_input(
+            fmt::format("{}: expected no folder yet, found one", shown_path(destination.string())));
+    }
+    fs::path part = destination;
+    part += ".part";
+    fs::remove_all(part, error);
+    if (!fs::create_directories(part, error)) return lost(part, "to make a folder", error);
+    return AtomicFolder(destination, std::move(part));
+}
+
+Result<void> AtomicFolder::commit() {
+    if (auto synced = sync_folder(part_); !synced) return synced;
+    std::error_code error;
+    fs::rename(part_, destination_, error);
+    if (error) return lost(destination_, "to rename a folder into place", error);
+    part_.clear();
+    return sync_folder(destination_.has_parent_path() ? destination_.parent_path() : fs::path("."));
+}
+
+void clear_parts(const fs::path& around) {
+    std::error_code error;
+    std::vector<fs::path> parts;
+    for (fs::recursive_directory_iterator entry(around, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (!entry->is_directory(error) || entry->path().extension() != ".part") continue;
+        parts.push_back(entry->path());
+        entry.disable_recursion_pending();
+    }
+    for (const fs::path& part : parts)
+        fs::remove_all(part, error);
+}
+
+}  // namespace onggi::files
