@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/record/tool_bytes.h"
+
 namespace onggi::record {
 
 // The file header: 72 bytes, its own checksum last.
@@ -47,6 +49,9 @@ enum class RecordKind : std::uint8_t {
     kTool = 1,      // x, y, z, radius (doubles, mm), button (byte): one tick
     kPosition = 2,  // x, y, z: one tick, the rest as in the tick before
     kRepeat = 3,    // how many (16 bits, at least 1): so many ticks more like the last
+    // From version 1.1 on:
+    kStudioTool = 4,     // a tool with all it says to a clay with an inside (tool_bytes.h): one tick
+    kBothPositions = 5,  // both hands' x, y, z: one tick, the rest as in the tick before
 };
 constexpr std::size_t kToolBytes = 4 * 8 + 1;
 constexpr std::size_t kPositionBytes = 3 * 8;
@@ -60,6 +65,10 @@ constexpr std::size_t record_bytes(RecordKind kind) {
             return kPositionBytes;
         case RecordKind::kRepeat:
             return kRepeatBytes;
+        case RecordKind::kStudioTool:
+            return kStudioToolBytes;
+        case RecordKind::kBothPositions:
+            return kBothPositionsBytes;
     }
     return 0;
 }

@@ -62,7 +62,17 @@ void SessionCursor::step() noexcept {
         held_ = get<std::uint16_t>(record) - 1U;
         return;
     }
-    tool_.position_mm = {get_double(record), get_double(record + 8), get_double(record + 16)};
+    if (kind == RecordKind::kStudioTool) {
+        tool_ = get_studio_tool(record);
+        return;
+    }
+    if (kind == RecordKind::kBothPositions) {
+        get_both_positions(record, tool_);
+        return;
+    }
+    const dvec3 position_mm{get_double(record), get_double(record + 8), get_double(record + 16)};
+    if (kind == RecordKind::kTool) tool_ = {};
+    tool_.position_mm = position_mm;
     if (kind == RecordKind::kPosition) return;
     tool_.radius_mm = get_double(record + kPositionBytes);
     tool_.wheel_button = get<std::uint8_t>(record + kToolBytes - 1) == 1;

@@ -77,6 +77,7 @@ class SessionReader {
     std::string_view name_;
     Session session_;
     std::size_t at_ = 0;
+    std::uint16_t minor_version_ = 0;
     bool cut_ = false;  // the file ends before its end marker
 };
 
@@ -106,6 +107,7 @@ Result<void> SessionReader::read_header() {
                                                   header_at::kSize, header_at::kSize)) {
         return *error;
     }
+    minor_version_ = number_at<std::uint16_t>(header_at::kMinor);
     SessionHeader& header = session_.header_;
     header.rate_hz = get_double(session_.at(header_at::kRate));
     if (!(header.rate_hz >= kMinSessionRateHz && header.rate_hz <= kMaxSessionRateHz)) {
@@ -202,7 +204,7 @@ std::optional<Error> SessionReader::check_block_head(std::uint32_t tick_count) c
         return error;
     }
     if (auto error = expect_within<std::uint32_t>("bytes of records", block_at::kRecordBytes, 1 + kToolBytes,
-                                                  tick_count * (1 + kToolBytes))) {
+                                                  tick_count * (1 + kStudioToolBytes))) {
         return error;
     }
     if (auto error = expect_within("as the first tick", block_at::kFirstTick, session_.tick_count_,
@@ -254,6 +256,12 @@ std::optional<Error> SessionReader::check_millimetres(std::size_t offset, std::s
 }
 
 std::optional<Error> SessionReader::check_tool(RecordKind kind, std::size_t at) const {
+    if (kind == RecordKind::kStudioTool || kind == RecordKind::kBothPositions) {
+        const auto fault = kind == RecordKind::kStudioTool ? fault_of_studio_tool(session_.at(at))
+                                                           : fault_of_both_positions(session_.at(at));
+        if (!fault) return std::nullopt;
+        return wrong_at(at + fault->offset, fault->expected, fault->found);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (auto error = check_millimetres(at + axis * 8, "a coordinate", -haptics::kWorkspaceMm,
                                            haptics::kWorkspaceMm)) {
@@ -275,11 +283,14 @@ Result<void> SessionReader::check_records(std::size_t from, std::size_t to, std:
     std::uint32_t ticks = 0;
     for (std::size_t at = from; at < to;) {
         const auto kind = static_cast<RecordKind>(get<std::uint8_t>(session_.at(at)));
-        if (at == from && kind != RecordKind::kTool) {
+        const bool opens =
+            kind == RecordKind::kTool || (kind == RecordKind::kStudioTool && minor_version_ >= 1);
+        if (at == from && !opens) {
             return wrong_at(at, "a tool record to open the block",
                             fmt::format("kind {}", static_cast<int>(kind)));
         }
-        const std::size_t size = record_bytes(kind);
+        const bool known = kind <= RecordKind::kRepeat || minor_version_ >= 1;
+        const std::size_t size = known ? record_bytes(kind) : 0;
         if (size == 0) return wrong_at(at, "a record's kind", fmt::format("{}", static_cast<int>(kind)));
         ++at;
         if (to - at < size) {

@@ -39,13 +39,18 @@ Result<void> check_header(const SessionHeader& header, std::size_t start_state_b
     return {};
 }
 
+// The oldest version that has all that this session may hold: older readers keep reading the paper's.
+std::uint16_t minor_version(const SessionHeader& header) {
+    return header.clay_model == ClayModel::kStudio ? kMinorVersion : std::uint16_t{0};
+}
+
 std::vector<std::byte> header_bytes(const SessionHeader& header, std::span<const std::byte> start_state) {
     std::vector<std::byte> bytes;
     bytes.reserve(header_at::kSize);
     for (const char c : kMagic)
         bytes.push_back(static_cast<std::byte>(c));
     put(bytes, kMajorVersion);
-    put(bytes, kMinorVersion);
+    put(bytes, minor_version(header));
     put(bytes, static_cast<std::uint32_t>(header_at::kSize));
     put(bytes, header.rate_hz);
     put(bytes, header.element_count);
@@ -95,6 +100,23 @@ bool same_position(const dvec3& a, const dvec3& b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
+// All but where the hands are.
+bool same_settings(const haptics::ToolState& a, const haptics::ToolState& b) {
+    return same_bits(a.radius_mm, b.radius_mm) && a.wheel_button == b.wheel_button && a.tool == b.tool &&
+           a.side == b.side && same_bits(a.water, b.water) && a.wire == b.wire &&
+           same_bits(a.wire_height_mm, b.wire_height_mm) &&
+           same_bits(a.wheel_speed_rev_min, b.wheel_speed_rev_min) &&
+           same_bits(a.assist_gap_mm, b.assist_gap_mm) && same_bits(a.shaft_mm, b.shaft_mm) &&
+           a.second.present == b.second.present && a.second.tool == b.second.tool &&
+           same_bits(a.second.radius_mm, b.second.radius_mm);
+}
+
+// Nothing but what a plain tool record holds.
+bool is_plain(const haptics::ToolState& tool) {
+    const haptics::ToolState plain = haptics::plain_tool(tool);
+    return same_settings(tool, plain) && same_position(tool.second.position_mm, plain.second.position_mm);
+}
+
 void put_position(std::vector<std::byte>& bytes, const dvec3& position_mm) {
     put(bytes, position_mm.x);
     put(bytes, position_mm.y);
@@ -118,17 +140,18 @@ SessionWriter::SessionWriter(files::AtomicFile file, const SessionHeader& header
     : file_(std::move(file)),
       header_(header) {
     checks_.reserve(kHashInterval);
-    records_.reserve(kHashInterval * (1 + kToolBytes));
+    const bool studio = header.clay_model == ClayModel::kStudio;
+    records_.reserve(kHashInterval * (1 + (studio ? kStudioToolBytes : kToolBytes)));
 }
 
 Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, const dvec3& force_n) {
+    return add_tick(tool, force_check(force_n));
+}
+
+Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, std::uint32_t kept_force_check) {
     assert(!block_is_full());
     const dvec3& at = tool.position_mm;
-    const auto in_workspace = [](double mm) {
-        return is_within(mm, -haptics::kWorkspaceMm, haptics::kWorkspaceMm);
-    };
-    if (!in_workspace(at.x) || !in_workspace(at.y) || !in_workspace(at.z) ||
-        !is_within(tool.radius_mm, haptics::kMinToolRadiusMm, haptics::kMaxToolRadiusMm)) {
+    if (haptics::within_limits(tool, {}) != tool) {
         return failed(
             fmt::format("session: tick {}: expected a tool within its limits, found one at ({}, {}, "
                         "{}) mm of radius {} mm",
@@ -137,24 +160,44 @@ Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, const dvec3
     if (static_cast<double>(tick_count_) >= kMaxSessionSeconds * header_.rate_hz) {
         return failed(fmt::format("session: expected at most {} s, found more", kMaxSessionSeconds));
     }
-    const bool same_tool = last_tool_ && same_bits(last_tool_->radius_mm, tool.radius_mm) &&
-                           last_tool_->wheel_button == tool.wheel_button;
-    if (same_tool && same_position(last_tool_->position_mm, at)) {
-        ++run_;
-    } else {
-        flush_run();
-        put(records_, static_cast<std::uint8_t>(same_tool ? RecordKind::kPosition : RecordKind::kTool));
-        put_position(records_, at);
-        if (!same_tool) {
-            put(records_, tool.radius_mm);
-            put(records_, static_cast<std::uint8_t>(tool.wheel_button ? 1 : 0));
-        }
-        last_tool_ = tool;
+    if (header_.clay_model != ClayModel::kStudio && !is_plain(tool)) {
+        return failed(
+            fmt::format("session: tick {}: expected a plain tool for this clay, found more", tick_count_));
     }
-    checks_.push_back(force_check(force_n));
+    keep_tool(tool);
+    checks_.push_back(kept_force_check);
     ++tick_count_;
     ++ticks_in_block_;
     return {};
+}
+
+void SessionWriter::keep_tool(const haptics::ToolState& tool) {
+    const bool same_tool = last_tool_ && same_settings(*last_tool_, tool);
+    const bool same_first = same_tool && same_position(last_tool_->position_mm, tool.position_mm);
+    const bool same_second =
+        same_tool && same_position(last_tool_->second.position_mm, tool.second.position_mm);
+    if (same_first && same_second) {
+        ++run_;
+        return;
+    }
+    flush_run();
+    const auto open = [&](RecordKind kind) { put(records_, static_cast<std::uint8_t>(kind)); };
+    if (same_second) {
+        open(RecordKind::kPosition);
+        put_position(records_, tool.position_mm);
+    } else if (same_tool) {
+        open(RecordKind::kBothPositions);
+        put_both_positions(records_, tool);
+    } else if (is_plain(tool)) {
+        open(RecordKind::kTool);
+        put_position(records_, tool.position_mm);
+        put(records_, tool.radius_mm);
+        put(records_, static_cast<std::uint8_t>(tool.wheel_button ? 1 : 0));
+    } else {
+        open(RecordKind::kStudioTool);
+        put_studio_tool(records_, tool);
+    }
+    last_tool_ = tool;
 }
 
 void SessionWriter::flush_run() {

@@ -29,6 +29,8 @@ class SessionWriter {
     // One tick: what the hand did and the force F that was answered. Fails if the tool is outside the limits
     // of tool_state.h, which the tick never lets through. Precondition: !block_is_full().
     Result<void> add_tick(const haptics::ToolState& tool, const dvec3& force_n);
+    // The same for a force of which only its force_check() was kept.
+    Result<void> add_tick(const haptics::ToolState& tool, std::uint32_t kept_force_check);
     // After every kHashInterval ticks a block is full, and wants the hash of the state after its last tick.
     [[nodiscard]] bool block_is_full() const { return ticks_in_block_ == kHashInterval; }
     Result<void> end_block(std::uint64_t state_hash);
@@ -42,6 +44,7 @@ class SessionWriter {
 
   private:
     SessionWriter(files::AtomicFile file, const SessionHeader& header);
+    void keep_tool(const haptics::ToolState& tool);
     void flush_run();
 
     files::AtomicFile file_;
