@@ -1,4 +1,4 @@
-// See gltf.h. The only file that includes tinygltf. Any thread.
+// See gltf.h. Any thread.
 #include "engine/asset/gltf.h"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "engine/asset/mesh_rules.h"
@@ -98,22 +99,42 @@ void add_material(tinygltf::Model& model, const Material& material) {
     out.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, 1.0};
     out.pbrMetallicRoughness.roughnessFactor = material.roughness;
     out.pbrMetallicRoughness.metallicFactor = material.metallic;
+    if (material.clearcoat.factor > 0.0) {
+        constexpr const char* kExtension = "KHR_materials_clearcoat";
+        tinygltf::Value::Object coat;
+        coat["clearcoatFactor"] = tinygltf::Value(material.clearcoat.factor);
+        coat["clearcoatRoughnessFactor"] = tinygltf::Value(material.clearcoat.roughness);
+        out.extensions[kExtension] = tinygltf::Value(std::move(coat));
+        model.extensionsUsed.emplace_back(kExtension);
+    }
     model.materials.push_back(std::move(out));
+}
+
+// The value as JSON; nothing for a number that JSON has no word for (the library would write null).
+std::optional<tinygltf::Value> json_of(const std::variant<double, std::string, std::vector<double>>& value) {
+    if (const double* number = std::get_if<double>(&value)) {
+        if (!std::isfinite(*number)) return std::nullopt;
+        return tinygltf::Value(*number);
+    }
+    if (const auto* text = std::get_if<std::string>(&value)) return tinygltf::Value(valid_utf8(*text));
+    tinygltf::Value::Array list;
+    for (const double number : std::get<std::vector<double>>(value)) {
+        if (!std::isfinite(number)) return std::nullopt;
+        list.emplace_back(number);
+    }
+    return tinygltf::Value(std::move(list));
 }
 
 Result<void> add_extras(tinygltf::Model& model, const std::vector<Extra>& extras) {
     if (extras.empty()) return {};
     tinygltf::Value::Object fields;
     for (const auto& [name, value] : extras) {
-        if (const double* number = std::get_if<double>(&value)) {
-            // JSON has no word for these; the library would write null.
-            if (!std::isfinite(*number)) {
-                return bad_input(fmt::format("glTF extras: field {}: expected a finite number", name));
-            }
-            fields[valid_utf8(name)] = tinygltf::Value(*number);
-        } else {
-            fields[valid_utf8(name)] = tinygltf::Value(valid_utf8(std::get<std::string>(value)));
-        }
+        auto json = json_of(value);
+        if (!json) return bad_input(fmt::format("glTF extras: field {}: expected finite numbers", name));
+        // The library writes an empty list as null.
+        const auto* list = std::get_if<std::vector<double>>(&value);
+        if (list != nullptr && list->empty()) continue;
+        fields[valid_utf8(name)] = std::move(*json);
     }
     model.asset.extras = tinygltf::Value(std::move(fields));
     return {};
@@ -123,10 +144,11 @@ Result<void> check_material(const Material& material) {
     const auto within = [](double number) { return number >= 0.0 && number <= 1.0; };
     const dvec3& colour = material.base_colour_linear;
     if (within(colour.x) && within(colour.y) && within(colour.z) && within(material.roughness) &&
-        within(material.metallic)) {
+        within(material.metallic) && within(material.clearcoat.factor) &&
+        within(material.clearcoat.roughness)) {
         return {};
     }
-    return bad_input("glTF material: expected colour, roughness and metallic within 0 to 1");
+    return bad_input("glTF material: expected colour, roughness, metallic and clearcoat within 0 to 1");
 }
 
 Result<std::vector<std::byte>> write_in_memory(const tinygltf::Model& model) {

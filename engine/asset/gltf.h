@@ -14,16 +14,23 @@
 
 namespace onggi::asset {
 
+// A second, clear layer over a material: water or glaze (KHR_materials_clearcoat, ratified).
+struct Clearcoat {
+    double factor = 0.0;  // 0: none, and the file does without the extension
+    double roughness = 0.0;
+};
+
 // The metallic-roughness material of glTF 2.0, section 3.9.2, without textures.
 struct Material {
     std::string name;
     dvec3 base_colour_linear{1.0};  // linear Rec. 709 reflectance, 0 to 1
     double roughness = 1.0;         // 0 mirror to 1 matt
     double metallic = 0.0;
+    Clearcoat clearcoat = {};
 };
 
 // A field of asset.extras: what a museum's database may read without a 3D library.
-using Extra = std::pair<std::string, std::variant<double, std::string>>;
+using Extra = std::pair<std::string, std::variant<double, std::string, std::vector<double>>>;
 
 // One mesh of one material at the origin of one scene.
 struct GltfContent {

@@ -1,4 +1,5 @@
-// A picture in memory, and PNG, the one form in which pictures leave and enter. Any thread; touches no file.
+// A picture in memory; PNG, the form in which pictures leave and enter; and JPEG, which only enters. Any
+// thread; touches no file.
 #pragma once
 
 #include <cstddef>
@@ -32,5 +33,10 @@ Result<std::vector<std::byte>> encode_png(const Image& image);
 // Any PNG, turned into 8-bit RGBA. `name` is what the message calls the file. kBadInput if the bytes are not
 // a PNG, are cut short, fail a checksum, or claim a side above kMaxImageSide.
 Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name);
+
+// Any JPEG (ITU-T T.81) of grey or coloured light, turned into 8-bit RGBA with alpha 255; the values stay as
+// the file has them. kBadInput if the bytes are not a JPEG, are cut short or damaged, want more passes than
+// an honest file, or claim a side above kMaxImageSide.
+Result<Image> decode_jpeg(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace onggi::asset

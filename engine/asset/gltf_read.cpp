@@ -1,0 +1,359 @@
+// See gltf_read.h. tinygltf parses; what it does not check is checked here. Any thread.
+#include "engine/asset/gltf_read.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <optional>
+
+#include "engine/asset/gltf_accessor.h"
+#include "engine/asset/mesh_rules.h"
+#include "engine/asset/utf8.h"
+
+namespace onggi::asset {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 20;  // of the file and of its first chunk
+
+std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        word |= std::to_integer<std::uint32_t>(bytes[offset + i]) << (8 * i);
+    return word;
+}
+
+// The library walks JSON by recursion: brackets that open deeper than any glTF needs must not reach it.
+bool nests_deeper_than(std::span<const std::byte> json, int max_depth) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const auto c = std::to_integer<char>(json[i]);
+        if (in_string) {
+            if (c == '\\') ++i;
+            if (c == '"') in_string = false;
+            continue;
+        }
+        if (c == '"') in_string = true;
+        if (c == '{' || c == '[') ++depth;
+        if (c == '}' || c == ']') --depth;
+        if (depth > max_depth) return true;
+    }
+    return false;
+}
+
+Result<void> check_header(std::span<const std::byte> bytes, const GltfLimits& limits) {
+    constexpr std::uint32_t kMagic = 0x46546C67;  // "glTF"
+    if (bytes.size() > limits.max_bytes) {
+        return bad_input(fmt::format("expected at most {} bytes, found {}", limits.max_bytes, bytes.size()));
+    }
+    if (bytes.size() < kHeaderBytes || word_at(bytes, 0) != kMagic || word_at(bytes, 4) != 2) {
+        return bad_input("expected a binary glTF 2.0, found another kind of file");
+    }
+    if (word_at(bytes, 8) != bytes.size()) {
+        return bad_input(
+            fmt::format("expected {} bytes as its header says, found {}", word_at(bytes, 8), bytes.size()));
+    }
+    const std::size_t json_bytes = word_at(bytes, 12);
+    if (json_bytes > bytes.size() - kHeaderBytes) {
+        return bad_input("expected its JSON inside the file, found it reaching past the end");
+    }
+    if (nests_deeper_than(bytes.subspan(kHeaderBytes, json_bytes), limits.max_depth)) {
+        return bad_input(fmt::format("expected JSON of at most {} levels, found more", limits.max_depth));
+    }
+    return {};
+}
+
+// Nothing outside the file is opened, whatever its URIs say.
+tinygltf::FsCallbacks no_files() {
+    tinygltf::FsCallbacks callbacks{};
+    callbacks.FileExists = [](const std::string&, void*) { return false; };
+    callbacks.ExpandFilePath = [](const std::string&, void*) { return std::string(); };
+    callbacks.ReadWholeFile = [](std::vector<unsigned char>*, std::string* problem, const std::string&,
+                                 void*) {
+        if (problem != nullptr) *problem = "it refers to another file";
+        return false;
+    };
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                  void*) { return false; };
+    return callbacks;
+}
+
+// One line out of the library's several.
+std::string first_line(std::string text) {
+    const std::size_t start = text.find_first_not_of(" \n\r\t");
+    if (start == std::string::npos) return "no reason given";
+    text.erase(0, start);
+    constexpr std::size_t kReadable = 200;
+    return valid_utf8(text.substr(0, std::min(text.find_first_of("\n\r"), kReadable)));
+}
+
+Result<tinygltf::Model> parse(std::span<const std::byte> bytes) {
+    tinygltf::Model model;
+    tinygltf::TinyGLTF reader;
+    reader.SetFsCallbacks(no_files());
+    reader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
+                             const unsigned char*, int, void*) { return true; },
+                          nullptr);
+    std::string problem;
+    std::string warning;
+    try {
+        if (reader.LoadBinaryFromMemory(&model, &problem, &warning,
+                                        reinterpret_cast<const unsigned char*>(bytes.data()),
+                                        static_cast<unsigned int>(bytes.size()))) {
+            return model;
+        }
+    } catch (const std::exception& thrown) {
+        problem = thrown.what();
+    }
+    return bad_input(fmt::format("expected a glTF scene, found a damaged one: {}", first_line(problem)));
+}
+
+// Materials as glTF 2.0, section 3.9.2, gives them, brought within their range.
+Material material_of(const tinygltf::Material& from) {
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    const auto share = [](double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 1.0; };
+    Material material{.name = valid_utf8(from.name),
+                      .base_colour_linear = dvec3(1.0),
+                      .roughness = share(pbr.roughnessFactor),
+                      .metallic = share(pbr.metallicFactor)};
+    for (int i = 0; i < 3 && static_cast<std::size_t>(i) < pbr.baseColorFactor.size(); ++i)
+        material.base_colour_linear[i] = share(pbr.baseColorFactor[static_cast<std::size_t>(i)]);
+    return material;
+}
+
+// The node's own place; glTF 2.0, section 5.25: a matrix, or translation, rotation and scale.
+dmat4 place_of(const tinygltf::Node& node) {
+    dmat4 place(1.0);
+    if (node.matrix.size() == 16) {
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row)
+                place[column][row] = node.matrix[static_cast<std::size_t>(4 * column + row)];
+        return place;
+    }
+    if (node.translation.size() == 3)
+        place = glm::translate(place, dvec3(node.translation[0], node.translation[1], node.translation[2]));
+    if (node.rotation.size() == 4) {
+        place *=
+            glm::mat4_cast(dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+    }
+    if (node.scale.size() == 3) place = glm::scale(place, dvec3(node.scale[0], node.scale[1], node.scale[2]));
+    return place;
+}
+
+// Faces weighed by their area, at the vertices that share them.
+void make_normals(Mesh& mesh) {
+    std::vector<dvec3> sums(mesh.positions_m.size(), dvec3(0.0));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const dvec3 a(mesh.positions_m[mesh.indices[i]]);
+        const dvec3 b(mesh.positions_m[mesh.indices[i + 1]]);
+        const dvec3 c(mesh.positions_m[mesh.indices[i + 2]]);
+        for (std::size_t k = 0; k < 3; ++k)
+            sums[mesh.indices[i + k]] += glm::cross(b - a, c - a);
+    }
+    mesh.normals.clear();
+    for (const dvec3& sum : sums) {
+        const double length = glm::length(sum);
+        mesh.normals.emplace_back(length > 0.0 ? sum / length : dvec3(0.0, 1.0, 0.0));
+    }
+}
+
+void place_mesh(Mesh& mesh, const dmat4& place) {
+    // Normals keep upright under uneven scales by the inverse transpose; a flat node has none, and keeps
+    // them.
+    const dmat3 linear(place);
+    const double volume = glm::determinant(linear);
+    const dmat3 turn = volume != 0.0 ? glm::transpose(glm::inverse(linear)) : dmat3(1.0);
+    for (vec3& position : mesh.positions_m)
+        position = vec3(place * dvec4(dvec3(position), 1.0));
+    for (vec3& normal : mesh.normals) {
+        const dvec3 turned = turn * dvec3(normal);
+        const double length = glm::length(turned);
+        normal = length > 0.0 ? vec3(turned / length) : vec3(0.0F, 1.0F, 0.0F);
+    }
+    if (volume < 0.0) {
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
+}
+
+std::vector<vec3> vectors_of(const std::vector<float>& numbers) {
+    std::vector<vec3> vectors;
+    vectors.reserve(numbers.size() / 3);
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        vectors.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    return vectors;
+}
+
+// Walks the scene and collects its primitives within the limits.
+class Gathering {
+  public:
+    Gathering(const tinygltf::Model& model, const GltfLimits& limits) : model_(model), limits_(limits) {}
+
+    Result<std::vector<GltfPart>> gather() {
+        const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
+        if (scene >= model_.scenes.size()) return bad_input("expected a scene, found none");
+        for (const int node : model_.scenes[scene].nodes) {
+            if (auto added = add_node(node, dmat4(1.0), 0); !added) return added.error();
+        }
+        if (parts_.empty()) return bad_input("expected triangles, found none");
+        return std::move(parts_);
+    }
+
+  private:
+    Result<void> add_node(int index, const dmat4& above, int depth) {
+        if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size()) {
+            return bad_input(fmt::format("node {}: expected one, found none", index));
+        }
+        // A node that is its own ancestor ends here too.
+        if (depth >= limits_.max_depth || ++visited_ > limits_.max_nodes) {
+            return bad_input(fmt::format("expected at most {} nodes, {} deep, found more", limits_.max_nodes,
+                                         limits_.max_depth));
+        }
+        const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+        const dmat4 place = above * place_of(node);
+        for (int column = 0; column < 4; ++column) {
+            for (int row = 0; row < 4; ++row) {
+                if (!std::isfinite(place[column][row]))
+                    return bad_input(fmt::format("node {}: expected finite numbers", index));
+            }
+        }
+        if (node.mesh >= 0) {
+            if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
+                return bad_input(fmt::format("mesh {}: expected one, found none", node.mesh));
+            for (const tinygltf::Primitive& primitive :
+                 model_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+                if (auto added = add_primitive(primitive, node.name, place); !added) {
+                    return bad_input(fmt::format("mesh {}: {}", node.mesh, added.error().message));
+                }
+            }
+        }
+        for (const int child : node.children) {
+            if (auto added = add_node(child, place, depth + 1); !added) return added;
+        }
+        return {};
+    }
+
+    Result<void> add_primitive(const tinygltf::Primitive& primitive, const std::string& node,
+                               const dmat4& place) {
+        // tinygltf gives -1 where the file leaves it out, which means triangles.
+        if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) {
+            return bad_input(fmt::format("expected triangles, found mode {}", primitive.mode));
+        }
+        GltfPart part{.node = valid_utf8(node), .mesh = {}, .colours = {}, .material = primitive.material};
+        if (primitive.material >= 0 &&
+            static_cast<std::size_t>(primitive.material) >= model_.materials.size()) {
+            return bad_input(fmt::format("material {}: expected one, found none", primitive.material));
+        }
+        auto positions = attribute(primitive, "POSITION", 3);
+        if (!positions) return positions.error();
+        if (!*positions) return bad_input("expected positions, found none");
+        part.mesh.positions_m = vectors_of(**positions);
+        const std::size_t vertices = part.mesh.positions_m.size();
+
+        if (auto read = read_triangles(primitive, vertices, part.mesh.indices); !read) return read;
+        auto normals = attribute(primitive, "NORMAL", 3);
+        if (!normals) return normals.error();
+        if (*normals) {
+            part.mesh.normals = vectors_of(**normals);
+        } else {
+            make_normals(part.mesh);
+        }
+        if (auto read = read_colours(primitive, vertices, part.colours); !read) return read;
+        // Before they are placed: an index that points nowhere must not be followed.
+        if (auto good = check_mesh(part.mesh); !good) return good;
+        place_mesh(part.mesh, place);
+        if (auto good = check_mesh(part.mesh); !good) return good;
+        vertices_ += vertices;
+        triangles_ += part.mesh.triangle_count();
+        parts_.push_back(std::move(part));
+        return {};
+    }
+
+    // Nothing where the primitive has no such attribute.
+    Result<std::optional<std::vector<float>>> attribute(const tinygltf::Primitive& primitive,
+                                                        const char* name, int width) const {
+        const auto found = primitive.attributes.find(name);
+        if (found == primitive.attributes.end()) return std::optional<std::vector<float>>();
+        auto numbers = read_floats(model_, found->second, width, limits_.max_vertices - vertices_);
+        if (!numbers) return bad_input(fmt::format("{}: {}", name, numbers.error().message));
+        return std::optional(std::move(*numbers));
+    }
+
+    Result<void> read_triangles(const tinygltf::Primitive& primitive, std::size_t vertices,
+                                std::vector<std::uint32_t>& into) const {
+        const std::size_t most = 3 * (limits_.max_triangles - triangles_);
+        if (primitive.indices >= 0) {
+            auto indices = read_indices(model_, primitive.indices, most);
+            if (!indices) return indices.error();
+            into = std::move(*indices);
+        } else {
+            if (vertices > most) return bad_input("expected fewer triangles, found more than the limit");
+            for (std::uint32_t i = 0; i < vertices; ++i)
+                into.push_back(i);
+        }
+        const bool is_inside =
+            std::all_of(into.begin(), into.end(), [&](std::uint32_t index) { return index < vertices; });
+        if (!is_inside) return bad_input("expected indices of vertices, found one past the last");
+        return {};
+    }
+
+    Result<void> read_colours(const tinygltf::Primitive& primitive, std::size_t vertices,
+                              std::vector<vec4>& into) const {
+        const auto found = primitive.attributes.find("COLOR_0");
+        if (found == primitive.attributes.end()) return {};
+        const int width = accessor_width(model_, found->second) == 3 ? 3 : 4;
+        auto numbers = attribute(primitive, "COLOR_0", width);
+        if (!numbers) return numbers.error();
+        const std::vector<float>& all = **numbers;
+        if (all.size() != vertices * static_cast<std::size_t>(width))
+            return bad_input("COLOR_0: expected one a vertex");
+        for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(width)) {
+            const vec4 colour(all[i], all[i + 1], all[i + 2], width == 4 ? all[i + 3] : 1.0F);
+            for (int k = 0; k < 4; ++k) {
+                if (!std::isfinite(colour[k])) return bad_input("COLOR_0: expected finite numbers");
+            }
+            into.push_back(colour);
+        }
+        return {};
+    }
+
+    const tinygltf::Model& model_;
+    const GltfLimits& limits_;
+    std::vector<GltfPart> parts_;
+    std::size_t visited_ = 0;
+    std::size_t vertices_ = 0;
+    std::size_t triangles_ = 0;
+};
+
+Result<GltfModel> decode(std::span<const std::byte> bytes, const GltfLimits& limits) {
+    if (auto good = check_header(bytes, limits); !good) return good.error();
+    auto parsed = parse(bytes);
+    if (!parsed) return parsed.error();
+    if (!parsed->extensionsRequired.empty()) {
+        return bad_input(
+            fmt::format("expected no required extension, found {}",
+                        first_line(fmt::format("{}", fmt::join(parsed->extensionsRequired, ", ")))));
+    }
+    GltfModel model;
+    for (const tinygltf::Material& material : parsed->materials)
+        model.materials.push_back(material_of(material));
+    auto parts = Gathering(*parsed, limits).gather();
+    if (!parts) return parts.error();
+    model.parts = std::move(*parts);
+    return model;
+}
+
+}  // namespace
+
+Result<GltfModel> decode_glb(std::span<const std::byte> bytes, std::string_view name,
+                             const GltfLimits& limits) {
+    auto model = decode(bytes, limits);
+    if (!model) return bad_input(fmt::format("{}: {}", name, model.error().message));
+    return model;
+}
+
+}  // namespace onggi::asset

@@ -1,0 +1,51 @@
+// See image.h. The only file that includes libjpeg-turbo. Any thread.
+#include <fmt/format.h>
+#include <turbojpeg.h>
+
+#include <memory>
+
+#include "engine/asset/image.h"
+
+namespace onggi::asset {
+namespace {
+
+// TurboJPEG's own interface: the one that libjpeg gave the world reports errors by longjmp, which skips
+// destructors.
+struct DestroyDecoder {
+    void operator()(void* decoder) const { tjDestroy(decoder); }
+};
+using Decoder = std::unique_ptr<void, DestroyDecoder>;
+
+}  // namespace
+
+Result<Image> decode_jpeg(std::span<const std::byte> bytes, std::string_view name) {
+    const Decoder decoder(tjInitDecompress());
+    if (!decoder) return failed(fmt::format("{}: libjpeg-turbo could not be started", name));
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    const auto size = static_cast<unsigned long>(bytes.size());  // NOLINT: the library's type
+    int width = 0;
+    int height = 0;
+    int subsampling = 0;
+    int colours = 0;
+    if (bytes.empty() ||
+        tjDecompressHeader3(decoder.get(), data, size, &width, &height, &subsampling, &colours) != 0) {
+        return bad_input(fmt::format("{}: expected a JPEG, found {} bytes that are none", name, size));
+    }
+    if (width > kMaxImageSide || height > kMaxImageSide) {
+        return bad_input(fmt::format("{}: expected a JPEG with sides of at most {} pixels, found {} x {}",
+                                     name, kMaxImageSide, width, height));
+    }
+    Image image{.width = width, .height = height, .rgba = {}};
+    image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    // A progressive file may ask for its pixels to be gone over any number of times: no honest one has 500.
+    constexpr int kFlags = TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING;
+    constexpr int kTightRows = 0;
+    if (tjDecompress2(decoder.get(), data, size, image.rgba.data(), width, kTightRows, height, TJPF_RGBA,
+                      kFlags) != 0) {
+        return bad_input(fmt::format("{}: expected a whole JPEG, found a damaged one: {}", name,
+                                     tjGetErrorStr2(decoder.get())));
+    }
+    return image;
+}
+
+}  // namespace onggi::asset
