@@ -15,14 +15,15 @@ Result<Buffer> Buffer::create(const Device& device, const BufferDesc& desc) {
     info.size = desc.size;
     info.usage = desc.usage;
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-    ONGGI_VK_TRY(vkCreateBuffer(device.handle(), &info, nullptr, &buffer.buffer_));
+    ONGGI_VK_TRY_ON(device, vkCreateBuffer(device.handle(), &info, nullptr, &buffer.buffer_));
 
     VkMemoryRequirements needs{};
     vkGetBufferMemoryRequirements(device.handle(), buffer.buffer_, &needs);
     auto allocation = allocate(device, needs, desc.use);
     if (!allocation) return allocation.error();
     buffer.allocation_ = *allocation;
-    ONGGI_VK_TRY(vkBindBufferMemory(device.handle(), buffer.buffer_, buffer.allocation_.memory, 0));
+    ONGGI_VK_TRY_ON(device,
+                    vkBindBufferMemory(device.handle(), buffer.buffer_, buffer.allocation_.memory, 0));
     device.name(VK_OBJECT_TYPE_BUFFER, buffer.buffer_, desc.name);
     return buffer;
 }

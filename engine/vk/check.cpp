@@ -45,6 +45,7 @@ Result<void> check(VkResult result, std::string_view call) {
         case VK_ERROR_OUT_OF_DEVICE_MEMORY:
         case VK_ERROR_INITIALIZATION_FAILED:
         case VK_ERROR_DEVICE_LOST:
+        case VK_ERROR_SURFACE_LOST_KHR:
         case VK_ERROR_LAYER_NOT_PRESENT:
         case VK_ERROR_EXTENSION_NOT_PRESENT:
         case VK_ERROR_FEATURE_NOT_PRESENT:

@@ -19,7 +19,7 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
     layout_info.pBindings = layout_bindings.data();
     BoundSet result;
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout));
+    ONGGI_VK_TRY_ON(device, vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout));
     result.layout = SetLayout(device.handle(), layout);
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, layout, name);
 
@@ -32,7 +32,7 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
     pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
     pool_info.pPoolSizes = sizes.data();
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool));
+    ONGGI_VK_TRY_ON(device, vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool));
     result.pool = DescriptorPool(device.handle(), pool);
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, name);
 
@@ -41,7 +41,7 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
     set_info.descriptorPool = pool;
     set_info.descriptorSetCount = 1;
     set_info.pSetLayouts = &layout;
-    ONGGI_VK_TRY(vkAllocateDescriptorSets(device.handle(), &set_info, &result.set));
+    ONGGI_VK_TRY_ON(device, vkAllocateDescriptorSets(device.handle(), &set_info, &result.set));
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, result.set, name);
     return result;
 }

@@ -51,6 +51,10 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
     if (instance.names_objects()) {
         self->set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
             vkGetInstanceProcAddr(instance.handle(), "vkSetDebugUtilsObjectNameEXT"));
+        self->begin_label_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+            vkGetInstanceProcAddr(instance.handle(), "vkCmdBeginDebugUtilsLabelEXT"));
+        self->end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+            vkGetInstanceProcAddr(instance.handle(), "vkCmdEndDebugUtilsLabelEXT"));
     }
 
     const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
@@ -58,6 +62,8 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
                                        .queueFamilyIndex = chosen.queue_family};
     ONGGI_VK_TRY(vkCreateCommandPool(self->device_, &pool, nullptr, &self->pool_));
+    self->name(VK_OBJECT_TYPE_DEVICE, self->device_, self->description_.name);
+    self->name(VK_OBJECT_TYPE_QUEUE, self->queue_, "queue");
     self->name(VK_OBJECT_TYPE_COMMAND_POOL, self->pool_, "commands");
     return self;
 }
@@ -80,6 +86,22 @@ void Device::name(VkObjectType type, std::uint64_t object, std::string_view name
     set_name_(device_, &info);  // a name that could not be set harms nobody
 }
 
+void Device::begin_region(VkCommandBuffer commands, const char* text) const {
+    if (begin_label_ == nullptr) return;
+    const VkDebugUtilsLabelEXT label{
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pNext = nullptr, .pLabelName = text, .color = {}};
+    begin_label_(commands, &label);
+}
+
+void Device::end_region(VkCommandBuffer commands) const {
+    if (end_label_ != nullptr) end_label_(commands);
+}
+
+std::span<const std::uint32_t> Device::in_place_of(std::span<const std::uint32_t> spirv) const {
+    const auto found = replacements_.find(spirv.data());
+    return found == replacements_.end() ? spirv : std::span<const std::uint32_t>(found->second);
+}
+
 Result<VkCommandBuffer> Device::allocate_commands(std::string_view text) const {
     const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
                                            .pNext = nullptr,
@@ -87,9 +109,13 @@ Result<VkCommandBuffer> Device::allocate_commands(std::string_view text) const {
                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                            .commandBufferCount = 1};
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkAllocateCommandBuffers(device_, &info, &commands));
+    ONGGI_VK_TRY_ON(*this, vkAllocateCommandBuffers(device_, &info, &commands));
     name(VK_OBJECT_TYPE_COMMAND_BUFFER, commands, text);
     return commands;
+}
+
+void Device::free_commands(VkCommandBuffer commands) const {
+    if (commands != VK_NULL_HANDLE) vkFreeCommandBuffers(device_, pool_, 1, &commands);
 }
 
 Result<VkCommandBuffer> Device::begin_once() const {
@@ -98,12 +124,12 @@ Result<VkCommandBuffer> Device::begin_once() const {
     VkCommandBufferBeginInfo begin{};
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    ONGGI_VK_TRY(vkBeginCommandBuffer(*commands, &begin));
+    ONGGI_VK_TRY_ON(*this, vkBeginCommandBuffer(*commands, &begin));
     return commands;
 }
 
 Result<void> Device::end_once(VkCommandBuffer commands) const {
-    ONGGI_VK_TRY(vkEndCommandBuffer(commands));
+    ONGGI_VK_TRY_ON(*this, vkEndCommandBuffer(commands));
     VkCommandBufferSubmitInfo buffer{};
     buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     buffer.commandBuffer = commands;
@@ -111,9 +137,9 @@ Result<void> Device::end_once(VkCommandBuffer commands) const {
     submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
-    ONGGI_VK_TRY(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE));
-    ONGGI_VK_TRY(vkQueueWaitIdle(queue_));
-    vkFreeCommandBuffers(device_, pool_, 1, &commands);
+    ONGGI_VK_TRY_ON(*this, vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE));
+    ONGGI_VK_TRY_ON(*this, vkQueueWaitIdle(queue_));
+    free_commands(commands);
     return {};
 }
 

@@ -2,14 +2,21 @@
 // with dynamic rendering, synchronization2 and timeline semaphores). Main thread.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "engine/core/result.h"
+#include "engine/vk/health.h"
 #include "engine/vk/physical_device.h"
 #include "engine/vk/vulkan.h"
 
 namespace onggi::vk {
+
+// Shaders that stand in for others, found by where the others' first word lies.
+using SpirvReplacements = std::map<const std::uint32_t*, std::vector<std::uint32_t>>;
 
 class Device {
   public:
@@ -36,7 +43,20 @@ class Device {
         name(type, reinterpret_cast<std::uint64_t>(handle), text);
     }
 
+    // What is recorded between the two is shown under this name by frame debuggers.
+    void begin_region(VkCommandBuffer commands, const char* text) const;
+    void end_region(VkCommandBuffer commands) const;
+
+    // What has become of it; it outlives none of its resources, so they all may note it.
+    [[nodiscard]] Health& health() const { return *health_; }
+
+    // For pipelines made from now on; empty but while somebody edits shaders.
+    void replace_spirv(SpirvReplacements replacements) { replacements_ = std::move(replacements); }
+    [[nodiscard]] std::span<const std::uint32_t> in_place_of(std::span<const std::uint32_t> spirv) const;
+
     [[nodiscard]] Result<VkCommandBuffer> allocate_commands(std::string_view name) const;
+    // Precondition: the device is done with them. Whoever does not goes on having them until the device goes.
+    void free_commands(VkCommandBuffer commands) const;
 
     // Records with `record` and waits until it is done: for loading, not for frames.
     template <typename Record>
@@ -60,7 +80,11 @@ class Device {
     DeviceDescription description_;
     VkPhysicalDeviceMemoryProperties memory_{};
     VkPhysicalDeviceLimits limits_{};
+    SpirvReplacements replacements_;
+    std::unique_ptr<Health> health_ = std::make_unique<Health>();
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
 };
 
 }  // namespace onggi::vk

@@ -15,6 +15,7 @@ struct TargetImage {
     VkImageView view = VK_NULL_HANDLE;
     VkExtent2D extent{};
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    bool can_be_read = false;  // copied from, once drawn
 };
 
 class FrameTarget {

@@ -23,14 +23,14 @@ Result<Image> Image::create(const Device& device, const ImageDesc& desc) {
     info.usage = desc.usage;
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-    ONGGI_VK_TRY(vkCreateImage(device.handle(), &info, nullptr, &image.image_));
+    ONGGI_VK_TRY_ON(device, vkCreateImage(device.handle(), &info, nullptr, &image.image_));
 
     VkMemoryRequirements needs{};
     vkGetImageMemoryRequirements(device.handle(), image.image_, &needs);
     auto allocation = allocate(device, needs, MemoryUse::kDevice);
     if (!allocation) return allocation.error();
     image.allocation_ = *allocation;
-    ONGGI_VK_TRY(vkBindImageMemory(device.handle(), image.image_, image.allocation_.memory, 0));
+    ONGGI_VK_TRY_ON(device, vkBindImageMemory(device.handle(), image.image_, image.allocation_.memory, 0));
     device.name(VK_OBJECT_TYPE_IMAGE, image.image_, desc.name);
 
     constexpr VkImageUsageFlags kViewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
@@ -43,7 +43,7 @@ Result<Image> Image::create(const Device& device, const ImageDesc& desc) {
         view.viewType = VK_IMAGE_VIEW_TYPE_2D;
         view.format = desc.format;
         view.subresourceRange = {desc.aspect, 0, 1, 0, 1};
-        ONGGI_VK_TRY(vkCreateImageView(device.handle(), &view, nullptr, &image.view_));
+        ONGGI_VK_TRY_ON(device, vkCreateImageView(device.handle(), &view, nullptr, &image.view_));
         device.name(VK_OBJECT_TYPE_IMAGE_VIEW, image.view_, desc.name);
     }
     return image;

@@ -88,9 +88,18 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
             VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
         .pfnUserCallback = hear,
         .pUserData = self->messages_.get()};
+    // Also what one command may not read while another still writes it.
+    const VkValidationFeatureEnableEXT synchronization =
+        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                           .pNext = &messenger,
+                                           .enabledValidationFeatureCount = 1,
+                                           .pEnabledValidationFeatures = &synchronization,
+                                           .disabledValidationFeatureCount = 0,
+                                           .pDisabledValidationFeatures = nullptr};
     const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                     // Chained in, so that creation and destruction are heard too.
-                                    .pNext = desc.validation ? &messenger : nullptr,
+                                    .pNext = desc.validation ? &features : nullptr,
                                     .flags = 0,
                                     .pApplicationInfo = &application,
                                     .enabledLayerCount = static_cast<std::uint32_t>(layers.size()),

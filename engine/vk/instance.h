@@ -11,7 +11,8 @@
 namespace onggi::vk {
 
 struct InstanceDesc {
-    bool validation = false;  // VK_LAYER_KHRONOS_validation; system lacks if it is not installed
+    // VK_LAYER_KHRONOS_validation with synchronization validation; system lacks if it is not installed.
+    bool validation = false;
     std::vector<std::string> extensions{};  // what the window asks for
 };
 

@@ -51,11 +51,12 @@ Result<Allocation> allocate(const Device& device, const VkMemoryRequirements& ne
                                     .allocationSize = needs.size,
                                     .memoryTypeIndex = *type};
     Allocation allocation;
-    ONGGI_VK_TRY(vkAllocateMemory(device.handle(), &info, nullptr, &allocation.memory));
+    ONGGI_VK_TRY_ON(device, vkAllocateMemory(device.handle(), &info, nullptr, &allocation.memory));
     if (use != MemoryUse::kDevice) {
         const VkResult mapped =
             vkMapMemory(device.handle(), allocation.memory, 0, VK_WHOLE_SIZE, 0, &allocation.mapped);
         if (mapped != VK_SUCCESS) free_allocation(device, allocation);
+        device.health().note(mapped);
         ONGGI_VK_TRY(mapped);
     }
     return allocation;

@@ -29,7 +29,8 @@ Result<std::optional<TargetImage>> Offscreen::begin() {
     return std::optional(TargetImage{.image = image_.handle(),
                                      .view = image_.view(),
                                      .extent = image_.extent(),
-                                     .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL});
+                                     .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                     .can_be_read = true});
 }
 
 Result<void> Offscreen::end(VkCommandBuffer commands) {

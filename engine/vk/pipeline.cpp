@@ -15,7 +15,7 @@ Result<ShaderModule> create_module(const Device& device, std::span<const std::ui
     info.codeSize = spirv.size_bytes();
     info.pCode = spirv.data();
     VkShaderModule module = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateShaderModule(device.handle(), &info, nullptr, &module));
+    ONGGI_VK_TRY_ON(device, vkCreateShaderModule(device.handle(), &info, nullptr, &module));
     return ShaderModule(device.handle(), module);
 }
 
@@ -40,13 +40,13 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
     const VkSpecializationInfo constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                          desc.constants.size_bytes(), desc.constants.data()};
 
-    auto vertex = create_module(device, desc.vertex_spirv);
+    auto vertex = create_module(device, device.in_place_of(desc.vertex_spirv));
     if (!vertex) return vertex.error();
     std::vector<VkPipelineShaderStageCreateInfo> stages{
         stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex->get(), constants)};
     ShaderModule fragment_module;
     if (!desc.fragment_spirv.empty()) {
-        auto fragment = create_module(device, desc.fragment_spirv);
+        auto fragment = create_module(device, device.in_place_of(desc.fragment_spirv));
         if (!fragment) return fragment.error();
         fragment_module = std::move(*fragment);
         stages.push_back(stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, fragment_module.get(), constants));
@@ -88,6 +88,12 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
     VkPipelineColorBlendAttachmentState opaque{};
     opaque.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
                             VK_COLOR_COMPONENT_A_BIT;
+    if (desc.blend) {
+        opaque.blendEnable = VK_TRUE;
+        opaque.srcColorBlendFactor = opaque.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+        opaque.dstColorBlendFactor = opaque.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        opaque.colorBlendOp = opaque.alphaBlendOp = VK_BLEND_OP_ADD;
+    }
     const std::vector<VkPipelineColorBlendAttachmentState> attachments(desc.colour_formats.size(), opaque);
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
@@ -120,7 +126,8 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
     info.pDynamicState = &dynamic;
     info.layout = desc.layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
+    ONGGI_VK_TRY_ON(device,
+                    vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
     device.name(VK_OBJECT_TYPE_PIPELINE, pipeline, desc.name);
     return Pipeline(device.handle(), pipeline);
 }
@@ -136,7 +143,7 @@ Result<PipelineLayout> create_pipeline_layout(const Device& device, VkDescriptor
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &range;
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout));
+    ONGGI_VK_TRY_ON(device, vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout));
     device.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout, name);
     return PipelineLayout(device.handle(), layout);
 }
@@ -153,7 +160,7 @@ Result<Sampler> create_sampler(const Device& device, const SamplerDesc& desc, st
     info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     info.borderColor = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
     VkSampler sampler = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateSampler(device.handle(), &info, nullptr, &sampler));
+    ONGGI_VK_TRY_ON(device, vkCreateSampler(device.handle(), &info, nullptr, &sampler));
     device.name(VK_OBJECT_TYPE_SAMPLER, sampler, name);
     return Sampler(device.handle(), sampler);
 }

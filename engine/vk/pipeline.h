@@ -57,6 +57,7 @@ struct PipelineDesc {
     bool depth_test = false;  // less or equal
     bool depth_write = false;
     bool depth_bias = false;                       // for shadow maps
+    bool blend = false;                            // laid over; colours come already multiplied by alpha
     VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;  // front faces are counter-clockwise seen from outside
 };
 

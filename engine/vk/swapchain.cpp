@@ -38,9 +38,11 @@ void Swapchain::resize(VkExtent2D extent) {
 
 Result<void> Swapchain::choose_format() {
     std::uint32_t count = 0;
-    ONGGI_VK_TRY(vkGetPhysicalDeviceSurfaceFormatsKHR(device_->physical(), surface_, &count, nullptr));
+    ONGGI_VK_TRY_ON(*device_,
+                    vkGetPhysicalDeviceSurfaceFormatsKHR(device_->physical(), surface_, &count, nullptr));
     std::vector<VkSurfaceFormatKHR> formats(count);
-    ONGGI_VK_TRY(vkGetPhysicalDeviceSurfaceFormatsKHR(device_->physical(), surface_, &count, formats.data()));
+    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfaceFormatsKHR(device_->physical(), surface_, &count,
+                                                                   formats.data()));
     // Plain UNORM: the shader encodes.
     for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}) {
         for (const VkSurfaceFormatKHR& format : formats) {
@@ -54,9 +56,9 @@ Result<void> Swapchain::choose_format() {
 }
 
 Result<bool> Swapchain::rebuild() {
-    ONGGI_VK_TRY(vkDeviceWaitIdle(device_->handle()));
+    ONGGI_VK_TRY_ON(*device_, vkDeviceWaitIdle(device_->handle()));
     VkSurfaceCapabilitiesKHR can{};
-    ONGGI_VK_TRY(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &can));
+    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &can));
     VkExtent2D extent = can.currentExtent;
     if (extent.width ==
         std::numeric_limits<std::uint32_t>::max()) {  // the surface takes whatever it is given
@@ -68,11 +70,11 @@ Result<bool> Swapchain::rebuild() {
     if (has_no_pixels) return false;
 
     std::uint32_t mode_count = 0;
-    ONGGI_VK_TRY(
-        vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_, &mode_count, nullptr));
+    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_,
+                                                                        &mode_count, nullptr));
     std::vector<VkPresentModeKHR> modes(mode_count);
-    ONGGI_VK_TRY(
-        vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_, &mode_count, modes.data()));
+    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_,
+                                                                        &mode_count, modes.data()));
     const bool has_mailbox =
         std::find(modes.begin(), modes.end(), VK_PRESENT_MODE_MAILBOX_KHR) != modes.end();
     std::uint32_t image_count = std::max(can.minImageCount, 3U);
@@ -88,7 +90,9 @@ Result<bool> Swapchain::rebuild() {
     info.imageArrayLayers = 1;
     // The still picture is copied in, then drawn over; every surface we know can be copied to.
     info.imageUsage =
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+        (can.supportedUsageFlags & (VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
+    can_be_read_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_SRC_BIT) != 0;
     info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.preTransform = can.currentTransform;
     info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
@@ -99,7 +103,7 @@ Result<bool> Swapchain::rebuild() {
     info.clipped = VK_TRUE;
     info.oldSwapchain = swapchain_;
     VkSwapchainKHR fresh = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &fresh));
+    ONGGI_VK_TRY_ON(*device_, vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &fresh));
     drop_frames();
     if (swapchain_ != VK_NULL_HANDLE) vkDestroySwapchainKHR(device_->handle(), swapchain_, nullptr);
     swapchain_ = fresh;
@@ -112,9 +116,9 @@ Result<bool> Swapchain::rebuild() {
 
 Result<void> Swapchain::make_frames() {
     std::uint32_t count = 0;
-    ONGGI_VK_TRY(vkGetSwapchainImagesKHR(device_->handle(), swapchain_, &count, nullptr));
+    ONGGI_VK_TRY_ON(*device_, vkGetSwapchainImagesKHR(device_->handle(), swapchain_, &count, nullptr));
     std::vector<VkImage> images(count);
-    ONGGI_VK_TRY(vkGetSwapchainImagesKHR(device_->handle(), swapchain_, &count, images.data()));
+    ONGGI_VK_TRY_ON(*device_, vkGetSwapchainImagesKHR(device_->handle(), swapchain_, &count, images.data()));
     for (VkImage image : images) {
         Frame frame;
         frame.image = image;
@@ -125,7 +129,7 @@ Result<void> Swapchain::make_frames() {
         info.format = format_.format;
         info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
         VkImageView view = VK_NULL_HANDLE;
-        ONGGI_VK_TRY(vkCreateImageView(device_->handle(), &info, nullptr, &view));
+        ONGGI_VK_TRY_ON(*device_, vkCreateImageView(device_->handle(), &info, nullptr, &view));
         frame.view = {device_->handle(), view};
         const std::string name = fmt::format("window image {}", frames_.size());
         device_->name(VK_OBJECT_TYPE_IMAGE, image, name);
@@ -150,8 +154,13 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
         if (!*rebuilt) return std::optional<TargetImage>();
     }
     constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
-    const VkResult result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kForever, acquired_.get(),
-                                                  VK_NULL_HANDLE, &frame_);
+    Health& health = device_->health();
+    VkResult result = health.before("vkAcquireNextImageKHR");
+    if (result == VK_SUCCESS) {
+        result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kForever, acquired_.get(),
+                                       VK_NULL_HANDLE, &frame_);
+    }
+    health.note(result);
     const auto acquired = check_swapchain(result, "vkAcquireNextImageKHR");
     if (!acquired) return acquired.error();
     if (*acquired == SwapchainState::kOutOfDate) {
@@ -161,7 +170,8 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
     return std::optional(TargetImage{.image = frames_[frame_].image,
                                      .view = frames_[frame_].view.get(),
                                      .extent = extent_,
-                                     .final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR});
+                                     .final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
+                                     .can_be_read = can_be_read_});
 }
 
 Result<void> Swapchain::end(VkCommandBuffer commands) {
@@ -175,7 +185,10 @@ Result<void> Swapchain::end(VkCommandBuffer commands) {
     info.swapchainCount = 1;
     info.pSwapchains = &swapchain_;
     info.pImageIndices = &frame_;
-    const VkResult result = vkQueuePresentKHR(device_->queue(), &info);
+    Health& health = device_->health();
+    VkResult result = health.before("vkQueuePresentKHR");
+    if (result == VK_SUCCESS) result = vkQueuePresentKHR(device_->queue(), &info);
+    health.note(result);
     const auto presented = check_swapchain(result, "vkQueuePresentKHR");
     if (!presented) return presented.error();
     if (*presented == SwapchainState::kOutOfDate || result == VK_SUBOPTIMAL_KHR) is_current_ = false;

@@ -29,7 +29,7 @@ Result<Semaphore> create(const Device& device, VkSemaphoreType type, std::string
     info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
     info.pNext = &type_info;
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    ONGGI_VK_TRY(vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore));
+    ONGGI_VK_TRY_ON(device, vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore));
     device.name(VK_OBJECT_TYPE_SEMAPHORE, semaphore, name);
     return Semaphore(device.handle(), semaphore);
 }
@@ -66,7 +66,7 @@ Result<void> Timeline::submit(const Device& device, VkCommandBuffer commands, Vk
     submit.pCommandBufferInfos = &buffer;
     submit.signalSemaphoreInfoCount = signal == VK_NULL_HANDLE ? 1 : 2;
     submit.pSignalSemaphoreInfos = signals.data();
-    ONGGI_VK_TRY(vkQueueSubmit2(device.queue(), 1, &submit, VK_NULL_HANDLE));
+    ONGGI_VK_TRY_ON(device, vkQueueSubmit2(device.queue(), 1, &submit, VK_NULL_HANDLE));
     ++value_;
     return {};
 }
@@ -78,7 +78,7 @@ Result<void> Timeline::wait(const Device& device) const {
     info.semaphoreCount = 1;
     info.pSemaphores = &semaphore;
     info.pValues = &value_;
-    ONGGI_VK_TRY(vkWaitSemaphores(device.handle(), &info, kHangNs));
+    ONGGI_VK_TRY_ON(device, vkWaitSemaphores(device.handle(), &info, kHangNs));
     return {};
 }
 
