@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // The wall behind everything.
 #include "frame.glsl"
-#include "tone.glsl"
 #include "noise.glsl"
+#include "tone.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec4 out_colour;

@@ -1,4 +1,6 @@
 // The one descriptor set, for whoever includes it.
 #include "frame_data.h"
 
-layout(std140, set = 0, binding = kBindFrame) uniform FrameBlock { FrameData frame; };
+layout(std140, set = 0, binding = kBindFrame) uniform FrameBlock {
+    FrameData frame;
+};

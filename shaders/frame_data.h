@@ -16,20 +16,18 @@ namespace onggi::shaders {
 #define ONGGI_CONST const
 #endif
 
-// The texture of the outline's normals: wall, rounded edge, flat top.
-ONGGI_CONST int kProfileTexels = 1024;
-ONGGI_CONST int kProfileWallTexels = 976;
-ONGGI_CONST int kProfileEdgeTexels = 32;
-ONGGI_CONST int kEdgeRows = 5;        // rows of vertices round the top edge
-ONGGI_CONST int kPanels = 3;          // soft lights of the sky
-ONGGI_CONST int kSpheres = 2;         // that cast a shadow
-ONGGI_CONST int kMaskTexels = 96;     // the shadow mask, each way
-ONGGI_CONST int kKeyMapTexels = 512;  // the still life's shadow map, each way
+ONGGI_CONST int kProfileTexels =
+    4096;  // of the texture of the outline's normals, by length along it: finer than a pixel
+ONGGI_CONST int kOutlineSamples = 512;  // of the outline, evenly by height: what rays are walked against
+ONGGI_CONST int kPanels = 3;            // soft lights of the sky
+ONGGI_CONST int kSpheres = 4;           // that cast a shadow
+ONGGI_CONST int kMaskTexels = 96;       // the shadow mask, each way
+ONGGI_CONST int kKeyMapTexels = 512;    // the still life's shadow map, each way
 
 // Bindings of the one descriptor set.
 ONGGI_CONST int kBindFrame = 0;
-ONGGI_CONST int kBindRadii = 1;
-ONGGI_CONST int kBindRings = 2;
+ONGGI_CONST int kBindOutline = 1;
+ONGGI_CONST int kBindRows = 2;
 ONGGI_CONST int kBindNormals = 3;
 ONGGI_CONST int kBindDetail = 4;
 ONGGI_CONST int kBindMask = 5;
@@ -37,6 +35,15 @@ ONGGI_CONST int kBindKeyMap = 6;
 ONGGI_CONST int kBindStillKey = 7;
 ONGGI_CONST int kBindStillAmbient = 8;
 ONGGI_CONST int kBindStillCoords = 9;
+ONGGI_CONST int kBindPlateKey = 10;
+ONGGI_CONST int kBindPlateAmbient = 11;
+ONGGI_CONST int kBindNextKey = 12;
+ONGGI_CONST int kBindNextAmbient = 13;
+ONGGI_CONST int kBindFromDepth = 14;
+ONGGI_CONST int kBindToDepth = 15;
+ONGGI_CONST int kBindVertices = 16;
+ONGGI_CONST int kBindEdges = 17;
+ONGGI_CONST int kBindPicture = 18;
 
 struct FrameData {
     mat4 view_projection;
@@ -54,22 +61,39 @@ struct FrameData {
     vec4 mask_v;
     vec4 mask_origin;  // the way back: xz of u = v = 0
     vec4 mask_axes;    // xz of u, then xz of v
-    vec4 lathe;        // height mm, elements a mm, elements, radius of the foot mm; all 0 without a lathe
-    vec4 spheres[kSpheres];  // xyz mm; w radius mm, 0: none
+    vec4 lathe;       // height mm, samples of the outline a mm, samples, radius of the foot mm; all 0 without
+    vec4 lathe_foot;  // xz mm where the foot stands
+    vec4 spheres[kSpheres];  // xyz mm; w radius mm
+    vec4 counts;             // x how many of the spheres there are
     vec4 backdrop_low;
     vec4 backdrop_high;
     vec4 backdrop_glow;   // rgb; w radius
     vec4 backdrop_shape;  // centre of the glow; half width and half height of the picture, the shorter is 1
     vec4 picture;         // width and height in pixels, and one over them
+    vec4 plate_window;    // pixel * xy + zw is the place in the plate
+    mat4 plate_from;      // the view and projection of the plate, and of the one the camera glides to
+    mat4 plate_to;
+    vec4 glide;   // x share of the second plate
+    vec4 levels;  // of the plates' light: rgb all but the key, w the key
 };
 
-// A ring of vertices.
-struct RingData {
-    ONGGI_UINT element;
-    float y_mm;
-    float radius_mm;  // the element's; the shader reads the radii themselves
-    float open_sky;   // 0 to 1
-    float profile_u;  // where its normal lies in the texture
+// A row of vertices: all that is the same the whole way round.
+struct RowData {
+    vec4 place;  // radius mm; y mm; where its normal lies in the texture; along the outline mm
+    vec4 light;  // normal (r, y); the sky it sees, 0 to 1; 1 inside, 0 outside
+    vec4 water;  // in the body and on it, 0 to 1; load; unused
+};
+
+// A vertex: what the turn, dents and the light's direction make of its row here.
+struct VertexData {
+    vec4 place;  // xyz mm; w the key light that gets here
+    vec4 lean;   // xz the horizontal way outwards, unit; y how dents lean the wall, as a slope; w unused
+};
+
+// A piece of an outline in the picture, between two points of it.
+struct EdgeData {
+    vec4 from;  // xy pixels, z depth
+    vec4 to;
 };
 
 // Push constants of a mesh.
@@ -80,19 +104,29 @@ struct MeshDraw {
     vec4 pattern;  // x how much longer along x the grain is than across
 };
 
-// Push constants of the shade: a convex polygon in clip space, two corners a vec4, the last corner repeated.
-ONGGI_CONST int kShadeCorners = 16;
+// Push constants of a hand or a tool.
+struct MoverDraw {
+    vec4 row_x;  // of the rigid 3 x 4 matrix that places it
+    vec4 row_y;
+    vec4 row_z;
+    vec4 albedo;   // rgb; w roughness
+    vec4 clay;     // rgb of the clay that lies on it; w how wet that is
+    vec4 surface;  // metalness; unused
+};
+
+// Push constants of the shade: rectangles, x0, y0, x1, y1 in pixels.
+ONGGI_CONST int kShadeRects = 8;
 struct ShadeDraw {
-    vec4 corners[kShadeCorners / 2];
+    vec4 rects[kShadeRects];
 };
 
 // Push constants of the lathe.
 struct LatheDraw {
-    vec4 albedo;  // rgb, already darkened by water; w streaks
-    vec4 water;   // x wetness of the film, y roughness of the body
-    vec4 turn;    // x how far the slip has turned, in widths of its texture; zw radius mm and height mm where
-                  // the rounding begins
-    vec4 edge;    // rounding mm; sectors; rings; vertices in a row
+    vec4 dry;    // albedo; w streaks
+    vec4 wet;    // albedo of the body full of water; w soft edge
+    vec4 gloss;  // roughness of the dry body; of the wet one; of the film or the glaze; weight of the glaze
+    vec4 turn;   // x how far the slip has turned, in widths of its texture; y vertices in a row;
+                 // z mirror of the film, straight on; w rows
 };
 
 #ifdef __cplusplus

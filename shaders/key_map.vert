@@ -3,7 +3,9 @@
 // The still life as the key light sees it: depth only.
 #include "frame.glsl"
 
-layout(push_constant) uniform DrawBlock { MeshDraw draw; };
+layout(push_constant) uniform DrawBlock {
+    MeshDraw draw;
+};
 layout(location = 0) in vec3 position_mm;
 
 void main() {

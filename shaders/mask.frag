@@ -6,7 +6,9 @@
 #include "frame.glsl"
 #include "surface.glsl"
 
-layout(std430, set = 0, binding = kBindRadii) readonly buffer RadiiBlock { float radii[]; };
+layout(std430, set = 0, binding = kBindOutline) readonly buffer OutlineBlock {
+    float outline[];
+};
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec2 out_seen;
@@ -20,9 +22,10 @@ float past_lathe(vec3 q) {
         float y = height * (float(i) / float(kSteps));
         float t = y / max(l.y, 0.05);
         vec2 at = q.xz + l.xz * t;
-        float element = clamp(y * frame.lathe.y, 0.0, frame.lathe.z - 1.0);
+        float sample_number = clamp(y * frame.lathe.y, 0.0, frame.lathe.z - 1.0);
         // Close to the foot the penumbra is as narrow as a texel can show.
-        least = min(least, (length(at) - radii[int(element)]) / max(t * frame.key_direction.w, 2.0));
+        least = min(least, (length(at - frame.lathe_foot.xy) - outline[int(sample_number)]) /
+                               max(t * frame.key_direction.w, 2.0));
     }
     return smoothstep(-1.0, 1.0, least);
 }
@@ -34,9 +37,9 @@ void main() {
     float open = sky_past_spheres(q, vec3(0.0, 1.0, 0.0));
     if (frame.lathe.x > 0.0) {
         seen *= past_lathe(q);
-        float from_foot = max(length(q.xz) - frame.lathe.w, 0.0);
+        float from_foot = max(length(q.xz - frame.lathe_foot.xy) - frame.lathe.w, 0.0);
         float shade = 0.55 * exp(-from_foot * 0.09) + 0.27 * exp(-from_foot * 0.024);
-        open *= 1.0 - shade * smoothstep(90.0, 40.0, from_foot);
+        open *= 1.0 - shade * smoothstep(62.0, 18.0, from_foot);
     }
     vec2 from_border = min(position, 1.0 - position) * 8.0;
     float inside = smoothstep(0.1, 1.0, min(from_border.x, from_border.y));

@@ -3,16 +3,18 @@
 // Whatever is neither the lathe nor the wall. With ONGGI_LAYERS it is drawn once, into what each frame is put
 // together from; without, it is the finished picture (stills, GPUs, tools).
 #include "frame.glsl"
-#include "tone.glsl"
+#include "noise.glsl"
 #include "sky.glsl"
 #include "surface.glsl"
-#include "noise.glsl"
+#include "tone.glsl"
 
 layout(constant_id = 1) const bool kMoves = false;  // a sphere: no cached shadow falls on it
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
 layout(set = 0, binding = kBindKeyMap) uniform sampler2DShadow key_map;
-layout(push_constant) uniform DrawBlock { MeshDraw draw; };
+layout(push_constant) uniform DrawBlock {
+    MeshDraw draw;
+};
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 in_normal;
@@ -23,8 +25,8 @@ layout(location = 1) out vec4 out_ambient;  // without it; alpha: how much the f
 layout(location = 2) out vec2 out_coords;   // where to look in the shadow mask
 #endif
 
-// The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share of the
-// square, since not every device filters depth (lavapipe does not).
+// The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share
+// of the square, since not every device filters depth (lavapipe does not).
 float past_still_life() {
     if (kMoves) return 1.0;
     vec4 at = frame.key_view_projection * vec4(position, 1.0);
@@ -37,7 +39,8 @@ float past_still_life() {
         float weight_y = y == -3 ? 1.0 - share.y : (y == 4 ? share.y : 1.0);
         for (int x = -3; x <= 4; ++x) {
             float weight_x = x == -3 ? 1.0 - share.x : (x == 4 ? share.x : 1.0);
-            seen += weight_x * weight_y * texture(key_map, vec3((base + vec2(x, y) + 0.5) / kKeyMapTexels, depth));
+            seen += weight_x * weight_y *
+                    texture(key_map, vec3((base + vec2(x, y) + 0.5) / kKeyMapTexels, depth));
         }
     }
     return seen / 49.0;
@@ -55,7 +58,8 @@ void main() {
     vec3 albedo = draw.albedo.rgb;
     if (draw.surface.w > 0.0) {
         vec3 at = position / vec3(draw.pattern.x, 1.0, 1.0);
-        float blotch = value_noise(at * 0.021) * 0.45 + value_noise(at * 0.11) * 0.35 + value_noise(at * 0.43) * 0.2;
+        float blotch =
+            value_noise(at * 0.021) * 0.45 + value_noise(at * 0.11) * 0.35 + value_noise(at * 0.43) * 0.2;
         albedo *= 1.0 + draw.surface.w * (blotch - 0.5) * 2.0;
         roughness = clamp(roughness + draw.surface.w * (blotch - 0.5) * 0.5, 0.05, 1.0);
     }
@@ -71,7 +75,8 @@ void main() {
         float footprint = length(vec2(dFdx(turns), dFdy(turns)));
         float seen = clamp(1.5 - 3.0 * footprint, 0.0, 1.0);
         float uneven = 0.6 + 0.8 * value_noise(vec3(turns * 0.37, 3.0, 7.0));
-        lean = draw.surface.z * uneven * sin(6.2831853 * turns + 4.0 * value_noise(vec3(turns * 0.21, 1.0, 2.0))) * seen;
+        lean = draw.surface.z * uneven *
+               sin(6.2831853 * turns + 4.0 * value_noise(vec3(turns * 0.21, 1.0, 2.0))) * seen;
     }
     vec3 leaning = normalize(n + radial * lean);
 
@@ -103,20 +108,20 @@ void main() {
     vec3 shade = open_sky_colour(open_sky, albedo);
     vec3 ambient = body * sky_diffuse(leaning) * shade + mirror * reflected * open_sky;
 
-    vec3 with_key = encode(ambient + key_light) + dither();
     if (kMoves) {
-        out_colour = vec4(with_key, 1.0);
+        out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
         return;
     }
-    vec3 without_key = encode(ambient) + dither();
-    vec2 uv = vec2(dot(frame.mask_u.xyz, position) + frame.mask_u.w, dot(frame.mask_v.xyz, position) + frame.mask_v.w);
+    vec2 uv = vec2(dot(frame.mask_u.xyz, position) + frame.mask_u.w,
+                   dot(frame.mask_v.xyz, position) + frame.mask_v.w);
     float near_foot = smoothstep(-7.0, -1.0, position.y) * max(n.y, 0.0);
 #ifdef ONGGI_LAYERS
-    out_colour = vec4(with_key, 1.0);
-    out_ambient = vec4(without_key, near_foot);
+    out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
+    out_ambient = vec4(encode(ambient) + dither(), near_foot);
     out_coords = uv;
 #else
     vec2 mask = texture(shadow_mask, uv).rg;
-    out_colour = vec4(mix(without_key, with_key, mask.r) * mix(1.0, mask.g, near_foot), 1.0);
+    vec3 light = (ambient + key_light * mask.r) * mix(1.0, mask.g, near_foot);
+    out_colour = vec4(encode(light) + dither(), 1.0);
 #endif
 }

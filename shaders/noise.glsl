@@ -12,7 +12,8 @@ float value_noise(vec3 p) {
     ivec3 c = ivec3(base);
     vec3 t = p - base;
     t = t * t * (3.0 - 2.0 * t);
-    vec4 low = vec4(hashed(c), hashed(c + ivec3(1, 0, 0)), hashed(c + ivec3(0, 1, 0)), hashed(c + ivec3(1, 1, 0)));
+    vec4 low =
+        vec4(hashed(c), hashed(c + ivec3(1, 0, 0)), hashed(c + ivec3(0, 1, 0)), hashed(c + ivec3(1, 1, 0)));
     vec4 high = vec4(hashed(c + ivec3(0, 0, 1)), hashed(c + ivec3(1, 0, 1)), hashed(c + ivec3(0, 1, 1)),
                      hashed(c + ivec3(1, 1, 1)));
     vec4 z = mix(low, high, t.z);

@@ -1,17 +1,16 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The convex polygon that the shade can reach, as a fan of triangles.
-#include "frame_data.h"
+// The rectangles that the shade can reach.
+#include "frame.glsl"
 
-layout(push_constant) uniform DrawBlock { ShadeDraw draw; };
-
-vec2 corner(int number) {
-    vec4 two = draw.corners[number / 2];
-    return (number & 1) == 0 ? two.xy : two.zw;
-}
+layout(push_constant) uniform DrawBlock {
+    ShadeDraw draw;
+};
 
 void main() {
-    int triangle = gl_VertexIndex / 3;
-    int place = gl_VertexIndex - 3 * triangle;
-    gl_Position = vec4(corner(place == 0 ? 0 : triangle + place), 0.0, 1.0);
+    vec4 rect = draw.rects[gl_VertexIndex / 6];
+    const int kCorners[6] = {0, 1, 2, 2, 1, 3};
+    int corner = kCorners[gl_VertexIndex % 6];
+    vec2 at = vec2((corner & 1) != 0 ? rect.z : rect.x, (corner & 2) != 0 ? rect.w : rect.y);
+    gl_Position = vec4(at * frame.picture.zw * 2.0 - 1.0, 0.0, 1.0);
 }

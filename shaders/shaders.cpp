@@ -3,16 +3,36 @@
 // Written by glslangValidator while building; see CMakeLists.txt.
 #include "backdrop_frag.h"
 #include "backdrop_layers_frag.h"
+#include "edges_frag.h"
+#include "edges_vert.h"
+#include "glide_frag.h"
+#include "glide_surface_frag.h"
+#include "glide_surface_vert.h"
+#include "glide_vert.h"
 #include "key_map_vert.h"
 #include "lathe_frag.h"
+#include "lathe_load_frag.h"
+#include "lathe_load_vert.h"
+#include "lathe_section_frag.h"
+#include "lathe_section_vert.h"
 #include "lathe_vert.h"
 #include "mask_frag.h"
 #include "mesh_frag.h"
 #include "mesh_layers_frag.h"
 #include "mesh_vert.h"
+#include "mover_frag.h"
+#include "mover_vert.h"
+#include "plate_frag.h"
+#include "plate_layers_frag.h"
+#include "plate_surface_frag.h"
+#include "plate_surface_layers_frag.h"
+#include "plate_surface_vert.h"
 #include "screen_vert.h"
 #include "shade_frag.h"
 #include "shade_vert.h"
+#include "ui_frag.h"
+#include "ui_picture_frag.h"
+#include "ui_vert.h"
 
 namespace onggi::shaders {
 
@@ -25,8 +45,35 @@ const Spirv kMeshLayersFrag = mesh_layers_frag;
 const Spirv kKeyMapVert = key_map_vert;
 const Spirv kLatheVert = lathe_vert;
 const Spirv kLatheFrag = lathe_frag;
+const Spirv kMoverVert = mover_vert;
+const Spirv kMoverFrag = mover_frag;
 const Spirv kMaskFrag = mask_frag;
+const Spirv kLatheLoadVert = lathe_load_vert;
+const Spirv kLatheLoadFrag = lathe_load_frag;
+const Spirv kLatheSectionVert = lathe_section_vert;
+const Spirv kLatheSectionFrag = lathe_section_frag;
+const Spirv kEdgesVert = edges_vert;
+const Spirv kEdgesFrag = edges_frag;
+const Spirv kGlideVert = glide_vert;
+const Spirv kGlideFrag = glide_frag;
+const Spirv kGlideSurfaceVert = glide_surface_vert;
+const Spirv kGlideSurfaceFrag = glide_surface_frag;
+const Spirv kPlateFrag = plate_frag;
+const Spirv kPlateLayersFrag = plate_layers_frag;
+const Spirv kPlateSurfaceVert = plate_surface_vert;
+const Spirv kPlateSurfaceFrag = plate_surface_frag;
+const Spirv kPlateSurfaceLayersFrag = plate_surface_layers_frag;
 const Spirv kShadeVert = shade_vert;
 const Spirv kShadeFrag = shade_frag;
+const Spirv kUiVert = ui_vert;
+const Spirv kUiFrag = ui_frag;
+const Spirv kUiPictureFrag = ui_picture_frag;
+
+std::span<const Source> sources() {
+    static const Source all[] = {
+#include "sources.inc"
+    };
+    return all;
+}
 
 }  // namespace onggi::shaders

@@ -8,6 +8,14 @@ namespace onggi::shaders {
 
 using Spirv = std::span<const std::uint32_t>;
 
+// Where each of them comes from, for whoever compiles them again.
+struct Source {
+    const char* file = "";         // "mesh.frag"
+    const char* definitions = "";  // with a space between them
+    Spirv spirv;
+};
+[[nodiscard]] std::span<const Source> sources();
+
 extern const Spirv kScreenVert;
 extern const Spirv kBackdropFrag;
 extern const Spirv kBackdropLayersFrag;
@@ -17,8 +25,28 @@ extern const Spirv kMeshLayersFrag;
 extern const Spirv kKeyMapVert;
 extern const Spirv kLatheVert;
 extern const Spirv kLatheFrag;
+extern const Spirv kMoverVert;
+extern const Spirv kMoverFrag;
 extern const Spirv kMaskFrag;
+extern const Spirv kLatheLoadVert;
+extern const Spirv kLatheLoadFrag;
+extern const Spirv kLatheSectionVert;
+extern const Spirv kLatheSectionFrag;
+extern const Spirv kEdgesVert;
+extern const Spirv kEdgesFrag;
+extern const Spirv kGlideVert;
+extern const Spirv kGlideFrag;
+extern const Spirv kGlideSurfaceVert;
+extern const Spirv kGlideSurfaceFrag;
+extern const Spirv kPlateFrag;
+extern const Spirv kPlateLayersFrag;
+extern const Spirv kPlateSurfaceVert;
+extern const Spirv kPlateSurfaceFrag;
+extern const Spirv kPlateSurfaceLayersFrag;
 extern const Spirv kShadeVert;
 extern const Spirv kShadeFrag;
+extern const Spirv kUiVert;
+extern const Spirv kUiFrag;
+extern const Spirv kUiPictureFrag;
 
 }  // namespace onggi::shaders

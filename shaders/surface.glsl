@@ -27,9 +27,9 @@ float soft_cosine(float n_l, float width) {
 // How much of the key light passes the moving spheres on its way to p, 0 to 1.
 float past_spheres(vec3 p) {
     float seen = 1.0;
-    for (int i = 0; i < kSpheres; ++i) {
+    int count = min(int(frame.counts.x), kSpheres);
+    for (int i = 0; i < count; ++i) {
         float radius = frame.spheres[i].w;
-        if (radius <= 0.0) continue;
         vec3 to = frame.spheres[i].xyz - p;
         float along = dot(to, frame.key_direction.xyz);
         float gap = sqrt(max(dot(to, to) - along * along, 0.0)) - radius;
@@ -42,9 +42,9 @@ float past_spheres(vec3 p) {
 // How much of the sky they leave: a sphere of radius r at distance d hides (r/d)^2 of what faces it.
 float sky_past_spheres(vec3 p, vec3 n) {
     float open = 1.0;
-    for (int i = 0; i < kSpheres; ++i) {
+    int count = min(int(frame.counts.x), kSpheres);
+    for (int i = 0; i < count; ++i) {
         float radius = frame.spheres[i].w;
-        if (radius <= 0.0) continue;
         vec3 to = frame.spheres[i].xyz - p;
         float d2 = max(dot(to, to), radius * radius);
         open *= 1.0 - clamp(dot(n, to) * inversesqrt(d2), 0.0, 1.0) * radius * radius / d2;

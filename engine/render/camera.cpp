@@ -1,5 +1,6 @@
 #include "engine/render/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace onggi::render {
@@ -28,6 +29,8 @@ mat4 view_projection(const Camera& camera, int width_px, int height_px) {
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
     mat4 projection = glm::perspective(camera.vertical_fov_rad, aspect, camera.near_mm, camera.far_mm);
     projection[1][1] *= -1.0F;  // Vulkan's y points down
+    projection[2][0] -= camera.shift.x;
+    projection[2][1] -= camera.shift.y;
     return projection * glm::lookAt(camera.eye_mm, camera.target_mm, vec3(0.0F, 1.0F, 0.0F));
 }
 
@@ -62,6 +65,31 @@ std::optional<Projected> project(const Camera& camera, int width_px, int height_
     const double x = glm::dot(from_eye, frame.right) / half_width;
     const double y = glm::dot(from_eye, frame.up) / half_height;
     return Projected{{(x + 1.0) * 0.5 * width_px, (1.0 - y) * 0.5 * height_px}, depth};
+}
+
+namespace {
+
+// How many times the plate is enlarged to fill the picture both ways.
+double plate_scale(int plate_width_px, int plate_height_px, int width_px, int height_px) {
+    return std::max(static_cast<double>(width_px) / plate_width_px,
+                    static_cast<double>(height_px) / plate_height_px);
+}
+
+}  // namespace
+
+Camera plate_camera(const Camera& of_plate, int plate_width_px, int plate_height_px, int width_px,
+                    int height_px) {
+    const double scale = plate_scale(plate_width_px, plate_height_px, width_px, height_px);
+    Camera camera = of_plate;
+    camera.vertical_fov_rad =
+        static_cast<float>(2.0 * std::atan(half_height_of(of_plate) * height_px / (scale * plate_height_px)));
+    return camera;
+}
+
+vec4 plate_window(int plate_width_px, int plate_height_px, int width_px, int height_px) {
+    const double scale = plate_scale(plate_width_px, plate_height_px, width_px, height_px);
+    const dvec2 pixel(1.0 / (scale * plate_width_px), 1.0 / (scale * plate_height_px));
+    return vec4(vec2(pixel), vec2(0.5 - 0.5 * width_px * pixel.x, 0.5 - 0.5 * height_px * pixel.y));
 }
 
 double pixels_per_mm(const Camera& camera, int height_px) {

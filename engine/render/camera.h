@@ -14,6 +14,7 @@ struct Camera {
     float vertical_fov_rad = 0.5F;
     float near_mm = 50.0F;
     float far_mm = 6000.0F;
+    vec2 shift{0.0F};  // of the whole picture, in halves of it: fractions of a pixel, for a mean of many
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
@@ -40,6 +41,14 @@ struct Projected {
 };
 [[nodiscard]] std::optional<Projected> project(const Camera& camera, int width_px, int height_px,
                                                dvec3 point_mm);
+
+// The camera of a picture that shows the middle of a plate: the plate is scaled until it fills the picture
+// both ways, and what is too much of it is cut off.
+[[nodiscard]] Camera plate_camera(const Camera& of_plate, int plate_width_px, int plate_height_px,
+                                  int width_px, int height_px);
+
+// pixel * xy + zw of such a picture is the place in the plate, 0 to 1 from its top left corner.
+[[nodiscard]] vec4 plate_window(int plate_width_px, int plate_height_px, int width_px, int height_px);
 
 // How many pixels one mm spans at the camera's target.
 [[nodiscard]] double pixels_per_mm(const Camera& camera, int height_px);

@@ -6,6 +6,10 @@
 #include <numbers>
 
 #include "engine/core/hash.h"
+#include "engine/render/lathe_edges.h"
+#include "engine/render/lathe_section.h"
+#include "engine/render/lathe_vertices.h"
+#include "engine/render/shade_spans.h"
 #include "engine/render/sky_light.h"
 
 namespace onggi::render {
@@ -18,9 +22,9 @@ mat4 key_projection(const DirectionalLight& light, const StillBounds& still) {
     return glm::ortho(-r, r, -r, r, 0.5F * r, 3.5F * r) * view;
 }
 
-// A wet body is darker and more saturated: light that the film throws back into it is filtered once more.
+// A wet body is darker and more saturated: light that the water throws back into it is filtered once more.
 // J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A), where p is the
-// share of diffuse light that water reflects back inside; 0.66 of a full film, in between by wetness.
+// share of diffuse light that water reflects back inside; 0.66 of a body full of it.
 vec3 wet_albedo(vec3 albedo, float wetness) {
     const float p = 0.66F * std::clamp(wetness, 0.0F, 1.0F);
     return albedo * (1.0F - p) / (vec3(1.0F) - p * albedo);
@@ -29,18 +33,21 @@ vec3 wet_albedo(vec3 albedo, float wetness) {
 void build_lights(const Scene& scene, const StillBounds& still, shaders::FrameData& frame) {
     frame.key_view_projection = key_projection(scene.key, still);
     frame.key_direction = vec4(scene.key.towards_light, std::tan(scene.key.angular_radius_rad));
-    frame.key_radiance = vec4(scene.key.radiance, 0.0F);
-    frame.sky_zenith = vec4(scene.environment.zenith, 0.0F);
-    frame.sky_horizon = vec4(scene.environment.horizon, 0.0F);
-    frame.sky_nadir = vec4(scene.environment.nadir, 0.0F);
+    const vec3 ambient = scene.levels.ambient;
+    frame.levels = vec4(ambient, scene.levels.key);
+    frame.key_radiance = vec4(scene.key.radiance * scene.levels.key, 0.0F);
+    frame.sky_zenith = vec4(scene.environment.zenith * ambient, 0.0F);
+    frame.sky_horizon = vec4(scene.environment.horizon * ambient, 0.0F);
+    frame.sky_nadir = vec4(scene.environment.nadir * ambient, 0.0F);
     for (std::size_t i = 0; i < scene.environment.panels.size(); ++i) {
         const Environment::Panel& panel = scene.environment.panels[i];
         frame.panel_direction[i] = vec4(panel.direction, panel.sharpness);
-        frame.panel_radiance[i] = vec4(panel.radiance, 0.0F);
+        frame.panel_radiance[i] = vec4(panel.radiance * ambient, 0.0F);
     }
-    const std::array<vec3, 9> irradiance = sky_irradiance(scene.environment);
+    const std::array<vec3, 9> irradiance =
+        scene.irradiance ? *scene.irradiance : sky_irradiance(scene.environment);
     for (std::size_t i = 0; i < irradiance.size(); ++i)
-        frame.irradiance[i] = vec4(irradiance[i], 0.0F);
+        frame.irradiance[i] = vec4(irradiance[i] * ambient, 0.0F);
 
     const MaskPlacement mask = place_mask(scene.shadow_region, scene.key);
     frame.mask_u = mask.u;
@@ -49,16 +56,26 @@ void build_lights(const Scene& scene, const StillBounds& still, shaders::FrameDa
     frame.mask_axes = vec4(mask.axis_u.x, mask.axis_u.y, mask.axis_v.x, mask.axis_v.y);
 }
 
-void build_backdrop(const Backdrop& backdrop, int width_px, int height_px, shaders::FrameData& frame) {
+void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::FrameData& frame) {
+    const Backdrop& backdrop = scene.backdrop;
+    const vec3 ambient = scene.levels.ambient;
     const auto width = static_cast<float>(width_px);
     const auto height = static_cast<float>(height_px);
     const float shorter = std::min(width, height);
-    frame.backdrop_low = vec4(backdrop.low, 0.0F);
-    frame.backdrop_high = vec4(backdrop.high, 0.0F);
-    frame.backdrop_glow = vec4(backdrop.glow, backdrop.glow_radius);
+    frame.backdrop_low = vec4(backdrop.low * ambient, 0.0F);
+    frame.backdrop_high = vec4(backdrop.high * ambient, 0.0F);
+    frame.backdrop_glow = vec4(backdrop.glow * ambient, backdrop.glow_radius);
     frame.backdrop_shape =
         vec4(backdrop.glow_centre.x, backdrop.glow_centre.y, width / shorter, height / shorter);
     frame.picture = vec4(width, height, 1.0F / width, 1.0F / height);
+    if (!scene.plate) return;
+    const auto projection_of = [](const Plate& plate) {
+        return view_projection(plate.camera, plate.key.width, plate.key.height);
+    };
+    frame.plate_window = plate_window(scene.plate->key.width, scene.plate->key.height, width_px, height_px);
+    frame.plate_from = projection_of(*scene.plate);
+    frame.plate_to = scene.glide ? projection_of(*scene.glide->towards) : frame.plate_from;
+    frame.glide = vec4(scene.glide ? scene.glide->share : 0.0F, 0.0F, 0.0F, 0.0F);
 }
 
 // How far the slip's texture has turned, in its own widths: two of it go round.
@@ -67,47 +84,83 @@ float slip_turn(vec2 turn) {
     return angle / std::numbers::pi_v<float>;
 }
 
-void build_lathe(const Lathe& lathe, const Camera& camera, const RendererDesc& desc, int height_px,
-                 BuiltFrame& built) {
-    const auto scale = static_cast<float>(pixels_per_mm(camera, height_px));
-    const LatheOutline outline = outline_of(lathe);
-    // Two of the rings are the edges of base and wall.
-    const int max_chosen = std::clamp(desc.max_rings, 16, kMaxRings) - 2;
-    constexpr std::size_t kLeastSpans = 24;
-    built.choice =
-        choose_rings(outline.wall, {.tolerance_mm = desc.ring_error_px / scale,
-                                    .max_rings = max_chosen,
-                                    .max_step = static_cast<int>(outline.wall.size() / kLeastSpans + 1)});
-    built.ring_error_px = built.choice.tolerance_mm * scale;
-    lathe_rings(outline, lathe.element_height_mm, built.choice, built.rings);
+void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& view, BuiltFrame& built) {
+    const Lathe& lathe = *scene.lathe;
+    const auto px_per_mm = static_cast<float>(pixels_per_mm(scene.camera, view.height_px));
+    build_profile(lathe, built.profile);
+    if (built.profile.empty()) return;
+    sample_profile(built.profile, built.samples);
+    const std::size_t seen = lathe.cut
+                                 ? built.profile.points.size()
+                                 : points_seen(built.profile, scene.camera.eye_mm, largest_offset_mm(lathe));
+    built.choice = choose_rows(built.profile, seen,
+                               {.tolerance_mm = desc.ring_error_px / px_per_mm,
+                                .max_rows = std::clamp(desc.max_rings, 32, kMaxRings),
+                                .edge_stride = desc.samples > 1 ? 1 : 3,
+                                .max_span_mm = desc.samples > 1 ? 4.0F : 9.0F});
+    built.ring_error_px = built.choice.tolerance_mm * px_per_mm;
+    fill_rows(lathe, built.profile, built.samples, built.choice, built.rows);
+    fill_vertices({.lathe = lathe,
+                   .profile = built.profile,
+                   .samples = built.samples,
+                   .chosen = built.choice,
+                   .rows = built.rows},
+                  scene.key, desc.sectors, built.vertices);
+    built.shows_load = lathe.shows_load;
+    built.section_first = static_cast<std::uint32_t>(built.vertices.size());
+    if (lathe.cut) {
+        const std::size_t added = add_section({.lathe = lathe,
+                                               .profile = built.profile,
+                                               .samples = built.samples,
+                                               .chosen = built.choice,
+                                               .rows = built.rows},
+                                              desc.sectors, built.vertices);
+        built.section_count = static_cast<std::uint32_t>(added);
+        built.section.dry = vec4(lathe.cut->section, 0.0F);
+        built.section.wet = vec4(vec3(0.0F), lathe.shows_load ? 1.0F : 0.0F);
+    }
     constexpr float kFootprintPx =
-        1.5F;  // a normal a pixel, so grooves of two pixels must have begun to fade
-    lathe_normals(outline, lathe.element_height_mm, kFootprintPx / scale, built.normals);
+        1.2F;  // a normal a pixel, so grooves of two pixels must have begun to fade
+    profile_normals(built.profile, kFootprintPx / px_per_mm, built.normals);
+    if (desc.cached && desc.smooths_outlines)
+        add_grid_edges(std::span(built.vertices).first(built.section_first), desc.sectors,
+                       lathe.cut.has_value(), view, built.edges);
 
-    built.frame.lathe = vec4(outline.height_mm, 1.0F / lathe.element_height_mm,
-                             static_cast<float>(lathe.radii_mm.size()), lathe.radii_mm.front());
-    const float wetness = std::clamp(lathe.material.wetness, 0.0F, 1.0F);
-    built.lathe.albedo = vec4(wet_albedo(lathe.material.albedo, wetness), lathe.material.streaks);
-    built.lathe.water = vec4(wetness, 0.66F - 0.12F * wetness, 0.0F, 0.0F);
-    built.lathe.turn = vec4(slip_turn(lathe.turn), 0.0F, outline.wall.back(), outline.wall_height_mm);
-    built.lathe.edge = vec4(outline.rounding_mm, static_cast<float>(desc.sectors),
-                            static_cast<float>(built.rings.size()), static_cast<float>(desc.sectors + 1));
-    const std::size_t strips = built.rings.size() + shaders::kEdgeRows;
-    built.lathe_indices = static_cast<std::uint32_t>(strips * static_cast<std::size_t>(desc.sectors) * 6);
+    const vec4& foot = built.vertices.front().place;
+    const vec4& across = built.vertices[static_cast<std::size_t>(desc.sectors) / 2].place;
+    built.frame.lathe =
+        vec4(built.profile.height_mm, built.samples.per_mm, LatheSamples::kCount, built.profile.foot_mm());
+    if (!lathe.cut)
+        built.frame.lathe_foot = vec4(0.5F * (foot.x + across.x), 0.5F * (foot.z + across.z), 0.0F, 0.0F);
+    const LatheMaterial& material = lathe.material;
+    built.lathe.dry = vec4(material.albedo, material.streaks);
+    built.lathe.wet = vec4(wet_albedo(material.albedo, 1.0F), material.soft_edge);
+    // Water lies thinner and smoother on the clay than the clay itself is; a glaze is thick.
+    constexpr float kFilmRoughness = 0.20F;
+    // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
+    const float film = kFilmRoughness + material.coat * (material.coat_roughness - kFilmRoughness);
+    const float width = 0.5F * std::tan(scene.key.angular_radius_rad);
+    const float film_lobe = std::sqrt(std::sqrt(film * film * film * film + width * width));
+    constexpr float kWetSmoothing = 0.72F;
+    built.lathe.gloss =
+        vec4(material.roughness, material.roughness * kWetSmoothing, film_lobe, material.coat);
+    built.lathe.turn = vec4(slip_turn(lathe.turn), static_cast<float>(desc.sectors + 1),
+                            0.02F + 0.02F * material.coat, static_cast<float>(built.rows.size()));
+    built.lathe_indices =
+        static_cast<std::uint32_t>((built.rows.size() - 1) * static_cast<std::size_t>(desc.sectors) * 6);
 }
 
-void build_shade(const Scene& scene, const StillBounds& still, int width_px, int height_px,
-                 BuiltFrame& built) {
-    const std::vector<dvec2> corners =
-        shade_outline(scene, still.lowest_mm, width_px, height_px, shaders::kShadeCorners);
-    built.shade_vertices = corners.size() < 3 ? 0 : static_cast<std::uint32_t>(3 * (corners.size() - 2));
-    for (std::size_t i = 0; i < shaders::kShadeCorners && !corners.empty(); ++i) {
-        const dvec2& corner = corners[std::min(i, corners.size() - 1)];
-        const vec2 clip(2.0 * corner.x / width_px - 1.0, 2.0 * corner.y / height_px - 1.0);
-        vec4& two = built.shade.corners[i / 2];
-        (i % 2 == 0 ? two.x : two.z) = clip.x;
-        (i % 2 == 0 ? two.y : two.w) = clip.y;
-    }
+void build_shade(const Scene& scene, const StillBounds& still, const EdgeView& view, BuiltFrame& built) {
+    constexpr std::size_t kMostCorners = 32;
+    const std::vector<dvec2> outline =
+        shade_outline(scene, still.lowest_mm, view.width_px, view.height_px, kMostCorners);
+    const std::size_t sectors = built.rows.empty() ? 0 : built.section_first / built.rows.size() - 1;
+    const std::vector<Covered> covered =
+        sectors == 0 || scene.lathe->cut
+            ? std::vector<Covered>()
+            : covered_by_lathe(built.vertices, built.choice.inside, static_cast<int>(sectors), view.camera,
+                               view.width_px, view.height_px);
+    built.shade = shade_rects(outline, covered, view.width_px, view.height_px);
 }
 
 }  // namespace
@@ -135,18 +188,27 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     shaders::FrameData& frame = built.frame;
     frame = {};
     built.lathe_indices = 0;
-    built.rings.clear();
+    built.section_first = built.section_count = 0;
+    built.shows_load = false;
+    built.rows.clear();
+    built.vertices.clear();
+    built.edges.clear();
     built.ring_error_px = 0.0F;
     frame.view_projection = view_projection(scene.camera, width_px, height_px);
     frame.eye = vec4(scene.camera.eye_mm, 0.0F);
     build_lights(scene, still, frame);
-    build_backdrop(scene.backdrop, width_px, height_px, frame);
-    const bool has_lathe = scene.lathe && !scene.lathe->radii_mm.empty();
-    if (has_lathe) build_lathe(*scene.lathe, scene.camera, desc, height_px, built);
+    build_backdrop(scene, width_px, height_px, frame);
+    const EdgeView view{scene.camera, width_px, height_px};
+    if (scene.lathe) build_lathe(scene, desc, view, built);
     const std::size_t sphere_count = std::min<std::size_t>(scene.spheres.size(), kMaxSpheres);
     for (std::size_t i = 0; i < sphere_count; ++i)
         frame.spheres[i] = vec4(scene.spheres[i].centre_mm, scene.spheres[i].radius_mm);
-    build_shade(scene, still, width_px, height_px, built);
+    if (desc.cached && desc.smooths_outlines) {
+        for (std::size_t i = 0; i < sphere_count; ++i)
+            if (scene.spheres[i].shown) add_sphere_edges(scene.spheres[i], view, built.edges);
+    }
+    frame.counts = vec4(static_cast<float>(sphere_count), 0.0F, 0.0F, 0.0F);
+    build_shade(scene, still, view, built);
     const std::vector<Box> moving = moving_boxes(scene);
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
 }
@@ -159,11 +221,10 @@ shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float sc
         .pattern = vec4(material.grain_stretch, 0.0F, 0.0F, 0.0F)};
 }
 
-std::vector<std::uint16_t> lathe_indices(int max_rings, int sectors) {
+std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors) {
     std::vector<std::uint16_t> indices;
-    const int strips = max_rings + shaders::kEdgeRows;  // the last row is the axis
     const int in_row = sectors + 1;
-    for (int row = 0; row < strips; ++row) {
+    for (int row = 0; row + 1 < max_rows; ++row) {
         for (int sector = 0; sector < sectors; ++sector) {
             const int here = row * in_row + sector;
             const int above = here + in_row;
@@ -187,6 +248,8 @@ std::uint64_t still_hash(const Scene& scene, int width_px, int height_px) {
     add(scene.camera);
     add(scene.key);
     add(scene.environment);
+    if (scene.irradiance) add(*scene.irradiance);
+    add(scene.levels);
     add(scene.backdrop);
     add(scene.shadow_region);
     return hash.value();
@@ -196,8 +259,15 @@ std::uint64_t shadow_hash(const Scene& scene) {
     StateHash hash;
     const auto add = [&](float value) { hash.add(std::span<const float>(&value, 1)); };
     if (scene.lathe) {
-        hash.add(scene.lathe->radii_mm);
-        add(scene.lathe->element_height_mm);
+        const Lathe& lathe = *scene.lathe;
+        hash.add(lathe.radii_mm);
+        hash.add(lathe.top_mm);
+        add(lathe.element_height_mm);
+        if (!lathe.centre_mm.empty()) {
+            // A pot off its centre carries its shadow round with it.
+            for (const float value : {lathe.centre_mm[0].x, lathe.centre_mm[0].y, lathe.turn.x, lathe.turn.y})
+                add(value);
+        }
     }
     for (const Sphere& sphere : scene.spheres) {
         for (int axis = 0; axis < 3; ++axis)

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/render/lathe_shape.h"
+#include "engine/render/lathe_profile.h"
+#include "engine/render/lathe_rows.h"
 #include "engine/render/renderer.h"
 #include "engine/render/scene.h"
 #include "engine/render/shadow_region.h"
@@ -16,13 +17,20 @@ namespace onggi::render {
 struct BuiltFrame {
     shaders::FrameData frame{};
     shaders::LatheDraw lathe{};
-    RingChoice choice;
-    std::vector<shaders::RingData> rings;
+    LatheProfile profile;
+    LatheSamples samples;
+    LatheRows choice;
+    std::vector<shaders::RowData> rows;
+    std::vector<shaders::VertexData> vertices;
+    std::vector<shaders::EdgeData> edges;  // outlines of what moves; cached only
     NormalTexels normals{};
-    std::uint32_t lathe_indices = 0;   // how many of the index buffer to draw; 0: no lathe
-    shaders::ShadeDraw shade{};        // where the cached still life is drawn over with shadow
-    std::uint32_t shade_vertices = 0;  // 0: nowhere
-    PixelRect moving;                  // where anything that moves can be seen
+    shaders::LatheDraw section{};
+    std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
+    std::uint32_t section_count = 0;
+    bool shows_load = false;
+    std::uint32_t lathe_indices = 0;  // how many of the index buffer to draw; 0: no lathe
+    std::vector<vec4> shade;  // where the cached still life is drawn over with shadow, see shade_rects()
+    PixelRect moving;         // where anything that moves can be seen
     float ring_error_px = 0.0F;
 };
 
@@ -40,9 +48,9 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale);
 
-// Triangles of the lathe's rows and sectors, for as many rows as max_rings can ask for; any first part that
-// ends at a whole row is a lathe with fewer.
-[[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rings, int sectors);
+// Triangles of the lathe's rows and sectors, for as many rows as there may be; any first part that ends at a
+// whole row is a lathe with fewer.
+[[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors);
 
 // Of everything the cached layers depend on, and of everything the shadow mask does.
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);

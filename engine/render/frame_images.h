@@ -21,6 +21,7 @@ struct FrameImages {
     vk::Image still_ambient;
     vk::Image still_coords;
     vk::Image still_depth;
+    vk::Image drawn;  // cached: the part of the picture whose outlines are smoothed
 };
 
 Result<void> create_fixed_images(const vk::Device& device, FrameImages& images);

@@ -15,19 +15,31 @@ namespace {
 
 constexpr VkShaderStageFlags kBoth = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
+constexpr vk::Binding kImage{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT};
+constexpr vk::Binding kVertexData{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT};
+
 // In the order of the kBind... constants.
 constexpr std::array kBindings{
     vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kBoth},
     vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBoth},
-    vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
-    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
-static_assert(kBindings.size() == shaders::kBindStillCoords + 1);
+    kVertexData,
+    kImage,
+    kImage,
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, kBoth},
+    kImage,
+    kImage,
+    kImage,
+    kImage,
+    kImage,
+    kImage,
+    kImage,
+    kImage,
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
+    vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
+    kVertexData,
+    kVertexData,
+    kImage};
+static_assert(kBindings.size() == shaders::kBindPicture + 1);
 
 constexpr std::array kMeshAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, position_mm)},
@@ -103,6 +115,32 @@ Result<void> create_samplers(const vk::Device& device, Pipelines& pipelines) {
     return {};
 }
 
+// From the one that puts a plate on a mesh.
+void make_glide_pipelines(Maker& maker, const vk::PipelineDesc& plate_surface,
+                          std::span<const VkFormat> picture_formats, std::uint32_t transfer,
+                          Pipelines& pipelines) {
+    for (std::size_t need = 0; need < pipelines.glide.size(); ++need) {
+        constexpr std::uint32_t kNotRead = 0;
+        const std::array constants{transfer, kNotRead, need == kGlideAlone ? 0U : 1U,
+                                   need == kGlideDimmed ? 1U : 0U};
+        vk::PipelineDesc surface = plate_surface;
+        surface.name = "plates on the still life, moving";
+        surface.vertex_spirv = shaders::kGlideSurfaceVert;
+        surface.fragment_spirv = shaders::kGlideSurfaceFrag;
+        surface.constants = constants;
+        surface.colour_formats = picture_formats;
+        maker.make(pipelines.glide_surface[need], surface);
+        vk::PipelineDesc relief = surface;
+        relief.name = "plates on their relief, moving";
+        relief.vertex_spirv = shaders::kGlideVert;
+        relief.fragment_spirv = shaders::kGlideFrag;
+        relief.attributes = std::span(kMeshAttributes).first(1);
+        relief.vertex_stride = sizeof(vec3);
+        relief.cull = VK_CULL_MODE_NONE;
+        maker.make(pipelines.glide[need], relief);
+    }
+}
+
 }  // namespace
 
 Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc) {
@@ -111,8 +149,9 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     auto set = vk::create_set(device, kBindings, "scene");
     if (!set) return set.error();
     pipelines.set = std::move(*set);
-    constexpr auto kPushBytes = static_cast<std::uint32_t>(
-        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::ShadeDraw)}));
+    constexpr auto kPushBytes =
+        static_cast<std::uint32_t>(std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw),
+                                             sizeof(shaders::ShadeDraw), sizeof(shaders::MoverDraw)}));
     static_assert(kPushBytes <= 128);  // what every device has
     auto layout = vk::create_pipeline_layout(device, pipelines.set.layout.get(), kPushBytes, "scene");
     if (!layout) return layout.error();
@@ -157,6 +196,18 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     Maker maker(device);
     maker.make(pipelines.backdrop, screen);
     maker.make(pipelines.still, mesh);
+    vk::PipelineDesc plate = screen;
+    plate.name = "plate";
+    plate.fragment_spirv = desc.cached ? shaders::kPlateLayersFrag : shaders::kPlateFrag;
+    maker.make(pipelines.plate, plate);
+    vk::PipelineDesc plate_surface = mesh;
+    plate_surface.name = "plate on the still life";
+    plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
+    plate_surface.attributes = std::span(kMeshAttributes).first(2);
+    plate_surface.fragment_spirv =
+        desc.cached ? shaders::kPlateSurfaceLayersFrag : shaders::kPlateSurfaceFrag;
+    maker.make(pipelines.plate_surface, plate_surface);
+    make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
 
     vk::PipelineDesc mover = mesh;
     mover.name = "moving sphere";
@@ -171,7 +222,21 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     lathe.fragment_spirv = shaders::kLatheFrag;
     lathe.attributes = {};
     lathe.vertex_stride = 0;
+    if (desc.inside_out) lathe.cull = VK_CULL_MODE_FRONT_BIT;
     maker.make(pipelines.lathe, lathe);
+
+    vk::PipelineDesc load = lathe;
+    load.name = "lathe with its load";
+    load.vertex_spirv = shaders::kLatheLoadVert;
+    load.fragment_spirv = shaders::kLatheLoadFrag;
+    maker.make(pipelines.lathe_load, load);
+
+    vk::PipelineDesc section = lathe;
+    section.name = "section of the lathe";
+    section.vertex_spirv = shaders::kLatheSectionVert;
+    section.fragment_spirv = shaders::kLatheSectionFrag;
+    section.cull = VK_CULL_MODE_NONE;
+    maker.make(pipelines.lathe_section, section);
 
     vk::PipelineDesc key_map = mesh;
     key_map.name = "still life's shadow map";
@@ -200,10 +265,16 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
         shade.name = "shade over the still life";
         shade.vertex_spirv = shaders::kShadeVert;
         shade.fragment_spirv = shaders::kShadeFrag;
-        shade.constants = {};
         shade.colour_formats = picture_formats;
         shade.depth_test = false;
         maker.make(pipelines.shade, shade);
+
+        vk::PipelineDesc edges = shade;
+        edges.name = "smoothed outlines";
+        edges.vertex_spirv = shaders::kEdgesVert;
+        edges.fragment_spirv = shaders::kEdgesFrag;
+        edges.depth_test = true;
+        maker.make(pipelines.edges, edges);
     }
     if (auto made = maker.outcome(); !made) return made.error();
     return pipelines;

@@ -2,6 +2,9 @@
 // Main thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "engine/core/result.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/pipeline.h"
@@ -14,6 +17,12 @@ constexpr VkFormat kCoordsFormat = VK_FORMAT_R16G16_UNORM;
 constexpr VkFormat kNormalsFormat = VK_FORMAT_R16G16_SNORM;
 constexpr VkFormat kDetailFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
+// What a glide needs: one plate, two, or two in the evening.
+constexpr std::size_t kGlideAlone = 0;
+constexpr std::size_t kGlideMixed = 1;
+constexpr std::size_t kGlideDimmed = 2;
+constexpr std::size_t kGlideNeeds = 3;
+
 struct Pipelines {
     vk::BoundSet set;
     vk::PipelineLayout layout;
@@ -23,10 +32,18 @@ struct Pipelines {
     vk::Sampler compared;
     vk::Pipeline backdrop;  // into layers when cached, else into the picture
     vk::Pipeline still;     // likewise
+    vk::Pipeline plate;     // instead of the backdrop, and of the still life's colours
+    vk::Pipeline plate_surface;
+    // Instead of these two while the camera moves, by what it needs; never into layers.
+    std::array<vk::Pipeline, kGlideNeeds> glide;
+    std::array<vk::Pipeline, kGlideNeeds> glide_surface;
     vk::Pipeline key_map;
     vk::Pipeline mask;
     vk::Pipeline shade;  // cached only
     vk::Pipeline lathe;
+    vk::Pipeline lathe_load;     // the same with its load shown
+    vk::Pipeline lathe_section;  // the faces of a cut
+    vk::Pipeline edges;          // cached only
     vk::Pipeline mover;
 };
 

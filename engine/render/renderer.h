@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/overlay.h"
+#include "engine/render/pass_clock.h"
 #include "engine/render/scene.h"
 #include "engine/vk/device.h"
 #include "engine/vk/frame_target.h"
@@ -29,6 +32,9 @@ struct RendererDesc {
     int sectors = 128;           // of a lathe: 64 at 720p, 96 at 1080p
     int max_rings = 256;         // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
+    bool smooths_outlines = true;  // of what moves; cached only, others have samples for it
+    bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests
+    bool measures_parts = false;   // FrameStats::parts, which costs a software device a few per cent
 
     friend bool operator==(const RendererDesc&, const RendererDesc&) = default;
 };
@@ -44,6 +50,8 @@ struct FrameStats {
     bool still_life_drawn = false;
     bool shadow_drawn = false;
     std::uint64_t bytes_uploaded = 0;
+    double device_ms = 0.0;  // of the frame before, from its first command to its last; 0: not measured
+    std::vector<PassTime> parts{};  // and of its parts, where they are measured
 };
 
 class Renderer {
@@ -55,8 +63,8 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     // Waits for the frame before, then records and submits this one. False if the target takes no frame just
-    // now (minimised, resizing).
-    Result<bool> draw(const Scene& scene, vk::FrameTarget& target);
+    // now (minimised, resizing). An overlay is laid over the scene, or stands instead of it.
+    Result<bool> draw(const Scene& scene, vk::FrameTarget& target, const Overlay* overlay = nullptr);
 
     [[nodiscard]] const FrameStats& stats() const;
     [[nodiscard]] const RendererDesc& desc() const;

@@ -11,6 +11,14 @@ struct RingBudget {
     float tolerance_mm = 0.05F;  // wanted: no element's radius is drawn further off than this
     int max_rings = 128;         // hard; at least 2
     int max_step = 100;          // elements between two rings, so that light interpolates over short spans
+    float max_span_mm = 1e9F;    // the same as a length, where elements have places of their own
+};
+
+// One face of a lathe: an element's radius, and its place along the axis, rising. Without places the elements
+// lie 1 apart.
+struct LodFace {
+    std::span<const float> radii_mm{};
+    std::span<const float> places_mm{};
 };
 
 struct RingChoice {
@@ -23,6 +31,11 @@ struct RingChoice {
 // tolerance is relaxed until it does not, and max_step with it if it alone asks for too many.
 // Linear in the number of elements for each of at most some twenty tolerances, most of which stop early.
 [[nodiscard]] RingChoice choose_rings(std::span<const float> radii_mm, const RingBudget& budget);
+
+// Several faces under one cap: the same tolerance for all of them. One entry a face; an empty face has none
+// of the rings.
+[[nodiscard]] std::vector<RingChoice> choose_face_rings(std::span<const LodFace> faces,
+                                                        const RingBudget& budget);
 
 // The largest |radius - chord| over all elements, mm; the bound that choose_rings keeps.
 [[nodiscard]] float ring_error_mm(std::span<const float> radii_mm, std::span<const std::uint32_t> elements);

@@ -11,8 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "engine/asset/image.h"
 #include "engine/math/math.h"
 #include "engine/render/camera.h"
+#include "engine/render/mover.h"
 
 namespace onggi::render {
 
@@ -27,26 +29,57 @@ struct Material {
     float grain_stretch = 1.0F;    // how much longer along X than across: wood
 };
 
-// Clay and its like: a rough body with a film of water on it.
+// Clay and its like: a rough body, the water in it and the water on it, or the glaze over it. Water in the
+// body darkens it, water on it shines; the two are told apart, because clay that has drunk its water is dark
+// and dull.
 struct LatheMaterial {
-    vec3 albedo{0.40F, 0.225F, 0.13F};
-    float wetness = 0.0F;  // 0 dry to 1 dripping: darkens the body and lays a film over it
-    float streaks = 0.3F;  // slip left by the fingers, as a fraction of the albedo
+    vec3 albedo{0.36F, 0.29F, 0.215F};  // of the dry body; of a glazed one: what is seen through the glaze
+    float roughness = 0.62F;            // GGX, of the dry body
+    float streaks = 0.35F;              // slip left by the fingers, as a fraction of the albedo
+    float soft_edge = 0.14F;  // how far round the edge of the lit side light scatters, as a cosine: 0 to 0.5
+    float wetness = 0.0F;     // water in the body, 0 to 1, where the lathe does not say it ring by ring
+    float film = 0.0F;        // water on it, likewise
+    float coat = 0.0F;        // glaze, 0 none to 1
+    float coat_roughness = 0.13F;
+
+    friend bool operator==(const LatheMaterial&, const LatheMaterial&) = default;
 };
 
-// A surface of revolution about +Y that may change every frame. Element i is centred on y = (i + 0.5)
-// element_height_mm; the solid is closed by a flat base at y = 0 and a flat top.
+constexpr int kDentSectors = 64;  // of Lathe::dents_mm
+
+// How a lathe is cut open to show its wall: what lies before the upright half plane through the axis that
+// faces this way is left out, and where it was the section is drawn.
+struct LatheCut {
+    float towards_rad = 0.0F;  // the way the section faces: (sin, 0, cos) of it
+    vec3 section{0.75F, 0.66F, 0.52F};
+};
+
+// A pot: rings about +Y that may change every frame, with an inside or solid. All spans must live until the
+// draw call returns; each is empty, or has as many entries as radii_mm.
 struct Lathe {
-    std::span<const float> radii_mm{};  // bottom first; must live until the draw call returns
+    std::span<const float> radii_mm{};  // of the outer face, bottom first
+    std::span<const float>
+        inner_mm{};  // of the inner face, 0 where a ring is solid; empty: solid, with a flat top
+    std::span<const float> top_mm{};    // of each ring, rising; empty: rings of element_height_mm each
+    std::span<const vec2> centre_mm{};  // x and z of each ring in the lathe's own frame, which turns with it
+    std::span<const float> wetness{};   // water in the body, 0 to 1
+    std::span<const float> film{};      // water on it, 0 to 1
+    std::span<const float> load{};      // how near each ring is to giving way: 1 gives way
+    // What moves the wall, both faces alike: rows of kDentSectors, evenly spaced over the height from bottom
+    // to top, sectors counter-clockwise in the lathe's own frame from its +X; empty: round.
+    std::span<const float> dents_mm{};
     float element_height_mm = 0.1F;
-    float edge_rounding_mm = 0.0F;  // of the top edge, so that it catches light; 0 draws the exact solid
+    float edge_rounding_mm = 0.0F;  // of the top edge, at most: it catches light; 0 draws it sharp
     vec2 turn{1.0F, 0.0F};          // (cos, sin) of the angle turned about +Y
     LatheMaterial material{};
+    bool shows_load = false;  // `load` as a hatch and a colour
+    std::optional<LatheCut> cut{};
 };
 
 struct Sphere {
     vec3 centre_mm{0.0F};
     float radius_mm = 10.0F;
+    bool shown = true;  // false: it only casts a shadow, standing in for something of another shape
     Material material{};
 };
 
@@ -68,6 +101,7 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh{};
         Material material{};
         vec3 position_mm{0.0F};
+        bool in_relief = false;    // the plate's relief shows it well enough while the camera moves
         bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
     std::vector<Part> parts;
@@ -104,7 +138,39 @@ struct Backdrop {
     float glow_radius = 1.0F;
 };
 
-constexpr int kMaxSpheres = 2;
+// How far away what a plate shows is, along the camera's view, at the corners of a grid over the plate; rows
+// from the top.
+struct Relief {
+    int columns = 0;
+    int rows = 0;
+    std::vector<float> depth_mm;  // columns x rows; empty: not known
+};
+
+// Two photographs of what stands still, with the key light and without it, of one size: values as encode() of
+// shaders/tone.glsl gives them with exact sRGB. They stand in for the still life's colours and the
+// backdrop's; the still life then only says where things are. A picture of another shape shows their middle,
+// see plate_camera().
+struct Plate {
+    asset::Image key;
+    asset::Image ambient;
+    Camera camera;  // that took the whole of it
+    Relief relief;
+};
+
+// The camera has left a plate's place, perhaps towards another's. Then no plate is right as it is: both are
+// bent over the plate's relief, and the second is mixed into the first.
+struct Glide {
+    std::shared_ptr<const Plate> towards;  // may be the plate itself
+    float share = 0.0F;                    // of the second, 0 to 1
+};
+
+// How much of the light there is; the evening dims it. All 1: as the lights say and the plates show.
+struct LightLevels {
+    vec3 ambient{1.0F};  // everything but the key light
+    float key = 1.0F;
+};
+
+constexpr int kMaxSpheres = 4;
 
 // Where the lathe and the spheres may cast shadows: the ground y = 0 and all still life below it. Whatever
 // moves further out than this casts none.
@@ -117,11 +183,20 @@ struct Scene {
     Camera camera;
     DirectionalLight key;
     Environment environment;
+    std::optional<std::array<vec3, 9>>
+        irradiance;  // see sky_irradiance(); none: worked out from the environment
+    LightLevels levels;
     Backdrop backdrop;
     std::shared_ptr<const StillLife> still_life;
+    std::shared_ptr<const Plate> plate;  // none: the still life in its own colours
+    std::optional<Glide> glide;          // none: the camera stands where the plate was taken
+    std::vector<std::shared_ptr<const Plate>>
+        plates_at_hand;  // kept on the device: a glide may begin with any frame
     ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
     std::vector<Sphere> spheres;  // at most kMaxSpheres are drawn and cast shadows
+    std::shared_ptr<const MoverLibrary> mover_library;
+    std::vector<Mover> movers;  // these cast no shadow themselves
 };
 
 }  // namespace onggi::render

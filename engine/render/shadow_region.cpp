@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/render/lathe_vertices.h"
+
 namespace onggi::render {
 namespace {
 
-constexpr float kShadeOfFootMm = 90.0F;  // where mask.frag ends the shade about the foot
+constexpr float kShadeOfFootMm = 62.0F;  // where mask.frag ends the shade about the foot
 
 // Down the light, along the ground; any direction will do when the light stands straight above.
 vec2 shadow_direction(vec3 towards_light) {
@@ -22,14 +24,22 @@ float shadow_length(vec3 towards_light) {
 }
 
 float widest_radius(const Lathe& lathe) {
-    return lathe.radii_mm.empty() ? 0.0F : *std::max_element(lathe.radii_mm.begin(), lathe.radii_mm.end());
+    if (lathe.radii_mm.empty()) return 0.0F;
+    return *std::max_element(lathe.radii_mm.begin(), lathe.radii_mm.end()) + largest_offset_mm(lathe);
+}
+
+// Of a ring; of the one after the last: the top.
+float bottom_of(const Lathe& lathe, std::size_t ring) {
+    const bool stacked = lathe.top_mm.size() == lathe.radii_mm.size();
+    if (ring == 0 || lathe.radii_mm.empty()) return 0.0F;
+    return stacked ? lathe.top_mm[ring - 1] : static_cast<float>(ring) * lathe.element_height_mm;
 }
 
 float height_of(const Lathe& lathe) {
-    return static_cast<float>(lathe.radii_mm.size()) * lathe.element_height_mm;
+    return bottom_of(lathe, lathe.radii_mm.size());
 }
 
-// The shadow that a level disc of the world casts on y = ground_mm, as a hexagon about it with its penumbra.
+// The shadow that a level disc of the world casts on y = ground_mm, as an octagon about it with its penumbra.
 struct Disc {
     vec3 centre_mm;
     float radius_mm;
@@ -41,11 +51,11 @@ void add_shadow(const Disc& disc, const DirectionalLight& light, float ground_mm
     const float drop = std::max(disc.centre_mm.y - ground_mm, 0.0F);
     const float reach = drop * shadow_length(light.towards_light);
     const float blur =
-        2.0F * drop * std::tan(light.angular_radius_rad) / std::max(light.towards_light.y, 0.05F);
+        1.1F * drop * std::tan(light.angular_radius_rad) / std::max(light.towards_light.y, 0.05F);
     const float radius =
-        (disc.radius_mm + blur + 4.0F) * 1.1547F;  // a hexagon's corners lie outside its circle
-    for (int corner = 0; corner < 6; ++corner) {
-        const float angle = static_cast<float>(corner) * std::numbers::pi_v<float> / 3.0F;
+        (disc.radius_mm + blur + 4.0F) * 1.0824F;  // an octagon's corners lie outside its circle
+    for (int corner = 0; corner < 8; ++corner) {
+        const float angle = (static_cast<float>(corner) + 0.5F) * std::numbers::pi_v<float> / 4.0F;
         points.emplace_back(disc.centre_mm.x + direction.x * reach + radius * std::cos(angle), ground_mm,
                             disc.centre_mm.z + direction.y * reach + radius * std::sin(angle));
     }
@@ -54,6 +64,7 @@ void add_shadow(const Disc& disc, const DirectionalLight& light, float ground_mm
 // Discs whose hull holds the lathe: the widest of each of a few slabs, at its top and bottom.
 std::vector<Disc> discs_of(const Lathe& lathe) {
     constexpr std::size_t kSlabs = 3;
+    const float offset_mm = largest_offset_mm(lathe);
     std::vector<Disc> discs;
     const std::size_t count = lathe.radii_mm.size();
     for (std::size_t slab = 0; slab < kSlabs; ++slab) {
@@ -61,9 +72,10 @@ std::vector<Disc> discs_of(const Lathe& lathe) {
         const std::size_t to = count * (slab + 1) / kSlabs;
         if (from == to) continue;
         const float widest = *std::max_element(lathe.radii_mm.begin() + static_cast<std::ptrdiff_t>(from),
-                                               lathe.radii_mm.begin() + static_cast<std::ptrdiff_t>(to));
+                                               lathe.radii_mm.begin() + static_cast<std::ptrdiff_t>(to)) +
+                             offset_mm;
         for (const std::size_t level : {from, to})
-            discs.push_back({{0.0F, static_cast<float>(level) * lathe.element_height_mm, 0.0F}, widest});
+            discs.push_back({{0.0F, bottom_of(lathe, level), 0.0F}, widest});
     }
     return discs;
 }
@@ -128,6 +140,11 @@ std::vector<Box> moving_boxes(const Scene& scene) {
         const Sphere& sphere = scene.spheres[i];
         boxes.push_back({sphere.centre_mm - sphere.radius_mm, sphere.centre_mm + sphere.radius_mm});
     }
+    for (const Mover& mover : scene.movers) {
+        if (!scene.mover_library || mover.model >= scene.mover_library->size()) continue;
+        const PlacedBox box = placed_box((*scene.mover_library)[mover.model], mover.place);
+        boxes.push_back({box.low, box.high});
+    }
     return boxes;
 }
 
@@ -160,7 +177,9 @@ std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_
     if (scene.lathe) {
         discs = discs_of(*scene.lathe);
         if (!discs.empty())
-            discs.push_back({vec3(0.0F), scene.lathe->radii_mm.front() + kShadeOfFootMm, true});
+            discs.push_back({vec3(0.0F),
+                             scene.lathe->radii_mm.front() + kShadeOfFootMm + largest_offset_mm(*scene.lathe),
+                             true});
     }
     for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i) {
         const Sphere& sphere = scene.spheres[i];

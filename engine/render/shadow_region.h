@@ -40,7 +40,7 @@ struct Box {
 [[nodiscard]] PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_px,
                                   int height_px);
 
-// The boxes of what moves: the lathe and the spheres.
+// The boxes of what moves: the lathe, the spheres and the movers.
 [[nodiscard]] std::vector<Box> moving_boxes(const Scene& scene);
 
 // A convex polygon about all pixels where that shadow, or the shade about the lathe's foot, can fall on

@@ -18,39 +18,21 @@ Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& stil
                           .first_index = static_cast<std::uint32_t>(indices.size()),
                           .index_count = static_cast<std::uint32_t>(part.mesh->indices.size()),
                           .first_vertex = static_cast<std::int32_t>(vertices.size()),
+                          .in_relief = part.in_relief,
                           .casts_shadow = part.casts_shadow});
         vertices.insert(vertices.end(), part.mesh->vertices.begin(), part.mesh->vertices.end());
         indices.insert(indices.end(), part.mesh->indices.begin(), part.mesh->indices.end());
     }
     bounds_ = bounds_of(still_life);
-    if (indices.empty()) return {};
-    auto vertex_buffer = vk::Buffer::create(device, {.name = "still life vertices",
-                                                     .size = vertices.size() * sizeof(Mesh::Vertex),
-                                                     .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT});
-    if (!vertex_buffer) return vertex_buffer.error();
-    auto index_buffer = vk::Buffer::create(device, {.name = "still life indices",
-                                                    .size = indices.size() * sizeof(std::uint32_t),
-                                                    .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT});
-    if (!index_buffer) return index_buffer.error();
-    vertices_ = std::move(*vertex_buffer);
-    indices_ = std::move(*index_buffer);
-    vertices_.write(std::as_bytes(std::span(vertices)));
-    indices_.write(std::as_bytes(std::span(indices)));
-    return {};
+    return buffers_.upload(device, "still life", std::as_bytes(std::span(vertices)), indices);
 }
 
-void StillMeshes::bind(VkCommandBuffer commands) const {
-    const VkBuffer buffer = vertices_.handle();
-    const VkDeviceSize offset = 0;
-    vkCmdBindVertexBuffers(commands, 0, 1, &buffer, &offset);
-    vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
-}
-
-void StillMeshes::draw(VkCommandBuffer commands, VkPipelineLayout layout, bool casters_only) const {
+void StillMeshes::draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const {
     if (parts_.empty()) return;
-    bind(commands);
+    buffers_.bind(commands);
     for (const Part& part : parts_) {
-        if (casters_only && !part.casts_shadow) continue;
+        if (which == Which::kCasters && !part.casts_shadow) continue;
+        if (which == Which::kNotInRelief && part.in_relief) continue;
         vkCmdPushConstants(commands, layout, kBothStages, 0, sizeof part.draw, &part.draw);
         vkCmdDrawIndexed(commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
     }
@@ -59,7 +41,7 @@ void StillMeshes::draw(VkCommandBuffer commands, VkPipelineLayout layout, bool c
 void StillMeshes::draw_as(VkCommandBuffer commands, VkPipelineLayout layout,
                           const shaders::MeshDraw& draw) const {
     if (parts_.empty()) return;
-    bind(commands);
+    buffers_.bind(commands);
     vkCmdPushConstants(commands, layout, kBothStages, 0, sizeof draw, &draw);
     for (const Part& part : parts_)
         vkCmdDrawIndexed(commands, part.index_count, 1, part.first_index, part.first_vertex, 0);

@@ -7,8 +7,8 @@
 
 #include "engine/core/result.h"
 #include "engine/render/frame_build.h"
+#include "engine/render/mesh_buffers.h"
 #include "engine/render/scene.h"
-#include "engine/vk/buffer.h"
 
 namespace onggi::render {
 
@@ -17,24 +17,23 @@ class StillMeshes {
     // Precondition: the device does not read what was uploaded before.
     Result<void> upload(const vk::Device& device, const StillLife& still_life);
 
-    // Draws each part with its push constants; only those that cast a shadow if asked.
-    void draw(VkCommandBuffer commands, VkPipelineLayout layout, bool casters_only) const;
+    enum class Which { kAll, kCasters, kNotInRelief };
+    // Draws each part with its push constants.
+    void draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const;
     // All parts, each with these push constants instead of its own.
     void draw_as(VkCommandBuffer commands, VkPipelineLayout layout, const shaders::MeshDraw& draw) const;
     [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
 
   private:
-    void bind(VkCommandBuffer commands) const;
-
     struct Part {
         shaders::MeshDraw draw;
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
         std::int32_t first_vertex = 0;
+        bool in_relief = false;
         bool casts_shadow = true;
     };
-    vk::Buffer vertices_;
-    vk::Buffer indices_;
+    MeshBuffers buffers_;
     std::vector<Part> parts_;
     StillBounds bounds_;
 };

@@ -1,0 +1,82 @@
+#include "engine/render/beauty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace onggi::render {
+namespace {
+
+// IEC 61966-2-1.
+float linear_of(int value) {
+    const float v = static_cast<float>(value) / 255.0F;
+    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+std::uint8_t byte_of(float light) {
+    const float v = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
+}
+
+// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: any
+// first part of it is spread evenly.
+dvec2 spread(int index, double offset) {
+    constexpr double kStepX = 0.7548776662466927;
+    constexpr double kStepY = 0.5698402909980532;
+    const double n = static_cast<double>(index) + offset;
+    return {n * kStepX - std::floor(n * kStepX), n * kStepY - std::floor(n * kStepY)};
+}
+
+}  // namespace
+
+Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {
+    Scene sample = scene;
+    const dvec2 aside = spread(index, 0.5) - 0.5;  // of a pixel
+    sample.camera.shift = vec2(2.0 * aside.x / width_px, 2.0 * aside.y / height_px);
+
+    // Evenly over the disc that the light shows; what is left of its softness is what one sample stands for.
+    const dvec2 on_light = spread(index, 0.25);
+    const double angle = 2.0 * std::numbers::pi * on_light.x;
+    const double off = std::sqrt(on_light.y) * std::tan(double{scene.key.angular_radius_rad});
+    const dvec3 l(scene.key.towards_light);
+    const dvec3 side =
+        glm::normalize(glm::cross(l, std::abs(l.y) < 0.9 ? dvec3(0.0, 1.0, 0.0) : dvec3(1.0, 0.0, 0.0)));
+    const dvec3 up = glm::cross(side, l);
+    sample.key.towards_light =
+        vec3(glm::normalize(l + off * (std::cos(angle) * side + std::sin(angle) * up)));
+    sample.key.angular_radius_rad = 0.5F * scene.key.angular_radius_rad;
+    return sample;
+}
+
+Accumulation::Accumulation(int width_px, int height_px)
+    : width_px_(width_px),
+      height_px_(height_px),
+      light_(std::size_t{3} * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px),
+             0.0F) {}
+
+void Accumulation::add(std::span<const std::uint8_t> rgba) {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> values{};
+        for (int value = 0; value < 256; ++value)
+            values[static_cast<std::size_t>(value)] = linear_of(value);
+        return values;
+    }();
+    for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            light_[3 * pixel + channel] += table[rgba[4 * pixel + channel]];
+    }
+    ++count_;
+}
+
+asset::Image Accumulation::mean() const {
+    asset::Image image{.width = width_px_, .height = height_px_, .rgba = {}};
+    image.rgba.resize(light_.size() / 3 * 4, 255);
+    const float share = 1.0F / static_cast<float>(count_);
+    for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            image.rgba[4 * pixel + channel] = byte_of(share * light_[3 * pixel + channel]);
+    }
+    return image;
+}
+
+}  // namespace onggi::render

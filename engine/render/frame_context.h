@@ -1,0 +1,44 @@
+// What the passes of one frame share: the device's objects, what the scene became, and the commands they
+// record into. Main thread. Pixels.
+#pragma once
+
+#include "engine/render/frame_build.h"
+#include "engine/render/frame_images.h"
+#include "engine/render/pass.h"
+#include "engine/render/pipelines.h"
+#include "engine/vk/buffer.h"
+
+namespace onggi::render {
+
+struct FrameContext {
+    vk::Device& device;
+    RendererDesc desc;
+    Pipelines pipelines{};
+    FrameImages images{};
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkExtent2D extent{};
+    BuiltFrame built{};
+    FrameStats stats{};
+
+    [[nodiscard]] VkDescriptorSet set() const { return pipelines.set.set; }
+    void write(const vk::Buffer& buffer, std::span<const std::byte> bytes) {
+        buffer.write(bytes);
+        stats.bytes_uploaded += bytes.size();
+    }
+    void bind(const vk::Pipeline& pipeline) const {
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get());
+    }
+    template <typename Constants>
+    void push(const Constants& constants) const {
+        vkCmdPushConstants(commands, pipelines.layout.get(),
+                           VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
+                           &constants);
+    }
+    // One triangle over the whole target.
+    void draw_screen(const vk::Pipeline& pipeline) const {
+        bind(pipeline);
+        vkCmdDraw(commands, 3, 1, 0, 0);
+    }
+};
+
+}  // namespace onggi::render

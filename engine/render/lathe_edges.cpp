@@ -1,0 +1,110 @@
+#include "engine/render/lathe_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::render {
+namespace {
+
+// World to pixels, and to a depth a little nearer than the point's own, so that an edge is not hidden by the
+// faces it belongs to.
+class Projector {
+  public:
+    explicit Projector(const EdgeView& view)
+        : matrix_(view_projection(view.camera, view.width_px, view.height_px)),
+          half_(0.5F * static_cast<float>(view.width_px), 0.5F * static_cast<float>(view.height_px)),
+          least_mm_(view.camera.near_mm) {
+        const float near = view.camera.near_mm;
+        const float far = view.camera.far_mm;
+        depth_scale_ = -near * far / (far - near);
+        depth_offset_ = far / (far - near);
+    }
+    // z: depth; w: distance along the view in mm.
+    [[nodiscard]] vec4 operator()(vec3 point) const {
+        constexpr float kNearerMm = 2.5F;
+        const float x =
+            matrix_[0][0] * point.x + matrix_[1][0] * point.y + matrix_[2][0] * point.z + matrix_[3][0];
+        const float y =
+            matrix_[0][1] * point.x + matrix_[1][1] * point.y + matrix_[2][1] * point.z + matrix_[3][1];
+        const float w = std::max(
+            matrix_[0][3] * point.x + matrix_[1][3] * point.y + matrix_[2][3] * point.z + matrix_[3][3],
+            least_mm_);
+        const float share = 1.0F / w;
+        return {half_.x + half_.x * x * share, half_.y + half_.y * y * share,
+                std::max(depth_offset_ + depth_scale_ / std::max(w - kNearerMm, least_mm_), 0.0F), w};
+    }
+
+  private:
+    mat4 matrix_;
+    vec2 half_;
+    float least_mm_;
+    float depth_scale_ = 0.0F;
+    float depth_offset_ = 0.0F;
+};
+
+void add_edge(const vec4& from, const vec4& to, std::vector<shaders::EdgeData>& edges) {
+    if (edges.size() >= kMaxEdges) return;
+    if (std::abs(from.x - to.x) + std::abs(from.y - to.y) < 0.02F) return;
+    edges.push_back({.from = from, .to = to});
+}
+
+}  // namespace
+
+void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, bool open_sides,
+                    const EdgeView& view, std::vector<shaders::EdgeData>& edges) {
+    const auto in_row = static_cast<std::size_t>(sectors) + 1;
+    const std::size_t rows = vertices.size() / in_row;
+    if (rows < 2) return;
+    const Projector project(view);
+    std::vector<vec4> below(in_row);
+    std::vector<vec4> above(in_row);
+    std::vector<char> front_below(in_row, 0);
+    std::vector<char> front(in_row, 0);
+    for (std::size_t s = 0; s < in_row; ++s)
+        below[s] = project(vec3(vertices[s].place));
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        const std::span<const shaders::VertexData> next = vertices.subspan((row + 1) * in_row, in_row);
+        for (std::size_t s = 0; s < in_row; ++s)
+            above[s] = project(vec3(next[s].place));
+        for (std::size_t s = 0; s + 1 < in_row; ++s) {
+            const vec2 rising(above[s + 1].x - below[s].x, above[s + 1].y - below[s].y);
+            const vec2 falling(above[s].x - below[s + 1].x, above[s].y - below[s + 1].y);
+            front[s] = rising.x * falling.y - rising.y * falling.x > 0.0F ? 1 : 0;
+        }
+        for (std::size_t s = 0; s + 1 < in_row; ++s) {
+            // Across the row below; under the first lies nothing.
+            if (front[s] != front_below[s]) add_edge(below[s], below[s + 1], edges);
+            const char before = s > 0 ? front[s - 1] : (open_sides ? char{0} : front[in_row - 2]);
+            if (front[s] != before) add_edge(below[s], above[s], edges);
+        }
+        if (open_sides && front[in_row - 2] != 0) add_edge(below[in_row - 1], above[in_row - 1], edges);
+        below.swap(above);
+        front_below.swap(front);
+    }
+}
+
+void add_sphere_edges(const Sphere& sphere, const EdgeView& view, std::vector<shaders::EdgeData>& edges) {
+    constexpr int kPieces = 40;
+    constexpr float kTurn = 6.28318531F;
+    const vec3 to_eye = view.camera.eye_mm - sphere.centre_mm;
+    const float distance = glm::length(to_eye);
+    if (distance <= sphere.radius_mm * 1.01F) return;
+    const vec3 forward = to_eye / distance;
+    const vec3 across = glm::normalize(
+        glm::cross(std::abs(forward.y) < 0.9F ? vec3(0.0F, 1.0F, 0.0F) : vec3(1.0F, 0.0F, 0.0F), forward));
+    const vec3 up = glm::cross(forward, across);
+    // The circle where lines of sight graze the sphere.
+    const float share = sphere.radius_mm / distance;
+    const vec3 centre = sphere.centre_mm + forward * (sphere.radius_mm * share);
+    const float radius = sphere.radius_mm * std::sqrt(1.0F - share * share);
+    const Projector project(view);
+    vec4 before = project(centre + across * radius);
+    for (int piece = 1; piece <= kPieces; ++piece) {
+        const float angle = kTurn * static_cast<float>(piece) / kPieces;
+        const vec4 here = project(centre + (across * std::cos(angle) + up * std::sin(angle)) * radius);
+        add_edge(before, here, edges);
+        before = here;
+    }
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,31 @@
+// The outlines that moving things make in the picture, as pieces of line: a pixel on one of them is shared
+// between what lies on its two sides. Where the picture has one sample a pixel, edges.frag smooths it by
+// them. Any thread; pure functions. mm, pixels.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/render/camera.h"
+#include "engine/render/scene.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+
+constexpr std::size_t kMaxEdges = 4096;
+
+// A grid of vertices as the lathe has it: rows of sectors + 1, outward faces counter-clockwise. Added are the
+// edges between a face that looks at the eye and one that looks away, and the border of the first row; with
+// open_sides also the two borders across the rows. Hidden ones are there too: the depth test knows.
+struct EdgeView {
+    const Camera& camera;
+    int width_px;
+    int height_px;
+};
+void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, bool open_sides,
+                    const EdgeView& view, std::vector<shaders::EdgeData>& edges);
+
+void add_sphere_edges(const Sphere& sphere, const EdgeView& view, std::vector<shaders::EdgeData>& edges);
+
+}  // namespace onggi::render

@@ -1,0 +1,114 @@
+#include "engine/render/lathe_pass.h"
+
+#include <vector>
+
+#include "engine/render/detail_texture.h"
+#include "engine/render/lathe_section.h"
+
+namespace onggi::render {
+
+Result<void> LathePass::create(const FrameContext& frame) {
+    const std::vector<std::uint16_t> indices = lathe_indices(kMaxRings, frame.desc.sectors);
+    struct Wish {
+        vk::Buffer& into;
+        vk::BufferDesc desc;
+    };
+    for (const Wish& wish : {Wish{rows_,
+                                  {.name = "lathe rows",
+                                  .size = sizeof(shaders::RowData) * kMaxRings,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+                             Wish{vertices_,
+                                  {.name = "lathe vertices",
+                                  .size = sizeof(shaders::VertexData) * kMaxRings *
+                                              static_cast<std::size_t>(frame.desc.sectors + 1) +
+                                          sizeof(shaders::VertexData) * kMaxSectionVertices,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+                             Wish{outline_,
+                                  {.name = "lathe outline",
+                                  .size = sizeof(float) * shaders::kOutlineSamples,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+                             Wish{normals_,
+                                  {.name = "outline normals",
+                                  .size = sizeof(NormalTexels),
+                                  .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT}},
+                             Wish{indices_,
+                                  {.name = "lathe indices",
+                                  .size = indices.size() * sizeof(std::uint16_t),
+                                  .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT}}}) {
+        auto buffer = vk::Buffer::create(frame.device, wish.desc);
+        if (!buffer) return buffer.error();
+        wish.into = std::move(*buffer);
+    }
+    indices_.write(std::as_bytes(std::span(indices)));
+
+    const Pipelines& pipelines = frame.pipelines;
+    const FrameImages& images = frame.images;
+    struct Place {
+        int binding;
+        const vk::Buffer& buffer;
+    };
+    for (const Place& place : {Place{shaders::kBindOutline, outline_}, Place{shaders::kBindRows, rows_},
+                               Place{shaders::kBindVertices, vertices_}}) {
+        vk::write_buffer(frame.device, frame.set(), static_cast<std::uint32_t>(place.binding),
+                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place.buffer.handle());
+    }
+    vk::write_image(frame.device, frame.set(), shaders::kBindNormals, images.normals.view(),
+                    pipelines.exact.get());
+    vk::write_image(frame.device, frame.set(), shaders::kBindDetail, images.detail.view(),
+                    pipelines.repeated.get());
+    return upload_slip(frame);
+}
+
+Result<void> LathePass::upload_slip(const FrameContext& frame) {
+    const vk::Image& detail = frame.images.detail;
+    const std::vector<std::uint8_t> texels = detail_texture();
+    auto staging = vk::Buffer::create(
+        frame.device,
+        {.name = "slip upload", .size = texels.size(), .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    if (!staging) return staging.error();
+    staging->write(std::as_bytes(std::span(texels)));
+    return frame.device.run_once([&](VkCommandBuffer once) {
+        vk::barrier(once, detail, vk::state::kUndefined, vk::state::kCopyTarget);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {kDetailTexels, kDetailTexels, 1};
+        vkCmdCopyBufferToImage(once, staging->handle(), detail.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               1, &region);
+        vk::barrier(once, detail, vk::state::kCopyTarget, vk::state::kSampled);
+    });
+}
+
+void LathePass::upload(FrameContext& frame) const {
+    const BuiltFrame& built = frame.built;
+    if (built.lathe_indices == 0) return;
+    frame.write(outline_, std::as_bytes(std::span(built.samples.outer_mm)));
+    frame.write(rows_, std::as_bytes(std::span(built.rows)));
+    frame.write(vertices_, std::as_bytes(std::span(built.vertices)));
+    frame.write(normals_, std::as_bytes(std::span(built.normals)));
+}
+
+void LathePass::record(const FrameContext& frame) const {
+    if (frame.built.lathe_indices == 0) return;
+    const vk::Image& normals = frame.images.normals;
+    vk::barrier(frame.commands, normals, vk::state::kDiscard, vk::state::kCopyTarget);
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {shaders::kProfileTexels, 1, 1};
+    vkCmdCopyBufferToImage(frame.commands, normals_.handle(), normals.handle(),
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    vk::barrier(frame.commands, normals, vk::state::kCopyTarget, vk::state::kSampled);
+}
+
+void LathePass::draw(const FrameContext& frame) const {
+    if (frame.built.lathe_indices == 0) return;
+    frame.bind(frame.built.shows_load ? frame.pipelines.lathe_load : frame.pipelines.lathe);
+    vkCmdBindIndexBuffer(frame.commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT16);
+    frame.push(frame.built.lathe);
+    vkCmdDrawIndexed(frame.commands, frame.built.lathe_indices, 1, 0, 0, 0);
+    if (frame.built.section_count == 0) return;
+    frame.bind(frame.pipelines.lathe_section);
+    frame.push(frame.built.section);
+    vkCmdDraw(frame.commands, frame.built.section_count, 1, frame.built.section_first, 0);
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,30 @@
+// A lathe's vertices: its rows turned about the axis, moved by dents and by rings off the centre, with the
+// key light that gets to each. Any thread; a pure function. mm, rad.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/render/lathe_light.h"
+#include "engine/render/lathe_rows.h"
+#include "engine/render/scene.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+
+// A row has sectors + 1 vertices, the last where the first is (or at the other side of a cut). `vertices` is
+// used again.
+struct LatheMeshInput {
+    const Lathe& lathe;
+    const LatheProfile& profile;
+    const LatheSamples& samples;
+    const LatheRows& chosen;
+    std::span<const shaders::RowData> rows;
+};
+void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key, int sectors,
+                   std::vector<shaders::VertexData>& vertices);
+
+// How far dents and centres move the wall at most.
+[[nodiscard]] float largest_offset_mm(const Lathe& lathe);
+
+}  // namespace onggi::render

@@ -1,0 +1,60 @@
+// What moves besides the clay and is more than a ball: hands and tools, as meshes that are loaded once and
+// placed every frame. Plain data, any thread. Lengths mm, colours linear light.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/math/math.h"
+
+namespace onggi::render {
+
+// Triangles, counter-clockwise seen from outside.
+struct MoverMesh {
+    struct Vertex {
+        vec3 position_mm{0.0F};
+        vec3 normal{0.0F, 1.0F, 0.0F};
+        // 0 to 255: brightness of the colour about 128; how much clay lies on it; unused; ambient light that
+        // gets there.
+        std::uint8_t tone = 128;
+        std::uint8_t smear = 0;
+        std::uint8_t spare = 0;
+        std::uint8_t open_sky = 255;
+    };
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+
+    // Of the thing without clay on it.
+    vec3 albedo{0.5F};
+    float roughness = 0.6F;  // GGX, 0.05 to 1
+    float metalness = 0.0F;
+};
+
+// One tool: its meshes share a frame.
+struct MoverModel {
+    std::vector<MoverMesh> meshes;
+    vec3 low_mm{0.0F};  // the box about all of them, see measure()
+    vec3 high_mm{0.0F};
+};
+void measure(MoverModel& model);
+
+// All that may be shown. Uploaded when another one appears in a scene, and never during one.
+using MoverLibrary = std::vector<MoverModel>;
+
+// One of them, somewhere.
+struct Mover {
+    std::size_t model = 0;  // of the scene's library; beyond it: not drawn
+    mat4 place{1.0F};       // rigid, mirrored at most
+    vec3 clay{0.3F};        // albedo of the clay that lies on it, as dark as it is wet
+    float wetness = 0.0F;   // of that clay, 0 to 1
+};
+
+// The box about a model where it is placed.
+struct PlacedBox {
+    vec3 low{0.0F};
+    vec3 high{0.0F};
+};
+[[nodiscard]] PlacedBox placed_box(const MoverModel& model, const mat4& place);
+
+}  // namespace onggi::render

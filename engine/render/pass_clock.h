@@ -1,0 +1,37 @@
+// Names the parts of a frame for frame debuggers, and measures them: the whole always, each part on request,
+// since a mark between two parts costs a software device its batching. Main thread.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/vk/timestamps.h"
+
+namespace onggi::render {
+
+// What a part of a frame took on the device.
+struct PassTime {
+    const char* name = "";
+    double ms = 0.0;
+};
+
+class PassClock {
+  public:
+    static Result<PassClock> create(const vk::Device& device, bool measures_parts);
+
+    // In a command buffer, outside of rendering. enter() ends the part before; inside of rendering too.
+    void begin(const vk::Device& device, VkCommandBuffer commands);
+    void enter(const vk::Device& device, VkCommandBuffer commands, const char* name);
+    void end(const vk::Device& device, VkCommandBuffer commands);
+
+    // Of the frame that has left the device: all of it, 0 where nothing was measured, and its parts.
+    double read(const vk::Device& device, std::vector<PassTime>& parts);
+
+  private:
+    vk::Timestamps timestamps_;
+    std::vector<const char*> names_;
+    bool measures_parts_ = false;
+    bool is_inside_ = false;
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,43 @@
+// The photographs of the room, on the device: those that are shown, and those that may be next. Main thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/render/frame_context.h"
+
+namespace onggi::render {
+
+class PlatePass {
+  public:
+    // Binds something to every slot that a shader might read before there is a plate.
+    static void bind_placeholders(const FrameContext& frame);
+
+    // The scene's plates onto the device, where they are not there yet; true if another one is shown now. The
+    // device is idle.
+    Result<bool> fit(const FrameContext& frame, const Scene& scene);
+
+    // The relief of the plate that is nearer to the gliding camera, inside the caller's pass.
+    void draw_relief(const FrameContext& frame, const Glide& glide) const;
+
+  private:
+    struct Resident {
+        std::shared_ptr<const Plate> plate;  // held, so that no other can have its address
+        vk::Image key;
+        vk::Image ambient;
+        vk::Image depth;  // of the relief's corners, mm
+        vk::Buffer relief_positions;
+        vk::Buffer relief_indices;
+        std::uint32_t relief_index_count = 0;
+    };
+    static Result<Resident> upload(const FrameContext& frame, std::shared_ptr<const Plate> plate);
+    Result<const Resident*> resident(const FrameContext& frame, const std::shared_ptr<const Plate>& plate);
+    [[nodiscard]] const Resident* find(const std::shared_ptr<const Plate>& plate) const;
+
+    std::vector<std::unique_ptr<Resident>> residents_;
+    std::shared_ptr<const Plate> from_;  // as bound
+    std::shared_ptr<const Plate> to_;
+};
+
+}  // namespace onggi::render

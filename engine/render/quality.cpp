@@ -1,0 +1,119 @@
+#include "engine/render/quality.h"
+
+#include <algorithm>
+
+namespace onggi::render {
+namespace {
+
+constexpr double kWindowS = 0.75;  // a judgement is made of so much time
+constexpr int kSlowWindows = 2;    // in a row, before a step down
+constexpr double kSlow = 0.92;     // of the budget, by the frame that one in ten exceeds: too slow
+constexpr double kEasy = 0.45;     // time to spare for the next step, which costs up to twice as much
+constexpr double kTriedS = 20.0;   // a step up that lasted so long was right
+constexpr double kMostPatienceS = 600.0;
+
+constexpr int index_of(QualityStep step) {
+    return static_cast<int>(step);
+}
+
+}  // namespace
+
+std::string_view quality_name(QualityStep step) {
+    switch (step) {
+        case QualityStep::kSpare:
+            return "one slow software core";
+        case QualityStep::kOneCore:
+            return "one software core";
+        case QualityStep::kTwoCores:
+            return "two software cores";
+        case QualityStep::kIntegratedGpu:
+            return "integrated GPU";
+        case QualityStep::kDiscreteGpu:
+            return "discrete GPU";
+    }
+    return "";
+}
+
+RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_px) {
+    RendererDesc software = live_desc(colour_format, true, height_px);
+    switch (step) {
+        case QualityStep::kSpare:
+            software.sectors = software.sectors * 3 / 4;
+            software.max_rings /= 2;
+            software.ring_error_px *= 2.0F;
+            return software;
+        case QualityStep::kOneCore:
+            return software;
+        case QualityStep::kTwoCores:
+            software.sectors = software.sectors * 5 / 4;
+            software.max_rings = std::min(software.max_rings * 3 / 2, kMaxRings);
+            software.ring_error_px *= 0.6F;
+            return software;
+        case QualityStep::kIntegratedGpu: {
+            RendererDesc desc = still_desc(colour_format);
+            desc.sectors = 128;
+            desc.ring_error_px = 0.1F;
+            return desc;
+        }
+        case QualityStep::kDiscreteGpu:
+            break;
+    }
+    return still_desc(colour_format);
+}
+
+QualityRange quality_range(DeviceClass device, int threads) {
+    switch (device) {
+        case DeviceClass::kIntegratedGpu:
+            return {QualityStep::kIntegratedGpu, QualityStep::kTwoCores, QualityStep::kDiscreteGpu};
+        case DeviceClass::kDiscreteGpu:
+            return {QualityStep::kDiscreteGpu, QualityStep::kTwoCores, QualityStep::kDiscreteGpu};
+        case DeviceClass::kSoftware:
+            break;
+    }
+    const QualityStep highest = threads > 1 ? QualityStep::kTwoCores : QualityStep::kOneCore;
+    return {highest, QualityStep::kSpare, QualityStep::kTwoCores};
+}
+
+bool QualityLadder::go_to(QualityStep step) {
+    window_ms_.clear();
+    window_s_ = 0.0;
+    slow_windows_ = 0;
+    easy_s_ = 0.0;
+    if (step == step_) return false;
+    step_ = step;
+    return true;
+}
+
+bool QualityLadder::step_down() {
+    if (step_ == range_.lowest) return false;
+    return go_to(static_cast<QualityStep>(index_of(step_) - 1));
+}
+
+bool QualityLadder::frame(double drawn_ms, double dt_s) {
+    since_up_s_ += dt_s;
+    window_ms_.push_back(drawn_ms);
+    window_s_ += dt_s;
+    if (window_s_ < kWindowS) return false;
+
+    const auto tenth = static_cast<std::ptrdiff_t>(window_ms_.size() * 9 / 10);
+    std::nth_element(window_ms_.begin(), window_ms_.begin() + tenth, window_ms_.end());
+    const double slowest_tenth_ms = window_ms_[static_cast<std::size_t>(tenth)];
+    const double judged_s = window_s_;
+    window_ms_.clear();
+    window_s_ = 0.0;
+
+    slow_windows_ = slowest_tenth_ms > kSlow * budget_ms_ ? slow_windows_ + 1 : 0;
+    easy_s_ = slowest_tenth_ms < kEasy * budget_ms_ ? easy_s_ + judged_s : 0.0;
+    if (slow_windows_ >= kSlowWindows) {
+        // What was taken and had to be given back is not tried again so soon.
+        if (since_up_s_ < kTriedS) patience_s_ = std::min(2.0 * patience_s_, kMostPatienceS);
+        return step_down();
+    }
+    if (easy_s_ >= patience_s_ && step_ != range_.highest) {
+        since_up_s_ = 0.0;
+        return go_to(static_cast<QualityStep>(index_of(step_) + 1));
+    }
+    return false;
+}
+
+}  // namespace onggi::render

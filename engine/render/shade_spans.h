@@ -1,0 +1,32 @@
+// The pixels that shade is laid over, as level rectangles: those of a convex outline, less those that the
+// lathe will cover anyway. Any thread; pure functions. Pixels.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/math/math.h"
+#include "engine/render/camera.h"
+#include "engine/render/lathe_profile.h"
+#include "engine/render/lathe_rows.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+
+// Where a line across the picture passes the pot for sure.
+struct Covered {
+    float left = 0.0F;
+    float right = 0.0F;  // not above left: nowhere
+};
+
+// One entry a line of pixels, the first at the top: what lies between the two ends of a ring that is drawn,
+// and between those of one ring and the next, is pot. `vertices` are the lathe's, rows of sectors + 1.
+[[nodiscard]] std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> vertices,
+                                                    std::size_t rows, int sectors, const Camera& camera,
+                                                    int width_px, int height_px);
+
+// x0, y0, x1, y1 of rectangles whose union holds all of the outline but what is covered.
+[[nodiscard]] std::vector<vec4> shade_rects(std::span<const dvec2> outline, std::span<const Covered> covered,
+                                            int width_px, int height_px);
+
+}  // namespace onggi::render

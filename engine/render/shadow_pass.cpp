@@ -1,0 +1,37 @@
+#include "engine/render/shadow_pass.h"
+
+#include <algorithm>
+
+namespace onggi::render {
+
+void ShadowPass::update(FrameContext& frame, const Scene& scene) {
+    const std::uint64_t now = shadow_hash(scene);
+    frame.stats.shadow_drawn = !has_mask_ || now != drawn_;
+    drawn_ = now;
+}
+
+void ShadowPass::record(const FrameContext& frame) {
+    if (!frame.stats.shadow_drawn) return;
+    const vk::Image& mask = frame.images.mask;
+    vk::barrier(frame.commands, mask, vk::state::kDiscard, vk::state::kColour);
+    begin_pass(frame.commands, mask.extent(), {{.view = mask.view()}}, {});
+    frame.draw_screen(frame.pipelines.mask);
+    vkCmdEndRendering(frame.commands);
+    vk::barrier(frame.commands, mask, vk::state::kColour, vk::state::kSampled);
+    has_mask_ = true;
+}
+
+void ShadowPass::draw_shade(const FrameContext& frame) {
+    const std::vector<vec4>& rects = frame.built.shade;
+    if (rects.empty()) return;
+    frame.bind(frame.pipelines.shade);
+    for (std::size_t first = 0; first < rects.size(); first += shaders::kShadeRects) {
+        const std::size_t count = std::min<std::size_t>(rects.size() - first, shaders::kShadeRects);
+        shaders::ShadeDraw draw{};
+        std::copy_n(rects.begin() + static_cast<std::ptrdiff_t>(first), count, draw.rects);
+        frame.push(draw);
+        vkCmdDraw(frame.commands, static_cast<std::uint32_t>(6 * count), 1, 0, 0);
+    }
+}
+
+}  // namespace onggi::render

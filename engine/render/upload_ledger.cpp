@@ -1,0 +1,37 @@
+#include "engine/render/upload_ledger.h"
+
+#include <utility>
+
+namespace onggi::render {
+namespace {
+
+bool overlap(const ui::Atlas::Upload& a, const ui::Atlas::Upload& b) {
+    return a.x < b.x + b.painting->width && b.x < a.x + a.painting->width && a.y < b.y + b.painting->height &&
+           b.y < a.y + a.painting->height;
+}
+
+}  // namespace
+
+void UploadLedger::bring(std::span<const Upload> uploads) {
+    for (const Upload& upload : uploads) {
+        const auto is_covered = [&](const Upload& older) { return overlap(older, upload); };
+        std::erase_if(there_, is_covered);
+        std::erase_if(wanted_, is_covered);
+        wanted_.push_back(upload);
+    }
+}
+
+void UploadLedger::done() {
+    there_.insert(there_.end(), std::make_move_iterator(wanted_.begin()),
+                  std::make_move_iterator(wanted_.end()));
+    wanted_.clear();
+}
+
+void UploadLedger::lost() {
+    // Nothing of what is there lies under anything that is wanted, so their order is free.
+    wanted_.insert(wanted_.end(), std::make_move_iterator(there_.begin()),
+                   std::make_move_iterator(there_.end()));
+    there_.clear();
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,29 @@
+// The lathe between a point outside it and the key light.
+
+layout(std430, set = 0, binding = kBindOutline) readonly buffer OutlineBlock {
+    float outline[];
+};
+
+// How much of the key light gets to p, 0 to 1: the least angle between the ray and the outline, in halves of
+// the light's width. Sixteen steps through the slab of height that the lathe fills; for vertices, not for
+// pixels.
+float past_lathe_to_light(vec3 p) {
+    float height = frame.lathe.x;
+    if (height <= 0.0) return 1.0;
+    vec3 l = frame.key_direction.xyz;
+    float rise = max(l.y, 0.05);
+    float from = max(0.0, -p.y / rise);
+    float to = (height - p.y) / rise;
+    if (to <= from) return 1.0;
+    float least = 1e3;
+    const int kSteps = 16;
+    for (int i = 0; i < kSteps; ++i) {
+        float t = mix(from, to, (float(i) + 0.5) / float(kSteps));
+        vec3 at = p + l * t;
+        float sample_number = clamp(at.y * frame.lathe.y, 0.0, frame.lathe.z - 1.0);
+        float gap = length(at.xz - frame.lathe_foot.xy) - outline[int(sample_number)];
+        least = min(least, gap / max(t, 4.0));
+    }
+    float width = max(frame.key_direction.w, 0.02);
+    return smoothstep(-width, width, least);
+}

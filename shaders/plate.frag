@@ -1,0 +1,56 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// What stands still, as two photographs show it: one with the key light, one without. With ONGGI_SURFACE it
+// lies on a mesh, which says where in the world the pixel is; without, it fills the rest of the picture. With
+// ONGGI_LAYERS it is drawn once, into what each frame is put together from; without, it is the finished
+// picture.
+#include "frame.glsl"
+#include "noise.glsl"
+#include "tone.glsl"
+
+layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
+layout(set = 0, binding = kBindPlateKey) uniform sampler2D plate_key;  // both with the target's transfer
+layout(set = 0, binding = kBindPlateAmbient) uniform sampler2D plate_ambient;
+
+#ifdef ONGGI_SURFACE
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+#else
+layout(location = 0) in vec2 place;  // 0 to 1 from the top left
+#endif
+layout(location = 0) out vec4 out_colour;  // as in mesh.frag
+#ifdef ONGGI_LAYERS
+layout(location = 1) out vec4 out_ambient;
+layout(location = 2) out vec2 out_coords;
+#endif
+
+void main() {
+#ifdef ONGGI_SURFACE
+    vec2 pixel = gl_FragCoord.xy;
+#else
+    vec2 pixel = place * frame.picture.xy;
+#endif
+    vec2 at = pixel * frame.plate_window.xy + frame.plate_window.zw;
+    vec3 all_light = decode(texture(plate_key, at).rgb);
+    vec3 ambient = decode(texture(plate_ambient, at).rgb);
+    // Compression may leave the lit picture the darker one by a level.
+    vec3 key_light = max(all_light - ambient, vec3(0.0)) * frame.levels.w;
+    ambient *= frame.levels.rgb;
+#ifdef ONGGI_SURFACE
+    vec2 uv = vec2(dot(frame.mask_u.xyz, position) + frame.mask_u.w,
+                   dot(frame.mask_v.xyz, position) + frame.mask_v.w);
+    float near_foot = smoothstep(-7.0, -1.0, position.y) * max(normal.y, 0.0);
+#else
+    vec2 uv = vec2(0.0);  // the mask's corner, where nothing is in shade
+    float near_foot = 0.0;
+#endif
+#ifdef ONGGI_LAYERS
+    out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
+    out_ambient = vec4(encode(ambient) + dither(), near_foot);
+    out_coords = uv;
+#else
+    vec2 mask = texture(shadow_mask, uv).rg;
+    vec3 light = (ambient + key_light * mask.r) * mix(1.0, mask.g, near_foot);
+    out_colour = vec4(encode(light) + dither(), 1.0);
+#endif
+}
