@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/core/quote.h"
+#include "engine/haptics/gesture_columns.h"
 
 namespace onggi::haptics {
 namespace {
@@ -79,7 +80,12 @@ Error line_too_long(std::string_view name, std::size_t line) {
 }
 
 // The columns to the right of the agreed ones.
-Result<std::vector<std::string>> parse_header(const Line& line, std::string_view name) {
+struct Header {
+    std::vector<std::string> extra;
+    std::vector<GestureColumn> columns;  // what each of them is
+};
+
+Result<Header> parse_header(const Line& line, std::string_view name) {
     if (line.text.starts_with(kByteOrderMark)) {
         return at_line(
             name, line.number,
@@ -93,7 +99,8 @@ Result<std::vector<std::string>> parse_header(const Line& line, std::string_view
                        fmt::format("expected the header {}: column {} is missing, found {}", kGestureHeader,
                                    column, field ? in_quotes(*field) : "the end of the line"));
     }
-    std::vector<std::string> extra;
+    Header header;
+    std::vector<std::string>& extra = header.extra;
     while (const auto field = fields.next()) {
         const bool known = std::find(kColumns.begin(), kColumns.end(), *field) != kColumns.end() ||
                            std::find(extra.begin(), extra.end(), *field) != extra.end();
@@ -103,8 +110,13 @@ Result<std::vector<std::string>> parse_header(const Line& line, std::string_view
                                        kColumns.size() + extra.size() + 1, in_quotes(*field)));
         }
         extra.emplace_back(*field);
+        header.columns.push_back(gesture_column(*field));
     }
-    return extra;
+    if (const auto missing = missing_column(header.columns)) {
+        return at_line(name, line.number,
+                       fmt::format("expected a column {} beside the others, found none", *missing));
+    }
+    return header;
 }
 
 // One row's fields into numbers; the first thing wrong is kept, as a sentence.
@@ -140,14 +152,29 @@ class RowParser {
         }
     }
 
-    void skip_extra(const std::vector<std::string>& columns) {
-        for (const std::string& column : columns) {
-            if (!error_ && !fields_.next()) missing(column);
+    void extra(const Header& header, ToolState& tool) {
+        tool.second.radius_mm = tool.radius_mm;
+        std::size_t places = 0;  // of the second hand's three that are filled in
+        std::string_view empty_place;
+        for (std::size_t i = 0; i < header.columns.size() && !error_; ++i) {
+            const auto field = fields_.next();
+            if (!field) {
+                missing(header.extra[i]);
+            } else if (const auto expected = take_field(header.columns[i], *field, tool)) {
+                fail(header.extra[i], *expected, *field);
+            } else if (is_place_of_second(header.columns[i])) {
+                if (field->empty()) empty_place = header.extra[i];
+                places += field->empty() ? 0U : 1U;
+            }
         }
+        if (places != 0 && !empty_place.empty())
+            fail(empty_place, "a number beside the other two coordinates", "");
+        // Where a column for the second hand says nothing, there is none in that row.
+        if (!tool.second.present) tool.second = {};
         if (!error_ && fields_.next()) {
-            error_ =
-                at_line(name_, line_.number,
-                        fmt::format("expected {} columns, found more", kColumns.size() + columns.size()));
+            error_ = at_line(
+                name_, line_.number,
+                fmt::format("expected {} columns, found more", kColumns.size() + header.columns.size()));
         }
     }
 
@@ -161,10 +188,12 @@ class RowParser {
         return field;
     }
     void fail(Column column, std::string_view expected, std::string_view found) {
+        fail(kColumns[column], expected, found);
+    }
+    void fail(std::string_view column, std::string_view expected, std::string_view found) {
         if (error_) return;
-        error_ =
-            at_line(name_, line_.number,
-                    fmt::format("{}: expected {}, found {}", kColumns[column], expected, in_quotes(found)));
+        error_ = at_line(name_, line_.number,
+                         fmt::format("{}: expected {}, found {}", column, expected, in_quotes(found)));
     }
     void missing(std::string_view column) {
         error_ = at_line(name_, line_.number,
@@ -178,7 +207,7 @@ class RowParser {
 };
 
 // The header line's reading is all that a start is checked for.
-Result<std::vector<std::string>> read_header(LineReader& lines, std::string_view name) {
+Result<Header> read_header(LineReader& lines, std::string_view name) {
     if (lines.at_end()) {
         return at_line(name, 1, fmt::format("expected the header {}, found an empty file", kGestureHeader));
     }
@@ -195,7 +224,8 @@ Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
     if (!header) return header.error();
 
     Gesture gesture;
-    gesture.extra_columns_ = std::move(header).value();
+    const Header columns = std::move(header).value();
+    gesture.extra_columns_ = columns.extra;
     std::optional<double> previous_s;
     while (!lines.at_end()) {
         const auto line = lines.next();
@@ -209,7 +239,7 @@ Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
         row.tool.position_mm.z = parser.number(kZ, -kWorkspaceMm, kWorkspaceMm);
         row.tool.wheel_button = parser.button();
         row.tool.radius_mm = parser.number(kRadius, kMinToolRadiusMm, kMaxToolRadiusMm);
-        parser.skip_extra(gesture.extra_columns_);
+        parser.extra(columns, row.tool);
         if (parser.error()) return *parser.error();
         previous_s = row.t_s;
         gesture.rows_.push_back(row);
@@ -235,6 +265,9 @@ ToolState Gesture::at(double t_s) const noexcept {
     if (after == rows_.end()) return tool;
     const double part = (t_s - before.t_s) / (after->t_s - before.t_s);
     tool.position_mm += (after->tool.position_mm - before.tool.position_mm) * part;
+    if (tool.second.present && after->tool.second.present) {
+        tool.second.position_mm += (after->tool.second.position_mm - before.tool.second.position_mm) * part;
+    }
     return tool;
 }
 

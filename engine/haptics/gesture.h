@@ -32,8 +32,9 @@ class Gesture {
         ToolState tool;
     };
 
-    // The tool at time t_s: position linear between rows; radius and button hold from their row's own t_s,
-    // inclusive, until the next row. Before the first row and after the last: that row. No allocation.
+    // The tool at time t_s: positions linear between rows, of the second hand where both have one; all else
+    // holds from its row's own t_s, inclusive, until the next row. Before the first row and after the last:
+    // that row. No allocation.
     [[nodiscard]] ToolState at(double t_s) const noexcept;
     // floor(duration rate + 1e-9) + 1: ticks k = 0 ... tick_count - 1 at time (double)k / rate.
     [[nodiscard]] std::uint64_t tick_count(double rate_hz) const noexcept;
@@ -43,7 +44,7 @@ class Gesture {
 
     [[nodiscard]] double duration_s() const noexcept { return rows_.back().t_s; }
     [[nodiscard]] std::span<const Row> rows() const noexcept { return rows_; }
-    // Names of the columns right of tool_radius_mm. Their values belong to clays that know them.
+    // Names of the columns right of tool_radius_mm; gesture_columns.h says which of them are understood.
     [[nodiscard]] const std::vector<std::string>& extra_columns() const noexcept { return extra_columns_; }
 
   private:

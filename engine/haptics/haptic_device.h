@@ -1,8 +1,10 @@
 // The one interface behind which every device sits: simulated, replayed, and real ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "engine/core/result.h"
 #include "engine/haptics/tool_state.h"
@@ -17,6 +19,33 @@ struct DeviceCapabilities {
     double continuous_force_n = 0.0;  // what it can give for minutes
     double max_stiffness_n_per_mm = 0.0;
     double position_resolution_mm = 0.0;
+    bool has_motors = true;  // false: its force moves a picture of a tool, and heats nothing
+    // true: it is told forces and makes walls of its own of them, so that the clay's stiffness closes no loop
+    bool has_own_walls = false;
+    double report_rate_hz = 0.0;  // how often it says where it is; 0: at every read
+    // What moves, where it is known (stability.h judges by it); mass 0: unknown.
+    double moving_mass_kg = 0.0;
+    double damping_n_s_per_mm = 0.0;
+    double coulomb_friction_n = 0.0;
+};
+
+// What the last read() found besides the tool.
+struct HandSigns {
+    bool position_is_new = true;  // heard from the device since the read before
+    bool hand_is_there = true;    // as far as the device can tell
+    std::size_t hand = 0;         // which of capabilities_of_hands() has the tool
+};
+
+// What the tool is at, besides the force: for devices that show more than a force. 0 where it is unknown.
+struct WorkFelt {
+    bool touches = false;
+    double stiffness_n_per_mm = 0.0;  // of the work where it is touched
+    double wall_mm = 0.0;             // its thickness there; 0: solid
+    double most_force_n = 0.0;        // with which such a wall bends aside; 0: it does not
+    double load = 0.0;                // 0: at rest; 1: it gives way
+    double wheel_rad_s = 0.0;         // how fast it turns
+
+    friend bool operator==(const WorkFelt&, const WorkFelt&) = default;
 };
 
 class HapticDevice {
@@ -27,13 +56,25 @@ class HapticDevice {
     virtual Result<void> open() = 0;
     virtual void close() noexcept = 0;
     [[nodiscard]] virtual DeviceCapabilities capabilities() const = 0;
+    // Of each hand that may get the tool, where there are several: each is held to its own limits.
+    [[nodiscard]] virtual std::vector<DeviceCapabilities> capabilities_of_hands() const {
+        return {capabilities()};
+    }
 
     // Haptic thread, once a tick each, in this order. Wait-free: no lock, allocation or system call.
     // read: where the tool is now. tick counts from 0, none left out; dt_s is the time since the last read:
     // one step, two at most however many periods the loop had to skip.
     [[nodiscard]] virtual ToolState read(std::uint64_t tick, double dt_s) noexcept = 0;
+    // after read.
+    [[nodiscard]] virtual HandSigns signs() const noexcept { return {}; }
     // write: the limited force on the tool, N, wheel frame. Held until the next tick.
     virtual void write(const dvec3& force_n) noexcept = 0;
+
+    // The watchdog's thread, any time while open, wait-free: the haptic thread stands still; no force until
+    // it writes again. A device whose force goes anywhere else than to its own read() must obey.
+    virtual void silence() noexcept {}
+    // feel: what the force came from, before write. Most devices have no use for it.
+    virtual void feel(const WorkFelt& /*work*/) noexcept {}
 };
 
 }  // namespace onggi::haptics

@@ -3,63 +3,17 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/haptics/haptic_device.h"
-#include "engine/haptics/tool_state.h"
+#include "engine/haptics/safety/limits.h"
+#include "engine/haptics/safety/stages.h"
+#include "engine/haptics/safety/state.h"
 #include "engine/math/math.h"
 
 namespace onggi::haptics {
-
-// The kiosk's profile; a weaker device lowers it, a stronger one never raises it.
-constexpr double kKioskPeakForceN = 3.3;
-
-struct SafetyLimits {
-    double peak_force_n = kKioskPeakForceN;
-    double slew_n_per_s = 200.0;         // how fast the force may grow or turn
-    double release_n_per_s = 2000.0;     // how fast it may fall: 3.3 N are gone in 2 ms
-    double ramp_s = 1.0;                 // from nothing to full force, at the start and after a fault
-    double small_force_n = 0.2;          // the ramp begins only after a force below this ...
-    int small_force_ticks = 3;           // ... for more than so many ticks in a row: no start inside a wall
-    double workspace_mm = kWorkspaceMm;  // each coordinate within +-
-};
-
-// The profile, lowered to what the device can give.
-[[nodiscard]] SafetyLimits limits_for(const DeviceCapabilities& device);
-
-enum class Fault : std::uint8_t { kNone, kForceNotFinite, kPositionNotFinite, kOutsideWorkspace };
-// For logs and screens: what was wrong, in words.
-[[nodiscard]] std::string_view words_for(Fault fault);
-
-struct SafetyState {
-    dvec3 applied_force_n{0.0};     // what the device got last
-    double ramp = 0.0;              // 0 to 1
-    int calm_ticks = 0;             // ticks in a row with a small force, while the ramp waits
-    Fault fault = Fault::kNone;     // latched: zero force until rearm()
-    std::uint32_t fault_count = 0;  // faults since the state was made
-};
-
-// Takes a latched fault back. The force starts again from nothing, through the ramp; a cause that persists
-// latches again on the next tick.
-void rearm(SafetyState& state) noexcept;
-
-struct SafetyInput {
-    dvec3 position_mm{0.0};  // of the tool
-    double dt_s = 0.0;       // the fixed step
-};
-
-// The stages, each usable and tested alone; force in, force out.
-// gate: a force or position that is not finite, or a tool outside the workspace, latches a fault; zero force
-// as long as one is latched.
-dvec3 gate(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
-// ramp: nothing until the force has been small for a moment, then growing from 0 to 1 times the force.
-dvec3 ramp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
-// clamp: at most the peak force, by scaling the vector: an axis-wise clamp would bend the push aside.
-dvec3 clamp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
-// slew: first lets go of what is no longer wanted, at the release rate, then grows or turns at the slew rate.
-// A latched fault drops the force at once.
-dvec3 slew(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 struct SafetyStage {
     std::string_view name;
@@ -67,11 +21,18 @@ struct SafetyStage {
     dvec3 (*apply)(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 };
 
-// The order is the chain's meaning: nothing that is not finite may reach the arithmetic, the clamp bounds
-// what the slew aims at, and the slew is last because it alone knows what the device got before.
-inline constexpr std::array<SafetyStage, 4> kSafetyChain{{
-    {"gate", "zero force and a latched fault on NaN, infinity or a tool outside the workspace", &gate},
+// The order is the chain's meaning. Nothing that is not finite may reach the arithmetic. What shapes the
+// force comes before the observer, so that it judges the force the clay shall have; what takes force away for
+// a person's sake comes after it, so that not even its damping is felt by nobody. The clamp bounds what the
+// slew aims at, and the slew is last because it alone knows what the device got before.
+inline constexpr std::array<SafetyStage, 9> kSafetyChain{{
+    {"gate", "zero force and a latched fault on NaN, infinity, a tool outside the workspace, or stop", &gate},
+    {"speed", "a tool too fast in contact is braked, then let go", &speed},
+    {"late", "a softer clay while the loop misses periods", &late},
+    {"passivity", "damping that takes back what the sampled loop gave too much", &passivity},
+    {"hand", "no force without a hand, or when its position is stale", &hand},
     {"ramp", "from nothing to full force at the start and after a fault, once the force is small", &ramp},
+    {"budget", "the peak force for a moment, the continuous force for ever", &budget},
     {"clamp", "at most the peak force, direction kept", &clamp},
     {"slew", "bounded change from tick to tick; letting go is faster than pushing", &slew},
 }};
@@ -79,5 +40,15 @@ inline constexpr std::array<SafetyStage, 4> kSafetyChain{{
 // The whole chain: the clay's force in, what the device may get out.
 dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
                          SafetyState& state) noexcept;
+
+// Any stages in their order. What remembers the applied force is the slew; without it the caller's force is
+// remembered here.
+dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
+                   const SafetyLimits& limits, SafetyState& state) noexcept;
+
+// For a log or a person: the stages in their order with what each does, one a line.
+[[nodiscard]] std::string describe_safety_chain();
+// The state's counters in one line: fault, ramp, gain, energy taken and given, heat.
+[[nodiscard]] std::string describe(const SafetyState& state, const SafetyLimits& limits);
 
 }  // namespace onggi::haptics

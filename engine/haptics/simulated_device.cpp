@@ -19,11 +19,20 @@ DeviceCapabilities SimulatedDevice::capabilities() const {
             .peak_force_n = 3.3,
             .continuous_force_n = 3.3,
             .max_stiffness_n_per_mm = 0.5,
-            .position_resolution_mm = 0.0};
+            .position_resolution_mm = 0.0,
+            .has_motors = false};
+}
+
+void SimulatedDevice::take_over(const ToolState& tool) noexcept {
+    position_mm_ = tool.position_mm;
+    velocity_mm_s_ = force_n_ = dvec3(0.0);
+    at_rest_ = false;
 }
 
 ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const ToolState& target = target_.latest();
+    is_moving_ = sense_.moved_to(target.position_mm) || target.wheel_button != last_button_;
+    last_button_ = target.wheel_button;
     if (at_rest_) {
         position_mm_ = target.position_mm;
         at_rest_ = false;
@@ -36,7 +45,9 @@ ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const dvec3 push_n = model_.coupling_n_per_mm * (target.position_mm - position_mm_) + force_n_;
     velocity_mm_s_ = (velocity_mm_s_ + push_n * step_over_mass) / held_back;
     position_mm_ += velocity_mm_s_ * dt_s;
-    return {.position_mm = position_mm_, .radius_mm = target.radius_mm, .wheel_button = target.wheel_button};
+    ToolState tool = target;
+    tool.position_mm = position_mm_;
+    return tool;
 }
 
 }  // namespace onggi::haptics

@@ -12,7 +12,7 @@
 // to spare at every higher rate.
 #pragma once
 
-#include "engine/haptics/haptic_device.h"
+#include "engine/haptics/hand.h"
 #include "engine/jobs/mailbox.h"
 
 namespace onggi::haptics {
@@ -25,7 +25,7 @@ struct SimulatedDeviceModel {
     double damping_n_s_per_mm = 0.004;
 };
 
-class SimulatedDevice final : public HapticDevice {
+class SimulatedDevice final : public Hand {
   public:
     explicit SimulatedDevice(const SimulatedDeviceModel& model = {}) : model_(model) {}
 
@@ -42,6 +42,10 @@ class SimulatedDevice final : public HapticDevice {
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     void write(const dvec3& force_n) noexcept override { force_n_ = force_n; }
 
+    [[nodiscard]] bool is_here() const noexcept override { return true; }
+    [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
+    void take_over(const ToolState& tool) noexcept override;
+
   private:
     SimulatedDeviceModel model_;
     ToolState last_target_;  // main thread only
@@ -51,6 +55,9 @@ class SimulatedDevice final : public HapticDevice {
     dvec3 velocity_mm_s_{0.0};
     dvec3 force_n_{0.0};
     bool at_rest_ = true;  // the next read starts at the target
+    MotionSense sense_{1.0};
+    bool last_button_ = false;
+    bool is_moving_ = false;
 };
 
 }  // namespace onggi::haptics

@@ -36,6 +36,7 @@ constexpr std::uint8_t kReleaseLight = 0x02;
 
 DualSenseTouch touch_at(std::span<const std::uint8_t> report, std::size_t at) noexcept {
     return {.touching = (report[at] & 0x80U) == 0,
+            .id = static_cast<std::uint8_t>(report[at] & 0x7fU),
             .x = static_cast<std::uint16_t>(report[at + 1] | ((report[at + 2] & 0x0fU) << 8U)),
             .y = static_cast<std::uint16_t>((report[at + 2] >> 4U) | (report[at + 3] << 4U))};
 }

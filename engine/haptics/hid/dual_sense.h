@@ -15,6 +15,7 @@ namespace onggi::haptics::hid {
 
 struct DualSenseTouch {
     bool touching = false;
+    std::uint8_t id = 0;  // another finger, another number
     std::uint16_t x = 0;  // 0 to 1919, left to right
     std::uint16_t y = 0;  // 0 to 1079, top to bottom
 };

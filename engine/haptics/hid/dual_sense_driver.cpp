@@ -11,7 +11,15 @@ constexpr std::int64_t kSilenceNs = 100 * kMs;
 // A worm gear moves the resistance: more often than this it could not follow.
 constexpr std::int64_t kLeastIntervalNs = 10 * kMs;
 constexpr std::array<std::uint8_t, 3> kWheelStands{0x00, 0x10, 0x40};
-constexpr std::array<std::uint8_t, 3> kWheelTurns{0x60, 0x28, 0x00};
+constexpr std::array<std::uint8_t, 3> kAtEase{0x18, 0x50, 0x08};
+constexpr std::array<std::uint8_t, 3> kStrained{0x60, 0x28, 0x00};
+constexpr std::array<std::uint8_t, 3> kGivingWay{0x80, 0x04, 0x00};
+constexpr double kLightSteps = 8.0;
+constexpr double kSoftestNPerMm = 0.05;
+constexpr double kTouchWidth = 1919.0;
+constexpr double kGyroDegSPerStep = 1.0 / 16.0;
+constexpr double kSensorSPerStep = 1.0 / 3e6;
+constexpr double kLongestSensorS = 0.05;
 constexpr std::uint8_t kMostRumble = 0x60;
 constexpr std::uint8_t kRumbleStep = 0x08;  // finer would be a report a tick
 constexpr std::uint8_t kPedalDown = 0x40;   // L2, of 255
@@ -29,17 +37,37 @@ double from_stick(std::uint8_t value, double dead_band) noexcept {
 
 TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
                                const DualSenseMapping& mapping) noexcept {
-    const auto wall = local_wall(order, mapping.stiffness_n_per_mm);
+    const double stiffness =
+        order.work.stiffness_n_per_mm > 0.0
+            ? std::clamp(order.work.stiffness_n_per_mm, kSoftestNPerMm, mapping.most_stiffness_n_per_mm)
+            : mapping.stiffness_n_per_mm;
+    const auto wall = local_wall(order, stiffness);
     if (!wall || !wall->is_outside) return trigger_off();  // the trigger presses inwards, and feels only that
     const double rest_mm = order.tool_mm.x + press_mm;     // the tool's radius with the trigger let go
     std::array<std::uint8_t, kTriggerZones> strengths{};
     for (std::size_t zone = 0; zone < kTriggerZones; ++zone) {
         const double travel = (static_cast<double>(zone) + 0.5) / static_cast<double>(kTriggerZones);
-        const double force_n = wall->force_n(rest_mm - travel * mapping.press_mm);
+        double force_n = wall->force_n(rest_mm - travel * mapping.press_mm);
+        if (order.work.most_force_n > 0.0) force_n = std::min(force_n, order.work.most_force_n);
         const double share = std::clamp(force_n / mapping.strongest_n, 0.0, 1.0);
         strengths[zone] = static_cast<std::uint8_t>(std::lround(share * kStrongestZone));
     }
     return trigger_resistance(strengths);
+}
+
+std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept {
+    if (!order.wheel_turns) return kWheelStands;
+    const double load = std::clamp(std::isfinite(order.work.load) ? order.work.load : 0.0, 0.0, 1.0);
+    const double step = std::floor(load * kLightSteps) / kLightSteps;
+    const auto& from = step < 0.5 ? kAtEase : kStrained;
+    const auto& to = step < 0.5 ? kStrained : kGivingWay;
+    const double share = step < 0.5 ? 2.0 * step : 2.0 * step - 1.0;
+    std::array<std::uint8_t, 3> light{};
+    for (std::size_t colour = 0; colour < light.size(); ++colour) {
+        light[colour] =
+            static_cast<std::uint8_t>(std::lround((1.0 - share) * from[colour] + share * to[colour]));
+    }
+    return light;
 }
 
 DeviceCapabilities DualSenseDriver::capabilities() const {
@@ -48,7 +76,8 @@ DeviceCapabilities DualSenseDriver::capabilities() const {
             .peak_force_n = mapping_.strongest_n,
             .continuous_force_n = mapping_.strongest_n,
             .max_stiffness_n_per_mm = mapping_.stiffness_n_per_mm,
-            .position_resolution_mm = mapping_.press_mm / 255.0};
+            .position_resolution_mm = mapping_.press_mm / 255.0,
+            .has_own_walls = true};
 }
 
 Result<void> DualSenseDriver::start(const HidDeviceInfo& /*device*/, HidPort& port) {
@@ -69,9 +98,29 @@ void DualSenseDriver::take_report(std::span<const std::uint8_t> report, std::int
     if (!state) return;
     const bool pressed = (state->buttons & ~state_.buttons & DualSenseState::kCross) != 0;
     if (pressed && was_heard_) wheel_turns_ = !wheel_turns_;
+    if (was_heard_) travel(*state);
     state_ = *state;
     heard_ns_ = now_ns;
     was_heard_ = true;
+}
+
+// The same finger drawn on, and the pad tilted; height is up, whatever counts downwards in the pad.
+void DualSenseDriver::travel(const DualSenseState& now) noexcept {
+    const DualSenseTouch& before = state_.touches[0];
+    const DualSenseTouch& finger = now.touches[0];
+    if (before.touching && finger.touching && before.id == finger.id) {
+        const dvec2 drawn(static_cast<double>(finger.x) - before.x, static_cast<double>(before.y) - finger.y);
+        travelled_mm_ += drawn * (mapping_.touch_mm / kTouchWidth);
+    }
+    if ((now.buttons & DualSenseState::kL1) == 0) return;
+    const double dt_s = std::min(static_cast<double>(now.sensor_time - state_.sensor_time) * kSensorSPerStep,
+                                 kLongestSensorS);
+    const auto turned_deg = [&](std::int16_t gyro) {
+        const double deg_s = static_cast<double>(gyro) * kGyroDegSPerStep;
+        return std::abs(deg_s) <= mapping_.tilt_dead_deg_s ? 0.0 : deg_s * dt_s;
+    };
+    // Nose up is up; to the right, clockwise from above, is outwards and counts negative in the pad.
+    travelled_mm_ += mapping_.tilt_mm_per_deg * dvec2(-turned_deg(now.gyro[1]), turned_deg(now.gyro[0]));
 }
 
 double DualSenseDriver::press_mm() const noexcept {
@@ -84,7 +133,10 @@ HandInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
     input.rate_mm_s =
         mapping_.fastest_mm_s * dvec2(from_stick(state_.left_stick[0], mapping_.stick_dead_band),
                                       -from_stick(state_.left_stick[1], mapping_.stick_dead_band));
+    input.travelled_mm = travelled_mm_;
     input.press_mm = press_mm();
+    if (state_.left_trigger >= kPedalDown)
+        input.wheel_rev_min = mapping_.fastest_rev_min * state_.left_trigger / 255.0;
     input.wheel_button = wheel_turns_ || state_.left_trigger >= kPedalDown;
     input.buttons = state_.buttons;
     return input;
@@ -97,7 +149,7 @@ Result<void> DualSenseDriver::send(HidPort& port, const ForceOrder& order, std::
         static_cast<std::uint8_t>(std::lround(tremor * kMostRumble / kRumbleStep) * kRumbleStep);
     const Report report = dual_sense_report({.right_trigger = trigger_for_wall(order, press_mm(), mapping_),
                                              .rumble = DualSenseOrders::Rumble{.weak = rumble},
-                                             .light = order.wheel_turns ? kWheelTurns : kWheelStands});
+                                             .light = light_for(order)});
     if (last_sent_ && report == *last_sent_) return {};
     last_sent_ = report;
     last_sent_ns_ = now_ns;

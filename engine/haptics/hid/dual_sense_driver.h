@@ -1,7 +1,9 @@
-// Driver of the DualSense over USB. I/O thread. The left stick moves the tool (rate control), the right
-// trigger presses it inwards and meets the clay's resistance, L2 or cross turn the wheel. Never tried on
-// hardware by this project: newtons stand for shares of a trigger's strongest resistance, which its maker
-// does not tell.
+// Driver of the DualSense over USB. I/O thread. The left stick moves the tool (rate control), a finger on the
+// touch pad draws it, tilting the pad while L1 is held leads it. The right trigger presses it inwards and
+// meets the clay's resistance: as stiff as the clay is there, no stronger than a thin wall bears. L2 turns
+// the wheel, the faster the further it is pulled; cross keeps it turning. The pad trembles with the wall that
+// slides by, and its light says how near the clay is to giving way. Never tried on hardware by this project:
+// newtons stand for shares of a trigger's strongest resistance, which its maker does not tell.
 #pragma once
 
 #include <optional>
@@ -18,12 +20,21 @@ struct DualSenseMapping {
     double press_mm = 20.0;         // the right trigger pulled all the way
     double stiffness_n_per_mm = 0.5;
     double strongest_n = 3.3;  // the force that is shown as the trigger's strongest zone
+    double most_stiffness_n_per_mm = 2.0;
+    double touch_mm = 160.0;         // of the tool, for a finger drawn across the whole touch pad
+    double tilt_mm_per_deg = 1.5;    // of the tool, while L1 is held
+    double tilt_dead_deg_s = 2.0;    // a pad on a table says as much
+    double fastest_rev_min = 240.0;  // with L2 pulled all the way
 };
 
 // The trigger's resistance where the clay would push with F(x) at the travel x: each zone's centre,
 // quantised. `press_mm`: how far the trigger has the tool pressed in as the order was worked out.
 [[nodiscard]] TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
                                              const DualSenseMapping& mapping) noexcept;
+
+// The light bar: how fast the clay turns and how near it is to giving way, from green by amber to red. Dark
+// blue while the wheel stands. In coarse steps, and never flashing.
+[[nodiscard]] std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept;
 
 class DualSenseDriver final : public HidDriver {
   public:
@@ -38,9 +49,11 @@ class DualSenseDriver final : public HidDriver {
 
   private:
     [[nodiscard]] double press_mm() const noexcept;
+    void travel(const DualSenseState& now) noexcept;
 
     DualSenseMapping mapping_;
     DualSenseState state_;
+    dvec2 travelled_mm_{0.0};
     bool wheel_turns_ = false;
     std::int64_t heard_ns_ = 0;
     bool was_heard_ = false;

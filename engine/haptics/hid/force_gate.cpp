@@ -15,6 +15,7 @@ ForceOrder ForceGate::passed(const ForceOrder& order, std::int64_t now_ns) noexc
         last_order_ns_ = now_ns;
     }
     const bool is_silent = order.ticks == 0 || now_ns - last_order_ns_ > limits_.silence_ns;
+    allowed.is_starved = order.ticks != 0 && now_ns - last_order_ns_ > limits_.starved_ns;
     const double size_n = std::sqrt(order.force_n.x * order.force_n.x + order.force_n.y * order.force_n.y +
                                     order.tangential_n * order.tangential_n);
     const bool is_number =

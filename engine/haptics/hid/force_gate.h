@@ -15,6 +15,8 @@ struct ForceGateLimits {
     // No new order for so long: no force. Two ticks of the slowest rate (100 Hz). USB devices are told every
     // 4 ms, so that the 5 ms that a faster bus could keep are out of reach.
     std::int64_t silence_ns = 20 * kMs;
+    // For so long: the loop counts as dead, and devices with effects of their own are stopped altogether.
+    std::int64_t starved_ns = 100 * kMs;
     // From nothing to full force after plugging in, and after any silence ...
     std::int64_t ramp_ns = 1000 * kMs;
     // ... which begins only at a small order: a device plugged in while the tool is deep in the clay stays

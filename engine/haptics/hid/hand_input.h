@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/haptics/haptic_device.h"
 #include "engine/math/math.h"
 
 namespace onggi::haptics::hid {
@@ -33,10 +34,17 @@ struct HandInput {
         kPlace  // the hand holds the tool: where it is, mm
     };
     Motion motion = Motion::kNone;
-    dvec2 rate_mm_s{0.0};   // radius, height
-    dvec2 place_mm{0.0};    // radius, height
+    dvec2 rate_mm_s{0.0};  // radius, height
+    dvec2 place_mm{0.0};   // radius, height
+    // Besides either: how far the hand has pushed the tool since it was plugged in, a sum that only its
+    // changes are taken from, so that no report is missed.
+    dvec2 travelled_mm{0.0};
     double press_mm = 0.0;  // how far the tool reaches inwards from where it stands: a trigger's travel
     bool wheel_button = false;
+    // How fast the wheel shall turn while its button is held: by itself, 0 for no wish, or by how fast it
+    // shall change.
+    double wheel_rev_min = 0.0;
+    double wheel_change_rev_min_s = 0.0;
     bool is_live = false;         // false: nothing plugged in, or silent for too long; nothing above counts
     std::uint32_t buttons = 0;    // bit 0 the first; for screens
     std::uint64_t heartbeat = 0;  // counts the I/O thread's rounds: it must not stand still
@@ -48,7 +56,10 @@ struct ForceOrder {
     double tangential_n = 0.0;  // along the turning wall: devices without that axis may show it as a tremor
     dvec2 tool_mm{0.0};         // radius, height the force was worked out for
     bool wheel_turns = false;
+    WorkFelt work = {};       // what the force came from
     std::uint64_t ticks = 0;  // counts orders: it must not stand still
+    // Set by the gate: orders came once, and have stayed away for so long that the loop must be dead.
+    bool is_starved = false;
 };
 
 }  // namespace onggi::haptics::hid

@@ -49,8 +49,14 @@ HidDevice::HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBu
       capabilities_(driver_for(options)->capabilities()),
       session_(link_, std::move(bus), driver_for(options),
                {.kind = options.kind,
+                .only = options.only,
                 .force = {.peak_n = capabilities_.force_axes > 0 ? capabilities_.peak_force_n : 0.0}}),
-      mover_(options.reach) {}
+      mover_(options.reach) {
+    // The I/O thread's round, writes included: what its mailbox holds is never much younger.
+    constexpr double kRoundsPerS = 100.0;
+    capabilities_.report_rate_hz = kRoundsPerS;
+    capabilities_.has_own_walls = true;
+}
 
 Result<void> HidDevice::open() {
     if (thread_.running()) return {};
@@ -71,29 +77,35 @@ void HidDevice::write(const dvec3& force_n) noexcept {
                      .tangential_n = force_n.z,
                      .tool_mm = {tool_.position_mm.x, tool_.position_mm.y},
                      .wheel_turns = tool_.wheel_button,
+                     .work = work_,
                      .ticks = ++ticks_});
+}
+
+int let_go_of_all(hid::HidBus& bus) {
+    const auto devices = bus.list();
+    if (!devices) return 0;
+    int count = 0;
+    for (const HidDeviceInfo& info : *devices) {
+        if (info.kind == HidKind::kUnknown || !info.refusal.empty()) continue;
+        const auto driver = driver_for({.kind = info.kind});
+        if (driver->capabilities().force_axes == 0) continue;
+        auto port = bus.open(info);
+        if (!port) continue;
+        // start() makes it known what the device is, and stops all that was there before.
+        if (driver->start(info, **port)) ++count;
+        driver->stop(**port);
+    }
+    return count;
+}
+
+int let_go_of_all() {
+    const auto bus = hid::make_hidapi_bus();
+    return let_go_of_all(*bus);
 }
 
 std::unique_ptr<HidDevice> make_hid_device(const HidDeviceOptions& options) {
     if (options.kind == HidKind::kUnknown) return nullptr;
     return std::make_unique<HidDevice>(options, hid::make_hidapi_bus());
-}
-
-Result<void> PedalledDevice::open() {
-    (void)pedal_.open();
-    return tool_.open();
-}
-
-void PedalledDevice::close() noexcept {
-    tool_.close();
-    pedal_.close();
-}
-
-ToolState PedalledDevice::read(std::uint64_t tick, double dt_s) noexcept {
-    const bool pedal_is_down = pedal_.read(tick, dt_s).wheel_button;
-    ToolState tool = tool_.read(tick, dt_s);
-    tool.wheel_button = tool.wheel_button || pedal_is_down;
-    return tool;
 }
 
 }  // namespace onggi::haptics

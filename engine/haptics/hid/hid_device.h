@@ -12,8 +12,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
-#include "engine/haptics/haptic_device.h"
+#include "engine/haptics/hand.h"
 #include "engine/haptics/hid/dual_sense_driver.h"
 #include "engine/haptics/hid/hid_kind.h"
 #include "engine/haptics/hid/hid_session.h"
@@ -29,9 +30,10 @@ struct HidDeviceOptions {
     hid::SpaceMouseMapping space_mouse = {};
     hid::DualSenseMapping dual_sense = {};
     hid::PidMapping joystick = {};  // its reach is taken from above
+    std::string only = {};          // of several of its kind, this node (/dev/hidrawN); empty: any
 };
 
-class HidDevice final : public HapticDevice {
+class HidDevice final : public Hand {
   public:
     HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBus> bus);
     ~HidDevice() override { close(); }
@@ -43,7 +45,16 @@ class HidDevice final : public HapticDevice {
     [[nodiscard]] DeviceCapabilities capabilities() const override { return capabilities_; }
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
+    [[nodiscard]] HandSigns signs() const noexcept override {
+        return {.position_is_new = mover_.was_heard(), .hand_is_there = mover_.input_is_live()};
+    }
     void write(const dvec3& force_n) noexcept override;
+    void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
+    void feel(const WorkFelt& work) noexcept override { work_ = work; }
+
+    [[nodiscard]] bool is_here() const noexcept override { return mover_.input_is_live(); }
+    [[nodiscard]] bool is_moving() const noexcept override { return mover_.hand_moves(); }
+    void take_over(const ToolState& tool) noexcept override { mover_.put_at(tool.position_mm); }
 
     // Main thread, any time.
     [[nodiscard]] const hid::HidStatus& status() noexcept { return link_.status.latest(); }
@@ -58,27 +69,17 @@ class HidDevice final : public HapticDevice {
     // Haptic thread only.
     hid::ToolMover mover_;
     ToolState tool_;
+    WorkFelt work_;
     std::uint64_t ticks_ = 0;
 };
 
+// All that is plugged in and can push is told to let go, whoever told it to push: for the supervisor of a
+// program that has died. Opens, stops and closes each; may take some 100 ms. Gives how many did as they were
+// told.
+int let_go_of_all(hid::HidBus& bus);
+int let_go_of_all();  // on the real bus
+
 // With the real bus, hidapi's. Null for kUnknown.
 [[nodiscard]] std::unique_ptr<HidDevice> make_hid_device(const HidDeviceOptions& options);
-
-// A tool held in one hand and a pedal for the wheel: either's button turns it. Neither is owned.
-class PedalledDevice final : public HapticDevice {
-  public:
-    PedalledDevice(HapticDevice& tool, HapticDevice& pedal) : tool_(tool), pedal_(pedal) {}
-
-    // Opens both. A pedal that cannot be opened is no reason to refuse the tool's.
-    Result<void> open() override;
-    void close() noexcept override;
-    [[nodiscard]] DeviceCapabilities capabilities() const override { return tool_.capabilities(); }
-    [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
-    void write(const dvec3& force_n) noexcept override { tool_.write(force_n); }
-
-  private:
-    HapticDevice& tool_;
-    HapticDevice& pedal_;
-};
 
 }  // namespace onggi::haptics

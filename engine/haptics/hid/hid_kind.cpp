@@ -82,11 +82,13 @@ std::string_view what_it_does(HidKind kind) {
         case HidKind::kForceJoystick:
             return "moves the tool in radius and height and pushes back in both";
         case HidKind::kSpaceMouse:
-            return "moves the tool in radius and height; no force; button 1 starts and stops the wheel";
+            return "moves the tool in radius and height; no force; button 1 starts and stops the wheel, a "
+                   "twist changes its speed";
         case HidKind::kDualSense:
-            return "moves the tool; its right trigger presses into the clay and pushes back";
+            return "moves the tool by stick, touch pad or tilt; its right trigger presses into the clay and "
+                   "pushes back";
         case HidKind::kVecPedal:
-            return "turns the wheel while a pedal is down";
+            return "turns the wheel while a pedal is down, faster by the right one, slower by the left";
         case HidKind::kUnknown:
             break;
     }
@@ -125,10 +127,12 @@ std::string udev_rule(std::uint16_t vendor_id, std::uint16_t product_id) {
 void recognise(HidDeviceInfo& device) {
     device.kind = kind_by_number(device);
     device.refusal.clear();
+    device.remedy.clear();
     const auto descriptor = ReportDescriptor::parse(device.report_descriptor);
     const bool by_descriptor = device.kind == HidKind::kUnknown || device.kind == HidKind::kForceJoystick;
     if (device.kind == HidKind::kDualSense && device.bus == HidBusType::kBluetooth) {
-        device.refusal = "expected a USB cable, found Bluetooth; plug it in";
+        device.refusal = "expected a USB cable, found Bluetooth";
+        device.remedy = "plug it in with a cable";
     } else if (by_descriptor && !descriptor) {
         device.refusal = descriptor.error().message;
     } else if (device.kind == HidKind::kUnknown && is_newer_space_mouse(device, *descriptor)) {
@@ -143,11 +147,10 @@ void recognise(HidDeviceInfo& device) {
     if (device.kind == HidKind::kUnknown) {
         device.refusal = "no driver here knows it";
     } else if (!device.may_open) {
-        device.refusal = fmt::format(
-            "may not be opened by this user; put this line into /etc/udev/rules.d/70-onggi.rules and plug it "
-            "in "
-            "again: {}",
-            udev_rule(device.vendor_id, device.product_id));
+        device.refusal = "may not be opened by this user";
+        device.remedy =
+            fmt::format("put this line into /etc/udev/rules.d/70-onggi.rules and plug it in again: {}",
+                        udev_rule(device.vendor_id, device.product_id));
     }
 }
 

@@ -12,8 +12,9 @@
 
 namespace onggi::haptics::hid {
 
-// Fills kind, can and refusal from all else. A device of a known kind is refused when it may not be opened,
-// when it hangs on Bluetooth where only USB is spoken, or when its descriptor lacks what a force needs.
+// Fills kind, can, refusal and remedy from all else. A device of a known kind is refused when it may not be
+// opened, when it hangs on Bluetooth where only USB is spoken, or when its descriptor lacks what a force
+// needs.
 void recognise(HidDeviceInfo& device);
 
 [[nodiscard]] std::string_view words_for(HidKind kind);

@@ -32,7 +32,8 @@ struct HidDeviceInfo {
     // Worked out of the above (hid_kind.h).
     HidKind kind = HidKind::kUnknown;
     std::string can = {};      // one line: what it does here; empty for an unknown device
-    std::string refusal = {};  // one line: why it is not used, and what would mend it; empty where it is
+    std::string refusal = {};  // one line: why it is not used; empty where it is
+    std::string remedy = {};   // one line: what would mend that; empty where nothing here does
 };
 
 // One entry a device (hidapi gives one a usage collection), ordered by path.

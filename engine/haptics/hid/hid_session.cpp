@@ -32,6 +32,7 @@ void HidSession::search(std::int64_t now_ns) {
     const HidDeviceInfo* found = nullptr;
     for (const HidDeviceInfo& device : *devices) {
         if (device.kind != options_.kind) continue;
+        if (!options_.only.empty() && device.path != options_.only) continue;
         if (found == nullptr || (!found->refusal.empty() && device.refusal.empty())) found = &device;
     }
     if (found == nullptr) {
@@ -41,7 +42,7 @@ void HidSession::search(std::int64_t now_ns) {
     HidStatus status{.name = found->name, .path = found->path};
     if (!found->refusal.empty()) {
         status.state = HidStatus::State::kRefused;
-        status.message = found->refusal;
+        status.message = found->refusal + (found->remedy.empty() ? "" : "; " + found->remedy);
         publish(std::move(status));
         return;
     }
@@ -91,8 +92,9 @@ void HidSession::exchange(std::int64_t now_ns) {
     }
 
     ForceOrder order = gate_.passed(link_.force.latest(), now_ns);
-    if (!input.is_live) {
-        // The clay's force belongs to a place where the hand may no longer be.
+    const std::uint32_t silences = link_.silences.load(std::memory_order_relaxed);
+    if (!input.is_live || std::exchange(silences_, silences) != silences) {
+        // The clay's force belongs to a place where the hand may no longer be, or to a time that has passed.
         gate_.restart();
         order.force_n = dvec2(0.0);
         order.tangential_n = 0.0;

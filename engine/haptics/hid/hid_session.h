@@ -3,6 +3,7 @@
 // but for the mailboxes of HidLink, whose other end another thread has.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -37,10 +38,13 @@ struct HidLink {
     jobs::Mailbox<HandInput> input;   // I/O thread to haptic thread
     jobs::Mailbox<ForceOrder> force;  // haptic thread to I/O thread
     jobs::Mailbox<HidStatus> status;  // I/O thread to main thread
+    // Watchdog to I/O thread: how often it asked for no force, because the haptic thread stands still.
+    std::atomic<std::uint32_t> silences{0};
 };
 
 struct HidSessionOptions {
     HidKind kind = HidKind::kUnknown;
+    std::string only = {};  // the one node to use; empty: any of the kind
     ForceGateLimits force;
 };
 
@@ -77,6 +81,7 @@ class HidSession final : public jobs::IoWork {
     std::unique_ptr<HidPort> port_;
     HidStatus status_;
     std::uint64_t heartbeat_ = 0;
+    std::uint32_t silences_ = 0;
     std::optional<std::int64_t> next_search_ns_;  // none: at once
     std::int64_t next_presence_ns_ = 0;
 };

@@ -50,7 +50,8 @@ DeviceCapabilities PidDriver::capabilities() const {
             .continuous_force_n = mapping_.peak_n,
             .max_stiffness_n_per_mm = mapping_.stiffness_n_per_mm,
             .position_resolution_mm =
-                (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / kCountsOfTravel};
+                (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / kCountsOfTravel,
+            .has_own_walls = true};
 }
 
 Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
@@ -62,7 +63,7 @@ Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
     effects_.clear();
     stick_ = {};
     device_state_ = {};
-    was_heard_ = wheel_turns_ = is_started_ = false;
+    was_heard_ = wheel_turns_ = is_started_ = is_stopped_ = false;
     auto begun = begin(port);
     if (!begun) stop(port);
     return begun;
@@ -187,7 +188,10 @@ PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
     const double middle_mm = (reach.most_radius_mm + reach.least_radius_mm) / 2.0;
     // A coefficient of 1 gives full scale one unit beyond the centre; a weak stick cannot be as stiff as
     // wanted.
-    const double stiffness = std::min(mapping_.stiffness_n_per_mm, mapping_.full_scale_n / mm_per_unit);
+    const double clay = order.work.stiffness_n_per_mm;
+    const double wanted =
+        clay > 0.0 ? std::min(clay, mapping_.stiffness_n_per_mm) : mapping_.stiffness_n_per_mm;
+    const double stiffness = std::min(wanted, mapping_.full_scale_n / mm_per_unit);
     const auto wall = local_wall(order, stiffness);
     if (!wall) return condition;
     condition.centre = std::clamp((wall->contact_mm - middle_mm) / mm_per_unit, -1.0, 1.0);
@@ -242,6 +246,22 @@ Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_
     last_told_ns_ = now_ns;
     if (!is_started_) last_start_ns_ = now_ns;
     is_started_ = true;
+    // The loop is dead: nothing the device still runs by itself may be felt. Should it come back, the effects
+    // are started again, some devices' actuators first; they have been told of no force.
+    if (order.is_starved) {
+        if (is_stopped_) return {};
+        is_stopped_ = true;
+        for (Effect& effect : effects_) {
+            if (auto told = tell(port, effect, {.tool_mm = order.tool_mm}); !told) return told;
+        }
+        return write(port, device_control(*layout_, PidUsage::kStopAll));
+    }
+    if (is_stopped_) {
+        is_stopped_ = false;
+        last_start_ns_ = now_ns;
+        if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
+        return start_effects(port);
+    }
     // An emergency stop at the device, or actuators that it switched off: it gets no force until it is let
     // go.
     const bool is_held = !device_state_.safety_switch_on || !device_state_.actuators_enabled;
@@ -251,6 +271,10 @@ Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_
     }
     if (now_ns - last_start_ns_ < kRestartNs) return {};
     last_start_ns_ = now_ns;
+    return start_effects(port);
+}
+
+Result<void> PidDriver::start_effects(HidPort& port) {
     for (const Effect& effect : effects_) {
         if (auto sent = write(port, effect_operation(*layout_, effect.block, PidUsage::kStart, 1)); !sent)
             return sent;

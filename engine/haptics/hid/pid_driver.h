@@ -57,6 +57,7 @@ class PidDriver final : public HidDriver {
     // None: the device has no room for it.
     Result<std::optional<Effect>> load(HidPort& port, PidUsage type, Axis axis);
     [[nodiscard]] bool can_show_a_wall() const noexcept;
+    Result<void> start_effects(HidPort& port);
     Result<void> tell(HidPort& port, Effect& effect, const ForceOrder& order);
     [[nodiscard]] PidCondition wall_condition(const ForceOrder& order) const noexcept;
     [[nodiscard]] double share_of_force(double force_n) const noexcept;
@@ -71,6 +72,7 @@ class PidDriver final : public HidDriver {
     std::int64_t heard_ns_ = 0;
     std::int64_t last_start_ns_ = 0;
     std::int64_t last_told_ns_ = 0;
+    bool is_stopped_ = false;  // by starvation
     bool is_started_ = false;  // last_start_ns_ and last_told_ns_ mean something
 };
 

@@ -32,6 +32,9 @@ HandInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
     input.is_live = state_.at_rest() || now_ns - heard_ns_ <= kSpaceMouseSilenceNs;
     input.rate_mm_s = space_mouse_rate_mm_s(state_, mapping_);
     input.wheel_button = wheel_turns_;
+    // Twisted to the right it turns faster; about the axis that points down, a positive turn.
+    input.wheel_change_rev_min_s =
+        mapping_.fastest_change_rev_min_s * shaped_axis(state_.rotation[2], mapping_);
     input.buttons = state_.buttons;
     return input;
 }
@@ -58,6 +61,9 @@ HandInput VecPedalDriver::input(std::int64_t /*now_ns*/) const noexcept {
     HandInput input;
     input.is_live = true;
     input.wheel_button = state_.any();
+    constexpr double kChangeRevMinS = 40.0;
+    input.wheel_change_rev_min_s =
+        (state_.right ? kChangeRevMinS : 0.0) - (state_.left ? kChangeRevMinS : 0.0);
     input.buttons = (state_.left ? 1U : 0U) | (state_.middle ? 2U : 0U) | (state_.right ? 4U : 0U);
     return input;
 }

@@ -8,8 +8,8 @@
 
 namespace onggi::haptics::hid {
 
-// Push to move the tool (rate control); button 1 starts and stops the wheel; the lamp burns while it is
-// heard.
+// Push to move the tool (rate control); button 1 starts and stops the wheel, a twist changes its speed; the
+// lamp burns while it is heard.
 class SpaceMouseDriver final : public HidDriver {
   public:
     explicit SpaceMouseDriver(const SpaceMouseMapping& mapping = {}) : mapping_(mapping) {}
@@ -28,7 +28,7 @@ class SpaceMouseDriver final : public HidDriver {
     std::int64_t heard_ns_ = 0;
 };
 
-// Any pedal down turns the wheel.
+// Any pedal down turns the wheel; the right one makes it faster meanwhile, the left one slower.
 class VecPedalDriver final : public HidDriver {
   public:
     [[nodiscard]] DeviceCapabilities capabilities() const override;

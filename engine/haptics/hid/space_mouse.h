@@ -41,6 +41,7 @@ struct SpaceMouseMapping {
     double full_scale = 350.0;  // of the descriptor's logical range; more is held to it
     double dead_band = 15.0;
     double fastest_mm_s = 150.0;
+    double fastest_change_rev_min_s = 80.0;  // of the wheel, twisted all the way
 };
 
 // An axis as -1 to 1: zero within the dead band, then growing from zero by the third power, so that a light

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "engine/haptics/hand.h"
 #include "engine/haptics/hid/hand_input.h"
 #include "engine/haptics/tool_state.h"
 
@@ -19,6 +20,14 @@ class ToolMover {
     // stays where it is and the wheel's button is up.
     [[nodiscard]] ToolState moved(const HandInput& input, double dt_s) noexcept;
     [[nodiscard]] bool input_is_live() const noexcept { return is_live_; }
+    // About the last moved(): the input's heart has beaten since the one before.
+    [[nodiscard]] bool was_heard() const noexcept { return silence_s_ == 0.0; }
+    // About the last moved(): the person did something, a press of a button included.
+    [[nodiscard]] bool hand_moves() const noexcept { return is_live_ && hand_moves_; }
+    // The tool was brought here; a hand that says how fast goes on from there.
+    void put_at(const dvec3& position_mm) noexcept {
+        place_mm_ = reach_.within({position_mm.x + press_mm_, position_mm.y});
+    }
 
   private:
     // Rounds of the I/O thread are some ms apart, writes included.
@@ -27,12 +36,23 @@ class ToolMover {
     // tearing it through at once. Faster than a hand works.
     static constexpr double kFastestMmS = 600.0;
 
+    static constexpr double kUsualRevMin = 120.0;
+    static constexpr double kSlowestRevMin = 20.0;
+    static constexpr double kFastestRevMin = 240.0;
+    // A held stick trembles by less, and a trigger at rest too.
+    static constexpr double kNoiseMm = 1.5;
+
     ToolReach reach_;
     dvec2 place_mm_;  // radius, height, without the press
     double press_mm_ = 0.0;
+    dvec2 travelled_mm_{0.0};  // of the input's sum, what is in place_mm_ already
+    double wheel_rev_min_ = kUsualRevMin;
     std::uint64_t last_heartbeat_ = 0;
     double silence_s_ = 0.0;
     bool is_live_ = false;
+    MotionSense sense_{kNoiseMm};
+    std::uint32_t last_buttons_ = 0;
+    bool hand_moves_ = false;
 };
 
 }  // namespace onggi::haptics::hid

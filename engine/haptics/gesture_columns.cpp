@@ -1,0 +1,102 @@
+#include "engine/haptics/gesture_columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <span>
+
+namespace onggi::haptics {
+namespace {
+
+using Complaint = std::optional<std::string>;
+
+Complaint take_number(std::string_view field, double least, double most, double& number) {
+    double found = 0.0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), found);
+    if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(found))
+        return "a finite number";
+    if (found < least || found > most) return fmt::format("{} to {}", least, most);
+    number = found;
+    return std::nullopt;
+}
+
+// The words stand in the order of the enum's numbers.
+template <typename Enum, std::size_t kCount>
+Complaint take_word(std::string_view field, const std::array<std::string_view, kCount>& words, Enum& value) {
+    const auto found = std::find(words.begin(), words.end(), field);
+    if (found == words.end()) return fmt::format("{}", fmt::join(words, ", "));
+    value = static_cast<Enum>(found - words.begin());
+    return std::nullopt;
+}
+
+constexpr std::array<std::string_view, 4> kTools{"hand", "rib", "sponge", "trimmer"};
+constexpr std::array<std::string_view, 4> kSides{"auto", "outer", "inner", "rim"};
+constexpr std::array<std::string_view, 3> kWires{"none", "rim", "off"};
+
+Complaint take_coordinate(std::string_view field, double& number, bool& present) {
+    auto complaint = take_number(field, -kWorkspaceMm, kWorkspaceMm, number);
+    present = !complaint;
+    return complaint;
+}
+
+}  // namespace
+
+GestureColumn gesture_column(std::string_view name) {
+    const auto found = std::find(kGestureColumns.begin(), kGestureColumns.end(), name);
+    return static_cast<GestureColumn>(found - kGestureColumns.begin());
+}
+
+std::optional<std::string> take_field(GestureColumn column, std::string_view field, ToolState& tool) {
+    if (field.empty()) return std::nullopt;
+    SecondHand& second = tool.second;
+    switch (column) {
+        case GestureColumn::kTool:
+            return take_word(field, kTools, tool.tool);
+        case GestureColumn::kSide:
+            return take_word(field, kSides, tool.side);
+        case GestureColumn::kWater:
+            return take_number(field, 0.0, 1.0, tool.water);
+        case GestureColumn::kWheelSpeed:
+            return take_number(field, 0.0, kMaxWheelSpeedRevMin, tool.wheel_speed_rev_min);
+        case GestureColumn::kAssistGap:
+            return take_number(field, 0.0, kMaxAssistGapMm, tool.assist_gap_mm);
+        case GestureColumn::kShaft:
+            return take_number(field, 0.0, kMaxToolRadiusMm, tool.shaft_mm);
+        case GestureColumn::kWire:
+            return take_word(field, kWires, tool.wire);
+        case GestureColumn::kWireHeight:
+            return take_number(field, 0.0, kWorkspaceMm, tool.wire_height_mm);
+        case GestureColumn::kSecondX:
+            return take_coordinate(field, second.position_mm.x, second.present);
+        case GestureColumn::kSecondY:
+            return take_number(field, -kWorkspaceMm, kWorkspaceMm, second.position_mm.y);
+        case GestureColumn::kSecondZ:
+            return take_number(field, -kWorkspaceMm, kWorkspaceMm, second.position_mm.z);
+        case GestureColumn::kSecondRadius:
+            return take_number(field, kMinToolRadiusMm, kMaxToolRadiusMm, second.radius_mm);
+        case GestureColumn::kSecondTool:
+            return take_word(field, kTools, second.tool);
+        case GestureColumn::kNotOurs:
+            break;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string_view> missing_column(const std::vector<GestureColumn>& columns) {
+    using enum GestureColumn;
+    const auto has = [&](GestureColumn column) {
+        return std::find(columns.begin(), columns.end(), column) != columns.end();
+    };
+    const auto name = [](GestureColumn column) { return kGestureColumns[static_cast<std::size_t>(column)]; };
+    if (has(kWire) && !has(kWireHeight)) return name(kWireHeight);
+    constexpr std::array kSecond{kSecondX, kSecondY, kSecondZ, kSecondRadius, kSecondTool};
+    if (std::none_of(kSecond.begin(), kSecond.end(), has)) return std::nullopt;
+    for (const GestureColumn column : std::span(kSecond).first(3)) {
+        if (!has(column)) return name(column);
+    }
+    return std::nullopt;
+}
+
+}  // namespace onggi::haptics

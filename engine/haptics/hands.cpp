@@ -1,0 +1,133 @@
+#include "engine/haptics/hands.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace onggi::haptics {
+
+Hands::Hands(std::vector<std::unique_ptr<Hand>> hands, const HandsOptions& options)
+    : hands_(std::move(hands)),
+      options_(options),
+      chooser_(options.chooser),
+      tools_(hands_.size()),
+      seen_(hands_.size()) {
+    assert(!hands_.empty());
+    for (const auto& hand : hands_)
+        motors_.push_back({.limits = limits_for(hand->capabilities()), .state = {}});
+    // The first is there from the start, and the start has the loop's own ramp.
+    motors_.front().state.ramp = 1.0;
+    motors_.front().state.calm_ticks = motors_.front().limits.small_force_ticks + 1;
+}
+
+DeviceCapabilities Hands::capabilities() const {
+    DeviceCapabilities all = hands_.front()->capabilities();
+    for (const auto& hand : hands_) {
+        const DeviceCapabilities one = hand->capabilities();
+        if (one.force_axes > 0 && one.has_motors && !one.has_own_walls && one.max_stiffness_n_per_mm > 0.0)
+            all.max_stiffness_n_per_mm = std::min(all.max_stiffness_n_per_mm, one.max_stiffness_n_per_mm);
+    }
+    return all;
+}
+
+Result<void> Hands::open() {
+    knows_a_tool_ = approaches_ = false;
+    for (const auto& pedal : pedals_)
+        (void)pedal->open();
+    for (std::size_t hand = 1; hand < hands_.size(); ++hand)
+        (void)hands_[hand]->open();
+    return hands_.front()->open();
+}
+
+void Hands::close() noexcept {
+    for (const auto& hand : hands_)
+        hand->close();
+    for (const auto& pedal : pedals_)
+        pedal->close();
+}
+
+namespace {
+
+// The wheel turns while anybody wants it to; who came last in the list says how fast.
+void turn_by(ToolState& tool, const ToolState& foot, bool counts) noexcept {
+    if (!counts || !foot.wheel_button) return;
+    tool.wheel_button = true;
+    tool.wheel_speed_rev_min = foot.wheel_speed_rev_min;
+}
+
+}  // namespace
+
+ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
+    dt_s_ = dt_s;
+    for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
+        tools_[hand] = hands_[hand]->read(tick, dt_s);
+        seen_[hand] = {.is_here = hands_[hand]->is_here(), .is_moving = hands_[hand]->is_moving()};
+    }
+    const std::size_t before = holder_;
+    holder_ = chooser_.choose(seen_, dt_s);
+    if (holder_ != before) {
+        shown_holder_.store(holder_, std::memory_order_relaxed);
+        hands_[holder_]->take_over(tool_);
+        approaches_ = knows_a_tool_;
+        restart_ramp(motors_[holder_].state);
+    }
+
+    ToolState tool = tools_.front();
+    if (holder_ != 0) {
+        const ToolState& held = tools_[holder_];
+        tool.position_mm = held.position_mm;
+        turn_by(tool, held, seen_[holder_].is_here);
+    }
+    for (const auto& pedal : pedals_)
+        turn_by(tool, pedal->read(tick, dt_s), true);
+
+    if (approaches_) {
+        const dvec3 way = tool.position_mm - tool_.position_mm;
+        const double length = std::sqrt(glm::dot(way, way));
+        const double most_mm = options_.fastest_mm_s * dt_s;
+        approaches_ = length > most_mm;
+        if (approaches_) tool.position_mm = tool_.position_mm + way * (most_mm / length);
+    }
+    knows_a_tool_ = true;
+    return tool_ = tool;
+}
+
+void Hands::write(const dvec3& force_n) noexcept {
+    const SafetyInput input{.position_mm = tool_.position_mm, .dt_s = dt_s_};
+    for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
+        Motors& motors = motors_[hand];
+        const dvec3 wanted_n =
+            hand == holder_ ? ramp(force_n, input, motors.limits, motors.state) : dvec3(0.0);
+        // In and out of use, so that motors cool while another works.
+        const dvec3 borne_n = budget(wanted_n, input, motors.limits, motors.state);
+        const dvec3 given_n = clamp(borne_n, input, motors.limits, motors.state);
+        motors.state.applied_force_n = given_n;
+        hands_[hand]->write(given_n);
+    }
+}
+
+std::vector<DeviceCapabilities> Hands::capabilities_of_hands() const {
+    std::vector<DeviceCapabilities> all;
+    for (const auto& hand : hands_)
+        all.push_back(hand->capabilities());
+    return all;
+}
+
+HandSigns Hands::signs() const noexcept {
+    HandSigns signs = hands_[holder_]->signs();
+    signs.position_is_new = signs.position_is_new && seen_[holder_].is_here;
+    signs.hand_is_there = signs.hand_is_there && seen_[holder_].is_here;
+    signs.hand = holder_;
+    return signs;
+}
+
+void Hands::silence() noexcept {
+    for (const auto& hand : hands_)
+        hand->silence();
+}
+
+void Hands::feel(const WorkFelt& work) noexcept {
+    hands_[holder_]->feel(work);
+}
+
+}  // namespace onggi::haptics

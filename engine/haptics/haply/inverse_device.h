@@ -1,0 +1,50 @@
+// The Haply Inverse3 as the rest of the program sees any device: three axes of force, through the service of
+// its maker on this machine (a WebSocket on 127.0.0.1). It may come and go at any time. It renders all of Eq.
+// (3) to (7), as no joystick can.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/haptics/hand.h"
+#include "engine/haptics/haply/inverse_client.h"
+#include "engine/haptics/haply/inverse_session.h"
+
+namespace onggi::haptics {
+
+class InverseDevice final : public Hand {
+  public:
+    explicit InverseDevice(const haply::InverseOptions& options = {});
+    ~InverseDevice() override { close(); }
+
+    // Never waits for the service. Error: no thread.
+    Result<void> open() override;
+    // Leaves the device without force.
+    void close() noexcept override { thread_.stop(); }
+    [[nodiscard]] DeviceCapabilities capabilities() const override;
+
+    [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
+    void write(const dvec3& force_n) noexcept override;
+    [[nodiscard]] bool is_here() const noexcept override { return is_here_; }
+    [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
+    void take_over(const ToolState& tool) noexcept override;
+
+    // Main thread, any time.
+    [[nodiscard]] const hid::HidStatus& status() noexcept { return link_.status.latest(); }
+
+  private:
+    haply::InverseOptions options_;
+    haply::InverseLink link_;
+    haply::InverseClient client_;
+    jobs::IoThread thread_;
+    // Haptic thread only.
+    dvec3 offset_mm_;  // from the cursor's place to the tool's
+    ToolState tool_;
+    std::uint64_t last_heartbeat_ = 0;
+    double silence_s_ = 0.0;
+    bool is_here_ = false;
+    bool is_moving_ = false;
+    MotionSense sense_;
+    std::uint64_t ticks_ = 0;
+};
+
+}  // namespace onggi::haptics

@@ -1,0 +1,20 @@
+#include <algorithm>
+
+#include "engine/haptics/safety/stages.h"
+
+namespace onggi::haptics {
+
+dvec3 ramp(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+           SafetyState& state) noexcept {
+    if (state.fault != Fault::kNone) return dvec3(0.0);
+    if (state.calm_ticks <= limits.small_force_ticks) {
+        const bool small = glm::dot(force_n, force_n) < limits.small_force_n * limits.small_force_n;
+        state.calm_ticks = small ? state.calm_ticks + 1 : 0;
+        return dvec3(0.0);
+    }
+    if (state.ramp == 1.0) return force_n;
+    state.ramp = std::min(1.0, state.ramp + input.dt_s / limits.ramp_s);
+    return force_n * state.ramp;
+}
+
+}  // namespace onggi::haptics

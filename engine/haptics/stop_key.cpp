@@ -1,0 +1,89 @@
+#include "engine/haptics/stop_key.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <linux/input.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <utility>
+
+namespace onggi::haptics {
+namespace {
+
+constexpr std::array<std::uint16_t, 2> kStopKeys{KEY_PAUSE, KEY_STOP};
+constexpr int kWaitMs = 20;
+constexpr std::size_t kMostKeyboards = 16;
+
+bool has_a_stop_key(int file) {
+    std::array<unsigned char, KEY_MAX / 8 + 1> keys{};
+    if (::ioctl(file, EVIOCGBIT(EV_KEY, keys.size()), keys.data()) < 0) return false;
+    return std::any_of(kStopKeys.begin(), kStopKeys.end(),
+                       [&](std::uint16_t key) { return (unsigned{keys[key / 8U]} >> (key % 8U) & 1U) != 0; });
+}
+
+}  // namespace
+
+std::vector<int> open_stop_keys(const std::string& folder) {
+    std::vector<int> files;
+    DIR* entries = ::opendir(folder.c_str());
+    if (entries == nullptr) return files;
+    while (const dirent* entry = ::readdir(entries)) {
+        if (!std::string_view(entry->d_name).starts_with("event") || files.size() == kMostKeyboards) continue;
+        const int file = ::open((folder + "/" + entry->d_name).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        if (file < 0) continue;
+        if (has_a_stop_key(file)) {
+            files.push_back(file);
+        } else {
+            ::close(file);
+        }
+    }
+    ::closedir(entries);
+    return files;
+}
+
+StopKey::StopKey(std::vector<int> files, std::function<void()> pressed)
+    : files_(std::move(files)),
+      pressed_(std::move(pressed)) {}
+
+StopKey::~StopKey() {
+    for (const int file : files_)
+        if (file >= 0) ::close(file);
+}
+
+std::int64_t StopKey::round(std::int64_t /*now_ns*/) noexcept {
+    std::array<pollfd, kMostKeyboards> waits{};
+    const std::size_t count = std::min(files_.size(), waits.size());
+    for (std::size_t k = 0; k < count; ++k)
+        waits[k] = {.fd = files_[k], .events = POLLIN, .revents = 0};
+    // A file that is gone is -1, which poll passes over; with none left it is a rest.
+    if (::poll(waits.data(), count, kWaitMs) <= 0) return 0;
+    for (std::size_t k = 0; k < count; ++k)
+        if (waits[k].revents != 0) drain(files_[k]);
+    return 0;
+}
+
+void StopKey::drain(int& file) noexcept {
+    std::array<input_event, 16> events{};
+    const ssize_t size = ::read(file, events.data(), sizeof(events));
+    if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (size <= 0) {  // pulled out
+        ::close(std::exchange(file, -1));
+        return;
+    }
+    constexpr std::int32_t kPressed = 1;  // 0 is let go, 2 repeated
+    const std::size_t count = static_cast<std::size_t>(size) / sizeof(input_event);
+    const bool is_pressed = std::any_of(
+        events.begin(), events.begin() + static_cast<std::ptrdiff_t>(count), [](const input_event& event) {
+            return event.type == EV_KEY && event.value == kPressed &&
+                   std::find(kStopKeys.begin(), kStopKeys.end(), event.code) != kStopKeys.end();
+        });
+    if (is_pressed) pressed_();
+}
+
+}  // namespace onggi::haptics
