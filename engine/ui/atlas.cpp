@@ -1,0 +1,73 @@
+#include "engine/ui/atlas.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace onggi::ui {
+namespace {
+
+constexpr int kGapPx = 1;  // so that a filter at a painting's edge does not see its neighbour
+constexpr int kShelfStepPx = 12;
+
+}  // namespace
+
+Atlas::Atlas(int side_px) : side_(side_px) {
+    halves_[1].top = side_px / 2;
+    for (Half& half : halves_)
+        empty(half);
+}
+
+void Atlas::empty(Half& half) {
+    half.next_shelf_y = half.top;
+    half.shelves.clear();
+    half.places.clear();
+}
+
+std::optional<Rect> Atlas::room_for(Half& half, int width, int height) const {
+    const auto take = [&](Shelf& shelf) {
+        const Rect rect{static_cast<float>(shelf.used), static_cast<float>(shelf.y),
+                        static_cast<float>(width), static_cast<float>(height)};
+        shelf.used += width + kGapPx;
+        return rect;
+    };
+    // A little higher than asked for, so that texts of nearly the same height share a shelf.
+    const int rounded = (height + kShelfStepPx - 1) / kShelfStepPx * kShelfStepPx;
+    for (Shelf& shelf : half.shelves) {
+        // One half as high again would waste more than a new one.
+        const bool fits = height <= shelf.height && 3 * rounded >= 2 * shelf.height;
+        if (fits && shelf.used + width <= side_) return take(shelf);
+    }
+    if (width > side_ || half.next_shelf_y + height > half.top + side_ / 2) return std::nullopt;
+    const int shelf_height = std::min(rounded, half.top + side_ / 2 - half.next_shelf_y);
+    half.shelves.push_back({.y = half.next_shelf_y, .height = shelf_height, .used = 0});
+    half.next_shelf_y += shelf_height + kGapPx;
+    return take(half.shelves.back());
+}
+
+std::optional<Rect> Atlas::place(std::uint64_t key, const std::shared_ptr<const Painting>& painting) {
+    for (const Half& half : halves_) {
+        if (const auto found = half.places.find(key); found != half.places.end()) return found->second;
+    }
+    if (painting->width > side_ || painting->height > side_ / 2) return std::nullopt;
+    std::optional<Rect> rect = room_for(halves_[current_], painting->width, painting->height);
+    if (!rect) {
+        current_ = 1 - current_;
+        empty(halves_[current_]);
+        ++generation_;
+        std::erase_if(uploads_, [&](const Upload& upload) {
+            const int top = halves_[current_].top;
+            return upload.y >= top && upload.y < top + side_ / 2;
+        });
+        rect = room_for(halves_[current_], painting->width, painting->height);
+    }
+    if (!rect) return std::nullopt;
+    halves_[current_].places.emplace(key, *rect);
+    uploads_.push_back({static_cast<int>(rect->x), static_cast<int>(rect->y), painting});
+    return rect;
+}
+
+std::vector<Atlas::Upload> Atlas::take_uploads() {
+    return std::exchange(uploads_, {});
+}
+
+}  // namespace onggi::ui

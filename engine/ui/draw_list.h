@@ -1,0 +1,60 @@
+// What an overlay draws, as vertices: boxes shaded between their corners, pictures from the atlas, and lines
+// with soft edges. Any thread; one writer. Pixels from the top left corner of the picture, y down.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/ui/colour.h"
+#include "engine/ui/geometry.h"
+
+namespace onggi::ui {
+
+struct Vertex {
+    vec2 position_px{0.0F};
+    vec2 atlas_px{0.0F};
+    std::uint32_t rgba = 0;  // red lowest; already multiplied by alpha
+};
+
+// A stretch of indices that one pipeline draws.
+struct Run {
+    bool from_atlas = false;
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+};
+
+class DrawList {
+  public:
+    void clear();
+
+    void add_box(const Rect& rect, const Colour& colour);
+    // Corners: top left, top right, bottom right, bottom left.
+    void add_box(const Rect& rect, const std::array<Colour, 4>& corners);
+    // Counter-clockwise or not; convex.
+    void add_polygon(std::span<const vec2> corners, const Colour& colour);
+    // Of this width, and one pixel more on each side in which it fades away.
+    void add_line(std::span<const vec2> points, float width_px, const Colour& colour);
+    // A picture of the atlas; alpha multiplies it.
+    void add_picture(const Rect& rect, const Rect& in_atlas_px, float alpha);
+
+    [[nodiscard]] std::span<const Vertex> vertices() const { return vertices_; }
+    [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
+    [[nodiscard]] std::span<const Run> runs() const { return runs_; }
+    // Of all that is drawn: two lists with the same hash draw the same, as long as the atlas holds.
+    [[nodiscard]] std::uint64_t hash() const;
+
+  private:
+    std::uint32_t begin(bool from_atlas);
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+    std::vector<Vertex> vertices_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<Run> runs_;
+};
+
+// Multiplied by alpha, eight bits each, red lowest.
+[[nodiscard]] std::uint32_t packed(const Colour& colour);
+
+}  // namespace onggi::ui
