@@ -1,6 +1,8 @@
 // The only user of GLFW.
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string_view>
 #include <utility>
 
 #include "engine/window/window.h"
@@ -52,6 +54,20 @@ Key key_of(int code) {
         case GLFW_KEY_MINUS:
         case GLFW_KEY_KP_SUBTRACT:
             return Key::kMinus;
+        case GLFW_KEY_UP:
+            return Key::kUp;
+        case GLFW_KEY_DOWN:
+            return Key::kDown;
+        case GLFW_KEY_1:
+            return Key::k1;
+        case GLFW_KEY_2:
+            return Key::k2;
+        case GLFW_KEY_3:
+            return Key::k3;
+        case GLFW_KEY_4:
+            return Key::k4;
+        case GLFW_KEY_C:
+            return Key::kC;
         case GLFW_KEY_E:
             return Key::kE;
         case GLFW_KEY_F:
@@ -62,8 +78,22 @@ Key key_of(int code) {
             return Key::kR;
         case GLFW_KEY_S:
             return Key::kS;
+        case GLFW_KEY_U:
+            return Key::kU;
+        case GLFW_KEY_W:
+            return Key::kW;
+        case GLFW_KEY_X:
+            return Key::kX;
         case GLFW_KEY_F11:
             return Key::kF11;
+        case GLFW_KEY_TAB:
+            return Key::kTab;
+        case GLFW_KEY_LEFT:
+            return Key::kLeft;
+        case GLFW_KEY_RIGHT:
+            return Key::kRight;
+        case GLFW_KEY_BACKSPACE:
+            return Key::kBackspace;
         default:
             return Key::kUnknown;
     }
@@ -78,6 +108,48 @@ MouseButton button_of(int code) {
         default:
             return MouseButton::kLeft;
     }
+}
+
+// SDL's form of an identity, 32 hexadecimal digits: bus, vendor and product, each with its low byte first and
+// two bytes of nothing after it.
+std::uint16_t number_in_identity(std::string_view identity, std::size_t at) {
+    const auto byte = [&](std::size_t from) -> unsigned {
+        unsigned value = 0;
+        if (from + 2 > identity.size()) return 0;
+        std::from_chars(identity.data() + from, identity.data() + from + 2, value, 16);
+        return value;
+    };
+    return static_cast<std::uint16_t>(byte(at) | byte(at + 2) << 8U);
+}
+
+std::vector<Gamepad> gamepads_now() {
+    std::vector<Gamepad> found;
+    for (int slot = GLFW_JOYSTICK_1; slot <= GLFW_JOYSTICK_LAST; ++slot) {
+        GLFWgamepadstate state{};
+        if (glfwJoystickIsGamepad(slot) != GLFW_TRUE || glfwGetGamepadState(slot, &state) != GLFW_TRUE)
+            continue;
+        const char* name = glfwGetGamepadName(slot);
+        const char* guid = glfwGetJoystickGUID(slot);
+        const std::string_view identity = guid == nullptr ? "" : guid;
+        constexpr std::size_t kVendorDigit = 8;
+        constexpr std::size_t kProductDigit = 16;
+        // A trigger's axis goes from -1, let go, to 1.
+        const auto pulled = [&](int axis) { return (state.axes[axis] + 1.0F) / 2.0F; };
+        Gamepad pad{.slot = slot,
+                    .name = name == nullptr ? "" : name,
+                    .vendor_id = number_in_identity(identity, kVendorDigit),
+                    .product_id = number_in_identity(identity, kProductDigit),
+                    .left_x = state.axes[GLFW_GAMEPAD_AXIS_LEFT_X],
+                    .left_y = state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y],
+                    .right_x = state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X],
+                    .right_y = state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y],
+                    .left_trigger = pulled(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER),
+                    .right_trigger = pulled(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER)};
+        for (unsigned button = 0; button <= GLFW_GAMEPAD_BUTTON_LAST; ++button)
+            if (state.buttons[button] == GLFW_PRESS) pad.buttons |= 1U << button;
+        found.push_back(std::move(pad));
+    }
+    return found;
 }
 
 class GlfwWindow final : public Window {
@@ -126,6 +198,7 @@ class GlfwWindow final : public Window {
         glfwPollEvents();
         return std::exchange(events_, {});
     }
+    [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
     [[nodiscard]] bool close_requested() const override {
         return glfwWindowShouldClose(window_) == GLFW_TRUE;
     }
@@ -201,6 +274,13 @@ Result<std::unique_ptr<Window>> open_window(const WindowDesc& desc) {
                                         reason == nullptr ? "no reason given" : reason));
     }
     return std::unique_ptr<Window>(std::make_unique<GlfwWindow>(std::move(*library), window));
+}
+
+std::vector<Gamepad> find_gamepads() {
+    const auto library = GlfwLibrary::start();
+    if (!library) return {};
+    glfwPollEvents();
+    return gamepads_now();
 }
 
 std::string why_no_display() {

@@ -10,6 +10,7 @@ class HeadlessWindow final : public Window {
     [[nodiscard]] std::vector<std::string> instance_extensions() const override { return {}; }
     Result<VkSurfaceKHR> create_surface(VkInstance) override { return VkSurfaceKHR{VK_NULL_HANDLE}; }
     [[nodiscard]] std::vector<Event> poll_events() override { return {}; }
+    [[nodiscard]] std::vector<Gamepad> gamepads() const override { return {}; }
     [[nodiscard]] bool close_requested() const override { return false; }
     [[nodiscard]] Size size() const override { return size_; }
     void set_title(const std::string&) override {}

@@ -9,6 +9,7 @@
 #include "engine/core/result.h"
 #include "engine/vk/vulkan.h"
 #include "engine/window/events.h"
+#include "engine/window/gamepad.h"
 
 namespace onggi::window {
 
@@ -35,6 +36,8 @@ class Window {
 
     // Oldest first, since the last call. Never blocks.
     [[nodiscard]] virtual std::vector<Event> poll_events() = 0;
+    // Those that are plugged in and whose buttons are known, as poll_events() found them.
+    [[nodiscard]] virtual std::vector<Gamepad> gamepads() const = 0;
     [[nodiscard]] virtual bool close_requested() const = 0;
     [[nodiscard]] virtual Size size() const = 0;
     virtual void set_title(const std::string& title) = 0;
@@ -50,5 +53,9 @@ std::unique_ptr<Window> open_headless(const WindowDesc& desc);
 
 // Whether a window could be opened, for doctor: empty, or why not.
 [[nodiscard]] std::string why_no_display();
+
+// The gamepads there are, for a list of devices: none where there is no display to reach them through. Not
+// while a window is open, which has its own.
+[[nodiscard]] std::vector<Gamepad> find_gamepads();
 
 }  // namespace onggi::window
