@@ -198,6 +198,7 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
     // mean.
     const double stiffness_n_per_mm =
         tool.wheel_turning ? parameters.stiffness_turning_n_per_mm : parameters.stiffness_standing_n_per_mm;
+    forces.local_stiffness_n_per_mm = stiffness_n_per_mm;
     const double scale = stiffness_n_per_mm / (r1 * sums.contacts);
     forces.stiffness_n = radial_unit_ * (scale * sum_of(sums.depth_times_half_width));
     forces.stiffness_n.y = -scale * sum_of(sums.depth_times_height);

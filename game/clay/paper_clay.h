@@ -60,12 +60,13 @@ struct ToolInput {
 
 // What the clay does to the tool in one tick.
 struct ContactForces {
-    int contacts = 0;        // n of Eq. (5): elements in contact
-    dvec3 stiffness_n{0.0};  // F_s, Eq. (5)
-    dvec3 viscosity_n{0.0};  // F_v, Eq. (6)
-    dvec3 friction_n{0.0};   // F_f, Eq. (7)
-    int first_touched = 0;   // the elements Eq. (2) changed lie in
-    int touched_count = 0;   // [first_touched, first_touched + touched_count); 0: none did
+    int contacts = 0;                       // n of Eq. (5): elements in contact
+    dvec3 stiffness_n{0.0};                 // F_s, Eq. (5)
+    dvec3 viscosity_n{0.0};                 // F_v, Eq. (6)
+    dvec3 friction_n{0.0};                  // F_f, Eq. (7)
+    int first_touched = 0;                  // the elements Eq. (2) changed lie in
+    int touched_count = 0;                  // [first_touched, first_touched + touched_count); 0: none did
+    double local_stiffness_n_per_mm = 0.0;  // how much F_s grows with the depth at most; for devices
 
     [[nodiscard]] dvec3 total_n() const;  // F, Eq. (3)
 };
@@ -96,6 +97,11 @@ struct ContactForces {
 // Differs: Eq. (2) stops at R_min, so that no element vanishes.
 // Differs: p1 of Eq. (4) lies on the tool, not on the element. Both agree at first touch; on the element the
 //   direction divides by zero at r3 = R_i and pulls inward beyond it.
+// Differs: what a device gets of Eq. (6) and Eq. (7) is made fit for a hand (game/haptic/device_force.h): v1
+// from
+// a
+//   window, and the friction scaled in with the normal force, because as printed it kicks at the first touch.
+//   What this class gives, and what is recorded, is as printed.
 // Differs: every element is not visited. Elements the sphere cannot reach are left out by arithmetic on their
 //   index; the result is the same as if they had been tested.
 // Differs: on the axis, where e_r has no direction, the last one is kept; +X before there was any.

@@ -17,6 +17,7 @@ Contact::Contact(int capacity)
       half_width_mm(Rings::at(capacity), 0.0),
       depth_mm(Rings::at(capacity), 0.0),
       push_mm(Rings::at(capacity), 0.0),
+      residual_mm(Rings::at(capacity), 0.0),
       field(Rings::at(capacity), 0.0),
       met(Rings::at(capacity), 0.0),
       place_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
@@ -79,7 +80,7 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
         lowest = std::min(parameters.floor_mm, rings.top_mm());
         contact.height_mm = std::max(hand.position_mm.y, lowest + r1);
         contact.floor_depth_mm = std::min(contact.height_mm - hand.position_mm.y, kDeepestMm);
-        shaft = std::min(parameters.shaft_radius_mm, r1);
+        shaft = std::clamp(hand.shaft_mm, 0.0, r1);
     }
     const double y = contact.height_mm;
     contact.range = rings.rings_between(std::max(y - r1, lowest), shaft > 0.0 ? rings.top_mm() : y + r1);
@@ -126,8 +127,10 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
     if (rough) {
         const double turn = turn_of(hand.in_clay);
         for (int k = 0; k < n; ++k) {
-            if (rings.rough_mm[Rings::at(first + k)] > 0.0F)
-                depth[k] += sign * residual_at(rings, first + k, turn);
+            const bool is_rough = rings.rough_mm[Rings::at(first + k)] > 0.0F;
+            const double w = is_rough ? residual_at(rings, first + k, turn) : 0.0;
+            contact.residual_mm[Rings::at(k)] = w;
+            depth[k] += sign * w;
         }
     }
 

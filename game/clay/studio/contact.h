@@ -21,8 +21,9 @@ struct Contact {
     std::vector<double> half_width_mm;  // rc
     std::vector<double> depth_mm;       // d, of the face under the hand: what is felt
     std::vector<double> push_mm;  // x, of the mean circle against the mean hand, beyond the yield: what flows
-    std::vector<double> field;    // the part of x that moves the wall as a whole
-    std::vector<double> met;      // how much of a push the other hand meets, 0 to 1
+    std::vector<double> residual_mm;  // w where the hand is; told only where has_rough_rows
+    std::vector<double> field;        // the part of x that moves the wall as a whole
+    std::vector<double> met;          // how much of a push the other hand meets, 0 to 1
     // Of the wall field, entry k of its own range: y and R for the slope, how the two faces move.
     std::vector<float> place_mm;
     std::vector<float> mean_mm;

@@ -65,6 +65,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
         const double depth = std::min(contact.deepest_mm, kDeepestMm);
         const double radius = 1.0 / (1.0 / r1 + 1.0 / rings.outer_mm[at]);  // R*
         double size = bearing * radius * depth;
+        felt.forces.local_stiffness_n_per_mm = bearing * radius;
         if (rings.is_hollow(i)) {
             const double wall = rings.wall_mm(i);
             const double alone = (1.0 - supported) * tie_to_floor(contact.height_mm - rings.floor_mm(), wall);
@@ -79,6 +80,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
     }
     if (contact.floor_depth_mm > 0.0) {
         normal.y += bearing * r1 * contact.floor_depth_mm;
+        felt.forces.local_stiffness_n_per_mm = std::max(felt.forces.local_stiffness_n_per_mm, bearing * r1);
         lever_mm = std::max(lever_mm, std::fabs(hand.distance_mm));
         felt.forces.contacts = std::max(felt.forces.contacts, 1);
     }
@@ -88,6 +90,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
         // A rim narrower than the tool's print bears on its own width only.
         const double area = std::min(std::numbers::pi * 2.0 * r1 * depth, rings.wall_mm(i) * chord);
         normal.y += parameters.bearing_factor_nc * su * area;
+        felt.forces.local_stiffness_n_per_mm = std::max(felt.forces.local_stiffness_n_per_mm, bearing * r1);
         lever_mm = std::max(std::fabs(hand.distance_mm), 1.0);
         felt.forces.contacts = 1;
     }

@@ -44,6 +44,30 @@ Side next_side(Side side, const Rings& rings, double y, double distance, double 
     return side;
 }
 
+namespace {
+
+Side wished_side(SideWish wish, Side side, const Rings& rings, double y, double distance) {
+    const std::size_t at = Rings::at(rings.ring_at(y));
+    const double outer = rings.outer_mm[at];
+    const double inner = rings.inner_mm[at];
+    switch (wish) {
+        case SideWish::kNone:
+            break;
+        case SideWish::kOut:
+            if (distance > inner) return Side::kOut;
+            break;
+        case SideWish::kIn:
+            if (distance < (inner > 0.0 ? outer : 0.5 * outer)) return Side::kIn;
+            break;
+        case SideWish::kTop:
+            if (y > rings.top_mm() && distance < outer) return Side::kTop;
+            break;
+    }
+    return side;
+}
+
+}  // namespace
+
 dvec2 into_clay(const dvec2& e, const Rotation& heading) noexcept {
     return {heading.cosine * e.x - heading.sine * e.y, heading.sine * e.x + heading.cosine * e.y};
 }
@@ -59,12 +83,16 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given,
     Hand hand;
     hand.position_mm = given.position_mm;
     hand.radius_mm = std::clamp(given.radius_mm, 2.0, 40.0);
+    hand.shaft_mm = std::isfinite(given.shaft_mm) ? given.shaft_mm : 0.0;
     hand.tool = given.tool;
     const double x = given.position_mm.x;
     const double z = given.position_mm.z;
     const double distance = std::sqrt(x * x + z * z);
     const bool was_outside = state.side == Side::kOut;
+    const bool was_free = state.side == Side::kFree;
     state.side = next_side(state.side, rings, given.position_mm.y, distance, hand.radius_mm);
+    if (was_free && state.side != Side::kFree)
+        state.side = wished_side(given.side, state.side, rings, given.position_mm.y, distance);
     hand.side = state.side;
     hand.distance_mm = distance;
     if (was_outside && state.side == Side::kOut && x * state.direction.x + z * state.direction.y < 0.0) {

@@ -30,7 +30,8 @@ struct HandState {
 // A hand as one tick sees it.
 struct Hand {
     dvec3 position_mm{0.0};
-    double radius_mm = 10.0;    // r1
+    double radius_mm = 10.0;  // r1
+    double shaft_mm = 0.0;
     double distance_mm = 0.0;   // r3; negative for a hand outside that crossed the axis
     dvec2 direction{1.0, 0.0};  // from the axis, world
     dvec2 in_clay{1.0, 0.0};    // the same in the clay's frame
@@ -44,6 +45,8 @@ struct Hand {
 Side next_side(Side side, const Rings& rings, double y_mm, double distance_mm, double radius_mm) noexcept;
 
 // Takes the position of this tick into the state and says what the tick needs. heading is the wheel's angle.
+// A hand that comes from free takes the side it wishes for, if that is open to it: outside beyond the inner
+// face, inside within the outer one, on top over the rim.
 // Precondition: rings.count > 0; the position is finite.
 Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& hand,
                  const Rotation& heading) noexcept;

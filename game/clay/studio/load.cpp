@@ -190,7 +190,11 @@ Changed sweep_load(LoadSweep& sweep, Rings& rings, const LoadInput& input) noexc
         if (!sweep.goes_up) {
             const int i = --sweep.next;
             if (((static_cast<std::uint64_t>(i) ^ sweep.round) & (kRefreshRounds - 1)) == 0) {
-                refresh_ring(rings, i, kRefreshRounds * kSweepS, input.evaporation_g_mm2_s);
+                refresh_ring(rings, i,
+                             {.elapsed_s = kRefreshRounds * kSweepS,
+                              .evaporation_g_mm2_s = input.evaporation_g_mm2_s,
+                              .film_time_s = input.film_time_s,
+                              .diffusivity_mm2_s = input.diffusivity_mm2_s});
                 if (tend_row(rings, i)) changed = together(changed, {i, i + 1});
             }
             weigh_ring(sweep, rings, i, input);

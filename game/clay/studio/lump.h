@@ -9,6 +9,11 @@ namespace onggi::clay {
 // Linear shrinkage from wet to glaze-fired, and what is said of it.
 enum class ClayBody { kStoneware, kPorcelain, kEarthenware };
 
+constexpr double kLeastLumpG = 100.0;
+constexpr double kLargestLumpG = 5000.0;
+constexpr int kFewestRings = 200;
+constexpr int kMostRings = 4000;
+
 struct StudioLump {
     double mass_g = 1000.0;  // 100 to 5000
     ClayBody body = ClayBody::kStoneware;

@@ -108,9 +108,9 @@ void join_rings(Rings& rings, int i) {
     rings.volume_mm3[a] = volume;
     rings.height_mm[a] = ring_height_mm(volume, rings.outer_mm[a], rings.inner_mm[a]);
 
-    for (auto* column :
-         {&rings.centre_x_mm, &rings.centre_z_mm, &rings.liquidity, &rings.strength_kpa, &rings.load_index,
-          &rings.shear, &rings.slump_rate, &rings.slump_above, &rings.slump_axial, &rings.slump_hoop}) {
+    for (auto* column : {&rings.centre_x_mm, &rings.centre_z_mm, &rings.liquidity, &rings.film,
+                         &rings.strength_kpa, &rings.load_index, &rings.shear, &rings.slump_rate,
+                         &rings.slump_above, &rings.slump_axial, &rings.slump_hoop}) {
         (*column)[a] =
             static_cast<float>(mixed(static_cast<double>((*column)[a]), static_cast<double>((*column)[b])));
     }

@@ -11,17 +11,30 @@ std::size_t size(int n) {
     return static_cast<std::size_t>(n);
 }
 
-// Every column with one entry a ring.
-template <typename Stack, typename Action>
-void for_each_column(Stack& rings, const Action& action) {
-    for (auto* column :
-         {&rings.volume_mm3, &rings.outer_mm, &rings.inner_mm, &rings.height_mm, &rings.rise_mm})
-        action(*column);
-    for (auto* column : {&rings.centre_x_mm, &rings.centre_z_mm, &rings.rough_mm, &rings.liquidity,
-                         &rings.strength_kpa, &rings.load_index, &rings.shear, &rings.slump_rate,
-                         &rings.slump_above, &rings.slump_axial, &rings.slump_hoop})
-        action(*column);
+// The columns with one entry a ring, by kind.
+constexpr std::array kDoubles{&Rings::volume_mm3, &Rings::outer_mm, &Rings::inner_mm, &Rings::height_mm,
+                              &Rings::rise_mm};
+constexpr std::array kFloats{&Rings::centre_x_mm, &Rings::centre_z_mm, &Rings::rough_mm,
+                             &Rings::liquidity,   &Rings::film,        &Rings::strength_kpa,
+                             &Rings::load_index,  &Rings::shear,       &Rings::slump_rate,
+                             &Rings::slump_above, &Rings::slump_axial, &Rings::slump_hoop};
+
+template <typename Action>
+void for_each_column(Rings& rings, const Action& action) {
+    for (const auto column : kDoubles)
+        action(rings.*column);
+    for (const auto column : kFloats)
+        action(rings.*column);
     action(rings.row);
+}
+
+template <typename Action>
+void for_each_pair(Rings& rings, const Rings& other, const Action& action) {
+    for (const auto column : kDoubles)
+        action(rings.*column, other.*column);
+    for (const auto column : kFloats)
+        action(rings.*column, other.*column);
+    action(rings.row, other.row);
 }
 
 }  // namespace
@@ -133,6 +146,23 @@ void Rings::find_floor() {
     first_hollow = 0;
     while (first_hollow < count && !is_hollow(first_hollow))
         ++first_hollow;
+}
+
+void Rings::copy_from(const Rings& other) noexcept {
+    assert(capacity == other.capacity && sectors == other.sectors);
+    count = other.count;
+    first_hollow = other.first_hollow;
+    free_count = other.free_count;
+    top_ = other.top_;
+    for_each_pair(*this, other, [&](auto& column, const auto& from) {
+        std::copy_n(from.begin(), size(count), column.begin());
+    });
+    std::copy_n(other.free_rows.begin(), size(free_count), free_rows.begin());
+    std::copy_n(other.base_mm.begin(), base_mm.size(), base_mm.begin());
+    // The rows of round rings count as zero, whatever they hold.
+    for (int i = 0; i < count; ++i) {
+        if (rough_mm[at(i)] > 0.0F) std::copy_n(other.row_of(i), sectors, row_of(i));
+    }
 }
 
 // Moves the rings [from, count) so that they start at `to`.

@@ -37,6 +37,7 @@ struct Rings {
     std::vector<float> centre_z_mm;
     std::vector<float> rough_mm;           // largest |w| of the ring's row; 0: the row counts as zero
     std::vector<float> liquidity;          // LI
+    std::vector<float> film;               // water on the faces, 0 dry to 1 dripping
     std::vector<float> strength_kpa;       // su, of LI
     std::vector<float> load_index;         // as of the last sweep
     std::vector<float> shear;              // accumulated by twist, rad
@@ -91,6 +92,8 @@ struct Rings {
     void remove(int first, int end);
     // Gives all rings away and takes count solid ones of nothing.
     void reset(int rings);
+    // Becomes a copy of rings of the same capacity and sectors, at the cost of what they use. No allocation.
+    void copy_from(const Rings& other) noexcept;
 
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

@@ -40,35 +40,49 @@ void centre_rings(Rings& rings, const Contact& contact, const HandState& state, 
     }
 }
 
-void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, double dt_s,
+void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int stripe,
                    const StudioParameters& parameters) noexcept {
     if (!contact.has_rough_rows) return;
     const double sign = hand.side == Side::kIn ? -1.0 : 1.0;
-    const double turn = turn_of(hand.in_clay);
-    const double place = turn * rings.sectors;
+    const double place = turn_of(hand.in_clay) * rings.sectors;
     const double half_window = std::max(0.5 * kWindowTurns * rings.sectors, 1.0);
     const int reach = static_cast<int>(half_window) + 1;
+    const int stripes = stripes_at(parameters.rate_hz);
+    const double dt_s = stripes * parameters.dt_s();
     const double strength = std::min(dt_s / (kWindowTurns * parameters.rounding_time_s), 1.0);
-    std::array<float, 32> kept{};
+    // Padded with ones to whole lanes of four; a row is never shorter.
+    std::array<float, 24> kept{};
+    kept.fill(1.0F);
     const int middle = static_cast<int>(place);
-    const int width = std::min(2 * reach + 1, static_cast<int>(kept.size()));
+    const int width = 2 * reach + 1;
+    // Raised cosine of the distance to the sector's middle, turned on from sector to sector.
+    const double first_s = (middle - reach + 0.5 - place) / half_window;
+    const Rotation step = rotation_by(std::numbers::pi / half_window);
+    Rotation angle = rotation_by(std::numbers::pi * first_s);
     for (int j = 0; j < width; ++j) {
-        // Raised cosine of the distance to the sector's middle.
-        const double s = (middle - reach + j + 0.5 - place) / half_window;
-        const double kernel = s * s < 1.0 ? 0.5 + 0.5 * rotation_by(std::numbers::pi * s).cosine : 0.0;
+        const double s = first_s + j / half_window;
+        const double kernel = s * s < 1.0 ? 0.5 + 0.5 * angle.cosine : 0.0;
         kept[at(j)] = static_cast<float>(1.0 - strength * kernel);
+        angle = {angle.cosine * step.cosine - angle.sine * step.sine,
+                 angle.sine * step.cosine + angle.cosine * step.sine};
     }
-    const int mask = rings.sectors - 1;
+    // The window as one or two pieces of the row.
+    const int lanes = (width + 3) & ~3;
+    const int start = (middle - reach) & (rings.sectors - 1);
+    const int before_end = std::min(lanes, rings.sectors - start);
     for (int k = 0; k < contact.range.size(); ++k) {
         const int i = contact.range.first + k;
-        if (!(rings.rough_mm[at(i)] > 0.0F)) continue;
+        if (((i ^ stripe) & (stripes - 1)) != 0 || !(rings.rough_mm[at(i)] > 0.0F)) continue;
         // A hand on the round rounds the dents as well, though it passes over them: what counts is the
         // circle.
-        const double circle = contact.depth_mm[at(k)] - sign * residual_at(rings, i, turn);
+        const double circle = contact.depth_mm[at(k)] - sign * contact.residual_mm[at(k)];
         if (!(circle > 0.0)) continue;
-        float* row = rings.row_of(i);
-        for (int j = 0; j < width; ++j)
-            row[(middle - reach + j) & mask] *= kept[at(j)];
+        float* const row = rings.row_of(i);
+        float* const piece = row + start;
+        for (int j = 0; j < before_end; ++j)
+            piece[j] *= kept[at(j)];
+        for (int j = before_end; j < lanes; ++j)
+            row[j - before_end] *= kept[at(j)];
     }
 }
 
@@ -92,7 +106,7 @@ void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double
         const double bend = inside ? r3 * (r3 + rc) / (2.0 * rc) : r3 * std::max(r3 - rc, 0.0) / (2.0 * rc);
         const double base = contact.depth_mm[at(k)];
         float* row = open_row(rings, i);
-        const double w_there = sign * residual_at(rings, i, turn);
+        const double w_there = contact.has_rough_rows ? sign * contact.residual_mm[at(k)] : 0.0;
         float rough = rings.rough_mm[at(i)];
         // Away from the hand's own direction until the tool leaves the clay, first one way, then the other.
         for (const int step : {1, -1}) {

@@ -14,8 +14,19 @@ constexpr double kLargestResidualMm = 8.0;
 void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double share,
                   double yield_mm) noexcept;
 
-// Turning: the residuals within eight sectors of the hand decay, by a raised cosine.
-void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, double dt_s,
+// A row is rounded once a millisecond, in which no wheel turns farther than a sector and a half: at a faster
+// rate the rings take turns, each stripe of them standing for all its ticks. A power of two.
+constexpr int kMostStripes = 8;
+constexpr int stripes_at(double rate_hz) {
+    int stripes = 1;
+    while (stripes < kMostStripes && 2 * stripes * 1000.0 <= rate_hz)
+        stripes *= 2;
+    return stripes;
+}
+
+// Turning: the residuals within eight sectors of the hand decay, by a raised cosine, in this tick's stripe of
+// the rings.
+void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int stripe,
                    const StudioParameters& parameters) noexcept;
 
 // Standing: the sectors under the hand give way to it. share is 1 - exp(-dt/tau).

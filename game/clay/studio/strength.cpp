@@ -15,6 +15,9 @@ constexpr double kDryShare = 0.80;
 
 constexpr double kReferenceKpa = 13.0;
 
+// Of a dripping face: a hundredth of a millimetre of water.
+constexpr double kFilmGPerMm2 = 1e-5;
+
 }  // namespace
 
 double strength_kpa(double liquidity_index) {
@@ -45,19 +48,64 @@ void set_liquidity(Rings& rings, int i, double liquidity_index) {
     rings.strength_kpa[Rings::at(i)] = static_cast<float>(strength_kpa(liquidity));
 }
 
-void refresh_ring(Rings& rings, int i, double elapsed_s, double evaporation_g_mm2_s) {
+namespace {
+
+// Grams of water that one unit of LI is, in ring i.
+double water_of_index_g(const Rings& rings, int i) {
+    return rings.volume_mm3[Rings::at(i)] * kDensityGPerMm3 * kDryShare * kPlasticityIndex;
+}
+
+// Fick's law over the face between ring i and the one above, never past half of what would level them. A
+// share of the clay counts as water by LI alone, so what flows is D dLI/dy of it.
+void pass_water_up(Rings& rings, int i, double diffusivity_mm2_s, double elapsed_s) {
+    if (i + 1 >= rings.count) return;
+    const std::size_t a = Rings::at(i);
+    const std::size_t b = Rings::at(i + 1);
+    // The face they share: the narrower of both walls.
+    const double outer = std::min(rings.outer_mm[a], rings.outer_mm[b]);
+    const double inner = std::max(rings.inner_mm[a], rings.inner_mm[b]);
+    if (!(outer > inner)) return;
+    const double face_mm2 = std::numbers::pi * (outer - inner) * (outer + inner);
+    const double apart_mm = 0.5 * (rings.height_mm[a] + rings.height_mm[b]);
+    const double wetter = static_cast<double>(rings.liquidity[a]) - static_cast<double>(rings.liquidity[b]);
+    const double of_a = water_of_index_g(rings, i);
+    const double of_b = water_of_index_g(rings, i + 1);
+    const double wanted =
+        diffusivity_mm2_s * elapsed_s * face_mm2 / apart_mm * kDensityGPerMm3 * kDryShare * kPlasticityIndex;
+    const double levelling = 0.5 * of_a * of_b / (of_a + of_b);
+    const double flow_g = wetter * std::min(wanted, levelling);
+    rings.liquidity[a] -= static_cast<float>(flow_g / of_a);
+    rings.liquidity[b] += static_cast<float>(flow_g / of_b);
+}
+
+}  // namespace
+
+void refresh_ring(Rings& rings, int i, const WaterPace& pace) {
     const std::size_t at = Rings::at(i);
+    pass_water_up(rings, i, pace.diffusivity_mm2_s, pace.elapsed_s);
     // Faces per volume of a wall 2/t; of solid clay 2/ro, its outer face alone.
     const double faces = rings.is_hollow(i) ? 2.0 / rings.wall_mm(i) : 2.0 / rings.outer_mm[at];
-    const double lost = evaporation_g_mm2_s * elapsed_s * faces / (kDensityGPerMm3 * kDryShare);
-    set_liquidity(rings, i, static_cast<double>(rings.liquidity[at]) - lost / kPlasticityIndex);
+    const double film = static_cast<double>(rings.film[at]);
+    const double soaked = film * relaxed_share(pace.elapsed_s / pace.film_time_s);
+    rings.film[at] = static_cast<float>(film - soaked);
+    // A hand wets one face at a time.
+    const double gained = 0.5 * soaked * kFilmGPerMm2;
+    const double lost = pace.evaporation_g_mm2_s * pace.elapsed_s;
+    const double change = (gained - lost) * faces / (kDensityGPerMm3 * kDryShare);
+    set_liquidity(rings, i, static_cast<double>(rings.liquidity[at]) + change / kPlasticityIndex);
+}
+
+void wet_faces(Rings& rings, int first, int end, const double* depth_mm, double film) {
+    const auto wet = static_cast<float>(film);
+    float* const faces = rings.film.data() + first;
+    for (int k = 0; k < end - first; ++k)
+        faces[k] = depth_mm[k] > 0.0 && wet > faces[k] ? wet : faces[k];
 }
 
 void wet_ring(Rings& rings, int i, double water_g) {
     const std::size_t at = Rings::at(i);
-    const double dry_g = rings.volume_mm3[at] * kDensityGPerMm3 * kDryShare;
     rings.liquidity[at] = std::min(
-        rings.liquidity[at] + static_cast<float>(water_g / (dry_g * kPlasticityIndex)), kWettestLiquidity);
+        rings.liquidity[at] + static_cast<float>(water_g / water_of_index_g(rings, i)), kWettestLiquidity);
 }
 
 }  // namespace onggi::clay::studio

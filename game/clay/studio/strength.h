@@ -1,5 +1,7 @@
 // How strong clay is by its water, and how it gives and takes water. Any thread; fit for the tick.
 // Units: kPa, mm, s, g. The model is a mean of thirty soils: call it a model.
+// Differs from studio-clay.md, which has water in each ring by itself: a wet hand leaves a film on the faces
+// it touches, which makes them slide and soaks in, and water passes between neighbours by Fick's law.
 #pragma once
 
 #include "game/clay/studio/rings.h"
@@ -22,8 +24,20 @@ double relaxed_share(double x);
 // Sets LI of a ring and the strength that follows.
 void set_liquidity(Rings& rings, int i, double liquidity_index);
 
-// Lets ring i dry from its faces for elapsed_s, thin walls faster, and works out its strength again.
-void refresh_ring(Rings& rings, int i, double elapsed_s, double evaporation_g_mm2_s);
+// What the water of a ring does in elapsed_s.
+struct WaterPace {
+    double elapsed_s = 0.0;
+    double evaporation_g_mm2_s = 0.0;
+    double film_time_s = 20.0;
+    double diffusivity_mm2_s = 0.0;
+};
+
+// Lets ring i dry from its faces, thin walls faster; lets the film on it soak in; lets water pass between it
+// and the ring above, from the wetter to the drier; and works out its strength again.
+void refresh_ring(Rings& rings, int i, const WaterPace& pace);
+
+// The faces of the rings a wet hand touches are as wet as the hand. depth_mm[k] is of ring first + k.
+void wet_faces(Rings& rings, int first, int end, const double* depth_mm, double film);
 
 // Gives ring i water; the strength follows at its next refresh. The ledger counts clay: nothing swells.
 void wet_ring(Rings& rings, int i, double water_g);

@@ -28,7 +28,7 @@ constexpr double kTurningRadS = 0.2;
 
 // The scan for rings to split or join: a round, and how many may change a second.
 constexpr double kTendS = 0.020;
-constexpr double kChangesPerS = 4000.0;
+constexpr double kChangesPerS = 2000.0;
 
 // A hand farther than this from the clay has let go of it.
 constexpr double kLetGoMm = 3.0;
@@ -85,9 +85,30 @@ void StudioClay::restart() noexcept {
     studio::restart(sweep_, rings_);
     hands_ = {};
     film_ = tend_credit_ = change_credit_ = wheel_load_n_mm_ = load_height_mm_ = 0.0;
-    tend_next_ = 0;
-    cut_off_ = wire_was_used_ = false;
+    tend_next_ = stripe_ = 0;
+    cut_off_ = wire_was_used_ = owes_cursors_ = false;
     splits_ = joins_ = 0;
+}
+
+void StudioClay::restart_from(const StudioClay& start) noexcept {
+    lump_ = start.lump_;
+    rings_.copy_from(start.rings_);
+    ledger_ = start.ledger_;
+    wheel_ = start.wheel_;
+    sweep_ = start.sweep_;
+    hands_ = start.hands_;
+    film_ = start.film_;
+    tend_credit_ = start.tend_credit_;
+    change_credit_ = start.change_credit_;
+    tend_next_ = start.tend_next_;
+    stripe_ = start.stripe_;
+    owes_cursors_ = start.owes_cursors_;
+    wheel_load_n_mm_ = start.wheel_load_n_mm_;
+    load_height_mm_ = start.load_height_mm_;
+    cut_off_ = start.cut_off_;
+    wire_was_used_ = start.wire_was_used_;
+    splits_ = start.splits_;
+    joins_ = start.joins_;
 }
 
 void StudioClay::set_wall(double outer, double wall, double floor, double height, int count) {
@@ -169,7 +190,7 @@ void StudioClay::use_wire(const StudioInput& input) {
 }
 
 // What one hand does to the clay. Contact is known; places are not worked out again here.
-Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, const Hand* other,
+Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, const Hand* other, double water,
                         const StudioParameters& parameters) {
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > kTurningRadS;
@@ -188,8 +209,16 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                 changed = studio::press_rim(rings_, contact, share, parameters);
             } else {
                 changed = studio::push_rings(rings_, contact, hand, other, share, parameters);
-                changed =
-                    studio::together(changed, studio::move_wall(rings_, contact, hand, share, parameters));
+                // Walls take turns with the cursors at 2 kHz and beyond, each for the time of two ticks.
+                const bool takes_turns = studio::stripes_at(parameters.rate_hz) > 1;
+                if (takes_turns && stripe_ % 2 != 0) break;
+                const double wall_dt = takes_turns ? 2.0 * dt : dt;
+                const double wall_share =
+                    studio::relaxed_share(wall_dt / studio::flow_time_s(su, parameters.flow_time_s));
+                const Changed wall =
+                    studio::move_wall(rings_, contact, hand, wall_share, wall_dt, parameters);
+                walls_took_turn_ = walls_took_turn_ || (takes_turns && wall.size() > 0);
+                changed = studio::together(changed, wall);
             }
             break;
         case StudioTool::kRib:
@@ -200,10 +229,9 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                 studio::smooth_face(rings_, contact, hand, share, parameters.sponge_length_mm, scratch_);
             if (!(contact.deepest_mm > 0.0)) break;
             const int touched = std::max(contact.range.size(), 1);
-            const double water_g = parameters.sponge_water_ml_s * dt / touched;
+            const double water_g = water * parameters.sponge_water_ml_s * dt / touched;
             for (int i = contact.range.first; water_g > 0.0 && i < contact.range.end; ++i)
                 studio::wet_ring(rings_, i, water_g);
-            if (water_g > 0.0) film_ = 1.0;
             // A wet sponge carries a little clay off as slip.
             const double taken = parameters.slip_mm_s * dt * film_;
             if (taken > 0.0) {
@@ -224,7 +252,9 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
     if (!hand.is_assist)
         studio::centre_rings(rings_, contact, state, studio::relaxed_share(dt / parameters.centring_time_s),
                              parameters.yield_depth_mm);
-    studio::round_sectors(rings_, contact, hand, dt, parameters);
+    studio::round_sectors(rings_, contact, hand, stripe_, parameters);
+    if (film_ > 0.0)
+        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(), film_);
     return changed;
 }
 
@@ -278,8 +308,10 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
     state.has_previous = true;
     const double supported =
         other != nullptr ? studio::support_at(rings_, contact.nearest, contact.height_mm, *other) : 0.0;
+    // A wet face slides as a wet hand does.
+    const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     const studio::Feel felt =
-        studio::feel(rings_, contact, hand, velocity, wheel_.speed_rad_s(), film_, supported, parameters);
+        studio::feel(rings_, contact, hand, velocity, wheel_.speed_rad_s(), wet, supported, parameters);
     if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);
     load_n_mm += felt.wheel_load_n_mm;
     return felt.forces;
@@ -291,8 +323,9 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     wheel_.step(allowed_speed(input.wheel_speed_rad_s, parameters), wheel_load_n_mm_, dt, parameters.wheel);
     wheel_load_n_mm_ = 0.0;
     load_height_mm_ = 0.0;
-    if (input.wet_hands) film_ = 1.0;
+    if (input.water > film_) film_ = std::min(input.water, 1.0);
     film_ -= film_ * studio::relaxed_share(dt / parameters.film_time_s);
+    stripe_ = (stripe_ + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
     const std::uint64_t changes_before = splits_ + joins_;
     const int rings_before = rings_.count;
     use_wire(input);
@@ -322,6 +355,8 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     if (present[1]) studio::find_contact(contacts_[1], rings_, hand[1], hands_[1], parameters);
     result.side = hand[0].side;
     result.second_side = hand[1].side;
+    result.has_second = present[1];
+    result.second_position_mm = hand[1].position_mm;
 
     std::array<const Hand*, 2> other{nullptr, nullptr};
     if (present[0] && present[1] && are_opposite(hand[0].side, hand[1].side)) other = {&hand[1], &hand[0]};
@@ -339,11 +374,12 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         forces = feel_hand(hands_[h], contacts_[h], hand[h], other[h], parameters, wheel_load_n_mm_);
     }
     Changed changed{};
+    walls_took_turn_ = false;
     for (std::size_t h = 0; h < 2; ++h) {
         // What flows is the mean circle, which an off-centre ring may bring past a hand that it does not
         // touch.
         if (!present[h] || hand[h].side == Side::kFree) continue;
-        const Changed by_hand = act(hands_[h], contacts_[h], hand[h], other[h], parameters);
+        const Changed by_hand = act(hands_[h], contacts_[h], hand[h], other[h], input.water, parameters);
         ContactForces& forces = h == 0 ? result.hand : result.second;
         forces.first_touched = by_hand.first;
         forces.touched_count = by_hand.size();
@@ -351,18 +387,26 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     }
     if (changed.size() > 0) rings_.place(changed.first, changed.end);
 
-    const bool tended = tend_rings(dt);
+    result.wheel_load_n_mm = wheel_load_n_mm_;
+    const double cursor_dt = owes_cursors_ ? 2.0 * dt : dt;
+    owes_cursors_ = walls_took_turn_;
+    if (owes_cursors_) {
+        result.rings_moved = rings_.count != rings_before;
+        return result;
+    }
+    const bool tended = tend_rings(cursor_dt);
     const Changed slumped = studio::sweep_load(sweep_, rings_,
                                                {.wheel_speed_rad_s = wheel_.speed_rad_s(),
                                                 .twist_n_mm = wheel_load_n_mm_,
                                                 .twist_height_mm = load_height_mm_,
                                                 .evaporation_g_mm2_s = parameters.evaporation_g_mm2_s,
+                                                .film_time_s = parameters.film_time_s,
+                                                .diffusivity_mm2_s = parameters.diffusivity_mm2_s,
                                                 .slumps = parameters.slumps,
-                                                .dt_s = dt});
+                                                .dt_s = cursor_dt});
     if (slumped.size() > 0) rings_.place(slumped.first, slumped.end);
     if (sweep_.tear_at >= 0) tear();
     result.rings_moved = tended || splits_ + joins_ != changes_before || rings_.count != rings_before;
-    result.wheel_load_n_mm = wheel_load_n_mm_;
     return result;
 }
 

@@ -24,6 +24,11 @@
 
 namespace onggi::clay {
 
+class StudioClay;
+struct Joining;
+// See joining.h.
+Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, const Joining& joining);
+
 // What one tick did.
 struct StudioForces {
     ContactForces hand;    // of the first hand; touched rings as in the paper's clay
@@ -32,6 +37,8 @@ struct StudioForces {
     studio::Side side = studio::Side::kFree;
     studio::Side second_side = studio::Side::kFree;
     bool rings_moved = false;  // rings came or went: every index is new
+    bool has_second = false;   // a second hand or the assist was at work, here:
+    dvec3 second_position_mm{0.0};
 
     [[nodiscard]] dvec3 total_n() const { return hand.total_n(); }  // what the device in the first hand feels
 };
@@ -54,6 +61,8 @@ Result<void> check(const StudioLump& lump);
 // the
 //   whole ring, as off-centre clay would.
 // Differs: forces are of the depth before the tick's flow; the flow takes about a hundredth of it.
+// Differs: at 2 kHz and beyond walls give way as a whole in every other tick at most, and load, slump, split
+//   and join are worked at in the ones between, each for the time of both.
 class StudioClay {
   public:
     // Precondition: check(lump) holds.
@@ -74,7 +83,7 @@ class StudioClay {
         return {rings_.load_index.data(), static_cast<std::size_t>(rings_.count)};
     }
     [[nodiscard]] double centre_height_mm(int ring) const { return rings_.centre_mm(ring); }
-    // Off-centre of a ring in the clay's frame: x along its direction 0, y along -Z of it.
+    // Off-centre of a ring, its x and z in the clay's frame.
     [[nodiscard]] dvec2 centre_mm(int ring) const;
     // Residuals of a ring, sector_count() of them, counter-clockwise; empty where the ring is round.
     [[nodiscard]] std::span<const float> residuals_mm(int ring) const;
@@ -92,6 +101,11 @@ class StudioClay {
     [[nodiscard]] const studio::Failure& failure() const { return sweep_.failure; }
     // Cut off the wheel: the pot is done, hands no longer move it.
     [[nodiscard]] bool is_cut_off() const { return cut_off_; }
+    // Water on the hands, 0 to 1.
+    [[nodiscard]] double film() const { return film_; }
+    // Puts a pot that was cut off on the wheel again, standing, to be thrown on; and one that was not, as if
+    // it had been.
+    void put_back();
     [[nodiscard]] std::uint64_t splits() const { return splits_; }
     [[nodiscard]] std::uint64_t joins() const { return joins_; }
 
@@ -110,6 +124,9 @@ class StudioClay {
 
     // Puts a fresh lump on the wheel; the wheel turns on. No allocation.
     void restart() noexcept;
+    // Puts the clay of another start on the wheel, which is then that one's too. Precondition: a lump with as
+    // many rings and sectors. No allocation.
+    void restart_from(const StudioClay& start) noexcept;
 
     // One step of 1/f. Precondition: check(parameters) holds.
     StudioForces tick(const StudioInput& input, const StudioParameters& parameters) noexcept;
@@ -121,6 +138,8 @@ class StudioClay {
     static Result<StudioClay> from_start_state(std::span<const std::byte> bytes);
 
   private:
+    friend Result<StudioClay> join_pots(const StudioClay&, const StudioClay&, const Joining&);
+
     [[nodiscard]] std::span<const double> column(const std::vector<double>& values) const {
         return {values.data(), static_cast<std::size_t>(rings_.count)};
     }
@@ -130,7 +149,7 @@ class StudioClay {
 
     void use_wire(const StudioInput& input);
     studio::Changed act(studio::HandState& state, studio::Contact& contact, const studio::Hand& hand,
-                        const studio::Hand* other, const StudioParameters& parameters);
+                        const studio::Hand* other, double water, const StudioParameters& parameters);
     bool tend_rings(double dt_s);
     double allowed_speed(double wanted_rad_s, const StudioParameters& parameters) const;
     ContactForces feel_hand(studio::HandState& state, const studio::Contact& contact,
@@ -149,14 +168,17 @@ class StudioClay {
     double tend_credit_ = 0.0;    // rings to look at that simulated time has paid for
     double change_credit_ = 0.0;  // splits and joins, the same
     int tend_next_ = 0;
+    int stripe_ = 0;                // counts ticks round: which rings are rounded, which work is due
     double wheel_load_n_mm_ = 0.0;  // of the last tick
     double load_height_mm_ = 0.0;
+    bool owes_cursors_ = false;  // the tick before was the walls' turn
     bool cut_off_ = false;
     bool wire_was_used_ = false;  // one cut a pull
     std::uint64_t splits_ = 0;
     std::uint64_t joins_ = 0;
 
     // Work space; never hashed.
+    bool walls_took_turn_ = false;
     std::array<studio::Contact, 2> contacts_;
     std::vector<double> scratch_;
 };

@@ -8,6 +8,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/little_endian.h"
 #include "engine/core/units.h"
+#include "game/clay/studio/roundness.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/clay/studio/volume_grid.h"
 
@@ -17,7 +18,7 @@ namespace {
 using studio::Rings;
 
 // The start state opens with this and the lump: they say how much more there is.
-constexpr std::uint32_t kStateTag = 0x314c4353;  // "SCL1"
+constexpr std::uint32_t kStateTag = 0x324c4353;  // "SCL2"
 constexpr std::size_t kHeadBytes = 4 + 8 + 4 + 8 + 4 + 4 + 8 + 4;
 
 struct Bound {
@@ -138,7 +139,7 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
     for (auto* column : {&rings.volume_mm3, &rings.outer_mm, &rings.inner_mm})
         visitor.numbers(std::span(column->data(), count));
     for (auto* column : {&rings.centre_x_mm, &rings.centre_z_mm, &rings.rough_mm, &rings.liquidity,
-                         &rings.strength_kpa, &rings.load_index, &rings.shear, &rings.slump_rate,
+                         &rings.film, &rings.strength_kpa, &rings.load_index, &rings.shear, &rings.slump_rate,
                          &rings.slump_above, &rings.slump_axial, &rings.slump_hoop})
         visitor.numbers(std::span(column->data(), count));
     for (int i = 0; i < rings.count; ++i) {
@@ -184,6 +185,8 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
                          &self.load_height_mm_})
         visitor.number(*number);
     visitor.number(self.tend_next_);
+    visitor.number(self.stripe_);
+    visitor.number(self.owes_cursors_);
     visitor.number(self.cut_off_);
     visitor.number(self.wire_was_used_);
     visitor.number(self.splits_);
@@ -285,10 +288,10 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
         };
         const bool sound = in(rings.centre_x_mm, -10.0, 10.0) && in(rings.centre_z_mm, -10.0, 10.0) &&
                            in(rings.rough_mm, 0.0, 1000.0) && in(rings.liquidity, -1.0, 2.0) &&
-                           in(rings.strength_kpa, 1e-3, 1e5) && in(rings.load_index, 0.0, 1e9) &&
-                           in(rings.shear, 0.0, 1e3) && in(rings.slump_rate, 0.0, 1e3) &&
-                           in(rings.slump_above, 0.0, 1e3) && in(rings.slump_axial, -10.0, 10.0) &&
-                           in(rings.slump_hoop, -10.0, 10.0);
+                           in(rings.film, 0.0, 1.0) && in(rings.strength_kpa, 1e-3, 1e5) &&
+                           in(rings.load_index, 0.0, 1e9) && in(rings.shear, 0.0, 1e3) &&
+                           in(rings.slump_rate, 0.0, 1e3) && in(rings.slump_above, 0.0, 1e3) &&
+                           in(rings.slump_axial, -10.0, 10.0) && in(rings.slump_hoop, -10.0, 10.0);
         if (!sound) return fmt::format("ring {}: expected numbers within their bounds", i);
         if (rings.rough_mm[at] > 0.0F) {
             for (int s = 0; s < rings.sectors; ++s) {
@@ -330,17 +333,18 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
     }
     if (!is_between(clay.film_, 0.0, 1.0) || !is_between(clay.tend_credit_, 0.0, 1e6) ||
         !is_between(clay.change_credit_, 0.0, 1e6) || !is_between(clay.wheel_load_n_mm_, 0.0, 1e9) ||
-        !std::isfinite(clay.load_height_mm_) || !is_between(clay.tend_next_, 0, rings.capacity + 2))
+        !std::isfinite(clay.load_height_mm_) || !is_between(clay.tend_next_, 0, rings.capacity + 2) ||
+        !is_between(clay.stripe_, 0, studio::kMostStripes - 1))
         return "cursor: expected numbers within their bounds";
     return {};
 }
 
 Result<void> check(const StudioLump& lump) {
     const Bound bounds[] = {
-        {"mass, g", lump.mass_g, 100.0, 5000.0},
+        {"mass, g", lump.mass_g, kLeastLumpG, kLargestLumpG},
         {"body", static_cast<double>(lump.body), 0.0, 2.0},
         {"liquidity index", lump.liquidity_index, 0.0, 1.2},
-        {"rings", static_cast<double>(lump.rings), 200.0, 4000.0},
+        {"rings", static_cast<double>(lump.rings), kFewestRings, kMostRings},
         {"sectors", static_cast<double>(lump.sectors), 16.0, 256.0},
         {"off-centre, mm", lump.off_centre_mm, 0.0, 5.0},
     };
@@ -360,7 +364,6 @@ Result<void> check(const StudioParameters& p) {
         {"hoop share chi", p.hoop_share_chi, 0.0, 1.0},
         {"field length beta", p.field_length_beta, 0.1, 10.0},
         {"floor, mm", p.floor_mm, 1.0, 100.0},
-        {"shaft radius, mm", p.shaft_radius_mm, 0.0, 40.0},
         {"largest strain rate, 1/s", p.largest_strain_rate, 0.1, 50.0},
         {"centring time, s", p.centring_time_s, 0.05, 100.0},
         {"rounding time, s", p.rounding_time_s, 0.05, 100.0},
@@ -372,6 +375,7 @@ Result<void> check(const StudioParameters& p) {
         {"slip, mm/s", p.slip_mm_s, 0.0, 1.0},
         {"evaporation, g/(mm^2 s)", p.evaporation_g_mm2_s, 0.0, 1e-3},
         {"film time, s", p.film_time_s, 0.1, 1e4},
+        {"diffusivity, mm^2/s", p.diffusivity_mm2_s, 0.0, 1.0},
         {"bearing factor Nc", p.bearing_factor_nc, 0.1, 100.0},
         {"viscosity c2, N s/mm", p.viscosity_c2_n_s_per_mm, 0.0, 1.0},
         {"dry friction", p.friction_dry, 0.0, 2.0},

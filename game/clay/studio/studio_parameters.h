@@ -33,7 +33,6 @@ struct StudioParameters {
     double hoop_share_chi = 0.5;       // of a wall's hoop strain that goes into thickness
     double field_length_beta = 2.5;    // L = beta sqrt(R t)
     double floor_mm = 12.0;            // kept when opening
-    double shaft_radius_mm = 0.0;      // of the inner tool above its ball; 9 for widening
     double largest_strain_rate = 8.0;  // of a ring's height, 1/s
 
     double centring_time_s = 1.0;   // tau_c
@@ -45,12 +44,13 @@ struct StudioParameters {
     double trim_time_s = 0.05;      // a trimming tool cuts, it does not knead
 
     // Strength and water.
-    double sponge_water_ml_s = 0.0;       // what the sponge gives while it touches
+    double sponge_water_ml_s = 0.5;       // what a dripping sponge gives while it touches
     double slip_mm_s = 0.01;              // what a wet sponge carries off
     double evaporation_g_mm2_s = 5.6e-8;  // 0.2 kg a square metre and hour
-    double film_time_s = 20.0;            // how long hands stay slippery
-    bool slumps = true;                   // clay that carries more than it can gives way
-    bool forgiving = false;               // the wheel slows by itself before the clay gives way
+    double film_time_s = 20.0;            // how long hands stay slippery, and faces wet
+    double diffusivity_mm2_s = 5e-3;  // of water from ring to ring: a millimetre and a half in five minutes
+    bool slumps = true;               // clay that carries more than it can gives way
+    bool forgiving = false;           // the wheel slows by itself before the clay gives way
 
     // Feel.
     double bearing_factor_nc = 6.0;          // Nc
@@ -74,9 +74,14 @@ enum class StudioTool {
     kTrimmer,  // cuts: what it reaches goes to the trimmings
 };
 
+// Where a hand that reaches the clay wants to be, for a device that knows; see hand.h.
+enum class SideWish { kNone, kOut, kIn, kTop };
+
 struct StudioHand {
     dvec3 position_mm{0.0, 1000.0, 0.0};  // centre of the sphere
     double radius_mm = 10.0;              // 2 to 40; outside, the nearest
+    double shaft_mm = 0.0;                // inside, of the arm above the ball; 9 for widening
+    SideWish side = SideWish::kNone;
     StudioTool tool = StudioTool::kHand;
 };
 
@@ -95,7 +100,7 @@ struct StudioInput {
     // one's. Taken only without a second hand of one's own; 0: none.
     double assist_gap_mm = 0.0;
     double wheel_speed_rad_s = 0.0;  // the pedal
-    bool wet_hands = false;          // dipped into the bowl of water
+    double water = 0.0;              // of hands or sponge, 0 dry to 1 dripping
     Wire wire = Wire::kNone;
     double wire_height_mm = 0.0;
 };

@@ -136,7 +136,7 @@ double wall_slope(const Rings& rings, int i) noexcept {
     return std::clamp(run / rise, -kSteepest, kSteepest);
 }
 
-Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share,
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share, double dt_s,
                   const StudioParameters& parameters) noexcept {
     const int n = contact.range.size();
     double largest = 0.0;
@@ -208,7 +208,7 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share
         outer,       inner, rings.height_mm.data() + range.first, rings.volume_mm3.data() + range.first,
         place,       mean,  contact.outer_step_mm.data(),         contact.inner_step_mm.data(),
         range.size()};
-    const Gate gate(rings, parameters.largest_strain_rate * parameters.dt_s());
+    const Gate gate(rings, parameters.largest_strain_rate * dt_s);
 #if ONGGI_X86_KERNELS
     if (has_wide_lanes()) {
         move_avx2(columns, shares, gate);

@@ -18,7 +18,7 @@ namespace onggi::clay::studio {
 //          sqrt((1 + T^2)/(1 + (T + dT)^2)), dT = u g'/L
 //
 // Everything is linear in u, which is a few hundredths of a millimetre a tick.
-Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share,
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share, double dt_s,
                   const StudioParameters& parameters) noexcept;
 
 // dR/dy at ring i over six rings to either side, of the same kind of clay, within +-3.
