@@ -1,10 +1,17 @@
 // What the entities of the wheel's scene are made of. Plain data; main thread. mm, rad, linear light.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
+#include "game/clay/studio/pot.h"
+#include "game/wheel/camera_motion.h"
+#include "game/wheel/tool_pose.h"
+#include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
 
@@ -19,21 +26,42 @@ struct Wheel {
     bool turning = false;
 };
 
-// The clay as the picture knows it. The radii are the picture's own copy: a snapshot may be overwritten while
-// the frame is put together.
+// The clay as the picture knows it, ring by ring from the bottom. The columns are the picture's own copies: a
+// snapshot may be overwritten while the frame is put together.
 struct Clay {
-    std::vector<float> radii_mm{};  // bottom first
+    std::vector<float> radii_mm{};  // outer faces
+    std::vector<float> inner_mm{};  // inner faces; these are as in render::Lathe
+    std::vector<float> top_mm{};
+    std::vector<vec2> centre_mm{};
+    std::vector<float> wetness{};
+    std::vector<float> film{};
+    std::vector<float> load{};
+    std::vector<float> dents_mm{};
     double height_mm = 200.0;
-    render::LatheMaterial material{};
+    clay::ClayBody body = clay::ClayBody::kStoneware;
+    clay::Firing stage = clay::Firing::kWet;
+    bool shows_load = false;
+    bool is_cut_open = false;  // towards the camera
     float edge_rounding_mm = 0.0F;
 };
 
-// The hand's tool.
+// A hand and what it holds: shown as the ball that touches, or as hand and tool.
 struct Tool {
-    double radius_mm = 10.0;
-    bool shown = true;
-    bool touching = false;
-    render::Material material{};
+    ToolSight sight{};
+    ToolPose pose{};
+    bool as_ball = true;
+    render::Material ball_material{};
+};
+
+// The wire that cuts the pot off, or its rim.
+struct Wire {
+    bool shown = false;
+    double height_mm = 0.0;
+};
+
+// What tools look like; null: all are balls.
+struct ToolShelf {
+    std::shared_ptr<const render::MoverLibrary> library{};
 };
 
 // Frames the wheel so that `height_mm` of it fill the picture's height, or `width_mm` its width, whichever
@@ -47,12 +75,35 @@ struct CameraRig {
     double width_mm = 330.0;
 };
 
+// The photographed workshop, beside the rig: while it has a plate to show, the camera stands where that was
+// taken, or is on its way from one to another.
+struct PhotographedRoom {
+    std::shared_ptr<const Workshop> workshop;
+    View view = View::kThrowing;
+    std::map<std::string, std::shared_ptr<const render::Plate>> plates{};  // by their camera's name
+    bool sways = false;  // while nobody throws: a few degrees to either side, slowly
+    CameraMotion motion{};
+    std::string from{};  // names of the cameras it is between; the same one at rest
+    std::string to{};
+    int width_px = 0;  // of the picture they were framed for
+    int height_px = 0;
+    Settling sway_share{};  // 0 to 1
+    double sway_s = 0.0;    // how long it has swayed
+};
+
+// The time of day: 0 the daylight in which one works, 1 the evening in which one looks at what one has made.
+struct TimeOfDay {
+    double evening = 0.0;  // the goal
+    Settling now{};
+};
+
 // One far light, and the light from everywhere else.
 struct KeyLight {
     render::DirectionalLight light;
 };
 struct Surroundings {
     render::Environment environment;
+    std::optional<std::array<vec3, 9>> irradiance;  // where it is known better than the environment says
     render::Backdrop backdrop;
 };
 
@@ -60,6 +111,7 @@ struct Surroundings {
 struct StillPart {
     std::shared_ptr<const render::Mesh> mesh{};
     render::Material material{};
+    bool in_relief = false;  // see render::StillLife
     bool casts_shadow = true;
 };
 

@@ -5,43 +5,24 @@
 #include <array>
 #include <variant>
 
-#include "engine/render/renderer.h"
-#include "engine/vk/offscreen.h"
-#include "engine/vk/swapchain.h"
 #include "engine/window/window.h"
-#include "game/wheel/wheel_scene.h"
+#include "game/wheel/live_screen.h"
+#include "game/wheel/workshop_scene.h"
 
 namespace onggi::wheel {
 
-// Members die in the reverse of this order, which is the order Vulkan asks for.
 struct LiveView::Impl {
     std::unique_ptr<window::Window> window;
-    std::unique_ptr<vk::Instance> instance;
-    std::unique_ptr<vk::Surface> surface;  // null when headless
-    std::unique_ptr<vk::Device> device;
-    std::unique_ptr<vk::Swapchain> swapchain;  // one of these two
-    std::unique_ptr<vk::Offscreen> offscreen;
-    std::unique_ptr<render::Renderer> renderer;
-    WheelScene scene;
+    std::unique_ptr<LiveScreen> screen;  // gone before the window
+    std::unique_ptr<WheelScene> scene;
+    std::string workshop_lack;
     bool close_requested = false;
 
-    [[nodiscard]] vk::FrameTarget& target() const {
-        if (swapchain) return *swapchain;
-        return *offscreen;
-    }
+    [[nodiscard]] int width() const { return static_cast<int>(screen->extent().width); }
+    [[nodiscard]] int height() const { return static_cast<int>(screen->extent().height); }
     Result<void> open(const LiveViewOptions& options);
-    Result<void> open_target(const LiveViewOptions& options);
-    Result<void> make_renderer();
-    Result<bool> draw(const PotView& pot);
+    Result<bool> draw(const PotView& pot, double dt_s, const render::Overlay* overlay);
 };
-
-namespace {
-
-VkExtent2D extent_of(window::Size size) {
-    return {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
-}
-
-}  // namespace
 
 Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     const window::WindowDesc desc{.width = options.width,
@@ -55,57 +36,43 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         if (!opened) return opened.error();
         window = std::move(*opened);
     }
-    auto made =
-        vk::Instance::create({.validation = options.validation, .extensions = window->instance_extensions()});
+    auto made = LiveScreen::open(*window, {.size = {options.width, options.height},
+                                           .validation = options.validation,
+                                           .draw_threads = options.draw_threads});
     if (!made) return made.error();
-    instance = std::move(*made);
-    if (auto opened = open_target(options); !opened) return opened;
-    if (auto renderer_made = make_renderer(); !renderer_made) return renderer_made;
+    screen = std::move(*made);
 
-    // Every pipeline is compiled by drawing with it once: a lump and a tool need all of them.
+    OpenedScene opened = open_scene(options.workshop, width(), height());
+    scene = std::move(opened.scene);
+    workshop_lack = std::move(opened.lack);
+
+    // Every pipeline is compiled by drawing with it once: a lump with a ball, and one with hands, need all of
+    // them.
     std::array<float, 200> lump{};
+    std::array<float, 200> tops{};
     lump.fill(60.0F);
-    auto warmed = draw({.radii_mm = lump});
-    if (!warmed) return warmed.error();
-    return target().wait();
-}
-
-Result<void> LiveView::Impl::open_target(const LiveViewOptions& options) {
-    auto made_surface = window->create_surface(instance->handle());
-    if (!made_surface) return made_surface.error();
-    if (*made_surface != VK_NULL_HANDLE)
-        surface = std::make_unique<vk::Surface>(instance->handle(), *made_surface);
-    auto chosen = vk::choose_device(*instance, *made_surface);
-    if (!chosen) return chosen.error();
-    auto made_device = vk::Device::create(*instance, *chosen, surface != nullptr);
-    if (!made_device) return made_device.error();
-    device = std::move(*made_device);
-    if (surface) {
-        auto made = vk::Swapchain::create(*device, *surface, extent_of(window->size()));
-        if (!made) return made.error();
-        swapchain = std::move(*made);
-    } else {
-        auto made = vk::Offscreen::create(*device, extent_of({options.width, options.height}));
-        if (!made) return made.error();
-        offscreen = std::move(*made);
+    for (std::size_t ring = 0; ring < tops.size(); ++ring)
+        tops[ring] = static_cast<float>(ring + 1);
+    for (const bool with_hands : {false, true}) {
+        PotView pot{.radii_mm = lump};
+        if (with_hands) pot.top_mm = tops;
+        auto warmed = draw(pot, 0.0, nullptr);
+        if (!warmed) return warmed.error();
+        if (auto waited = screen->wait(); !waited) return waited;
     }
-    return {};
+    // And those of a moving camera: on its way from one plate, and between two.
+    scene->look_at(View::kLookingIn);
+    for (const double dt_s : {1e-3, 0.4, 0.0}) {
+        if (dt_s == 0.0) scene->look_at(View::kThrowing);  // where it began
+        auto warmed = draw({.radii_mm = lump}, dt_s, nullptr);
+        if (!warmed) return warmed.error();
+    }
+    return screen->wait();
 }
 
-Result<void> LiveView::Impl::make_renderer() {
-    const auto desc =
-        render::live_desc(target().format(), device->is_cpu(), static_cast<int>(target().extent().height));
-    auto made = render::Renderer::create(*device, desc);
-    if (!made) return made.error();
-    renderer = std::move(*made);
-    return {};
-}
-
-Result<bool> LiveView::Impl::draw(const PotView& pot) {
-    const VkExtent2D extent = target().extent();
-    if (extent.width == 0 || extent.height == 0) return false;
-    return renderer->draw(scene.apply(pot, static_cast<int>(extent.width), static_cast<int>(extent.height)),
-                          target());
+Result<bool> LiveView::Impl::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
+    if (width() == 0 || height() == 0) return false;
+    return screen->draw(scene->apply(pot, width(), height(), dt_s), overlay, dt_s);
 }
 
 LiveView::LiveView(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -121,11 +88,19 @@ std::vector<window::Event> LiveView::poll_events() {
     std::vector<window::Event> events = impl_->window->poll_events();
     for (const window::Event& event : events) {
         if (const auto* resized = std::get_if<window::ResizeEvent>(&event)) {
-            if (impl_->swapchain) impl_->swapchain->resize(extent_of({resized->width, resized->height}));
+            impl_->screen->resize({resized->width, resized->height});
         }
         if (std::holds_alternative<window::CloseEvent>(event)) impl_->close_requested = true;
     }
     return events;
+}
+
+std::vector<window::Gamepad> LiveView::gamepads() const {
+    return impl_->window->gamepads();
+}
+
+const std::string& LiveView::workshop_lack() const {
+    return impl_->workshop_lack;
 }
 
 bool LiveView::close_requested() const {
@@ -140,10 +115,10 @@ void LiveView::set_full_screen(bool full_screen) {
     impl_->window->set_full_screen(full_screen);
 }
 
-Result<bool> LiveView::draw(const PotView& pot) {
-    auto drawn = impl_->draw(pot);
+Result<bool> LiveView::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
+    auto drawn = impl_->draw(pot, dt_s, overlay);
     if (!drawn) return drawn;
-    const std::vector<std::string>& messages = impl_->instance->messages();
+    const std::vector<std::string>& messages = impl_->screen->messages();
     if (!messages.empty()) {
         return failed(fmt::format("Vulkan validation: expected no message, found {}, the first: {}",
                                   messages.size(), messages.front()));
@@ -151,28 +126,63 @@ Result<bool> LiveView::draw(const PotView& pot) {
     return drawn;
 }
 
+void LiveView::look_at(View view) {
+    impl_->scene->look_at(view);
+}
+void LiveView::sway(bool sways) {
+    impl_->scene->sway(sways);
+}
+void LiveView::set_evening(double evening) {
+    impl_->scene->set_evening(evening);
+}
+
 Result<void> LiveView::wait() {
-    return impl_->target().wait();
+    return impl_->screen->wait();
 }
 
 std::optional<dvec3> LiveView::tool_target_mm(double x_px, double y_px) const {
-    return impl_->scene.tool_target_mm(x_px, y_px, width(), height());
+    return impl_->scene->tool_target_mm(x_px, y_px, width(), height());
+}
+
+std::optional<dvec2> LiveView::project(const dvec3& place_mm) const {
+    const auto seen =
+        render::project(impl_->scene->camera_now(width(), height()), width(), height(), place_mm);
+    return seen ? std::optional<dvec2>(seen->pixel) : std::nullopt;
+}
+
+dvec3 LiveView::towards_eye(const dvec3& place_mm) const {
+    return glm::normalize(dvec3(impl_->scene->camera_now(width(), height()).eye_mm) - place_mm);
 }
 
 int LiveView::width() const {
-    return static_cast<int>(impl_->target().extent().width);
+    return impl_->width();
 }
 int LiveView::height() const {
-    return static_cast<int>(impl_->target().extent().height);
+    return impl_->height();
 }
 
 const std::string& LiveView::device_name() const {
-    return impl_->device->description().name;
+    return impl_->screen->device().description().name;
+}
+
+std::vector<std::string> LiveView::take_remarks() {
+    return impl_->screen->take_remarks();
+}
+std::string_view LiveView::quality() const {
+    return render::quality_name(impl_->screen->quality());
+}
+const render::FrameStats& LiveView::frame_stats() const {
+    return impl_->screen->stats();
+}
+vk::Health& LiveView::device_health() {
+    return impl_->screen->device().health();
+}
+int LiveView::mended() const {
+    return impl_->screen->mended();
 }
 
 Result<asset::Image> LiveView::read_back() {
-    if (!impl_->offscreen) return failed("live view: expected an unseen target to read back, found a window");
-    auto pixels = impl_->offscreen->read_back();
+    auto pixels = impl_->screen->read_back();
     if (!pixels) return pixels.error();
     return asset::Image{.width = width(), .height = height(), .rgba = std::move(*pixels)};
 }

@@ -2,15 +2,22 @@
 // as it is asked to. It neither waits nor paces: the caller owns the 60 Hz. Main thread only.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
+#include "engine/render/overlay.h"
+#include "engine/render/renderer.h"
+#include "engine/vk/health.h"
 #include "engine/window/events.h"
+#include "engine/window/gamepad.h"
 #include "game/wheel/pot_view.h"
+#include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
 
@@ -20,6 +27,8 @@ struct LiveViewOptions {
     bool headless = false;  // draw into memory; no display needed
     bool full_screen = false;
     bool validation = false;
+    int draw_threads = 1;  // that a software Vulkan device may use: where the quality ladder begins
+    std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
     std::string title = "Onggi";
 };
 
@@ -34,13 +43,26 @@ class LiveView {
 
     // What happened in the window since the last call; empty when headless. Call before draw.
     [[nodiscard]] std::vector<window::Event> poll_events();
+    // The gamepads of the window system, as they are since then; none when headless.
+    [[nodiscard]] std::vector<window::Gamepad> gamepads() const;
     [[nodiscard]] bool close_requested() const;
+    // Why the room is not shown but a small still life; empty: it is shown.
+    [[nodiscard]] const std::string& workshop_lack() const;
     void set_title(const std::string& title);
     void set_full_screen(bool full_screen);
 
-    // Draws one frame. It waits for the one before it to have left the device, and for no clock. True if a
-    // frame was drawn; false while the window is minimised or between two sizes.
-    Result<bool> draw(const PotView& pot);
+    // A device that is lost, a surface that goes and memory that runs out are mended within the call, while
+    // the clay goes on elsewhere. Draws one frame, dt_s after the one before: what moves by itself eases in
+    // time and not in frames. It waits for the one before it to have left the device, and for no clock. True
+    // if a frame was drawn; false while the window is minimised or between two sizes. An overlay is laid over
+    // the scene, or stands in its place.
+    Result<bool> draw(const PotView& pot, double dt_s = 1.0 / 60.0, const render::Overlay* overlay = nullptr);
+
+    // The camera goes to another view; it sways slowly while nobody throws; day becomes evening, 0 to 1. Each
+    // takes about a second, and needs the photographed room; without it only the evening is seen.
+    void look_at(View view);
+    void sway(bool sways);
+    void set_evening(double evening);
 
     // Until the last frame has left the device: what a frame took is known only then.
     Result<void> wait();
@@ -49,9 +71,23 @@ class LiveView {
     // the camera, mm. Nothing when the pixel looks past that plane.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px) const;
 
+    // Where a place on the wheel is seen, pixels; nothing behind the eye.
+    [[nodiscard]] std::optional<dvec2> project(const dvec3& place_mm) const;
+    // The way from that place to the eye, unit length.
+    [[nodiscard]] dvec3 towards_eye(const dvec3& place_mm) const;
+
     [[nodiscard]] int width() const;  // of the target now, pixels
     [[nodiscard]] int height() const;
     [[nodiscard]] const std::string& device_name() const;
+    // What happened that somebody should read, a line each, since the last call: a device that was lost and
+    // made anew, a step of quality.
+    [[nodiscard]] std::vector<std::string> take_remarks();
+    [[nodiscard]] std::string_view quality() const;  // "one software core"
+    [[nodiscard]] const render::FrameStats& frame_stats() const;
+    // For tests: failures on purpose, and how often something was made anew after one.
+    [[nodiscard]] vk::Health& device_health();
+    [[nodiscard]] int mended() const;
+
     // The last frame drawn, when headless; for tests.
     Result<asset::Image> read_back();
 

@@ -2,11 +2,27 @@
 
 #include <fmt/format.h>
 
+#include "engine/render/beauty.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
-#include "game/wheel/wheel_scene.h"
+#include "game/wheel/workshop_scene.h"
 
 namespace onggi::wheel {
+namespace {
+
+// Turns the scene to the view, and says what of the pot's surroundings it shows.
+PotView set_view(WheelScene& scene, PotView pot, StillView view) {
+    scene.look_at(view == StillView::kLookingIn ? View::kLookingIn : View::kThrowing);
+    Clay& clay = scene.registry().get<Clay>(scene.clay());
+    clay.is_cut_open = clay.shows_load = view == StillView::kCutaway;
+    if (view == StillView::kPortrait || view == StillView::kCutaway) {
+        pot.hand.shown = pot.second_hand.shown = false;
+        pot.wire_shown = false;
+    }
+    return pot;
+}
+
+}  // namespace
 
 Result<asset::Image> render_still(const PotView& pot, int width, int height, const StillOptions& options) {
     constexpr int kLeast = 16;
@@ -28,12 +44,27 @@ Result<asset::Image> render_still(const PotView& pot, int width, int height, con
         if (!target) return target.error();
         auto renderer = render::Renderer::create(**device, render::still_desc((*target)->format()));
         if (!renderer) return renderer.error();
-        WheelScene scene;
-        auto drawn = (*renderer)->draw(scene.apply(pot, width, height), **target);
-        if (!drawn) return drawn.error();
-        auto pixels = (*target)->read_back();
-        if (!pixels) return pixels.error();
-        image.rgba = std::move(*pixels);
+        const OpenedScene opened = open_scene(options.workshop, width, height);
+        const PotView shown = set_view(*opened.scene, pot, options.view);
+        const render::Scene& seen = opened.scene->apply(shown, width, height);
+        const auto picture = [&](const render::Scene& scene) -> Result<std::vector<std::uint8_t>> {
+            auto drawn = (*renderer)->draw(scene, **target);
+            if (!drawn) return drawn.error();
+            return (*target)->read_back();
+        };
+        if (options.beauty) {
+            render::Accumulation mean(width, height);
+            for (int sample = 0; sample < kBeautySamples; ++sample) {
+                auto pixels = picture(render::beauty_sample(seen, sample, width, height));
+                if (!pixels) return pixels.error();
+                mean.add(*pixels);
+            }
+            image = mean.mean();
+        } else {
+            auto pixels = picture(seen);
+            if (!pixels) return pixels.error();
+            image.rgba = std::move(*pixels);
+        }
     }
     // The device is gone: what it was late to complain of has been heard too.
     const std::vector<std::string>& messages = (*instance)->messages();

@@ -2,13 +2,29 @@
 // every time on the same driver. Main thread; makes its own Vulkan device and lets it go again.
 #pragma once
 
+#include <filesystem>
+
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
 #include "game/wheel/pot_view.h"
 
 namespace onggi::wheel {
 
+constexpr int kBeautySamples = 48;
+
+// What a picture shows.
+enum class StillView {
+    kThrowing,  // pot and hands
+    kLookingIn,
+    kPortrait,  // the throwing view without hands: the pot as it will be kept
+    kCutaway,   // cut open towards the camera, with its section; load shown as a hatch
+};
+
 struct StillOptions {
+    StillView view = StillView::kThrowing;
+    std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
+    bool beauty =
+        false;  // the mean of kBeautySamples pictures: finer edges, shadows as soft as the light is wide
     bool validation = false;  // with VK_LAYER_KHRONOS_validation; any message is then an error
 };
 

@@ -4,13 +4,17 @@
 #include <cmath>
 
 namespace onggi::wheel {
+namespace {
 
-void receive_clay(ecs::Registry& registry, FrameContext& context) {
-    registry.each<Clay>([&](ecs::Entity, Clay& clay) {
-        clay.radii_mm.assign(context.pot->radii_mm.begin(), context.pot->radii_mm.end());
-        clay.height_mm = context.pot->height_mm;
-    });
+constexpr double kSwayRad = 0.021;     // a little over a degree
+constexpr double kSwayZoom = 0.045;    // nearer by that, so that nothing from outside the plate comes in
+constexpr double kSwayRadPerS = 0.21;  // half a minute there and back
+
+render::Camera framed(const render::Plate& plate, int width_px, int height_px) {
+    return render::plate_camera(plate.camera, plate.key.width, plate.key.height, width_px, height_px);
 }
+
+}  // namespace
 
 void receive_wheel(ecs::Registry& registry, FrameContext& context) {
     registry.each<Wheel>([&](ecs::Entity, Wheel& wheel) {
@@ -19,25 +23,97 @@ void receive_wheel(ecs::Registry& registry, FrameContext& context) {
     });
 }
 
-void receive_tool(ecs::Registry& registry, FrameContext& context) {
-    registry.each<Tool, Transform>([&](ecs::Entity, Tool& tool, Transform& transform) {
-        transform.position_mm = context.pot->tool_position_mm;
-        tool.radius_mm = context.pot->tool_radius_mm;
-        tool.shown = context.pot->tool_shown;
-        tool.touching = context.pot->contacts > 0;
+void move_camera(ecs::Registry& registry, FrameContext& context) {
+    registry.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
+        const ShownPlate goal = shown_plate(room, context.width_px, context.height_px);
+        if (goal.camera == nullptr) return;
+        const CameraPose pose = pose_of(framed(*goal.plate, context.width_px, context.height_px));
+        const bool is_same_size = context.width_px == room.width_px && context.height_px == room.height_px;
+        const bool is_known = room.plates.contains(room.from) && room.plates.contains(room.to);
+        if (!is_known || !is_same_size) {
+            room.motion.jump_to(pose);
+            room.from = room.to = goal.camera->name;
+            room.width_px = context.width_px;
+            room.height_px = context.height_px;
+        } else if (goal.camera->name != room.to && goal.camera->name != room.from) {
+            room.from = room.to;
+            room.to = goal.camera->name;
+        } else if (room.from == room.to) {
+            room.to = goal.camera->name;
+        }
+        if (context.dt_s > 0.0) {
+            room.motion.go_to(pose);
+            room.motion.advance(context.dt_s);
+        } else {
+            room.motion.jump_to(pose);
+        }
+        if (room.motion.at_rest()) room.from = room.to = goal.camera->name;
+
+        constexpr double kSwayRatePerS = 1.5;
+        room.sway_share = settled(room.sway_share, room.sways ? 1.0 : 0.0, kSwayRatePerS, context.dt_s);
+        if (!room.sways && room.sway_share.value < 1e-3) room.sway_share = {};
+        room.sway_s = room.sway_share.value > 0.0 || room.sways ? room.sway_s + context.dt_s : 0.0;
+    });
+}
+
+void pass_time_of_day(ecs::Registry& registry, FrameContext& context) {
+    registry.each<TimeOfDay>([&](ecs::Entity, TimeOfDay& time) {
+        constexpr double kRatePerS = 3.0;
+        time.now = settled(time.now, time.evening, kRatePerS, context.dt_s);
+        // A step of the eight bits, and no more layers are drawn for it.
+        const bool is_there =
+            std::abs(time.now.value - time.evening) < 2e-3 && std::abs(time.now.speed) < 1e-2;
+        if (is_there || context.dt_s == 0.0) time.now = {.value = time.evening, .speed = 0.0};
     });
 }
 
 void extract_camera(ecs::Registry& registry, FrameContext& context) {
+    context.scene.plate.reset();
     registry.each<CameraRig>([&](ecs::Entity, const CameraRig& rig) {
         context.scene.camera = camera_of(rig, context.width_px, context.height_px);
+    });
+    context.scene.glide.reset();
+    context.scene.plates_at_hand.clear();
+    registry.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
+        if (room.plates.empty()) {
+            // Modelled, not photographed: from the same places.
+            const PlateCamera* place =
+                room.workshop->camera_for(room.view, context.width_px, context.height_px);
+            if (place == nullptr) return;
+            context.scene.camera = render::plate_camera(place->camera, place->width_px, place->height_px,
+                                                        context.width_px, context.height_px);
+            return;
+        }
+        for (const auto& [name, plate] : room.plates)
+            context.scene.plates_at_hand.push_back(plate);
+        const auto from = room.plates.find(room.from);
+        const auto to = room.plates.find(room.to);
+        if (from == room.plates.end() || to == room.plates.end()) return;
+        context.scene.plate = from->second;
+        const CameraPose pose = room.motion.pose();
+        const double sway = room.sway_share.value * std::sin(room.sway_s * kSwayRadPerS);
+        if (room.from == room.to && room.motion.at_rest() && room.sway_share.value == 0.0) {
+            context.scene.camera = framed(*from->second, context.width_px, context.height_px);
+            return;
+        }
+        CameraPose swayed = pose;
+        swayed.azimuth_rad += kSwayRad * sway;
+        swayed.vertical_fov_rad *= 1.0 - kSwayZoom * room.sway_share.value;
+        context.scene.camera = camera_at(swayed);
+        const auto pose_from = pose_of(framed(*from->second, context.width_px, context.height_px));
+        const auto pose_to = pose_of(framed(*to->second, context.width_px, context.height_px));
+        context.scene.glide = render::Glide{
+            .towards = to->second, .share = static_cast<float>(share_between(pose_from, pose_to, pose))};
     });
 }
 
 void extract_light(ecs::Registry& registry, FrameContext& context) {
+    registry.each<TimeOfDay>(
+        [&](ecs::Entity, const TimeOfDay& time) { context.scene.levels = light_levels(time.now.value); });
     registry.each<KeyLight>([&](ecs::Entity, const KeyLight& key) { context.scene.key = key.light; });
     registry.each<Surroundings>([&](ecs::Entity, const Surroundings& surroundings) {
         context.scene.environment = surroundings.environment;
+        context.scene.irradiance = surroundings.irradiance;
         context.scene.backdrop = surroundings.backdrop;
     });
 }
@@ -50,46 +126,51 @@ void extract_still_life(ecs::Registry& registry, FrameContext& context) {
         still_life->parts.push_back({.mesh = part.mesh,
                                      .material = part.material,
                                      .position_mm = vec3(transform.position_mm),
+                                     .in_relief = part.in_relief,
                                      .casts_shadow = part.casts_shadow});
     });
     still_life->revision = 1;
     context.scene.still_life = std::move(still_life);
 }
 
-void extract_clay(ecs::Registry& registry, FrameContext& context) {
-    context.scene.lathe.reset();
-    registry.each<Clay, Wheel>([&](ecs::Entity, const Clay& clay, const Wheel& wheel) {
-        if (clay.radii_mm.empty()) return;
-        context.scene.lathe = render::Lathe{.radii_mm = clay.radii_mm,
-                                            .element_height_mm = static_cast<float>(
-                                                clay.height_mm / static_cast<double>(clay.radii_mm.size())),
-                                            .edge_rounding_mm = clay.edge_rounding_mm,
-                                            .turn = vec2(wheel.direction),
-                                            .material = clay.material};
-    });
-}
-
-void extract_tools(ecs::Registry& registry, FrameContext& context) {
-    context.scene.spheres.clear();
-    registry.each<Tool, Transform>([&](ecs::Entity, const Tool& tool, const Transform& transform) {
-        if (!tool.shown) return;
-        context.scene.spheres.push_back({.centre_mm = vec3(transform.position_mm),
-                                         .radius_mm = static_cast<float>(tool.radius_mm),
-                                         .material = tool.material});
-    });
-}
-
 ecs::Schedule<FrameContext> wheel_schedule() {
     ecs::Schedule<FrameContext> schedule;
     schedule.add(ecs::Phase::kReceive, "receive clay", receive_clay)
         .add(ecs::Phase::kReceive, "receive wheel", receive_wheel)
-        .add(ecs::Phase::kReceive, "receive tool", receive_tool)
+        .add(ecs::Phase::kReceive, "receive tools", receive_tools)
+        .add(ecs::Phase::kAnimate, "move tools", move_tools)
+        .add(ecs::Phase::kAnimate, "move camera", move_camera)
+        .add(ecs::Phase::kAnimate, "pass time of day", pass_time_of_day)
         .add(ecs::Phase::kExtract, "extract camera", extract_camera)
         .add(ecs::Phase::kExtract, "extract light", extract_light)
         .add(ecs::Phase::kExtract, "extract still life", extract_still_life)
         .add(ecs::Phase::kExtract, "extract clay", extract_clay)
         .add(ecs::Phase::kExtract, "extract tools", extract_tools);
     return schedule;
+}
+
+ShownPlate shown_plate(const PhotographedRoom& room, int width_px, int height_px) {
+    if (!room.workshop) return {};
+    const auto loaded = [&](const PlateCamera& camera) -> ShownPlate {
+        const auto found = room.plates.find(camera.name);
+        return found == room.plates.end() ? ShownPlate{} : ShownPlate{&camera, found->second};
+    };
+    const PlateCamera* nearest = room.workshop->camera_for(room.view, width_px, height_px);
+    if (nearest == nullptr) nearest = room.workshop->camera_for(View::kThrowing, width_px, height_px);
+    if (const ShownPlate shown = loaded(*nearest); shown.camera != nullptr) return shown;
+    for (const PlateCamera& camera : room.workshop->cameras) {
+        if (!camera.name.starts_with(name_of(room.view))) continue;
+        if (const ShownPlate shown = loaded(camera); shown.camera != nullptr) return shown;
+    }
+    return {};
+}
+
+render::LightLevels light_levels(double evening) {
+    const auto share = static_cast<float>(std::clamp(evening, 0.0, 1.0));
+    constexpr vec3 kEveningAmbient(0.36F, 0.30F, 0.26F);
+    constexpr float kEveningKey = 0.30F;
+    return {.ambient = glm::mix(vec3(1.0F), kEveningAmbient, share),
+            .key = 1.0F + (kEveningKey - 1.0F) * share};
 }
 
 render::Camera camera_of(const CameraRig& rig, int width_px, int height_px) {

@@ -1,33 +1,90 @@
 #include "game/wheel/wheel_scene.h"
 
+#include <utility>
+
 #include "game/wheel/components.h"
 #include "game/wheel/workshop.h"
 
 namespace onggi::wheel {
 
-WheelScene::WheelScene() {
+WheelScene::WheelScene(std::shared_ptr<const Workshop> workshop, RoomModel model) {
     clay_ = registry_.create();
-    registry_.add(clay_, Clay{.material = thrown_clay(), .edge_rounding_mm = 2.5F});
+    registry_.add(clay_, Clay{.edge_rounding_mm = 4.0F});
     registry_.add(clay_, Wheel{});
     tool_ = registry_.create();
-    registry_.add(tool_, Tool{.material = polished_wood()});
-    registry_.add(tool_, Transform{});
+    registry_.add(tool_, Tool{.ball_material = polished_wood()});
+    second_tool_ = registry_.create();
+    registry_.add(second_tool_,
+                  Tool{.sight = {.shown = false, .is_assistant = true}, .ball_material = polished_wood()});
+    registry_.add(registry_.create(), Wire{});
+    shelf_ = registry_.create();
+    registry_.add(shelf_, ToolShelf{});
     camera_ = registry_.create();
     registry_.add(camera_, throwing_camera());
-    furnish(registry_);
+    registry_.add(registry_.create(), TimeOfDay{});
+    if (workshop) {
+        if (model.parts.empty()) {
+            stand_in(registry_, *workshop);
+        } else {
+            build_room(registry_, *workshop, std::move(model));
+        }
+        registry_.add(camera_, PhotographedRoom{.workshop = std::move(workshop)});
+    } else {
+        furnish(registry_);
+    }
 }
 
-const render::Scene& WheelScene::apply(const PotView& pot, int width_px, int height_px) {
+std::vector<const PlateCamera*> WheelScene::missing_plates(int width_px, int height_px) {
+    std::vector<const PlateCamera*> missing;
+    registry_.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
+        for (const View view : {View::kThrowing, View::kLookingIn}) {
+            const PlateCamera* camera = room.workshop->camera_for(view, width_px, height_px);
+            if (camera != nullptr && !room.plates.contains(camera->name)) missing.push_back(camera);
+        }
+    });
+    return missing;
+}
+
+void WheelScene::add_plate(const std::string& camera_name, std::shared_ptr<const render::Plate> plate) {
+    registry_.each<PhotographedRoom>(
+        [&](ecs::Entity, PhotographedRoom& room) { room.plates[camera_name] = std::move(plate); });
+}
+
+void WheelScene::look_at(View view) {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.view = view; });
+}
+
+void WheelScene::sway(bool sways) {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.sways = sways; });
+}
+
+void WheelScene::set_evening(double evening) {
+    registry_.each<TimeOfDay>([&](ecs::Entity, TimeOfDay& time) { time.evening = evening; });
+}
+
+const render::Scene& WheelScene::apply(const PotView& pot, int width_px, int height_px, double dt_s) {
     context_.pot = &pot;
     context_.width_px = width_px;
     context_.height_px = height_px;
+    context_.dt_s = dt_s;
     schedule_.run(registry_, context_);
     context_.pot = nullptr;
     return context_.scene;
 }
 
+void WheelScene::set_tools(std::shared_ptr<const render::MoverLibrary> library) {
+    registry_.get<ToolShelf>(shelf_).library = std::move(library);
+}
+
+const render::Camera& WheelScene::camera_now(int width_px, int height_px) {
+    context_.width_px = width_px;
+    context_.height_px = height_px;
+    extract_camera(registry_, context_);
+    return context_.scene.camera;
+}
+
 std::optional<dvec3> WheelScene::tool_target_mm(double x_px, double y_px, int width_px, int height_px) {
-    const render::Camera camera = camera_of(registry_.get<CameraRig>(camera_), width_px, height_px);
+    const render::Camera& camera = camera_now(width_px, height_px);
     return render::meet_axis_plane(render::ray_through(camera, width_px, height_px, {x_px, y_px}), camera);
 }
 

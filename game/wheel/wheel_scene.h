@@ -3,23 +3,46 @@
 // and from nowhere else. Main thread.
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "engine/ecs/registry.h"
 #include "engine/ecs/schedule.h"
 #include "engine/render/scene.h"
 #include "game/wheel/pot_view.h"
+#include "game/wheel/room_model.h"
 #include "game/wheel/systems.h"
 
 namespace onggi::wheel {
 
 class WheelScene {
   public:
-    WheelScene();
+    // With a workshop: the room as its plates show it, as soon as there are some; until then, and without,
+    // the small still life of workshop.h.
+    // With a model of the room besides, that is drawn, from the workshop's cameras and in its light.
+    explicit WheelScene(std::shared_ptr<const Workshop> workshop = nullptr, RoomModel model = {});
 
-    // Runs every system for a picture of this size. The scene it gives is good until the next call.
-    const render::Scene& apply(const PotView& pot, int width_px, int height_px);
+    // Cameras whose plates a picture of this shape wants to show and has not got.
+    [[nodiscard]] std::vector<const PlateCamera*> missing_plates(int width_px, int height_px);
+    void add_plate(const std::string& camera_name, std::shared_ptr<const render::Plate> plate);
+    void look_at(View view);           // the camera goes there, in about a second
+    void sway(bool sways);             // slowly from side to side, while nobody throws
+    void set_evening(double evening);  // 0 day to 1 evening, in about a second
+
+    // Runs every system for a picture of this size, dt_s after the one before (0: a still, in which nothing
+    // is on its way). The scene it gives is good until the next call.
+    const render::Scene& apply(const PotView& pot, int width_px, int height_px, double dt_s = 0.0);
+
+    // What hands and tools look like from now on; null: balls.
+    void set_tools(std::shared_ptr<const render::MoverLibrary> library);
 
     // Where a pointer at this pixel puts the tool, mm; see LiveView::tool_target_mm.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px, int width_px, int height_px);
+
+    // The camera of a picture of this size.
+    [[nodiscard]] const render::Camera& camera_now(int width_px, int height_px);
 
     [[nodiscard]] ecs::Registry& registry() { return registry_; }
     [[nodiscard]] ecs::Entity clay() const { return clay_; }
@@ -32,6 +55,8 @@ class WheelScene {
     FrameContext context_;
     ecs::Entity clay_;
     ecs::Entity tool_;
+    ecs::Entity second_tool_;
+    ecs::Entity shelf_;
     ecs::Entity camera_;
 };
 

@@ -68,6 +68,17 @@ void add_part(ecs::Registry& registry, render::Mesh mesh, const render::Material
                                    .casts_shadow = casts_shadow});
 }
 
+// A rectangle at one height, seen from above.
+render::Mesh level_sheet(float left_mm, float right_mm, float back_mm, float front_mm, float y_mm) {
+    render::Mesh mesh;
+    for (const vec2 corner :
+         {vec2(left_mm, back_mm), vec2(left_mm, front_mm), vec2(right_mm, front_mm), vec2(right_mm, back_mm)})
+        mesh.vertices.push_back(
+            {.position_mm = {corner.x, y_mm, corner.y}, .normal = {0.0F, 1.0F, 0.0F}, .open_sky = 1.0F});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
+
 render::DirectionalLight window_sun() {
     return {.towards_light = glm::normalize(vec3(-0.74F, 0.60F, 0.40F)),
             .radiance = vec3(1.42F, 1.10F, 0.78F),
@@ -92,6 +103,41 @@ Surroundings evening_studio() {
     backdrop.glow_centre = vec2(-0.30F, 0.30F);
     backdrop.glow_radius = 0.95F;
     return surroundings;
+}
+
+// The wheel of assets/workshop/maker/wheel.py: head, and splash pan with the slip in it.
+std::array<render::Profile, 2> photographed_wheel() {
+    const render::Profile head{.points = {{0.0F, -22.0F},
+                                          {120.0F, -22.0F},
+                                          {144.0F, -20.0F},
+                                          {149.0F, -16.5F},
+                                          {150.0F, -14.0F},
+                                          {150.0F, -3.5F},
+                                          {148.8F, -1.2F},
+                                          {146.0F, 0.0F},
+                                          {0.0F, 0.0F}}};
+    const render::Profile pan{.points = {{30.0F, -63.0F},
+                                         {185.0F, -63.0F},
+                                         {209.0F, -54.0F},
+                                         {211.5F, -18.0F},
+                                         {218.0F, -15.0F},
+                                         {220.5F, -10.0F},
+                                         {219.5F, -5.0F},
+                                         {215.0F, -4.0F},
+                                         {209.0F, -6.0F},
+                                         {206.0F, -12.0F},
+                                         {202.0F, -44.0F},
+                                         {195.0F, -54.0F},
+                                         {192.5F, -55.8F},  // slip stands to here
+                                         {0.0F, -55.8F}}};
+    return {head, pan};
+}
+
+void add_light(ecs::Registry& registry, const Workshop& workshop) {
+    registry.add(registry.create(), KeyLight{workshop.key});
+    registry.add(
+        registry.create(),
+        Surroundings{.environment = workshop.environment, .irradiance = workshop.irradiance, .backdrop = {}});
 }
 
 }  // namespace
@@ -122,8 +168,35 @@ void furnish(ecs::Registry& registry) {
     registry.add(room, evening_studio());
 }
 
-render::LatheMaterial thrown_clay() {
-    return {.albedo = vec3(0.42F, 0.215F, 0.115F), .wetness = 0.55F, .streaks = 0.26F};
+void stand_in(ecs::Registry& registry, const Workshop& workshop) {
+    constexpr bool kShadowIsInThePlate = false;
+    for (const render::Profile& profile : photographed_wheel())
+        add_part(registry, render::turned_mesh(profile, kSectors), {}, kShadowIsInThePlate);
+    const ecs::Entity deck = registry.create();
+    registry.add(deck, Transform{});
+    registry.add(deck, StillPart{.mesh = std::make_shared<const render::Mesh>(
+                                     level_sheet(-600.0F, 600.0F, -700.0F, 360.0F, -58.0F)),
+                                 .in_relief = true,  // with what stands on it
+                                 .casts_shadow = kShadowIsInThePlate});
+
+    add_light(registry, workshop);
+}
+
+void build_room(ecs::Registry& registry, const Workshop& workshop, RoomModel model) {
+    for (StillPart& part : model.parts) {
+        const ecs::Entity entity = registry.create();
+        registry.add(entity, Transform{});
+        registry.add(entity, std::move(part));
+    }
+    if (!model.has_wheel) {
+        constexpr bool kCastsShadow = true;
+        const std::array<render::Profile, 2> profiles = photographed_wheel();
+        add_part(registry, render::turned_mesh(profiles[0], kSectors),
+                 {.albedo = vec3(0.45F), .roughness = 0.4F, .metalness = 1.0F}, kCastsShadow);
+        add_part(registry, render::turned_mesh(profiles[1], kSectors),
+                 {.albedo = vec3(0.55F, 0.50F, 0.43F), .roughness = 0.6F}, kCastsShadow);
+    }
+    add_light(registry, workshop);
 }
 
 render::Material polished_wood() {

@@ -1,0 +1,95 @@
+#include "game/wheel/camera_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace onggi::wheel {
+namespace {
+
+constexpr double kRatePerS = 4.2;  // 1.2 s from the throwing view to the look inside
+// Under a tenth of a pixel at 1080p.
+constexpr double kRestRad = 2e-5;
+constexpr double kRestMm = 0.02;
+
+}  // namespace
+
+Settling settled(const Settling& now, double goal, double rate_per_s, double dt_s) {
+    // x'' = -2 r x' - r^2 x about the goal, solved: (x0 + (v0 + r x0) t) exp(-r t).
+    const double away = now.value - goal;
+    const double push = now.speed + rate_per_s * away;
+    const double decay = std::exp(-rate_per_s * dt_s);
+    return {.value = goal + (away + push * dt_s) * decay,
+            .speed = (now.speed - rate_per_s * push * dt_s) * decay};
+}
+
+CameraPose pose_of(const render::Camera& camera) {
+    const dvec3 eye(camera.eye_mm);
+    return {.azimuth_rad = std::atan2(eye.x, eye.z),
+            .out_mm = std::hypot(eye.x, eye.z),
+            .up_mm = eye.y,
+            .target_mm = dvec3(camera.target_mm),
+            .vertical_fov_rad = static_cast<double>(camera.vertical_fov_rad)};
+}
+
+render::Camera camera_at(const CameraPose& pose) {
+    const dvec3 eye(pose.out_mm * std::sin(pose.azimuth_rad), pose.up_mm,
+                    pose.out_mm * std::cos(pose.azimuth_rad));
+    const double distance = glm::length(eye - pose.target_mm);
+    return {.eye_mm = vec3(eye),
+            .target_mm = vec3(pose.target_mm),
+            .vertical_fov_rad = static_cast<float>(pose.vertical_fov_rad),
+            .near_mm = static_cast<float>(0.2 * distance),
+            .far_mm = static_cast<float>(20.0 * distance)};
+}
+
+CameraMotion::Numbers CameraMotion::values_of(const CameraPose& pose) {
+    return {pose.azimuth_rad, pose.out_mm,      pose.up_mm,           pose.target_mm.x,
+            pose.target_mm.y, pose.target_mm.z, pose.vertical_fov_rad};
+}
+
+void CameraMotion::jump_to(const CameraPose& pose) {
+    goal_ = values_of(pose);
+    for (std::size_t i = 0; i < kNumbers; ++i)
+        now_[i] = {.value = goal_[i], .speed = 0.0};
+}
+
+void CameraMotion::advance(double dt_s) {
+    // The short way round.
+    const double turn = 2.0 * std::numbers::pi;
+    now_[0].value += turn * std::round((goal_[0] - now_[0].value) / turn);
+    for (std::size_t i = 0; i < kNumbers; ++i)
+        now_[i] = settled(now_[i], goal_[i], kRatePerS, dt_s);
+    if (!at_rest()) return;
+    for (std::size_t i = 0; i < kNumbers; ++i)
+        now_[i] = {.value = goal_[i], .speed = 0.0};
+}
+
+CameraPose CameraMotion::pose() const {
+    return {.azimuth_rad = now_[0].value,
+            .out_mm = now_[1].value,
+            .up_mm = now_[2].value,
+            .target_mm = {now_[3].value, now_[4].value, now_[5].value},
+            .vertical_fov_rad = now_[6].value};
+}
+
+bool CameraMotion::at_rest() const {
+    for (std::size_t i = 0; i < kNumbers; ++i) {
+        const double near = i == 0 || i == kNumbers - 1 ? kRestRad : kRestMm;
+        if (std::abs(now_[i].value - goal_[i]) > near || std::abs(now_[i].speed) > near * kRatePerS)
+            return false;
+    }
+    return true;
+}
+
+double share_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose) {
+    const dvec2 whole(to.out_mm - from.out_mm, to.up_mm - from.up_mm);
+    const dvec2 done(pose.out_mm - from.out_mm, pose.up_mm - from.up_mm);
+    const double length = glm::dot(whole, whole);
+    if (length == 0.0) return 0.0;
+    const double along = glm::dot(done, whole) / length;
+    const double eased = std::clamp((along - 0.25) / 0.5, 0.0, 1.0);
+    return eased * eased * (3.0 - 2.0 * eased);
+}
+
+}  // namespace onggi::wheel

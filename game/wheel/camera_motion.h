@@ -1,0 +1,58 @@
+// How a camera goes from one place to another: quickly at first, then settling, the same in as many seconds
+// however many frames they have. Any thread; pure. mm, rad, s.
+#pragma once
+
+#include <array>
+
+#include "engine/render/camera.h"
+
+namespace onggi::wheel {
+
+// One number on its way to a goal: a spring that is damped just so that it never swings past.
+struct Settling {
+    double value = 0.0;
+    double speed = 0.0;  // a second
+
+    friend bool operator==(const Settling&, const Settling&) = default;
+};
+// After dt_s seconds; exact for any step. After 5 / rate_per_s about 96 % of the way is done.
+[[nodiscard]] Settling settled(const Settling& now, double goal, double rate_per_s, double dt_s);
+
+// A camera about the wheel's axis. It turns about it rather than cutting through the pot.
+struct CameraPose {
+    double azimuth_rad = 0.0;  // 0 looks along -Z
+    double out_mm = 1000.0;    // from the axis
+    double up_mm = 300.0;      // over the wheel head
+    dvec3 target_mm{0.0};
+    double vertical_fov_rad = 0.5;
+
+    friend bool operator==(const CameraPose&, const CameraPose&) = default;
+};
+[[nodiscard]] CameraPose pose_of(const render::Camera& camera);
+[[nodiscard]] render::Camera camera_at(const CameraPose& pose);
+
+class CameraMotion {
+  public:
+    void jump_to(const CameraPose& pose);
+    // From wherever it is, with whatever speed it has.
+    void go_to(const CameraPose& pose) { goal_ = values_of(pose); }
+    void advance(double dt_s);
+
+    [[nodiscard]] CameraPose pose() const;
+    // So near its goal and so slow that nobody could tell: it then stands exactly there.
+    [[nodiscard]] bool at_rest() const;
+
+  private:
+    static constexpr std::size_t kNumbers = 7;
+    using Numbers = std::array<double, kNumbers>;
+    static Numbers values_of(const CameraPose& pose);
+
+    std::array<Settling, kNumbers> now_{};
+    Numbers goal_{};
+};
+
+// How far `pose` has come from one pose to another, 0 to 1: the share of the second plate in a glide. Eased,
+// so that each plate is seen alone near its own camera.
+[[nodiscard]] double share_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose);
+
+}  // namespace onggi::wheel

@@ -1,0 +1,212 @@
+#include "game/wheel/live_screen.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace onggi::wheel {
+namespace {
+
+VkExtent2D extent_of(window::Size size) {
+    return {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
+}
+
+}  // namespace
+
+render::DeviceClass device_class(const vk::DeviceDescription& device) {
+    switch (device.type) {
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return render::DeviceClass::kDiscreteGpu;
+        case VK_PHYSICAL_DEVICE_TYPE_CPU:
+            return render::DeviceClass::kSoftware;
+        default:
+            return render::DeviceClass::kIntegratedGpu;
+    }
+}
+
+LiveScreen::LiveScreen(window::Window& window, const LiveScreenOptions& options)
+    : window_(&window),
+      options_(options),
+      ladder_(render::QualityRange{}) {}
+
+Result<std::unique_ptr<LiveScreen>> LiveScreen::open(window::Window& window,
+                                                     const LiveScreenOptions& options) {
+    std::unique_ptr<LiveScreen> self(new LiveScreen(window, options));
+    auto made =
+        vk::Instance::create({.validation = options.validation, .extensions = window.instance_extensions()});
+    if (!made) return made.error();
+    self->instance_ = std::move(*made);
+    if (auto opened = self->make_anew(); !opened) return opened.error();
+    return self;
+}
+
+Result<void> LiveScreen::open_device() {
+    auto made_surface = window_->create_surface(instance_->handle());
+    if (!made_surface) return made_surface.error();
+    if (*made_surface != VK_NULL_HANDLE)
+        surface_ = std::make_unique<vk::Surface>(instance_->handle(), *made_surface);
+    auto chosen = vk::choose_device(*instance_, *made_surface);
+    if (!chosen && surface_ && chosen.error().kind == ErrorKind::kSystemLacks) {
+        // A device that cannot present may still draw: for the staff, for recording, for whoever looks later.
+        surface_.reset();
+        auto unseen = vk::choose_device(*instance_, VK_NULL_HANDLE);
+        if (!unseen) return unseen.error();
+        remarks_.push_back(
+            fmt::format("{}; drawing unseen on {}", chosen.error().message, unseen->description.name));
+        chosen = std::move(unseen);
+    }
+    if (!chosen) return chosen.error();
+    auto made = vk::Device::create(*instance_, *chosen, surface_ != nullptr);
+    if (!made) return made.error();
+    device_ = std::move(*made);
+#ifdef ONGGI_SHADER_RELOAD
+    device_->replace_spirv(shaders_.replacements());
+#endif
+    if (!has_ladder_) {
+        ladder_ = render::QualityLadder(
+            render::quality_range(device_class(device_->description()), options_.draw_threads));
+        has_ladder_ = true;
+    }
+    return {};
+}
+
+Result<void> LiveScreen::open_target() {
+    if (surface_) {
+        auto made = vk::Swapchain::create(*device_, *surface_, extent_of(window_->size()));
+        if (!made) return made.error();
+        swapchain_ = std::move(*made);
+    } else {
+        auto made = vk::Offscreen::create(*device_, extent_of(options_.size));
+        if (!made) return made.error();
+        offscreen_ = std::move(*made);
+    }
+    return {};
+}
+
+Result<void> LiveScreen::make_renderer() {
+    renderer_.reset();
+    uploads_.lost();
+    const auto desc =
+        render::quality_desc(ladder_.step(), target().format(), static_cast<int>(extent().height));
+    auto made = render::Renderer::create(*device_, desc);
+    if (!made) return made.error();
+    renderer_ = std::move(*made);
+    return {};
+}
+
+// Everything but the instance. A surface belongs to the window and would survive, but costs nothing to make.
+Result<void> LiveScreen::make_anew() {
+    renderer_.reset();
+    swapchain_.reset();
+    offscreen_.reset();
+    device_.reset();
+    surface_.reset();
+    if (auto opened = open_device(); !opened) return opened;
+    if (auto opened = open_target(); !opened) return opened;
+    return make_renderer();
+}
+
+Result<bool> LiveScreen::mend(const Error& error, const render::Scene& scene,
+                              const render::Overlay* overlay) {
+    // What breaks again at once is broken for good.
+    constexpr int kSteadyFrames = 60;
+    constexpr int kMostInARow = 3;
+    Error last = error;
+    in_a_row_ = good_frames_ >= kSteadyFrames ? 0 : in_a_row_;
+    while (in_a_row_ < kMostInARow) {
+        // Without a device making one failed; trying again may be in time for a driver that restarts.
+        const vk::Trouble trouble = device_ ? device_->health().trouble() : vk::Trouble::kLost;
+        if (trouble == vk::Trouble::kNone) return last;
+        if (trouble == vk::Trouble::kOutOfMemory && !ladder_.step_down()) return last;
+        ++in_a_row_;
+        good_frames_ = 0;
+        std::string remark = last.message;
+        if (auto made = make_anew(); !made) {
+            last = made.error();
+            continue;
+        }
+        auto drawn = draw_once(scene, overlay);
+        if (!drawn) {
+            last = drawn.error();
+            continue;
+        }
+        ++mended_;
+        remarks_.push_back(fmt::format("{}; made anew on {}, quality: {}", remark,
+                                       device_->description().name, render::quality_name(ladder_.step())));
+        return drawn;
+    }
+    return last;
+}
+
+Result<bool> LiveScreen::draw_once(const render::Scene& scene, const render::Overlay* overlay) {
+    if (overlay == nullptr) return renderer_->draw(scene, target(), nullptr);
+    render::Overlay with_uploads = *overlay;
+    with_uploads.uploads = uploads_.wanted();
+    auto drawn = renderer_->draw(scene, target(), &with_uploads);
+    if (drawn && *drawn) uploads_.done();
+    return drawn;
+}
+
+#ifdef ONGGI_SHADER_RELOAD
+// Twice a second is as quick as one saves; a shader that does not compile is said, and the picture stays.
+Result<void> LiveScreen::follow_edited_shaders() {
+    constexpr int kFramesBetween = 30;
+    if (++frames_unwatched_ < kFramesBetween) return {};
+    frames_unwatched_ = 0;
+    const auto changed = shaders_.poll();
+    if (!changed) remarks_.push_back(changed.error().message);
+    if (!changed || !*changed) return {};
+    if (auto waited = target().wait(); !waited) return waited;
+    device_->replace_spirv(shaders_.replacements());
+    remarks_.emplace_back("shaders: compiled anew");
+    return make_renderer();
+}
+#endif
+
+Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s) {
+    if (overlay != nullptr) uploads_.bring(overlay->uploads);
+    if (trouble_) {
+        const Error found = *trouble_;
+        trouble_.reset();
+        return mend(found, scene, overlay);
+    }
+#ifdef ONGGI_SHADER_RELOAD
+    if (auto followed = follow_edited_shaders(); !followed) return mend(followed.error(), scene, overlay);
+#endif
+    auto drawn = draw_once(scene, overlay);
+    if (!drawn) return mend(drawn.error(), scene, overlay);
+    if (!*drawn) return drawn;
+    ++good_frames_;
+    const double took_ms = renderer_->stats().device_ms;
+    // A moving camera costs a software core more than a picture at rest, for a second: no reason to change.
+    const bool is_measured = took_ms > 0.0 && !scene.glide;
+    if (is_measured && ladder_.frame(took_ms, dt_s)) {
+        if (auto waited = target().wait(); !waited) return mend(waited.error(), scene, overlay);
+        if (auto made = make_renderer(); !made) return mend(made.error(), scene, overlay);
+        remarks_.push_back(
+            fmt::format("picture: quality is now that of {}", render::quality_name(ladder_.step())));
+    }
+    return drawn;
+}
+
+Result<void> LiveScreen::wait() {
+    auto waited = target().wait();
+    if (waited || device_->health().trouble() == vk::Trouble::kNone) return waited;
+    trouble_ = waited.error();
+    return {};
+}
+
+void LiveScreen::resize(window::Size size) {
+    if (swapchain_) swapchain_->resize(extent_of(size));
+}
+
+Result<std::vector<std::uint8_t>> LiveScreen::read_back() {
+    if (!offscreen_) return failed("live view: expected an unseen target to read back, found a window");
+    return offscreen_->read_back();
+}
+
+std::vector<std::string> LiveScreen::take_remarks() {
+    return std::exchange(remarks_, {});
+}
+
+}  // namespace onggi::wheel

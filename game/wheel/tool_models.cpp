@@ -1,0 +1,102 @@
+#include "game/wheel/tool_models.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "engine/asset/gltf_read.h"
+#include "engine/files/asset_folder.h"
+#include "engine/files/read_file.h"
+
+namespace onggi::wheel {
+namespace {
+
+constexpr std::array<const char*, kToolModels> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
+                                                      "trimmer",    "stick",      "wire"};
+// A tool of more triangles than this would cost a software renderer its frame.
+constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
+                                    .max_vertices = 20'000,
+                                    .max_triangles = 20'000,
+                                    .max_nodes = 64,
+                                    .max_depth = 16};
+
+std::uint8_t byte_of(float share) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+}
+
+render::MoverMesh mesh_of(const asset::GltfPart& part, const asset::Material& material) {
+    constexpr float kMmAMetre = 1000.0F;
+    render::MoverMesh mesh;
+    for (std::size_t i = 0; i < part.mesh.positions_m.size(); ++i) {
+        // Without colours: as it is, clean, in the open.
+        const vec4 wear = part.colours.empty() ? vec4(0.5F, 0.0F, 0.0F, 1.0F) : part.colours[i];
+        mesh.vertices.push_back({.position_mm = part.mesh.positions_m[i] * kMmAMetre,
+                                 .normal = part.mesh.normals[i],
+                                 .tone = byte_of(wear.x),
+                                 .smear = byte_of(wear.y),
+                                 .spare = 0,
+                                 .open_sky = byte_of(wear.w)});
+    }
+    mesh.indices = part.mesh.indices;
+    mesh.albedo = vec3(material.base_colour_linear);
+    mesh.roughness = std::max(static_cast<float>(material.roughness), 0.05F);
+    mesh.metalness = static_cast<float>(material.metallic);
+    return mesh;
+}
+
+// Its image in the plane z = 0: a right hand's tool becomes a left hand's.
+render::MoverModel mirrored(render::MoverModel model) {
+    for (render::MoverMesh& mesh : model.meshes) {
+        for (render::MoverMesh::Vertex& vertex : mesh.vertices) {
+            vertex.position_mm.z = -vertex.position_mm.z;
+            vertex.normal.z = -vertex.normal.z;
+        }
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
+    render::measure(model);
+    return model;
+}
+
+Result<render::MoverModel> read_model(const std::filesystem::path& path) {
+    const auto bytes = files::read_file(path, kLimits.max_bytes);
+    if (!bytes) return bytes.error();
+    const auto read = asset::decode_glb(std::as_bytes(std::span(*bytes)), path.string(), kLimits);
+    if (!read) return read.error();
+    render::MoverModel model;
+    const asset::Material plain{.name = "plain"};
+    for (const asset::GltfPart& part : read->parts) {
+        const bool has_material = part.material >= 0;
+        model.meshes.push_back(
+            mesh_of(part, has_material ? read->materials[static_cast<std::size_t>(part.material)] : plain));
+    }
+    render::measure(model);
+    return model;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models(const std::filesystem::path& folder) {
+    auto library = std::make_shared<render::MoverLibrary>();
+    for (const char* file : kFiles) {
+        auto model = read_model(folder / (std::string(file) + ".glb"));
+        if (!model) return model.error();
+        library->push_back(std::move(*model));
+    }
+    for (std::size_t i = 0; i < kToolModels; ++i)
+        library->push_back(mirrored((*library)[i]));
+    return std::shared_ptr<const render::MoverLibrary>(std::move(library));
+}
+
+Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models() {
+    const auto folder = files::find_asset("tools");
+    if (!folder) return folder.error();
+    return load_tool_models(*folder);
+}
+
+}  // namespace onggi::wheel

@@ -1,0 +1,177 @@
+#include "game/wheel/tool_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace onggi::wheel {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDegree = kPi / 180.0;
+
+// The hand is where the tool is, within the time that hides a device's steps; it turns at a wrist's pace.
+constexpr double kFollowS = 0.012;
+constexpr double kTurnS = 0.10;
+constexpr double kComeS = 0.11;
+constexpr double kGoneMm = 150.0;       // a hand that is not shown draws back so far, then is not drawn
+constexpr double kChangeMm = 45.0;      // and one that changes sides or tools so far, then comes again
+constexpr double kSideChangeMm = 15.0;  // beyond the axis before the other hand takes over
+// A hand needs this much of an opening; below it works with a sponge on a stick, until there is clearly room.
+constexpr double kNarrowMm = 46.0;
+constexpr double kWideMm = 52.0;
+// A tool that the visitor brings to the front of the pot is held from the side, so that it hides nothing.
+constexpr double kMostToFront = 25.0 * kDegree;
+constexpr double kMostToBack = 60.0 * kDegree;
+constexpr double kMostLean = 30.0 * kDegree;
+constexpr double kFromAbove = 52.0 * kDegree;
+
+double eased(double from, double to, double dt_s, double time_s) {
+    return dt_s <= 0.0 ? to : to + (from - to) * std::exp(-dt_s / time_s);
+}
+
+double wrapped(double angle_rad) {
+    return std::remainder(angle_rad, 2.0 * kPi);
+}
+
+bool is_inside(clay::studio::Side side) {
+    return side == clay::studio::Side::kIn;
+}
+
+// Which way from the axis, level; to the visitor's right where that cannot be said.
+dvec2 outwards(const dvec3& at_mm) {
+    const dvec2 flat(at_mm.x, at_mm.z);
+    const double length = glm::length(flat);
+    return length > 1.0 ? flat / length : dvec2(1.0, 0.0);
+}
+
+// Where the parts of a hand are that are thick enough to see their shadow, in its model's frame, mm.
+struct Ball {
+    vec3 at;
+    float radius;
+};
+constexpr std::array<Ball, 2> kOuterBalls{Ball{{30.0F, 12.0F, 6.0F}, 15.0F},
+                                          Ball{{104.0F, 36.0F, 40.0F}, 33.0F}};
+constexpr Ball kInnerBall{{16.0F, 48.0F, 0.0F}, 17.0F};
+constexpr Ball kToolBall{{22.0F, 0.0F, 0.0F}, 20.0F};
+
+render::Sphere shadow_of(const Ball& ball, const mat4& place, bool left) {
+    const vec3 at(ball.at.x, ball.at.y, left ? -ball.at.z : ball.at.z);
+    return {
+        .centre_mm = vec3(place * vec4(at, 1.0F)), .radius_mm = ball.radius, .shown = false, .material = {}};
+}
+
+// How deep a held thing is between the clay and the finger tips that hold it, mm.
+double depth_of(clay::StudioTool kind) {
+    switch (kind) {
+        case clay::StudioTool::kRib:
+            return 30.0;
+        case clay::StudioTool::kSponge:
+            return 24.0;
+        case clay::StudioTool::kHand:
+        case clay::StudioTool::kTrimmer:
+            break;
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+mat4 placed(const dvec3& at_mm, double yaw_rad, double pitch_rad) {
+    dmat4 place = glm::translate(dmat4(1.0), at_mm);
+    place = glm::rotate(place, yaw_rad, dvec3(0.0, 1.0, 0.0));
+    return mat4(glm::rotate(place, pitch_rad, dvec3(0.0, 0.0, 1.0)));
+}
+
+void ToolPose::settle(const ToolSight& sight) {
+    const clay::studio::Side was = side_;
+    const bool was_left = left_;
+    const bool was_narrow = narrow_;
+    if (sight.side != clay::studio::Side::kFree) side_ = sight.side;
+    if (!is_known_ && side_ == clay::studio::Side::kFree)
+        side_ = sight.is_assistant ? clay::studio::Side::kIn : clay::studio::Side::kOut;
+    if (sight.mouth_radius_mm < kNarrowMm) narrow_ = true;
+    if (sight.mouth_radius_mm > kWideMm) narrow_ = false;
+    // Outside each hand works on its own side of the pot; inside it reaches over to press the other way.
+    const double across = is_inside(side_) ? -sight.centre_mm.x : sight.centre_mm.x;
+    if (!is_known_ || std::abs(across) > kSideChangeMm) left_ = across < 0.0;
+    const bool changed = is_known_ && (kind_ != sight.kind || is_inside(was) != is_inside(side_) ||
+                                       was_left != left_ || (is_inside(side_) && was_narrow != narrow_));
+    kind_ = sight.kind;
+    if (changed) away_mm_ = std::max(away_mm_, kChangeMm);
+}
+
+void ToolPose::follow(const ToolSight& sight, double dt_s) {
+    const bool was_known = is_known_;
+    settle(sight);
+    is_known_ = true;
+
+    const dvec2 out = outwards(sight.centre_mm);
+    const dvec2 normal = is_inside(side_) ? -out : out;
+    const bool from_above = side_ == clay::studio::Side::kTop;
+    const dvec3 reach = from_above ? dvec3(0.0, 1.0, 0.0) : dvec3(normal.x, 0.0, normal.y);
+    const dvec3 touch = sight.centre_mm - sight.radius_mm * reach;
+
+    // How far round from straight to the side: positive is to the back. The model's own +X leads out of the
+    // clay.
+    const bool leads_right = !left_;
+    const double round = std::atan2(-normal.y, leads_right ? normal.x : -normal.x);
+    const double held = std::clamp(round, -kMostToFront, kMostToBack);
+    const double yaw = leads_right ? held : kPi - held;
+    const double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
+    const double pitch = from_above ? kFromAbove : std::clamp(lean, -kMostLean, kMostLean);
+
+    const double dt = was_known ? dt_s : 0.0;
+    const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes anew comes to where it is wanted
+    for (int axis = 0; axis < 3; ++axis)
+        touch_mm_[axis] = eased(touch_mm_[axis], touch[axis], dt, kFollowS);
+    yaw_rad_ = jumps ? yaw : yaw_rad_ + eased(0.0, wrapped(yaw - yaw_rad_), dt, kTurnS);
+    pitch_rad_ = jumps ? pitch : eased(pitch_rad_, pitch, dt, kTurnS);
+    // The first sight of a hand in a moving picture is of one that comes.
+    if (!was_known && dt_s > 0.0) away_mm_ = kGoneMm;
+    away_mm_ = eased(away_mm_, sight.shown ? 0.0 : 1.1 * kGoneMm, dt_s, kComeS);
+    if (sight.shown && away_mm_ < 0.05) away_mm_ = 0.0;
+}
+
+ToolPicture ToolPose::picture() const {
+    ToolPicture picture;
+    if (!is_known_ || away_mm_ >= kGoneMm) return picture;
+    const bool inside = is_inside(side_);
+    // Along the forearm, the way it came.
+    const dvec3 back = inside ? dvec3(0.15, 1.0, 0.0) : dvec3(0.85, 0.15, left_ ? -0.45 : 0.45);
+    const mat4 place = placed(touch_mm_, yaw_rad_, pitch_rad_);
+    const auto at = [&](double off_mm) {
+        const dvec3 offset = back * away_mm_ + dvec3(off_mm, 0.0, 0.0);
+        return place * glm::translate(mat4(1.0F), vec3(offset));
+    };
+    const auto show = [&](ToolModel model, double off_mm) {
+        picture.tools.push_back({.model = model, .left = left_, .place = at(off_mm)});
+    };
+    const auto cast = [&](const Ball& ball, double off_mm) {
+        picture.shadows.push_back(shadow_of(ball, at(off_mm), left_));
+    };
+    if (inside && narrow_) {
+        show(ToolModel::kStick, 0.0);
+        cast(kToolBall, 0.0);
+        return picture;
+    }
+    const double depth = depth_of(kind_);
+    if (kind_ == clay::StudioTool::kRib) show(ToolModel::kRib, 0.0);
+    if (kind_ == clay::StudioTool::kSponge) show(ToolModel::kSponge, 0.0);
+    if (kind_ == clay::StudioTool::kTrimmer) {
+        show(ToolModel::kTrimmer, 0.0);
+        cast(kToolBall, 0.0);
+        return picture;
+    }
+    show(inside ? ToolModel::kHandInner : ToolModel::kHandOuter, depth);
+    if (inside) {
+        cast(kInnerBall, depth);
+    } else {
+        for (const Ball& ball : kOuterBalls)
+            cast(ball, depth);
+    }
+    return picture;
+}
+
+}  // namespace onggi::wheel

@@ -1,0 +1,118 @@
+// The systems of hands and tools; see systems.h. Main thread.
+#include <algorithm>
+#include <span>
+
+#include "game/wheel/clay_look.h"
+#include "game/wheel/systems.h"
+
+namespace onggi::wheel {
+namespace {
+
+// Among the rings of the pot, the one at this height; heights as PotView has them.
+std::size_t ring_at(const PotView& pot, double height_mm) {
+    const std::size_t count = pot.radii_mm.size();
+    if (count == 0) return 0;
+    std::size_t ring = 0;
+    if (pot.top_mm.size() == count) {
+        const auto above =
+            std::upper_bound(pot.top_mm.begin(), pot.top_mm.end(), static_cast<float>(height_mm));
+        ring = static_cast<std::size_t>(above - pot.top_mm.begin());
+    } else {
+        const double share = std::clamp(height_mm / std::max(pot.height_mm, 1e-6), 0.0, 1.0);
+        ring = static_cast<std::size_t>(share * static_cast<double>(count));
+    }
+    return std::min(ring, count - 1);
+}
+
+double height_of(const PotView& pot, std::size_t ring) {
+    if (pot.top_mm.size() == pot.radii_mm.size()) return double{pot.top_mm[ring]};
+    return pot.height_mm * (static_cast<double>(ring) + 1.0) / static_cast<double>(pot.radii_mm.size());
+}
+
+// How much wider a face is a mm higher up, over a span that leaves out the throwing rings.
+double lean_at(const PotView& pot, std::span<const float> face, double height_mm) {
+    constexpr double kSpanMm = 9.0;
+    if (face.empty()) return 0.0;
+    const std::size_t below = ring_at(pot, height_mm - kSpanMm);
+    const std::size_t above = ring_at(pot, height_mm + kSpanMm);
+    const double rise = height_of(pot, above) - height_of(pot, below);
+    return rise > 1.0 ? (double{face[above]} - double{face[below]}) / rise : 0.0;
+}
+
+double mouth_radius(const PotView& pot) {
+    return pot.inner_mm.empty() ? 0.0 : double{pot.inner_mm.back()};
+}
+
+ToolSight sight_of(const PotView& pot, const HandView& hand, bool is_assistant) {
+    const bool inside = hand.side == clay::studio::Side::kIn;
+    return {.centre_mm = hand.position_mm,
+            .radius_mm = hand.radius_mm,
+            .kind = hand.tool,
+            .side = hand.side,
+            .shown = hand.shown,
+            .touching = hand.touching,
+            .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.radii_mm, hand.position_mm.y),
+            .mouth_radius_mm = mouth_radius(pot),
+            .is_assistant = is_assistant};
+}
+
+}  // namespace
+
+void receive_tools(ecs::Registry& registry, FrameContext& context) {
+    const PotView& pot = *context.pot;
+    // The paper's clay is touched by the paper's ball; the studio's, whose rings have tops, by hands.
+    const bool as_ball = pot.top_mm.empty();
+    registry.each<Tool>([&](ecs::Entity, Tool& tool) {
+        const bool is_assistant = tool.sight.is_assistant;
+        tool.sight = sight_of(pot, is_assistant ? pot.second_hand : pot.hand, is_assistant);
+        tool.as_ball = as_ball;
+    });
+    registry.each<Wire>([&](ecs::Entity, Wire& wire) {
+        wire.shown = pot.wire_shown;
+        wire.height_mm = pot.wire_height_mm;
+    });
+}
+
+void move_tools(ecs::Registry& registry, FrameContext& context) {
+    registry.each<Tool>([&](ecs::Entity, Tool& tool) { tool.pose.follow(tool.sight, context.dt_s); });
+}
+
+void extract_tools(ecs::Registry& registry, FrameContext& context) {
+    render::Scene& scene = context.scene;
+    scene.spheres.clear();
+    scene.movers.clear();
+    registry.each<ToolShelf>(
+        [&](ecs::Entity, const ToolShelf& shelf) { scene.mover_library = shelf.library; });
+    vec3 clay(0.3F);
+    float wetness = 0.0F;
+    registry.each<Clay>([&](ecs::Entity, const Clay& wet) {
+        const render::LatheMaterial material = clay_material(wet.body, wet.stage);
+        wetness = wet.wetness.empty() ? material.wetness : wet.wetness.back();
+        clay = material.albedo * (1.0F - 0.4F * wetness);
+    });
+    const auto add = [&](ToolModel model, bool left, const mat4& place) {
+        scene.movers.push_back(
+            {.model = library_place(model, left), .place = place, .clay = clay, .wetness = wetness});
+    };
+    registry.each<Tool>([&](ecs::Entity, const Tool& tool) {
+        if (tool.as_ball || !scene.mover_library) {
+            if (!tool.sight.shown) return;
+            scene.spheres.push_back({.centre_mm = vec3(tool.sight.centre_mm),
+                                     .radius_mm = static_cast<float>(tool.sight.radius_mm),
+                                     .material = tool.ball_material});
+            return;
+        }
+        const ToolPicture picture = tool.pose.picture();
+        for (const ShownTool& shown : picture.tools)
+            add(shown.model, shown.left, shown.place);
+        scene.spheres.insert(scene.spheres.end(), picture.shadows.begin(), picture.shadows.end());
+    });
+    registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
+        if (!wire.shown || !scene.mover_library) return;
+        // Across the picture, so that it is seen to pass under the pot.
+        constexpr double kAcross = 1.5707963267948966;
+        add(ToolModel::kWire, false, placed({0.0, wire.height_mm, 0.0}, kAcross, 0.0));
+    });
+}
+
+}  // namespace onggi::wheel

@@ -1,0 +1,202 @@
+#include "game/wheel/workshop_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/asset/image.h"
+#include "engine/core/quote.h"
+#include "engine/files/read_file.h"
+#include "game/wheel/json_fields.h"
+
+namespace onggi::wheel {
+namespace {
+
+constexpr std::size_t kMostJsonBytes = 1 << 20;
+constexpr std::size_t kMostPlateBytes = std::size_t{32} << 20;
+constexpr std::size_t kMostCameras = 64;
+constexpr Bounds kPlaceMm{-1e5, 1e5};
+constexpr Bounds kLight{0.0, 1e3};
+constexpr Bounds kDirection{-1.0, 1.0};
+
+std::string shown(const std::filesystem::path& path) {
+    return shown_path(path.native());
+}
+
+// A direction of the file, made exactly one long; it has been rounded to a few digits there.
+vec3 unit_vector(JsonFields& fields, const nlohmann::json& in, const std::string& place, const char* name) {
+    const vec3 direction = fields.triple(in, place, name, kDirection);
+    const float length = glm::length(direction);
+    if (std::abs(length - 1.0F) < 0.01F) return direction / length;
+    fields.complain(place + "." + name, "a direction of length 1", fmt::format("length {:.3f}", length));
+    return {0.0F, 1.0F, 0.0F};
+}
+
+// The name becomes a file's: it may lead nowhere but into the plates' folder.
+bool is_plain_name(const std::string& name) {
+    return !name.empty() && name.size() <= 64 &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
+PlateCamera read_camera(JsonFields& fields, const std::string& name, const nlohmann::json& in) {
+    const std::string place = "cameras." + name;
+    if (!is_plain_name(name))
+        fields.complain("cameras", "names of at most 64 letters a-z, digits and _", in_quotes(name));
+    PlateCamera plate{.name = name, .camera = {}, .width_px = 0, .height_px = 0};
+    plate.camera.eye_mm = fields.triple(in, place, "eye_mm", kPlaceMm);
+    plate.camera.target_mm = fields.triple(in, place, "target_mm", kPlaceMm);
+    constexpr Bounds kFovRad{0.02, 2.6};
+    plate.camera.vertical_fov_rad = static_cast<float>(fields.number(in, place, "vertical_fov_rad", kFovRad));
+    const nlohmann::json& size = fields.array(in, place, "size", 2);
+    if (size.is_array()) {
+        constexpr Bounds kSide{16, asset::kMaxImageSide};
+        plate.width_px = fields.whole_number(size[0], place + ".size", kSide);
+        plate.height_px = fields.whole_number(size[1], place + ".size", kSide);
+    }
+    const vec3 ahead = plate.camera.target_mm - plate.camera.eye_mm;
+    const float distance_mm = glm::length(ahead);
+    if (!fields.error() && glm::length(vec2(ahead.x, ahead.z)) < 1.0F)
+        fields.complain(place, "a camera that does not look straight up or down", "one that does");
+    plate.camera.near_mm = 0.2F * distance_mm;
+    plate.camera.far_mm = 6.0F * distance_mm;
+    return plate;
+}
+
+void read_light(JsonFields& fields, const nlohmann::json& in, Workshop& workshop) {
+    const nlohmann::json& key = fields.object(in, "", "key");
+    workshop.key.towards_light = unit_vector(fields, key, "key", "towards_light");
+    workshop.key.radiance = fields.triple(key, "key", "radiance", kLight);
+    constexpr Bounds kAngleRad{1e-4, 0.7};
+    workshop.key.angular_radius_rad =
+        static_cast<float>(fields.number(key, "key", "angular_radius_rad", kAngleRad));
+    if (workshop.key.towards_light.y < 0.1F)
+        fields.complain("key.towards_light", "a light from above", "one from the side or below");
+
+    const nlohmann::json& rest = fields.object(in, "", "irradiance_over_pi");
+    const nlohmann::json& coefficients = fields.array(rest, "irradiance_over_pi", "coefficients", 9);
+    constexpr Bounds kCoefficient{-1e3, 1e3};
+    for (std::size_t i = 0; i < coefficients.size(); ++i)
+        workshop.irradiance[i] = fields.triple(
+            coefficients[i], fmt::format("irradiance_over_pi.coefficients[{}]", i), kCoefficient);
+
+    render::Environment& environment = workshop.environment;
+    const nlohmann::json& sky = fields.object(in, "", "environment");
+    environment.zenith = fields.triple(sky, "environment", "zenith", kLight);
+    environment.horizon = fields.triple(sky, "environment", "horizon", kLight);
+    environment.nadir = fields.triple(sky, "environment", "nadir", kLight);
+    const nlohmann::json& panels = fields.array(sky, "environment", "panels", environment.panels.size());
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const std::string place = fmt::format("environment.panels[{}]", i);
+        constexpr Bounds kSharpness{0.1, 1e4};
+        environment.panels[i] = {
+            unit_vector(fields, panels[i], place, "direction"),
+            fields.triple(panels[i], place, "radiance", kLight),
+            static_cast<float>(fields.number(panels[i], place, "sharpness", kSharpness))};
+    }
+}
+
+Result<asset::Image> load_picture(const std::filesystem::path& path, const PlateCamera& camera) {
+    const auto bytes = files::read_file(path, kMostPlateBytes);
+    if (!bytes) return bytes.error();
+    auto image = asset::decode_jpeg(std::as_bytes(std::span(*bytes)), shown(path));
+    if (!image) return image.error();
+    if (image->width != camera.width_px || image->height != camera.height_px) {
+        return bad_input(fmt::format("{}: expected {} x {} pixels as cameras.json says, found {} x {}",
+                                     shown(path), camera.width_px, camera.height_px, image->width,
+                                     image->height));
+    }
+    return image;
+}
+
+// NAME_relief.png, as maker/relief.py writes it. A room may come without: then the plate is flat.
+Result<render::Relief> load_relief(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return render::Relief{};
+    const auto bytes = files::read_file(path, kMostPlateBytes);
+    if (!bytes) return bytes.error();
+    const auto image = asset::decode_png(std::as_bytes(std::span(*bytes)), shown(path));
+    if (!image) return image.error();
+    constexpr int kMostCorners = 1024;
+    if (image->width < 2 || image->height < 2 || image->width > kMostCorners ||
+        image->height > kMostCorners) {
+        return bad_input(fmt::format("{}: expected 2 to {} corners each way, found {} x {}", shown(path),
+                                     kMostCorners, image->width, image->height));
+    }
+    render::Relief relief{.columns = image->width, .rows = image->height, .depth_mm = {}};
+    for (std::size_t i = 0; i < image->rgba.size(); i += 4) {
+        const int value = image->rgba[i] * 256 + image->rgba[i + 1];
+        constexpr float kNearestMm = 200.0F;
+        relief.depth_mm.push_back(65535.0F * kNearestMm / static_cast<float>(std::max(value, 1)));
+    }
+    return relief;
+}
+
+}  // namespace
+
+std::string_view name_of(View view) {
+    return view == View::kThrowing ? "throw" : "look_in";
+}
+
+const PlateCamera* Workshop::camera_for(View view, int width_px, int height_px) const {
+    const double wanted = std::log(static_cast<double>(width_px) / height_px);
+    const PlateCamera* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const PlateCamera& camera : cameras) {
+        if (!camera.name.starts_with(name_of(view))) continue;
+        const double shape = std::log(static_cast<double>(camera.width_px) / camera.height_px);
+        if (std::abs(shape - wanted) < least) {
+            least = std::abs(shape - wanted);
+            nearest = &camera;
+        }
+    }
+    return nearest;
+}
+
+Result<Workshop> load_workshop(const std::filesystem::path& folder) {
+    Workshop workshop{.folder = folder, .cameras = {}, .key = {}, .irradiance = {}, .environment = {}};
+    const std::filesystem::path cameras_file = folder / "cameras.json";
+    auto text = files::read_file(cameras_file, kMostJsonBytes);
+    if (!text) return text.error();
+    JsonFields camera_fields(shown(cameras_file));
+    const nlohmann::json cameras = camera_fields.parse(*text);
+    if (!camera_fields.error()) {
+        for (const auto& [name, camera] : camera_fields.object(cameras, "", "cameras").items()) {
+            if (workshop.cameras.size() == kMostCameras) break;
+            workshop.cameras.push_back(read_camera(camera_fields, name, camera));
+        }
+    }
+    if (camera_fields.error()) return *camera_fields.error();
+    if (workshop.camera_for(View::kThrowing, 16, 9) == nullptr) {
+        return bad_input(fmt::format("{}: cameras: expected one whose name begins with throw, found none",
+                                     shown(cameras_file)));
+    }
+
+    const std::filesystem::path light_file = folder / "light.json";
+    text = files::read_file(light_file, kMostJsonBytes);
+    if (!text) return text.error();
+    JsonFields light_fields(shown(light_file));
+    const nlohmann::json light = light_fields.parse(*text);
+    if (!light_fields.error()) read_light(light_fields, light, workshop);
+    if (light_fields.error()) return *light_fields.error();
+    return workshop;
+}
+
+Result<std::shared_ptr<const render::Plate>> load_plate(const Workshop& workshop, const PlateCamera& camera) {
+    auto plate = std::make_shared<render::Plate>();
+    const std::filesystem::path folder = workshop.folder / "plates";
+    auto key = load_picture(folder / (camera.name + "_key.jpg"), camera);
+    if (!key) return key.error();
+    auto ambient = load_picture(folder / (camera.name + "_ambient.jpg"), camera);
+    if (!ambient) return ambient.error();
+    auto relief = load_relief(folder / (camera.name + "_relief.png"));
+    if (!relief) return relief.error();
+    plate->camera = camera.camera;
+    plate->relief = std::move(*relief);
+    plate->key = std::move(*key);
+    plate->ambient = std::move(*ambient);
+    return std::shared_ptr<const render::Plate>(std::move(plate));
+}
+
+}  // namespace onggi::wheel

@@ -1,0 +1,66 @@
+#include "game/wheel/workshop_scene.h"
+
+#include <utility>
+
+#include "engine/files/asset_folder.h"
+#include "game/wheel/tool_models.h"
+
+namespace onggi::wheel {
+namespace {
+
+bool is_model(const std::filesystem::path& room) {
+    return room.extension() == ".glb";
+}
+
+Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room, int width_px,
+                                              int height_px) {
+    std::filesystem::path folder = room;
+    if (room.empty() || is_model(room)) {  // a model comes without light and cameras: ours
+        auto found = files::find_asset("workshop");
+        if (!found) return found.error();
+        folder = std::move(*found);
+    }
+    auto workshop = load_workshop(folder);
+    if (!workshop) return workshop.error();
+    auto shared = std::make_shared<const Workshop>(std::move(*workshop));
+    auto scene = std::make_unique<WheelScene>(shared);
+    if (is_model(room)) {
+        auto model = load_room_model(room);
+        if (!model) return model.error();
+        return std::make_unique<WheelScene>(shared, std::move(*model));
+    }
+    // A room that has been modelled and not photographed yet.
+    std::error_code error;
+    const bool has_plates = std::filesystem::exists(folder / "plates", error);
+    if (!has_plates && std::filesystem::exists(folder / "room.glb", error)) {
+        auto model = load_room_model(folder / "room.glb");
+        if (!model) return model.error();
+        return std::make_unique<WheelScene>(shared, std::move(*model));
+    }
+    for (const PlateCamera* camera : scene->missing_plates(width_px, height_px)) {
+        auto plate = load_plate(*shared, *camera);
+        if (!plate) return plate.error();
+        scene->add_plate(camera->name, std::move(*plate));
+    }
+    return scene;
+}
+
+}  // namespace
+
+OpenedScene open_scene(const std::filesystem::path& folder, int width_px, int height_px) {
+    OpenedScene opened;
+    if (auto scene = furnished(folder, width_px, height_px)) {
+        opened.scene = std::move(*scene);
+    } else {
+        opened.scene = std::make_unique<WheelScene>();
+        opened.lack = scene.error().message;
+    }
+    if (auto tools = load_tool_models()) {
+        opened.scene->set_tools(std::move(*tools));
+    } else if (opened.lack.empty()) {
+        opened.lack = tools.error().message;
+    }
+    return opened;
+}
+
+}  // namespace onggi::wheel
