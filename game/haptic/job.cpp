@@ -1,11 +1,18 @@
 #include "game/haptic/job.h"
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
+
+#include "game/haptic/work_felt.h"
 
 namespace onggi::haptic {
 namespace {
 
 constexpr std::size_t kCommandCapacity = 256;
+// A machine that slept for a night has missed more than anybody need count.
+constexpr std::uint64_t kMostLate = 1'000'000;
+constexpr std::size_t kStateCapacity = 4;
 
 // Room for as many hashes as there is for records.
 std::size_t hash_capacity(const HapticJobOptions& options) {
@@ -14,7 +21,7 @@ std::size_t hash_capacity(const HapticJobOptions& options) {
 
 jobs::FixedRateJobOptions job_options(const HapticParameters& parameters, const HapticJobOptions& options) {
     return {.thread_name = "onggi-haptic",
-            .pacing = {.rate_hz = parameters.clay.rate_hz, .wait = options.wait},
+            .pacing = {.rate_hz = parameters.rate_hz(), .wait = options.wait},
             .real_time = options.real_time,
             .policy = options.policy};
 }
@@ -27,23 +34,34 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
       parameters_(parameters),
       options_(options),
       device_(std::move(device)),
+      fits_(fits_for(*device_, parameters_, start_.paper() != nullptr)),
       state_(start_),
+      watchdog_(*device_, {.rate_hz = parameters.rate_hz()}),
       commands_(kCommandCapacity),
+      states_(kStateCapacity),
+      old_states_(2 * kStateCapacity),
       records_(options.record_capacity),
       hashes_(hash_capacity(options)),
-      snapshots_(first_snapshot(start_)) {}
+      snapshots_(first_snapshot(start_, parameters_)),
+      shapes_(first_shape(start_)) {
+    hold_to(fits_.front());
+}
 
 bool HapticWork::tick(const jobs::Period& period) noexcept {
     skipped_periods_ += period.skipped;
     obey_commands();
+    put_on_states();
     if (run_is_over()) put_on_fresh_lump();
 
     const haptics::ToolState tool = device_->read(ticks_of_run(), period.dt_s);
-    const TickResult result = haptic::tick(state_, tool, parameters_);
+    const TickResult result = haptic::tick(state_, tool, parameters_, device_tick(period));
+    device_->feel(work_felt(state_, result, parameters_));
     device_->write(result.limited_force_n);
+    watchdog_.beat();
     keep_record(result);
     publish(result);
     lump_is_fresh_ = false;
+    state_was_put_ = false;
 
     const bool time_is_up = options_.end_periods != 0 && period.index + 1 >= options_.end_periods;
     const bool last_run_is_over = run_is_over() && !options_.repeat;
@@ -51,8 +69,10 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
 }
 
 const Snapshot& HapticWork::newest_snapshot() noexcept {
-    snapshots_.acquire();
-    return snapshots_.reading();
+    if (snapshots_.acquire() || newest_.shape == nullptr) newest_ = snapshots_.reading();
+    shapes_.acquire();
+    newest_.shape = &shapes_.reading();
+    return newest_;
 }
 
 void HapticWork::obey_commands() noexcept {
@@ -63,27 +83,117 @@ void HapticWork::obey_commands() noexcept {
                 put_on_fresh_lump();
                 break;
             case Command::kRearmForce:
+                stop_asked_.store(false, std::memory_order_relaxed);
                 haptics::rearm(state_.safety);
+                break;
+            case Command::kLetGo:
+                nobody_is_there_ = true;
+                break;
+            case Command::kTakeHold:
+                nobody_is_there_ = false;
                 break;
         }
     }
 }
 
+std::vector<HapticWork::Fit> HapticWork::fits_for(const haptics::HapticDevice& device,
+                                                  const HapticParameters& parameters, bool is_paper) {
+    std::vector<Fit> fits;
+    for (const haptics::DeviceCapabilities& hand : device.capabilities_of_hands()) {
+        HapticParameters fitted = parameters;
+        Result<void> done = fit_to_device(fitted, hand, is_paper);
+        if (!done) fitted.safety.peak_force_n = 0.0;
+        fits.push_back(
+            {fitted.safety, fitted.feel, hand.position_resolution_mm, hand.has_motors, std::move(done)});
+    }
+    return fits;
+}
+
+std::vector<std::string> HapticWork::refusals() const {
+    std::vector<std::string> lines;
+    for (std::size_t hand = 1; hand < fits_.size(); ++hand)
+        if (!fits_[hand].fits) lines.push_back(fits_[hand].fits.error().message);
+    return lines;
+}
+
+void HapticWork::hold_to(const Fit& fit) noexcept {
+    parameters_.safety = fit.safety;
+    parameters_.feel = fit.feel;
+    state_.velocity = haptics::VelocityEstimator(fit.step_mm);
+}
+
+DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
+    if (const std::uint32_t silences = watchdog_.silences(); silences != silences_) {
+        silences_ = silences;
+        state_.safety.applied_force_n = dvec3(0.0);
+        haptics::restart_ramp(state_.safety);
+    }
+    DeviceTick device{.dt_s = period.dt_s,
+                      .late = static_cast<std::uint32_t>(std::min<std::uint64_t>(period.skipped, kMostLate)),
+                      .signs = device_->signs(),
+                      .stop = stop_asked_.load(std::memory_order_relaxed)};
+    if (device.signs.hand != hand_ && device.signs.hand < fits_.size()) {
+        hand_ = device.signs.hand;
+        hold_to(fits_[hand_]);
+        haptics::restart_ramp(state_.safety);
+    }
+    const bool alone = nobody_is_there_ || watchdog_.picture_stands_still();
+    if (alone && fits_[hand_].has_motors) device.signs.hand_is_there = false;
+    return device;
+}
+
 void HapticWork::put_on_fresh_lump() noexcept {
     state_.restart_from(start_);
+    shape_copy_.restart();
     lump_is_fresh_ = true;
     ++run_;
+}
+
+HapticWork::~HapticWork() {
+    free_old_states();
+    HapticState* state = nullptr;
+    while (states_.try_pop(state))
+        delete state;
+}
+
+bool HapticWork::put(std::unique_ptr<HapticState> state) {
+    assert(state->clay.index() == start_.clay.index());
+    assert(state->element_count() == start_.element_count());
+    free_old_states();
+    if (!states_.try_push(state.get())) return false;
+    static_cast<void>(state.release());  // the ring has it
+    return true;
+}
+
+void HapticWork::free_old_states() noexcept {
+    HapticState* state = nullptr;
+    while (old_states_.try_pop(state))
+        delete state;
+}
+
+void HapticWork::put_on_states() noexcept {
+    HapticState* state = nullptr;
+    while (states_.try_pop(state)) {
+        std::swap(state_.clay, state->clay);
+        state_.wheel = state->wheel;
+        state_.tool = state->tool;
+        state_.ticks = state->ticks;
+        shape_copy_.restart();
+        state_was_put_ = true;
+        ++states_put_;
+        // There is room: put() frees what is here before it sends more than fits.
+        static_cast<void>(old_states_.try_push(state));
+    }
 }
 
 void HapticWork::keep_record(const TickResult& result) noexcept {
     TickRecord record;
     record.tick = static_cast<std::uint32_t>(state_.ticks - 1);
-    if (state_.tool.wheel_button) record.flags |= TickRecord::kWheelButton;
     if (lump_is_fresh_) record.flags |= TickRecord::kFreshLump;
+    if (state_was_put_) record.flags |= TickRecord::kStatePut;
     if (result.hash_due) record.flags |= TickRecord::kHashDue;
     if (state_.safety.fault != haptics::Fault::kNone) record.flags |= TickRecord::kFault;
-    record.position_mm = state_.tool.position_mm;
-    record.radius_mm = state_.tool.radius_mm;
+    record.tool = state_.tool;
     record.force_n = result.forces.total_n();
 
     bool kept = true;
@@ -94,10 +204,13 @@ void HapticWork::keep_record(const TickResult& result) noexcept {
 
 void HapticWork::publish(const TickResult& result) noexcept {
     Snapshot& snapshot = snapshots_.writing();
-    fill_snapshot(snapshot, state_, result);
+    fill_snapshot(snapshot, state_, result, parameters_);
     snapshot.run = run_;
+    snapshot.states_put = states_put_;
     snapshot.skipped_periods = skipped_periods_;
+    snapshot.safety.silences = silences_;
     snapshots_.publish();
+    if (shape_copy_.step(shapes_.writing(), state_, parameters_.dt_s())) shapes_.publish();
 }
 
 HapticJob::HapticJob(HapticState start, const HapticParameters& parameters,
@@ -106,16 +219,22 @@ HapticJob::HapticJob(HapticState start, const HapticParameters& parameters,
       job_(job_options(parameters, options)) {}
 
 Result<void> HapticJob::start() {
+    if (!work_.fits()) return work_.fits();
     if (Result<void> opened = work_.device().open(); !opened) return opened;
     device_is_open_ = true;
     Result<void> started = job_.start(work_);
+    if (started) started = watchdog_thread_.start(work_.watchdog(), "onggi-watchdog");
     if (!started) stop();
     return started;
 }
 
 void HapticJob::stop() noexcept {
     job_.stop();
-    if (std::exchange(device_is_open_, false)) work_.device().close();
+    watchdog_thread_.stop();
+    if (!std::exchange(device_is_open_, false)) return;
+    // The haptic thread is gone: this one speaks for it, once.
+    work_.device().write(dvec3(0.0));
+    work_.device().close();
 }
 
 }  // namespace onggi::haptic

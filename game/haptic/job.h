@@ -2,13 +2,19 @@
 // others. Every method belongs to the main thread unless it says otherwise.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/core/result.h"
 #include "engine/haptics/haptic_device.h"
+#include "engine/haptics/watchdog.h"
 #include "engine/jobs/fixed_rate_job.h"
+#include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
 #include "engine/jobs/triple_buffer.h"
 #include "game/haptic/messages.h"
@@ -33,15 +39,26 @@ class HapticWork final : public jobs::PeriodicWork {
     // `start` is the lump, also of every restart. The parameters' rate is the loop's.
     HapticWork(HapticState start, const HapticParameters& parameters,
                std::unique_ptr<haptics::HapticDevice> device, const HapticJobOptions& options);
+    ~HapticWork() override;
+    HapticWork(const HapticWork&) = delete;
+    HapticWork& operator=(const HapticWork&) = delete;
 
     // Haptic thread.
     [[nodiscard]] bool tick(const jobs::Period& period) noexcept override;
 
     // The other side of each hand-off: the one thread that is not the haptic one.
     // The newest snapshot; it stays as it is until the next call.
+    // Its shape is the newest whole one, and lives as long.
     [[nodiscard]] const Snapshot& newest_snapshot() noexcept;
     // False when the ring is full, which some hundred commands in one period take.
     [[nodiscard]] bool send(Command command) noexcept { return commands_.try_push(command); }
+    // Any thread, wait-free: no force from the next tick on, until kRearmForce.
+    void stop_force() noexcept { stop_asked_.store(true, std::memory_order_relaxed); }
+    // Puts another state of the same lump on the wheel, as from History::state_at(): clay, wheel, tool and
+    // ticks, not the device's safety. It takes effect before the next tick, whose record says kStatePut. The
+    // haptic thread swaps it in and gives the old one back, so that nothing is copied or freed there. False
+    // when too many are on their way. Precondition: the same clay as the start's, of the same size.
+    [[nodiscard]] bool put(std::unique_ptr<HapticState> state);
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return records_.try_pop(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return hashes_.try_pop(hash); }
 
@@ -51,6 +68,12 @@ class HapticWork final : public jobs::PeriodicWork {
     // Ticks whose record or hash found its ring full. A recording with any is not whole.
     [[nodiscard]] std::uint64_t dropped_records() const noexcept { return dropped_records_; }
     [[nodiscard]] haptics::HapticDevice& device() noexcept { return *device_; }
+    // Runs on a thread of its own while the job does.
+    [[nodiscard]] haptics::Watchdog& watchdog() noexcept { return watchdog_; }
+    // Whether the first hand can be shown this clay (fit_to_device).
+    [[nodiscard]] const Result<void>& fits() const noexcept { return fits_.front().fits; }
+    // Why others get no force, a line each.
+    [[nodiscard]] std::vector<std::string> refusals() const;
 
   private:
     // Since the lump was put on; a start state may have been ticked before.
@@ -59,26 +82,55 @@ class HapticWork final : public jobs::PeriodicWork {
         return options_.run_ticks != 0 && ticks_of_run() >= options_.run_ticks;
     }
     void obey_commands() noexcept;
+    // What the loop, the device and the watchdog know that the clay need not.
+    [[nodiscard]] DeviceTick device_tick(const jobs::Period& period) noexcept;
     void put_on_fresh_lump() noexcept;
+    void put_on_states() noexcept;
+    void free_old_states() noexcept;
     void keep_record(const TickResult& result) noexcept;
     void publish(const TickResult& result) noexcept;
 
     const HapticState start_;
-    const HapticParameters parameters_;
+    // What each hand may be shown; one that cannot be shown this clay gets no force.
+    struct Fit {
+        haptics::SafetyLimits safety;
+        DeviceFeel feel;
+        double step_mm = 0.0;     // of its encoder
+        bool has_motors = false;  // a picture of a tool frightens nobody
+        Result<void> fits;
+    };
+    [[nodiscard]] static std::vector<Fit> fits_for(const haptics::HapticDevice& device,
+                                                   const HapticParameters& parameters, bool is_paper);
+    void hold_to(const Fit& fit) noexcept;
+
+    HapticParameters parameters_;  // its limits are those of the hand that has the tool
     const HapticJobOptions options_;
     std::unique_ptr<haptics::HapticDevice> device_;
+    const std::vector<Fit> fits_;
 
     // Haptic thread only, while it runs.
     HapticState state_;
     std::uint64_t run_ = 0;
     bool lump_is_fresh_ = true;
+    bool state_was_put_ = false;
+    std::uint64_t states_put_ = 0;
     std::uint64_t skipped_periods_ = 0;
     std::uint64_t dropped_records_ = 0;
+    std::uint32_t silences_ = 0;
+    std::size_t hand_ = 0;
+    bool nobody_is_there_ = false;
 
+    std::atomic<bool> stop_asked_{false};
+    haptics::Watchdog watchdog_;
     jobs::SpscRing<Command> commands_;
+    jobs::SpscRing<HapticState*> states_;      // to put on; owned while they are in the ring
+    jobs::SpscRing<HapticState*> old_states_;  // to free
     jobs::SpscRing<TickRecord> records_;
     jobs::SpscRing<BlockHash> hashes_;
     jobs::TripleBuffer<Snapshot> snapshots_;
+    ShapeCopy shape_copy_;  // haptic thread
+    jobs::TripleBuffer<PotShape> shapes_;
+    Snapshot newest_;  // main thread
 };
 
 class HapticJob {
@@ -89,16 +141,25 @@ class HapticJob {
     HapticJob(const HapticJob&) = delete;
     HapticJob& operator=(const HapticJob&) = delete;
 
-    // Opens the device and starts the thread. Errors: the device's, or see FixedRateJob::start.
+    // Opens the device and starts the thread, and the watchdog over it. Errors: kBadInput, the clay cannot be
+    // shown stably on this device at this rate (fit_to_device); the device's; see FixedRateJob::start.
     Result<void> start();
-    // Joins the thread and closes the device. Harmless when it does not run.
+    // Joins the threads, takes the force away and closes the device. Harmless when it does not run.
     void stop() noexcept;
+    // Why a hand other than the first gets no force, a line each.
+    [[nodiscard]] std::vector<std::string> refusals() const { return work_.refusals(); }
+    // Any thread, a stop key's or a signal's among them; wait-free.
+    void stop_force() noexcept { work_.stop_force(); }
     // Any thread: the loop has come to its end by itself, or was stopped.
     [[nodiscard]] bool finished() const noexcept { return job_.finished(); }
 
-    // Once a frame.
-    [[nodiscard]] const Snapshot& newest_snapshot() noexcept { return work_.newest_snapshot(); }
+    // Once a frame; who does not ask for two seconds is taken to hang, and the force goes.
+    [[nodiscard]] const Snapshot& newest_snapshot() noexcept {
+        work_.watchdog().picture_is_alive();
+        return work_.newest_snapshot();
+    }
     [[nodiscard]] bool send(Command command) noexcept { return work_.send(command); }
+    [[nodiscard]] bool put(std::unique_ptr<HapticState> state) { return work_.put(std::move(state)); }
     // The thread that records: this one or another, but always the same.
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return work_.take_record(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return work_.take_hash(hash); }
@@ -114,6 +175,7 @@ class HapticJob {
   private:
     HapticWork work_;
     jobs::FixedRateJob job_;
+    jobs::IoThread watchdog_thread_;
     bool device_is_open_ = false;
 };
 

@@ -1,23 +1,49 @@
 #include "game/haptic/messages.h"
 
+#include <cmath>
+
 namespace onggi::haptic {
 
-Snapshot first_snapshot(const HapticState& start) {
+Snapshot first_snapshot(const HapticState& start, const HapticParameters& parameters) {
     Snapshot first;
-    first.radii_mm.resize(start.clay.radii_mm().size());
-    fill_snapshot(first, start, {});
+    fill_snapshot(first, start, {}, parameters);
     return first;
 }
 
-void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResult& result) noexcept {
+void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResult& result,
+                   const HapticParameters& parameters) noexcept {
     snapshot.tick = state.ticks;
     snapshot.tool = state.tool;
-    snapshot.forces = result.forces;
-    snapshot.limited_force_n = result.limited_force_n;
+    snapshot.result = result;
     snapshot.fault = state.safety.fault;
-    snapshot.wheel_direction = {state.wheel.heading().cosine, state.wheel.heading().sine};
-    snapshot.wheel_turning = state.tool.wheel_button;
-    state.clay.copy_radii_mm(snapshot.radii_mm);
+    snapshot.safety = {.ramp = state.safety.ramp,
+                       .gain = state.safety.gain,
+                       .presence = state.safety.presence,
+                       .energy_mj = state.safety.energy_mj,
+                       .taken_mj = state.safety.taken_mj,
+                       .given_mj = state.safety.given_mj,
+                       .damping_n_s_per_mm = state.safety.damping_n_s_per_mm,
+                       .mean_force_n = std::sqrt(state.safety.heat_n2),
+                       .late_periods = state.safety.late_count,
+                       .fault_count = state.safety.fault_count,
+                       .speed_stops = state.safety.speed_stops};
+    snapshot.wheel_direction = {state.heading().cosine, state.heading().sine};
+    const clay::StudioClay* studio = state.studio();
+    if (studio == nullptr) {
+        snapshot.wheel_turning = state.tool.wheel_button;
+        snapshot.wheel_speed_rad_s = snapshot.wheel_turning ? parameters.paper.wheel_speed_rad_s : 0.0;
+        return;
+    }
+    snapshot.wheel_speed_rad_s = studio->wheel().speed_rad_s();
+    snapshot.wheel_turning = snapshot.wheel_speed_rad_s > 0.0;
+    snapshot.load = {.index = studio->load_index(),
+                     .height_mm = studio->load_height_mm(),
+                     .cause = studio->load_cause(),
+                     .failure = studio->failure()};
+    snapshot.on_wheel_mm3 = studio->ledger().on_wheel_mm3();
+    snapshot.hand_film = studio->film();
+    snapshot.is_cut_off = studio->is_cut_off();
+    snapshot.body = studio->lump().body;
 }
 
 }  // namespace onggi::haptic

@@ -4,62 +4,89 @@
 
 #include <cstdint>
 #include <type_traits>
-#include <vector>
 
 #include "engine/haptics/safety_chain.h"
 #include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
-#include "game/clay/paper_clay.h"
+#include "game/haptic/pot_shape.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::haptic {
 
-// Haptic thread to main thread, newest wins: all a picture and a display of forces need of one tick. The
-// vector keeps its size for the whole run, so that filling it never allocates.
+// The clay's warning: the largest load index, where, and by what; and the first ring that gave way.
+struct LoadReport {
+    double index = 0.0;
+    double height_mm = 0.0;
+    clay::studio::Cause cause = clay::studio::Cause::kNone;
+    clay::studio::Failure failure;  // clay::sentence() says it in words
+};
+
+// What the safety chain does to the force, for screens and logs; haptics::describe() says more.
+struct SafetyReport {
+    double ramp = 0.0;                // 0 to 1: how much of the force is there after a start or a fault
+    double gain = 1.0;                // what missed periods leave of it
+    double presence = 1.0;            // 0: nobody is there
+    double energy_mj = 0.0;           // the observer's balance
+    double taken_mj = 0.0;            // by the device from the hand, since the job started
+    double given_mj = 0.0;            // by the device to the hand
+    double damping_n_s_per_mm = 0.0;  // what the controller adds
+    double mean_force_n = 0.0;        // root of the mean square over the budget's time
+    std::uint64_t late_periods = 0;
+    std::uint32_t fault_count = 0;
+    std::uint32_t speed_stops = 0;
+    std::uint32_t silences = 0;  // how often the watchdog found the loop standing still
+};
+
+// Haptic thread to main thread, newest wins: all a picture and a display of forces need of one tick.
 struct Snapshot {
     std::uint64_t tick = 0;             // ticks since the lump was fresh
     std::uint64_t run = 0;              // how many lumps came before this one
+    std::uint64_t states_put = 0;       // how many states were put on the wheel
     std::uint64_t skipped_periods = 0;  // since the job started
     haptics::ToolState tool;
-    clay::ContactForces forces;  // what the clay does to the tool: Fs, Fv, Ff
-    dvec3 limited_force_n{0.0};  // what the device got
+    TickResult result;  // forces of both hands, what the device got, sides, where the assist is
     haptics::Fault fault = haptics::Fault::kNone;
+    SafetyReport safety;
     dvec2 wheel_direction{1.0, 0.0};  // cos and sin of the wheel's angle, counter-clockwise from above
     bool wheel_turning = false;
-    std::vector<float> radii_mm;  // R_i, bottom first
+    double wheel_speed_rad_s = 0.0;
+    // Of the studio's clay.
+    LoadReport load;
+    double on_wheel_mm3 = 0.0;
+    double hand_film = 0.0;   // water on the hands, 0 to 1
+    bool is_cut_off = false;  // the pot is done
+    clay::ClayBody body = clay::ClayBody::kStoneware;
+    // The rings, which come at a pace of their own; never null in what newest_snapshot() gives.
+    const PotShape* shape = nullptr;
 };
 
-// A snapshot of the start, with its vector in its final size.
-[[nodiscard]] Snapshot first_snapshot(const HapticState& start);
-// What state and result say; run and skipped_periods are the job's to fill. No allocation when the snapshot
-// came from first_snapshot() of a state with as many elements.
-void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResult& result) noexcept;
+// A snapshot of the start, without a shape.
+[[nodiscard]] Snapshot first_snapshot(const HapticState& start, const HapticParameters& parameters);
+// What state and result say; run, skipped_periods and shape are the job's to fill.
+void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResult& result,
+                   const HapticParameters& parameters) noexcept;
 
 // Main thread to haptic thread, in order, none lost.
 enum class Command : std::uint8_t {
     kFreshLump,   // put the start lump on the wheel again
     kRearmForce,  // take a latched fault back; the force returns through its ramp
+    kLetGo,       // nobody is at the wheel: no force until somebody is
+    kTakeHold,    // somebody is; the force returns through its ramp
 };
 
-// Haptic thread to whoever records, in order: one a tick, a cache line each.
+// Haptic thread to whoever records, in order: one a tick.
 struct TickRecord {
-    static constexpr std::uint32_t kWheelButton = 1U << 0U;
     static constexpr std::uint32_t kFreshLump = 1U << 1U;  // the lump was made fresh before this tick
     static constexpr std::uint32_t kHashDue = 1U << 2U;    // a BlockHash goes with it
+    static constexpr std::uint32_t kStatePut = 1U << 4U;   // another state was put on the wheel before it
     static constexpr std::uint32_t kFault = 1U << 3U;      // the device got no force: a fault is latched
 
     std::uint32_t tick = 0;  // since the lump was fresh; 4e9 of them are five days at 10 kHz
     std::uint32_t flags = 0;
-    dvec3 position_mm{0.0};  // of the tool, as the clay was told
-    double radius_mm = 0.0;
-    dvec3 force_n{0.0};  // F of Eq. (3), before the safety chain
-
-    [[nodiscard]] haptics::ToolState tool() const {
-        return {
-            .position_mm = position_mm, .radius_mm = radius_mm, .wheel_button = (flags & kWheelButton) != 0};
-    }
+    haptics::ToolState tool;  // as the clay was told
+    dvec3 force_n{0.0};       // F of Eq. (3), before the safety chain
 };
-static_assert(sizeof(TickRecord) == 64, "a record is one cache line; ten seconds at 4 kHz are 2.6 MB");
+static_assert(sizeof(TickRecord) <= 192, "three cache lines; ten seconds at 4 kHz are 7.7 MB");
 static_assert(std::is_trivially_copyable_v<TickRecord>);
 
 // The state's hash after each full block of ticks; it is sent before the record that says kHashDue.

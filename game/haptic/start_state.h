@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/record/session_format.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::haptic {
@@ -20,6 +21,9 @@ struct Start {
 // it.
 [[nodiscard]] std::vector<std::byte> start_state_bytes(const HapticState& state,
                                                        const HapticParameters& parameters);
+
+// The header of a session that begins with it.
+[[nodiscard]] record::SessionHeader session_header(const Start& start);
 
 // The start that those bytes and that rate make. Bad input: a wrong size, parameters that clay::check()
 // refuses, a tool outside its limits, a wheel direction that is no unit vector, a clay its own reader

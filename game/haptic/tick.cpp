@@ -3,16 +3,125 @@
 #include <cassert>
 
 #include "engine/core/hash.h"
+#include "engine/core/units.h"
 
 namespace onggi::haptic {
+namespace {
 
 // The clay may not include the devices' room, and neither may be wider than the other.
 static_assert(clay::kSmallestToolMm == haptics::kMinToolRadiusMm);
 static_assert(clay::kLargestToolMm == haptics::kMaxToolRadiusMm);
 
+clay::StudioTool studio_tool(haptics::ToolKind kind) noexcept {
+    switch (kind) {
+        case haptics::ToolKind::kHand:
+            return clay::StudioTool::kHand;
+        case haptics::ToolKind::kRib:
+            return clay::StudioTool::kRib;
+        case haptics::ToolKind::kSponge:
+            return clay::StudioTool::kSponge;
+        case haptics::ToolKind::kTrimmer:
+            return clay::StudioTool::kTrimmer;
+    }
+    return clay::StudioTool::kHand;
+}
+
+clay::SideWish side_wish(haptics::SideHint hint) noexcept {
+    switch (hint) {
+        case haptics::SideHint::kByTheWayItCame:
+            return clay::SideWish::kNone;
+        case haptics::SideHint::kOutside:
+            return clay::SideWish::kOut;
+        case haptics::SideHint::kInside:
+            return clay::SideWish::kIn;
+        case haptics::SideHint::kRim:
+            return clay::SideWish::kTop;
+    }
+    return clay::SideWish::kNone;
+}
+
+clay::Wire studio_wire(haptics::WireCommand command) noexcept {
+    switch (command) {
+        case haptics::WireCommand::kNone:
+            return clay::Wire::kNone;
+        case haptics::WireCommand::kCutRim:
+            return clay::Wire::kCutRim;
+        case haptics::WireCommand::kCutOff:
+            return clay::Wire::kCutOff;
+    }
+    return clay::Wire::kNone;
+}
+
+void tick_paper(clay::PaperClay& clay, HapticState& state, const haptics::ToolState& tool,
+                const HapticParameters& parameters, TickResult& result) noexcept {
+    // It hears of neither sides nor tools, and what it does not hear is not recorded.
+    state.tool = plain_tool(haptics::within_limits(tool, state.tool));
+    if (state.tool.wheel_button) state.wheel.turn(parameters.paper.wheel_speed_rad_s * parameters.dt_s());
+    result.forces = clay.tick({.position_mm = state.tool.position_mm,
+                               .radius_mm = state.tool.radius_mm,
+                               .wheel_turning = state.tool.wheel_button},
+                              parameters.paper);
+}
+
+void tick_studio(clay::StudioClay& clay, HapticState& state, const haptics::ToolState& tool,
+                 const HapticParameters& parameters, TickResult& result) noexcept {
+    state.tool = haptics::within_limits(tool, state.tool);
+    const clay::StudioForces forces = clay.tick(studio_input(state.tool), parameters.studio);
+    result.forces = forces.hand;
+    result.second_forces = forces.second;
+    result.second_position_mm = forces.second_position_mm;
+    result.has_second = forces.has_second;
+    result.side = forces.side;
+    result.second_side = forces.second_side;
+    result.wheel_load_n_mm = forces.wheel_load_n_mm;
+}
+
+// What goes to the device. The gate judges what it really said, not what the clay was told.
+dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
+                    const DeviceTick& device, const clay::ContactForces& forces) noexcept {
+    const double dt_s = device.dt_s > 0.0 ? device.dt_s : parameters.dt_s();
+    const bool is_studio = state.studio() != nullptr;
+    const dvec3 velocity_mm_s = state.velocity.update(tool.position_mm, dt_s);
+    const double viscosity =
+        is_studio ? parameters.studio.viscosity_c2_n_s_per_mm : parameters.paper.viscosity_c2_n_s_per_mm;
+    const DeviceForce force = device_force(forces, velocity_mm_s, viscosity, is_studio, parameters.feel);
+    return haptics::apply_safety_chain(force.wanted_n,
+                                       {.position_mm = tool.position_mm,
+                                        .dt_s = dt_s,
+                                        .velocity_mm_s = velocity_mm_s,
+                                        .driven_force_n = force.driven_n,
+                                        .late = device.late,
+                                        .position_is_new = device.signs.position_is_new,
+                                        .hand_is_there = device.signs.hand_is_there,
+                                        .stop = device.stop},
+                                       parameters.safety, state.safety);
+}
+
+}  // namespace
+
+double HapticState::height_mm() const {
+    return std::visit([](const auto& there) { return there.height_mm(); }, clay);
+}
+
+double HapticState::volume_mm3() const {
+    return std::visit([](const auto& there) { return there.volume_mm3(); }, clay);
+}
+
+int HapticState::element_count() const {
+    return studio() != nullptr ? studio()->lump().rings : paper()->element_count();
+}
+
+int HapticState::sector_count() const {
+    return studio() != nullptr ? studio()->sector_count() : 1;
+}
+
+const clay::Rotation& HapticState::heading() const {
+    return studio() != nullptr ? studio()->wheel().heading() : wheel.heading();
+}
+
 std::uint64_t HapticState::hash() const {
     StateHash hash;
-    hash.add_word(clay.state_hash());
+    hash.add_word(std::visit([](const auto& there) { return there.state_hash(); }, clay));
     hash.add(wheel.heading().cosine);
     hash.add(wheel.heading().sine);
     hash.add_word(ticks);
@@ -20,28 +129,46 @@ std::uint64_t HapticState::hash() const {
 }
 
 void HapticState::restart_from(const HapticState& fresh) noexcept {
-    assert(clay.element_count() == fresh.clay.element_count());
-    clay = fresh.clay;
+    assert(clay.index() == fresh.clay.index() && element_count() == fresh.element_count());
+    if (clay::StudioClay* there = studio()) {
+        there->restart_from(*fresh.studio());
+    } else {
+        clay = fresh.clay;
+    }
     wheel = fresh.wheel;
     tool = fresh.tool;
     ticks = fresh.ticks;
 }
 
-TickResult tick(HapticState& state, const haptics::ToolState& tool,
-                const HapticParameters& parameters) noexcept {
-    const double dt_s = parameters.dt_s();
-    state.tool = haptics::within_limits(tool, state.tool);
-    if (state.tool.wheel_button) state.wheel.turn(parameters.clay.wheel_speed_rad_s * dt_s);
+clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept {
+    const bool turns = tool.wheel_button;
+    clay::StudioInput input;
+    input.hand = {.position_mm = tool.position_mm,
+                  .radius_mm = tool.radius_mm,
+                  .shaft_mm = tool.shaft_mm,
+                  .side = side_wish(tool.side),
+                  .tool = studio_tool(tool.tool)};
+    input.second = {.position_mm = tool.second.position_mm,
+                    .radius_mm = tool.second.radius_mm,
+                    .tool = studio_tool(tool.second.tool)};
+    input.has_second = tool.second.present;
+    input.assist_gap_mm = tool.assist_gap_mm;
+    input.wheel_speed_rad_s = turns ? units::rad_s_from_rev_min(tool.wheel_speed_rev_min) : 0.0;
+    input.water = tool.water;
+    input.wire = studio_wire(tool.wire);
+    input.wire_height_mm = tool.wire_height_mm;
+    return input;
+}
 
+TickResult tick(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
+                const DeviceTick& device) noexcept {
     TickResult result;
-    result.forces = state.clay.tick({.position_mm = state.tool.position_mm,
-                                     .radius_mm = state.tool.radius_mm,
-                                     .wheel_turning = state.tool.wheel_button},
-                                    parameters.clay);
-    // The gate judges what the device really said, not what the clay was told.
-    result.limited_force_n =
-        haptics::apply_safety_chain(result.forces.total_n(), {.position_mm = tool.position_mm, .dt_s = dt_s},
-                                    parameters.safety, state.safety);
+    if (clay::PaperClay* paper = state.paper()) {
+        tick_paper(*paper, state, tool, parameters, result);
+    } else {
+        tick_studio(*state.studio(), state, tool, parameters, result);
+    }
+    result.limited_force_n = limited_force(state, tool, parameters, device, result.forces);
 
     ++state.ticks;
     result.hash_due = state.ticks % record::kHashInterval == 0;

@@ -1,0 +1,161 @@
+#include "game/haptic/history.h"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/record/session_writer.h"
+
+namespace onggi::haptic {
+namespace {
+
+haptics::ToolState without_places(haptics::ToolState tool) {
+    tool.position_mm = tool.second.position_mm = dvec3(0.0);
+    return tool;
+}
+
+}  // namespace
+
+History::History(const HapticState& start, const HapticParameters& parameters, const HistoryOptions& options)
+    : start_{start, parameters},
+      options_(options) {
+    begin_anew();
+}
+
+void History::begin_anew() {
+    now_ = start_.state;
+    inputs_.clear();
+    second_positions_mm_.clear();
+    settings_.clear();
+    block_hashes_.clear();
+    checkpoints_.clear();
+    checkpoint_bytes_ = 0;
+    moves_.clear();
+    whole_ = true;
+    keep_checkpoint();
+}
+
+void History::add(const TickRecord& record) {
+    if ((record.flags & TickRecord::kFreshLump) != 0) begin_anew();
+    if ((record.flags & TickRecord::kStatePut) != 0) go_back_to(record.tick);
+    whole_ = whole_ && record.tick == now_.ticks;
+    if (!whole_) return;
+
+    const TickResult result = tick(now_, record.tool, start_.parameters);
+    keep_input(record.tool, record.force_n);
+    follow_moves(result);
+    if (inputs_.size() % record::kHashInterval == 0) block_hashes_.push_back(now_.hash());
+    const auto ticks_a_checkpoint =
+        static_cast<std::uint64_t>(options_.checkpoint_s * start_.parameters.rate_hz());
+    if (now_.ticks - checkpoints_.back().tick >= std::max<std::uint64_t>(ticks_a_checkpoint, 1))
+        keep_checkpoint();
+}
+
+void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
+    if (second_positions_mm_.empty() || second_positions_mm_.back() != tool.second.position_mm)
+        second_positions_mm_.push_back(tool.second.position_mm);
+    const haptics::ToolState settings = without_places(tool);
+    if (settings_.empty() || settings_.back() != settings) settings_.push_back(settings);
+    inputs_.push_back({.position_mm = tool.position_mm,
+                       .second = static_cast<std::uint32_t>(second_positions_mm_.size() - 1),
+                       .settings = static_cast<std::uint32_t>(settings_.size() - 1),
+                       .force_check = record::force_check(force_n)});
+}
+
+haptics::ToolState History::tool_at(std::uint64_t tick) const {
+    const Input& input = inputs_[static_cast<std::size_t>(tick - first_tick())];
+    haptics::ToolState tool = settings_[input.settings];
+    tool.position_mm = input.position_mm;
+    tool.second.position_mm = second_positions_mm_[input.second];
+    return tool;
+}
+
+void History::keep_checkpoint() {
+    checkpoints_.push_back({now_.ticks, start_state_bytes(now_, start_.parameters)});
+    checkpoint_bytes_ += checkpoints_.back().bytes.size();
+    if (checkpoint_bytes_ > options_.most_bytes) thin_out();
+}
+
+// Takes the checkpoint away that is missed least: the one between the two that are closest. The first and the
+// last stay.
+void History::thin_out() {
+    while (checkpoint_bytes_ > options_.most_bytes && checkpoints_.size() > 2) {
+        std::size_t least_missed = 1;
+        const auto gap = [&](std::size_t i) { return checkpoints_[i + 1].tick - checkpoints_[i - 1].tick; };
+        for (std::size_t i = 2; i + 1 < checkpoints_.size(); ++i) {
+            if (gap(i) < gap(least_missed)) least_missed = i;
+        }
+        checkpoint_bytes_ -= checkpoints_[least_missed].bytes.size();
+        checkpoints_.erase(checkpoints_.begin() + static_cast<std::ptrdiff_t>(least_missed));
+    }
+}
+
+void History::follow_moves(const TickResult& result) {
+    const std::uint64_t tick = now_.ticks - 1;
+    const haptics::ToolState& tool = now_.tool;
+    const bool cuts = tool.wire != haptics::WireCommand::kNone;
+    if (!cuts && result.forces.contacts == 0 && result.second_forces.contacts == 0) return;
+
+    const auto pause = static_cast<std::uint64_t>(options_.pause_s * start_.parameters.rate_hz());
+    const bool goes_on = !moves_.empty() && tick - moves_.back().end_tick <= pause &&
+                         moves_.back().is_cut == cuts &&
+                         (cuts || (moves_.back().tool == tool.tool && moves_.back().side == result.side));
+    if (!goes_on)
+        moves_.push_back({.first_tick = tick, .tool = tool.tool, .side = result.side, .is_cut = cuts});
+    moves_.back().end_tick = now_.ticks;
+}
+
+std::optional<std::uint64_t> History::before_last_move() const {
+    if (moves_.empty()) return std::nullopt;
+    return moves_.back().first_tick;
+}
+
+HapticState History::state_at(std::uint64_t tick) const {
+    assert(tick >= first_tick() && tick <= now_.ticks);
+    const auto after = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), tick,
+                                        [](std::uint64_t t, const Checkpoint& c) { return t < c.tick; });
+    const Checkpoint& checkpoint = *(after - 1);
+    auto start = start_from_bytes(checkpoint.bytes, start_.parameters.rate_hz());
+    // Bytes of our own that are refused are a bug, not a state of the world.
+    if (!start) throw std::runtime_error(start.error().message);
+    HapticState state = std::move(start->state);
+    while (state.ticks < tick)
+        haptic::tick(state, tool_at(state.ticks), start_.parameters);
+    return state;
+}
+
+void History::go_back_to(std::uint64_t tick) {
+    if (tick < first_tick() || tick > now_.ticks) {
+        whole_ = false;
+        return;
+    }
+    now_ = state_at(tick);
+    inputs_.resize(static_cast<std::size_t>(tick - first_tick()));
+    settings_.resize(inputs_.empty() ? 0 : inputs_.back().settings + std::size_t{1});
+    second_positions_mm_.resize(inputs_.empty() ? 0 : inputs_.back().second + std::size_t{1});
+    block_hashes_.resize(inputs_.size() / record::kHashInterval);
+    while (checkpoints_.back().tick > tick) {
+        checkpoint_bytes_ -= checkpoints_.back().bytes.size();
+        checkpoints_.pop_back();
+    }
+    while (!moves_.empty() && moves_.back().first_tick >= tick)
+        moves_.pop_back();
+    if (!moves_.empty()) moves_.back().end_tick = std::min(moves_.back().end_tick, tick);
+}
+
+Result<void> History::save(const std::filesystem::path& place) const {
+    auto writer = record::SessionWriter::create(place, session_header(start_),
+                                                start_state_bytes(start_.state, start_.parameters));
+    if (!writer) return writer.error();
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+        if (auto added = writer->add_tick(tool_at(first_tick() + i), inputs_[i].force_check); !added)
+            return added;
+        if (!writer->block_is_full()) continue;
+        if (auto ended = writer->end_block(block_hashes_[i / record::kHashInterval]); !ended) return ended;
+    }
+    if (auto ready = writer->prepare(now_.hash()); !ready) return ready;
+    return writer->commit();
+}
+
+}  // namespace onggi::haptic

@@ -1,0 +1,99 @@
+// All that was done to a lump, kept so that any of it can be taken back. It follows the haptic loop by its
+// records: every tick is worked out again here, off the tick, so that it always holds the very clay that is
+// on the wheel, and now and then a checkpoint of it. To go back is to replay from the checkpoint before. One
+// thread that is not the haptic one; allocates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "game/haptic/messages.h"
+#include "game/haptic/start_state.h"
+
+namespace onggi::haptic {
+
+struct HistoryOptions {
+    double checkpoint_s = 1.0;                         // of simulated time between checkpoints
+    double pause_s = 0.25;                             // a hand off the clay for longer has ended its move
+    std::size_t most_bytes = std::size_t{256} << 20U;  // of checkpoints; beyond it they thin out
+};
+
+// What a visitor would call one thing done: from touching the clay with a tool on one side of it to letting
+// go; or one cut of the wire. Ticks since the lump was fresh.
+struct Move {
+    std::uint64_t first_tick = 0;
+    std::uint64_t end_tick = 0;  // behind the last; the newest move may still grow
+    haptics::ToolKind tool = haptics::ToolKind::kHand;
+    clay::studio::Side side = clay::studio::Side::kFree;
+    bool is_cut = false;
+};
+
+class History {
+  public:
+    History(const HapticState& start, const HapticParameters& parameters, const HistoryOptions& options = {});
+
+    // The next record of the loop that began with that start. One that says kFreshLump begins anew; one that
+    // says kStatePut goes back to its tick first, so what was put has to come from state_at().
+    void add(const TickRecord& record);
+
+    // False once a record was missing: then the clay here is not the one on the wheel, until a fresh lump.
+    [[nodiscard]] bool is_whole() const { return whole_; }
+    // The clay as it was after the last record.
+    [[nodiscard]] const HapticState& state() const { return now_; }
+    // Ticks since the lump was fresh.
+    [[nodiscard]] std::uint64_t ticks() const { return now_.ticks; }
+    [[nodiscard]] std::span<const Move> moves() const { return moves_; }
+
+    // The state before that tick. Precondition: between the start's ticks and ticks().
+    [[nodiscard]] HapticState state_at(std::uint64_t tick) const;
+    // Where to go back to so that the last move is undone; none where nothing was done.
+    [[nodiscard]] std::optional<std::uint64_t> before_last_move() const;
+
+    // All up to now as a session, written at once: no tick is worked out again.
+    [[nodiscard]] Result<void> save(const std::filesystem::path& place) const;
+
+    // For a display and for tests.
+    [[nodiscard]] std::size_t checkpoint_count() const { return checkpoints_.size(); }
+    [[nodiscard]] std::size_t checkpoint_bytes() const { return checkpoint_bytes_; }
+
+  private:
+    // A tick's tool, its places apart from the rest, which seldom changes.
+    struct Input {
+        dvec3 position_mm{0.0};
+        std::uint32_t second = 0;    // index of the second hand's place
+        std::uint32_t settings = 0;  // index of all else
+        std::uint32_t force_check = 0;
+    };
+    struct Checkpoint {
+        std::uint64_t tick = 0;
+        std::vector<std::byte> bytes;
+    };
+
+    void begin_anew();
+    void go_back_to(std::uint64_t tick);
+    void keep_input(const haptics::ToolState& tool, const dvec3& force_n);
+    void keep_checkpoint();
+    void thin_out();
+    void follow_moves(const TickResult& result);
+    [[nodiscard]] haptics::ToolState tool_at(std::uint64_t tick) const;
+    [[nodiscard]] std::uint64_t first_tick() const { return start_.state.ticks; }
+
+    Start start_;
+    HistoryOptions options_;
+    HapticState now_;
+    std::vector<Input> inputs_;  // of tick first_tick() + index
+    std::vector<dvec3> second_positions_mm_;
+    std::vector<haptics::ToolState> settings_;
+    std::vector<std::uint64_t> block_hashes_;  // after each full block of the session that save() writes
+    std::vector<Checkpoint> checkpoints_;      // ascending; the first is the start
+    std::size_t checkpoint_bytes_ = 0;
+    std::vector<Move> moves_;
+    bool whole_ = true;
+};
+
+}  // namespace onggi::haptic
