@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "game/share/slope_range.h"
 
 namespace onggi::share {
 namespace {
@@ -26,37 +27,23 @@ ProfilePoint on_line(const ProfilePoint& anchor, double slope, double y_mm) {
     return {y_mm, anchor.radius_mm + slope * (y_mm - anchor.y_mm)};
 }
 
-// Thins one stretch of rising heights, [first, last], and appends it. A line leaves the anchor, and each
-// point that it passes narrows the range of slopes that stay within the tolerance of all points so far. When
-// a point leaves nothing of the range, the line ends at the height of the point before, on the slope within
-// the range that is nearest to that point's own. Each point is looked at once or twice, so that noise costs
-// no more than smoothness. (The idea is the "swinging door" of process historians, with a free end point.)
+// Thins one stretch of rising heights, [first, last], and appends it: one line after another, each as long as
+// its range of slopes lasts.
 void append_thinned(Profile& out, const ProfilePoint* first, const ProfilePoint* last, double tolerance_mm) {
     out.push_back(*first);
     ProfilePoint anchor = *first;
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    double end_slope = 0.0;
+    SlopeRange slopes;
     for (const ProfilePoint* point = first + 1; point <= last;) {
-        const double run = point->y_mm - anchor.y_mm;
-        const double rise = point->radius_mm - anchor.radius_mm;
-        const double next_low = std::max(low, (rise - tolerance_mm) / run);
-        const double next_high = std::min(high, (rise + tolerance_mm) / run);
-        if (next_low <= next_high) {
-            low = next_low;
-            high = next_high;
-            end_slope = std::clamp(rise / run, low, high);
+        if (slopes.pass(point->y_mm - anchor.y_mm, point->radius_mm - anchor.radius_mm, tolerance_mm)) {
             ++point;
             continue;
         }
         // Never at the first point after an anchor: there the range is still open on both sides.
-        const double y_mm = (point - 1)->y_mm;
-        anchor = on_line(anchor, end_slope, y_mm);
+        anchor = on_line(anchor, slopes.end(), (point - 1)->y_mm);
         out.push_back(anchor);
-        low = -std::numeric_limits<double>::infinity();
-        high = std::numeric_limits<double>::infinity();
+        slopes = {};
     }
-    if (last != first) out.push_back(on_line(anchor, end_slope, last->y_mm));
+    if (last != first) out.push_back(on_line(anchor, slopes.end(), last->y_mm));
 }
 
 }  // namespace

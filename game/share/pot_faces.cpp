@@ -1,0 +1,151 @@
+// See pot_faces.h. Any thread but the haptic one.
+#include "game/share/pot_faces.h"
+
+#include <algorithm>
+
+#include "game/share/slope_range.h"
+
+namespace onggi::share {
+namespace {
+
+using clay::studio::Rings;
+
+constexpr double kFlakeMm = 0.05;
+// Rows nearer than this would make triangles without an area in float metres.
+constexpr double kNearestRowsMm = 1e-3;
+// An opening narrower than this is drawn as wide as this, for the same reason.
+constexpr double kNarrowestOpeningMm = 0.02;
+
+// The mean of the sectors about each corner. Corner k stands at k/count of a turn, sector s is about (s +
+// 1/2)/S: with half as many corners as sectors each corner takes the two next to it.
+std::vector<double> dents_at_corners(const Rings& rings, int ring, int count) {
+    std::vector<double> dents(static_cast<std::size_t>(count), 0.0);
+    if (!(rings.rough_mm[Rings::at(ring)] > 0.0F)) return dents;
+    const float* row = rings.row_of(ring);
+    const int sectors = rings.sectors;
+    const int width = std::max(sectors / count, 2);  // sectors a corner stands for
+    for (int k = 0; k < count; ++k) {
+        const int middle = k * sectors / count;  // the sector just after the corner
+        double sum = 0.0;
+        for (int j = -width / 2; j < width - width / 2; ++j)
+            sum += static_cast<double>(row[(middle + j + sectors) & (sectors - 1)]);
+        dents[static_cast<std::size_t>(k)] = sum / width;
+    }
+    return dents;
+}
+
+FaceRow row_at(const Rings& rings, Which which, int ring, double y_mm, const Corners& corners) {
+    const std::size_t at = Rings::at(ring);
+    FaceRow row;
+    row.y_mm = y_mm;
+    row.radius_mm =
+        which == Which::kOuter ? rings.outer_mm[at] : std::max(rings.inner_mm[at], kNarrowestOpeningMm);
+    row.centre_mm = {static_cast<double>(rings.centre_x_mm[at]), static_cast<double>(rings.centre_z_mm[at])};
+    if (corners.dented) row.dents_mm = dents_at_corners(rings, ring, corners.count);
+    return row;
+}
+
+// Calls visit(number of a row, the same of another), for every number that thinning must keep.
+template <typename Visit>
+void visit_numbers(const FaceRow& a, const FaceRow& b, Visit visit) {
+    visit(a.radius_mm, b.radius_mm);
+    visit(a.centre_mm.x, b.centre_mm.x);
+    visit(a.centre_mm.y, b.centre_mm.y);
+    for (std::size_t k = 0; k < a.dents_mm.size(); ++k)
+        visit(a.dents_mm[k], b.dents_mm[k]);
+}
+
+// The row at y_mm on the lines that leave `anchor` with the ends of those slopes.
+FaceRow on_lines(const FaceRow& anchor, const std::vector<SlopeRange>& slopes, double y_mm) {
+    FaceRow row = anchor;
+    row.y_mm = y_mm;
+    const double run = y_mm - anchor.y_mm;
+    row.radius_mm += slopes[0].end() * run;
+    row.centre_mm += dvec2(slopes[1].end(), slopes[2].end()) * run;
+    for (std::size_t k = 0; k < row.dents_mm.size(); ++k)
+        row.dents_mm[k] += slopes[3 + k].end() * run;
+    return row;
+}
+
+}  // namespace
+
+std::vector<RingRun> ring_runs(const Rings& rings) {
+    std::vector<RingRun> runs;
+    for (int i = 0; i < rings.count;) {
+        const bool hollow = rings.is_hollow(i);
+        const int first = i;
+        while (i < rings.count && rings.is_hollow(i) == hollow)
+            ++i;
+        const double height =
+            (i < rings.count ? rings.bottom_mm(i) : rings.top_mm()) - rings.bottom_mm(first);
+        const bool joins = !runs.empty() && (height < kFlakeMm || runs.back().hollow == hollow);
+        if (joins)
+            runs.back().end = i;
+        else
+            runs.push_back({first, i, hollow});
+    }
+    if (runs.size() > 1 && rings.bottom_mm(runs[1].first) < kFlakeMm) {
+        runs[1].first = 0;
+        runs.erase(runs.begin());
+    }
+    return runs;
+}
+
+bool has_dents(const Rings& rings) {
+    return std::any_of(rings.rough_mm.begin(), rings.rough_mm.begin() + rings.count,
+                       [](float rough) { return rough > 0.0F; });
+}
+
+Face face_of(const Rings& rings, Which which, int first, int end, const Corners& corners) {
+    const auto has_face = [&](int ring) { return which == Which::kOuter || rings.is_hollow(ring); };
+    const double top_mm = end < rings.count ? rings.bottom_mm(end) : rings.top_mm();
+    const double bottom_mm = rings.bottom_mm(first);
+    // A flake of the other kind at either end lends its height only.
+    while (first + 1 < end && !has_face(first))
+        ++first;
+    while (first + 1 < end && !has_face(end - 1))
+        --end;
+    Face face{row_at(rings, which, first, bottom_mm, corners)};
+    for (int i = first; i < end; ++i) {
+        const double y_mm = rings.centre_mm(i);
+        if (has_face(i) && y_mm - face.back().y_mm >= kNearestRowsMm)
+            face.push_back(row_at(rings, which, i, y_mm, corners));
+    }
+    if (face.size() > 1 && top_mm - face.back().y_mm < kNearestRowsMm) face.pop_back();
+    face.push_back(row_at(rings, which, end - 1, top_mm, corners));
+    return face;
+}
+
+Face thinned(const Face& face, double tolerance_mm) {
+    Face out{face.front()};
+    const std::size_t numbers = 3 + face.front().dents_mm.size();
+    std::vector<SlopeRange> slopes(numbers);
+    for (std::size_t i = 1; i < face.size();) {
+        const double run = face[i].y_mm - out.back().y_mm;
+        bool passes = true;
+        std::size_t number = 0;
+        visit_numbers(out.back(), face[i], [&](double from, double to) {
+            passes = passes && slopes[number++].pass(run, to - from, tolerance_mm);
+        });
+        if (passes) {
+            ++i;
+            continue;
+        }
+        // Slopes narrowed by the point that did not pass still pass all points before it.
+        out.push_back(on_lines(out.back(), slopes, face[i - 1].y_mm));
+        slopes.assign(numbers, {});
+    }
+    out.push_back(on_lines(out.back(), slopes, face.back().y_mm));
+    return out;
+}
+
+double thinnest_wall_mm(const Rings& rings) {
+    double thinnest = 0.0;
+    for (int i = 0; i < rings.count; ++i) {
+        if (!rings.is_hollow(i)) continue;
+        thinnest = thinnest > 0.0 ? std::min(thinnest, rings.wall_mm(i)) : rings.wall_mm(i);
+    }
+    return thinnest;
+}
+
+}  // namespace onggi::share
