@@ -1,0 +1,233 @@
+#include "game/kiosk/config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "engine/core/quote.h"
+
+// Whole in this file, because the packaged library throws.
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+namespace onggi::kiosk {
+namespace {
+
+struct Setting {
+    std::string_view allowed;
+    // False when the value is of another kind or out of bounds.
+    std::function<bool(const toml::node&)> take;
+};
+
+Setting number(double& into, double least, double most, std::string_view allowed) {
+    return {allowed, [&into, least, most](const toml::node& node) {
+                const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+                if (!value || !(*value >= least && *value <= most)) return false;
+                into = *value;
+                return true;
+            }};
+}
+
+Setting whole(int& into, int least, int most, std::string_view allowed) {
+    return {allowed, [&into, least, most](const toml::node& node) {
+                const auto value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+                if (!value || *value < least || *value > most) return false;
+                into = static_cast<int>(*value);
+                return true;
+            }};
+}
+
+Setting yes_or_no(bool& into) {
+    return {"true or false", [&into](const toml::node& node) {
+                const auto value = node.is_boolean() ? node.value<bool>() : std::nullopt;
+                if (value) into = *value;
+                return value.has_value();
+            }};
+}
+
+Setting words(std::string& into, std::string_view allowed, std::function<bool(const std::string&)> is_good) {
+    return {allowed, [&into, is_good = std::move(is_good)](const toml::node& node) {
+                const auto value = node.is_string() ? node.value<std::string>() : std::nullopt;
+                if (!value || !is_good(*value)) return false;
+                into = *value;
+                return true;
+            }};
+}
+
+bool is_language_code(const std::string& code) {
+    return code.size() >= 2 && code.size() <= 12 && std::all_of(code.begin(), code.end(), [](char letter) {
+               return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '-';
+           });
+}
+
+bool is_pin(const std::string& pin) {
+    const bool digits = std::all_of(pin.begin(), pin.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return digits && (pin.empty() || (pin.size() >= 4 && pin.size() <= 8));
+}
+
+Setting codes(std::vector<std::string>& into) {
+    return {"1 to 8 language codes such as [\"ko\", \"en\"], each once", [&into](const toml::node& node) {
+                const toml::array* array = node.as_array();
+                if (array == nullptr || array->empty() || array->size() > 8) return false;
+                std::vector<std::string> read;
+                for (const toml::node& item : *array) {
+                    const auto code = item.is_string() ? item.value<std::string>() : std::nullopt;
+                    if (!code || !is_language_code(*code)) return false;
+                    if (std::find(read.begin(), read.end(), *code) != read.end()) return false;
+                    read.push_back(*code);
+                }
+                into = std::move(read);
+                return true;
+            }};
+}
+
+// "HH:MM" as minutes after midnight.
+Setting time_of_day(int& into) {
+    return {"a time as \"HH:MM\"", [&into](const toml::node& node) {
+                const auto text = node.is_string() ? node.value<std::string>() : std::nullopt;
+                if (!text || text->size() != 5 || (*text)[2] != ':') return false;
+                int hours = -1;
+                int minutes = -1;
+                const char* const begin = text->data();
+                const auto first = std::from_chars(begin, begin + 2, hours);
+                const auto second = std::from_chars(begin + 3, begin + 5, minutes);
+                if (first.ptr != begin + 2 || second.ptr != begin + 5) return false;
+                if (hours < 0 || hours > 24 || minutes < 0 || minutes > 59 || hours * 60 + minutes > 24 * 60)
+                    return false;
+                into = hours * 60 + minutes;
+                return true;
+            }};
+}
+
+std::map<std::string, Setting> settings_of(Config& config) {
+    const auto anything = [](const std::string&) { return true; };
+    const auto something = [](const std::string& text) { return !text.empty() && text.size() <= 255; };
+    return {
+        {"screen.diagonal_inch", number(config.screen.diagonal_inch, 7.0, 120.0, "7 to 120")},
+        {"screen.distance_mm", number(config.screen.distance_mm, 200.0, 5000.0, "200 to 5000")},
+        {"screen.full_screen", yes_or_no(config.screen.full_screen)},
+        {"screen.text_always_large", yes_or_no(config.screen.text_always_large)},
+        {"languages.order", codes(config.languages.order)},
+        {"languages.first",
+         words(config.languages.first, "a language code such as \"ko\"", is_language_code)},
+        {"languages.folder", words(config.languages.folder, "a folder", anything)},
+        {"languages.own_digits", yes_or_no(config.languages.own_digits)},
+        {"visit.idle_s", number(config.visit.idle_s, 10.0, 600.0, "10 to 600")},
+        // WCAG 2.1, 2.2.1: at least 20 s to go on with one simple action.
+        {"visit.countdown_s", number(config.visit.countdown_s, 20.0, 120.0, "20 to 120")},
+        {"visit.forgiving", yes_or_no(config.visit.forgiving)},
+        {"haptics.rate_hz", number(config.haptics.rate_hz, 100.0, 10000.0, "100 to 10000")},
+        {"haptics.devices", yes_or_no(config.haptics.devices)},
+        {"gallery.folder", words(config.gallery.folder, "a folder", something)},
+        {"gallery.most_pots", whole(config.gallery.most_pots, 1, 100000, "a whole number, 1 to 100000")},
+        {"gallery.least_free_mb", number(config.gallery.least_free_mb, 1.0, 1e6, "1 to 1000000")},
+        {"sound.volume", whole(config.sound.volume, 0, kMostVolume, "a whole number, 0 to 5")},
+        {"sound.captions", yes_or_no(config.sound.captions)},
+        {"hours.opens", time_of_day(config.hours.opens_min)},
+        {"hours.closes", time_of_day(config.hours.closes_min)},
+        {"staff.pin", words(config.staff.pin, "4 to 8 digits between quotes, or nothing", is_pin)},
+        {"staff.locked", yes_or_no(config.staff.locked)},
+        {"staff.name", words(config.staff.name, "a name", something)},
+        {"staff.statistics_folder", words(config.staff.statistics_folder, "a folder", anything)},
+    };
+}
+
+// How the value stood in the file, or nearly.
+std::string shown_value(const toml::node& node) {
+    if (const auto text = node.value<std::string>(); node.is_string() && text) return in_quotes(*text);
+    if (node.is_table()) return "a table";
+    if (node.is_array()) return "a list";
+    if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
+    if (const auto value = node.value<double>(); node.is_number() && value) return fmt::format("{}", *value);
+    return "a date or a time";
+}
+
+Error at(const std::string& file, const toml::source_region& where, std::string_view text) {
+    return bad_input(fmt::format("{}, line {}: {}", file, where.begin.line, text));
+}
+
+std::string keys_under(const std::map<std::string, Setting>& settings, std::string_view table) {
+    std::string list;
+    for (const auto& [name, setting] : settings) {
+        const std::string_view whole_name = name;
+        if (!whole_name.starts_with(table)) continue;
+        if (!list.empty()) list += ", ";
+        list += whole_name.substr(table.size());
+    }
+    return list;
+}
+
+}  // namespace
+
+Result<Config> read_config(std::string_view toml_text, const std::string& file) {
+    const toml::parse_result parsed = toml::parse(toml_text);
+    if (!parsed) {
+        const toml::parse_error& error = parsed.error();
+        return at(file, error.source(), fmt::format("expected TOML, found {}", error.description()));
+    }
+    Config config;
+    const std::map<std::string, Setting> settings = settings_of(config);
+    for (const auto& [section, content] : parsed.table()) {
+        const std::string section_name(section.str());
+        const std::string prefix = section_name + ".";
+        const toml::table* table = content.as_table();
+        const std::string known = keys_under(settings, prefix);
+        if (table == nullptr || known.empty()) {
+            return at(file, section.source(),
+                      fmt::format("expected a section [screen], [languages], [visit], [haptics], [gallery], "
+                                  "[sound], [hours] or [staff], found {}",
+                                  in_quotes(section_name)));
+        }
+        for (const auto& [key, value] : *table) {
+            const auto found = settings.find(prefix + std::string(key.str()));
+            if (found == settings.end()) {
+                return at(file, key.source(),
+                          fmt::format("expected one of {} in [{}], found {}", known, section_name,
+                                      in_quotes(key.str())));
+            }
+            if (!found->second.take(value)) {
+                return at(file, value.source(),
+                          fmt::format("expected {} for {}, found {}", found->second.allowed, key.str(),
+                                      shown_value(value)));
+            }
+        }
+    }
+    const auto& order = config.languages.order;
+    if (std::find(order.begin(), order.end(), config.languages.first) == order.end()) {
+        // Only said where somebody asked for it: a file that names other languages than English alone.
+        if (const toml::node* first = parsed.table().at_path("languages.first").node()) {
+            return at(file, first->source(),
+                      fmt::format("expected one of languages.order for first, found {}",
+                                  in_quotes(config.languages.first)));
+        }
+        config.languages.first = order.front();
+    }
+    return config;
+}
+
+bool is_open(const Config& config, int minute_of_day) {
+    const int opens = config.hours.opens_min;
+    const int closes = config.hours.closes_min;
+    if (opens == closes) return true;
+    if (opens < closes) return minute_of_day >= opens && minute_of_day < closes;
+    return minute_of_day >= opens || minute_of_day < closes;
+}
+
+Rules rules_of(const Config& config) {
+    Rules rules;
+    rules.idle_s = config.visit.idle_s;
+    rules.countdown_s = config.visit.countdown_s;
+    rules.default_volume = config.sound.volume;
+    rules.default_text_size = config.screen.text_always_large ? 2 : 1;
+    rules.locked = config.staff.locked;
+    rules.pin_digits = static_cast<int>(config.staff.pin.size());
+    std::from_chars(config.staff.pin.data(), config.staff.pin.data() + config.staff.pin.size(), rules.pin);
+    return rules;
+}
+
+}  // namespace onggi::kiosk

@@ -1,0 +1,67 @@
+// The museum's settings: one commented TOML file, every key optional. Any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "game/kiosk/step.h"
+
+namespace onggi::kiosk {
+
+struct Config {
+    struct {
+        double diagonal_inch = 24.0;
+        double distance_mm = 600.0;  // from the eyes; text is sized for it
+        bool full_screen = false;
+        bool text_always_large = false;
+    } screen;
+    struct {
+        std::vector<std::string> order{"ko", "en", "ar"};  // codes; also the order of the attract screen
+        std::string first = "en";                          // what a visit begins in
+        std::string folder;                                // with CODE.tsv files that replace or add
+        bool own_digits = true;                            // Arabic-Indic digits in Arabic
+    } languages;
+    struct {
+        double idle_s = 45.0;
+        double countdown_s = 20.0;
+        bool forgiving = true;  // the clay bears more than real clay
+    } visit;
+    struct {
+        double rate_hz = 0.0;  // 0: 4000 where real time is granted, else 1000
+        bool devices = true;   // look for hands on USB
+    } haptics;
+    struct {
+        std::string folder = "out";
+        int most_pots = 500;           // the oldest leave first
+        double least_free_mb = 200.0;  // of disk; below it nothing is saved
+    } gallery;
+    struct {
+        int volume = 3;  // 0 to 5
+        bool captions = false;
+    } sound;
+    struct {
+        int opens_min = 0;  // minutes after midnight; equal: always open
+        int closes_min = 0;
+    } hours;
+    struct {
+        std::string pin;  // 4 to 8 digits; empty: no staff panel
+        bool locked = false;
+        std::string name = "wheel";     // of this unit, for the staff panel
+        std::string statistics_folder;  // empty: statistics/ in the gallery
+    } staff;
+};
+
+// `file` is what messages call it. Bad input: file, line, what is allowed, what was found; also for a key
+// that is not known and for what is not TOML.
+Result<Config> read_config(std::string_view toml, const std::string& file);
+
+// Whether the museum is open then; hours may pass midnight.
+[[nodiscard]] bool is_open(const Config& config, int minute_of_day);
+
+// The rules of the flow that follow from it. language_count and default_language are the program's to set:
+// they depend on what could be read.
+[[nodiscard]] Rules rules_of(const Config& config);
+
+}  // namespace onggi::kiosk

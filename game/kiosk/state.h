@@ -1,0 +1,101 @@
+// Where a visit stands: one plain value that a step takes on. Main thread, or a test's. Times are seconds of
+// the caller's monotonic clock.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace onggi::kiosk {
+
+enum class Screen {
+    kAttract,  // the wheel throws by itself
+    kChoose,
+    kThrow,
+    kFailure,
+    kFiring,  // cut off, dried, fired
+    kGlaze,
+    kYourPot,
+    kKeep,
+    kResume,  // a pot was left on the wheel when the power went
+    kFault,
+};
+constexpr int kScreenCount = 10;
+
+// What lies over the screen.
+enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff };
+constexpr int kPanelCount = 5;
+
+// What a visitor may set, and what every visit begins with again.
+struct Comfort {
+    int language = 0;   // place in Rules::languages
+    int text_size = 1;  // 1 to 3: 100, 150, 200 %
+    int volume = 3;     // 0 to 5
+    bool reach = false;
+    bool left_hand = false;
+    bool still = false;  // less motion
+
+    friend bool operator==(const Comfort&, const Comfort&) = default;
+};
+
+constexpr int kTeachingSteps = 3;  // press, open, raise
+constexpr int kMostTool = 3;
+constexpr int kMostWater = 5;
+constexpr int kMostSpeed = 5;
+constexpr int kMostVolume = 5;
+constexpr int kMostTextSize = 3;
+
+enum class Warning { kNone, kThin, kWet, kFast };
+enum class FiringStage { kCut, kDry, kFire };
+
+struct Throwing {
+    std::optional<int> target{};  // place among the heritage pots; none: as you like
+    int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
+    double progress_s = 0.0;      // when the pot last came on, or the visit began
+    double touched_s = -1.0;      // when the clay was last touched; before the first touch: -1
+    int tool = 2;
+    int water = 3;
+    int speed = 3;
+    Warning warning = Warning::kNone;
+    double warning_s = 0.0;             // when it was given or taken back
+    Warning collapse = Warning::kNone;  // what it gave way by, on the failure screen
+};
+
+struct Keeping {
+    enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
+    int number = 0;  // of the day, when kept
+};
+
+struct Staff {
+    int typed = 0;  // digits of the PIN, so far
+    int digits = 0;
+    bool was_wrong = false;
+    int page = 0;
+    double used_s = 0.0;  // locks again a while after
+};
+
+struct State {
+    Screen screen = Screen::kAttract;
+    double screen_s = 0.0;  // since when
+    Panel panel = Panel::kNone;
+    double panel_s = 0.0;
+    double input_s = 0.0;  // any device, any sign of life
+    double visit_s = 0.0;  // when this visit began
+    Comfort comfort;
+    Throwing throwing;
+    FiringStage firing = FiringStage::kCut;
+    int glaze = 0;
+    Keeping keeping;
+    Staff staff;
+    bool device_lost = false;  // a hand control that was there is gone
+    double device_s = 0.0;
+    bool left_over = false;  // an interrupted pot waits to be offered
+};
+
+// One word for each, for titles and logs: "attract".
+[[nodiscard]] std::string_view name_of(Screen screen);
+[[nodiscard]] std::string_view name_of(Panel panel);  // empty for none
+
+// Whole seconds left of the idle panel's countdown.
+[[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);
+
+}  // namespace onggi::kiosk

@@ -1,0 +1,248 @@
+#include "game/kiosk/step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "game/kiosk/step_screens.h"
+
+namespace onggi::kiosk {
+
+std::string_view name_of(Screen screen) {
+    constexpr std::array<std::string_view, kScreenCount> kNames{
+        "attract", "choose", "throw", "failure", "firing", "glaze", "your-pot", "keep", "resume", "fault"};
+    return kNames[static_cast<std::size_t>(screen)];
+}
+
+std::string_view name_of(Panel panel) {
+    constexpr std::array<std::string_view, kPanelCount> kNames{"", "language", "idle", "pin", "staff"};
+    return kNames[static_cast<std::size_t>(panel)];
+}
+
+int seconds_left(const State& state, double countdown_s, double now_s) {
+    return std::max(0, static_cast<int>(std::ceil(countdown_s - (now_s - state.panel_s) - 1e-9)));
+}
+
+State first_state(const Rules& rules, double now_s) {
+    State state;
+    state.comfort.language = rules.default_language;
+    state.comfort.volume = rules.default_volume;
+    state.comfort.text_size = rules.default_text_size;
+    state.screen_s = state.panel_s = state.input_s = state.visit_s = now_s;
+    return state;
+}
+
+bool shows_hint(const State& state, double now_s, const Rules& rules) {
+    if (state.screen != Screen::kThrow || state.panel != Panel::kNone) return false;
+    const Throwing& throwing = state.throwing;
+    if (throwing.steps_done >= kTeachingSteps) return false;
+    if (throwing.touched_s < 0.0) return true;
+    return now_s - std::max(throwing.progress_s, throwing.touched_s) >= rules.hint_again_s;
+}
+
+void Turn::show(Screen screen) {
+    state.screen = screen;
+    state.screen_s = now_s;
+}
+
+void Turn::lay_over(Panel panel) {
+    state.panel = panel;
+    state.panel_s = now_s;
+}
+
+void Turn::leave_staff() {
+    lay_over(Panel::kNone);
+    // What the staff tried out is not the next visitor's wish.
+    if (state.screen == Screen::kAttract) end_visit();
+}
+
+void Turn::begin_visit(Screen screen) {
+    if (screen == Screen::kThrow || screen == Screen::kChoose || screen == Screen::kResume) {
+        if (state.screen == Screen::kAttract) {
+            state.visit_s = now_s;
+            add(Effect::Kind::kVisitBegan);
+        }
+    }
+    show(screen);
+}
+
+void Turn::put_on_clay(std::optional<int> target) {
+    state.throwing = Throwing{.target = target, .progress_s = now_s, .warning_s = now_s};
+    add(Effect::Kind::kForgetPot);
+    add(Effect::Kind::kFreshClay, target ? *target : -1);
+    add(Effect::Kind::kSetTool, state.throwing.tool);
+    add(Effect::Kind::kSetWater, state.throwing.water);
+    add(Effect::Kind::kSetSpeed, state.throwing.speed);
+}
+
+void Turn::end_visit() {
+    if (state.screen != Screen::kAttract && state.screen != Screen::kFault) {
+        add(Effect::Kind::kVisitEnded, static_cast<int>(now_s - state.visit_s));
+    }
+    const bool device_lost = state.device_lost;
+    const double device_s = state.device_s;
+    state = first_state(rules, now_s);
+    state.device_lost = device_lost;
+    state.device_s = device_s;
+    add(Effect::Kind::kForgetPot);
+    add(Effect::Kind::kSetVolume, rules.default_volume);
+    add(Effect::Kind::kStartDemo);
+}
+
+namespace {
+
+void pass_time(Turn& turn) {
+    State& state = turn.state;
+    const double now_s = turn.now_s;
+    switch (state.panel) {
+        case Panel::kIdle:
+            if (now_s - state.panel_s >= turn.rules.countdown_s) turn.end_visit();
+            return;
+        case Panel::kPin:
+        case Panel::kStaff:
+            if (now_s - state.staff.used_s >= turn.rules.staff_locks_s) turn.leave_staff();
+            return;
+        case Panel::kNone:
+        case Panel::kLanguage:
+            break;
+    }
+    if (state.screen == Screen::kFault) return;
+    if (state.screen == Screen::kAttract) {
+        // Attract never ends by itself; somebody who only looked at the languages has gone again.
+        if (state.panel == Panel::kLanguage && now_s - state.input_s >= turn.rules.idle_s) turn.end_visit();
+        return;
+    }
+    if (state.screen == Screen::kFiring) pass_firing(turn);
+    if (now_s - state.input_s >= turn.rules.idle_s) turn.lay_over(Panel::kIdle);
+}
+
+// Something that lives is there. In attract it begins; at the countdown it goes on.
+void wake(Turn& turn) {
+    State& state = turn.state;
+    state.input_s = turn.now_s;
+    if (state.panel == Panel::kPin || state.panel == Panel::kStaff) state.staff.used_s = turn.now_s;
+    if (state.panel == Panel::kIdle) {
+        turn.lay_over(Panel::kNone);
+        return;
+    }
+    if (state.panel == Panel::kNone && state.screen == Screen::kAttract) {
+        turn.begin_visit(state.left_over ? Screen::kResume : Screen::kChoose);
+    }
+}
+
+void press(Turn& turn, const Event& event) {
+    State& state = turn.state;
+    state.input_s = turn.now_s;
+    switch (state.panel) {
+        case Panel::kIdle:
+            press_idle(turn, event);
+            return;
+        case Panel::kLanguage:
+            press_language(turn, event);
+            return;
+        case Panel::kPin:
+        case Panel::kStaff:
+            state.staff.used_s = turn.now_s;
+            press_staff(turn, event);
+            return;
+        case Panel::kNone:
+            break;
+    }
+    if (event.button == Button::kLanguages && state.screen != Screen::kFault) {
+        turn.lay_over(Panel::kLanguage);
+        return;
+    }
+    press_screen(turn, event);
+}
+
+void touch_clay(Turn& turn) {
+    State& state = turn.state;
+    wake(turn);
+    if (state.panel != Panel::kNone) return;
+    // Touching the clay beside the cards is choosing to throw as one likes.
+    if (state.screen == Screen::kChoose) {
+        turn.show(Screen::kThrow);
+        turn.put_on_clay(std::nullopt);
+    }
+    if (state.screen == Screen::kThrow) state.throwing.touched_s = turn.now_s;
+}
+
+}  // namespace
+
+std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules) {
+    Turn turn{.state = state, .now_s = now_s, .rules = rules};
+    switch (event.kind) {
+        case Event::Kind::kTick:
+            pass_time(turn);
+            break;
+        case Event::Kind::kInput:
+            wake(turn);
+            break;
+        case Event::Kind::kPressed:
+            press(turn, event);
+            break;
+        case Event::Kind::kClayTouched:
+            touch_clay(turn);
+            break;
+        case Event::Kind::kProgress:
+            if (state.screen == Screen::kThrow && event.value > state.throwing.steps_done) {
+                state.throwing.steps_done = std::min(event.value, kTeachingSteps);
+                state.throwing.progress_s = now_s;
+            }
+            break;
+        case Event::Kind::kWarned:
+            if (state.screen == Screen::kThrow && event.value >= 0 &&
+                event.value <= static_cast<int>(Warning::kFast) &&
+                state.throwing.warning != static_cast<Warning>(event.value)) {
+                state.throwing.warning = static_cast<Warning>(event.value);
+                state.throwing.warning_s = now_s;
+            }
+            break;
+        case Event::Kind::kCollapsed:
+            if (state.screen == Screen::kThrow) {
+                if (state.panel == Panel::kLanguage) turn.lay_over(Panel::kNone);
+                state.throwing.collapse =
+                    static_cast<Warning>(std::clamp(event.value, 0, static_cast<int>(Warning::kFast)));
+                turn.show(Screen::kFailure);
+            }
+            break;
+        case Event::Kind::kSaved:
+        case Event::Kind::kSaveFailed:
+            if (state.screen == Screen::kKeep && state.keeping.outcome == Keeping::Outcome::kSaving) {
+                const bool kept = event.kind == Event::Kind::kSaved;
+                state.keeping = {kept ? Keeping::Outcome::kKept : Keeping::Outcome::kFull,
+                                 kept ? event.value : 0};
+            }
+            break;
+        case Event::Kind::kDeviceLost:
+        case Event::Kind::kDeviceBack:
+            state.device_lost = event.kind == Event::Kind::kDeviceLost;
+            state.device_s = now_s;
+            break;
+        case Event::Kind::kFault:
+            if (state.screen != Screen::kFault) {
+                turn.end_visit();
+                turn.show(Screen::kFault);
+            }
+            break;
+        case Event::Kind::kFaultOver:
+            if (state.screen == Screen::kFault) turn.end_visit();
+            break;
+        case Event::Kind::kLeftOver:
+            state.left_over = true;
+            break;
+        case Event::Kind::kCornerHeld:
+            if (rules.pin_digits > 0 && state.panel != Panel::kStaff) {
+                state.staff = {.used_s = now_s};
+                state.input_s = now_s;
+                turn.lay_over(Panel::kPin);
+            }
+            break;
+        case Event::Kind::kCloseAsked:
+            if (!rules.locked) turn.add(Effect::Kind::kQuit);
+            break;
+    }
+    return std::move(turn.effects);
+}
+
+}  // namespace onggi::kiosk

@@ -1,0 +1,155 @@
+// The experience as a pure function: state x event x time -> state and effects. It draws nothing, saves
+// nothing and reads no clock; screens show the state, and the program carries the effects out. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "game/kiosk/state.h"
+
+namespace onggi::kiosk {
+
+// Everything that can be pressed, on all screens together.
+enum class Button {
+    kNone,
+    kBegin,
+    kLanguages,
+    kBack,
+    kFree,
+    kTarget,  // value: which
+    kNewClay,
+    kUndo,
+    kToolLess,
+    kToolMore,
+    kWaterLess,
+    kWaterMore,
+    kSpeedLess,
+    kSpeedMore,
+    kDone,
+    kHandUp,
+    kHandDown,
+    kHandIn,
+    kHandOut,
+    kBeforeCollapse,
+    kKeepSlump,
+    kSkip,
+    kGlaze,  // value: which
+    kTakeGlaze,
+    kOtherGlaze,
+    kKeep,
+    kAnother,
+    kFinish,
+    kStay,
+    kFresh,
+    kLanguage,  // value: which
+    kTextLess,
+    kTextMore,
+    kSoundLess,
+    kSoundMore,
+    kReach,
+    kLeftHand,
+    kStill,
+    kComfortDone,
+    kResumeGo,
+    kResumeFresh,
+    kDigit,  // value: 0 to 9
+    kPinClear,
+    kPinClose,
+    kStaffPage,  // value: which
+    kStaffForceTest,
+    kStaffSoundTest,
+    kStaffDeletePot,  // value: which of the gallery's
+    kStaffRestart,
+    kStaffQuit,
+    kStaffClose,
+};
+constexpr int kButtonCount = static_cast<int>(Button::kStaffClose) + 1;
+
+struct Event {
+    enum class Kind {
+        kTick,         // time has passed
+        kInput,        // a sign of life: pointer, key, or a device's motion above its noise
+        kPressed,      // a button, on its release
+        kClayTouched,  // by the visitor's hand
+        kProgress,     // value: teaching steps that the pot shows as done
+        kWarned,       // value: a Warning
+        kCollapsed,    // value: the Warning that says what it gave way by
+        kSaved,        // value: the pot's number of the day
+        kSaveFailed,   // disk full, no permission: the visitor hears of the shelf, the staff of the reason
+        kDeviceLost,
+        kDeviceBack,
+        kFault,  // the wheel cannot work
+        kFaultOver,
+        kLeftOver,    // an interrupted pot was found
+        kCornerHeld,  // the staff's corner, for long enough
+        kCloseAsked,  // the window's cross, Esc, Alt+F4, Ctrl+Q, Ctrl+C
+    };
+    Kind kind = Kind::kTick;
+    Button button = Button::kNone;
+    int value = 0;
+
+    static Event pressed(Button button, int value = 0) { return {Kind::kPressed, button, value}; }
+};
+constexpr int kEventKindCount = static_cast<int>(Event::Kind::kCloseAsked) + 1;
+
+struct Effect {
+    enum class Kind {
+        kStartDemo,       // attract: recorded sessions on the wheel
+        kFreshClay,       // value: target, -1 none
+        kUndo,            // the last touch
+        kBeforeCollapse,  // back to 2 s before it began
+        kSetTool,         // value: 1 to kMostTool
+        kSetWater,
+        kSetSpeed,
+        kMoveHand,  // value: a Button of the pad
+        kCutOff,    // the clay is a pot now: stop the wheel, take its profile
+        kSetGlaze,  // value: which
+        kSave,
+        kForgetPot,  // nothing of the visit before may be seen again
+        kResume,
+        kDropLeftOver,
+        kSetVolume,
+        kVisitBegan,  // for the measured use: no person, only counts
+        kVisitEnded,  // value: dwell in whole seconds
+        kTestForce,
+        kTestSound,
+        kDeletePot,
+        kRestart,
+        kQuit,
+    };
+    Kind kind = Kind::kStartDemo;
+    int value = 0;
+
+    friend bool operator==(const Effect&, const Effect&) = default;
+};
+
+// What the configuration says about the flow.
+struct Rules {
+    double idle_s = 45.0;
+    double countdown_s = 20.0;
+    double hint_again_s = 6.0;     // without progress, until the ghost shows again
+    double staff_locks_s = 120.0;  // without a touch
+    double cut_s = 1.2;
+    double dry_s = 1.4;
+    double fire_s = 2.4;
+    int language_count = 3;
+    int default_language = 0;
+    int default_volume = 3;
+    int default_text_size = 1;
+    int target_count = 4;
+    int glaze_count = 6;
+    bool locked = false;  // no way out but the staff's
+    int pin = 0;          // of pin_digits; 0 digits: the staff panel cannot be opened
+    int pin_digits = 0;
+};
+
+std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules);
+
+// What a kiosk starts with: attract, everything at its default. Its first effect is kStartDemo.
+[[nodiscard]] State first_state(const Rules& rules, double now_s);
+
+// Whether the ghost of the next move is to be seen now.
+[[nodiscard]] bool shows_hint(const State& state, double now_s, const Rules& rules);
+
+}  // namespace onggi::kiosk

@@ -1,0 +1,275 @@
+#include "game/kiosk/step_screens.h"
+
+#include <algorithm>
+
+namespace onggi::kiosk {
+namespace {
+
+// One more or one less, within bounds; says so only when it changed.
+void change(Turn& turn, int& value, int by, int least, int most, Effect::Kind effect) {
+    const int changed = std::clamp(value + by, least, most);
+    if (changed == value) return;
+    value = changed;
+    turn.add(effect, value);
+}
+
+void finish_throwing(Turn& turn) {
+    turn.add(Effect::Kind::kCutOff);
+    turn.state.firing = FiringStage::kCut;
+    turn.state.throwing.warning = Warning::kNone;
+    turn.show(Screen::kFiring);
+}
+
+void show_glazes(Turn& turn) {
+    turn.state.glaze = std::clamp(turn.state.glaze, 0, turn.rules.glaze_count - 1);
+    turn.add(Effect::Kind::kSetGlaze, turn.state.glaze);
+    turn.show(Screen::kGlaze);
+}
+
+void press_choose(Turn& turn, const Event& event) {
+    const bool is_target =
+        event.button == Button::kTarget && event.value >= 0 && event.value < turn.rules.target_count;
+    if (event.button == Button::kBack) {
+        turn.end_visit();
+    } else if (event.button == Button::kFree || is_target) {
+        turn.show(Screen::kThrow);
+        turn.put_on_clay(is_target ? std::optional<int>(event.value) : std::nullopt);
+    }
+}
+
+void press_throw(Turn& turn, const Event& event) {
+    Throwing& throwing = turn.state.throwing;
+    switch (event.button) {
+        case Button::kBack:
+            turn.show(Screen::kChoose);
+            break;
+        case Button::kNewClay:
+            turn.put_on_clay(throwing.target);
+            break;
+        case Button::kUndo:
+            turn.add(Effect::Kind::kUndo);
+            break;
+        case Button::kToolLess:
+        case Button::kToolMore:
+            change(turn, throwing.tool, event.button == Button::kToolMore ? 1 : -1, 1, kMostTool,
+                   Effect::Kind::kSetTool);
+            break;
+        case Button::kWaterLess:
+        case Button::kWaterMore:
+            change(turn, throwing.water, event.button == Button::kWaterMore ? 1 : -1, 1, kMostWater,
+                   Effect::Kind::kSetWater);
+            break;
+        case Button::kSpeedLess:
+        case Button::kSpeedMore:
+            change(turn, throwing.speed, event.button == Button::kSpeedMore ? 1 : -1, 1, kMostSpeed,
+                   Effect::Kind::kSetSpeed);
+            break;
+        case Button::kHandUp:
+        case Button::kHandDown:
+        case Button::kHandIn:
+        case Button::kHandOut:
+            turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
+            break;
+        case Button::kDone:
+            finish_throwing(turn);
+            break;
+        default:
+            break;
+    }
+}
+
+void press_failure(Turn& turn, const Event& event) {
+    if (event.button == Button::kBeforeCollapse) {
+        turn.state.throwing.warning = Warning::kNone;
+        turn.state.throwing.progress_s = turn.now_s;
+        turn.add(Effect::Kind::kBeforeCollapse);
+        turn.show(Screen::kThrow);
+    } else if (event.button == Button::kNewClay) {
+        turn.show(Screen::kThrow);
+        turn.put_on_clay(turn.state.throwing.target);
+    } else if (event.button == Button::kKeepSlump) {
+        finish_throwing(turn);
+    }
+}
+
+void press_glaze(Turn& turn, const Event& event) {
+    if (event.button == Button::kGlaze && event.value >= 0 && event.value < turn.rules.glaze_count) {
+        turn.state.glaze = event.value;
+        turn.add(Effect::Kind::kSetGlaze, event.value);
+    } else if (event.button == Button::kTakeGlaze) {
+        turn.show(Screen::kYourPot);
+    }
+}
+
+void press_your_pot(Turn& turn, const Event& event) {
+    if (event.button == Button::kOtherGlaze) {
+        show_glazes(turn);
+    } else if (event.button == Button::kKeep) {
+        turn.state.keeping = {};
+        turn.add(Effect::Kind::kSave);
+        turn.show(Screen::kKeep);
+    }
+}
+
+void press_keep(Turn& turn, const Event& event) {
+    if (turn.state.keeping.outcome == Keeping::Outcome::kSaving) return;  // not before it is known to be safe
+    if (event.button == Button::kAnother) {
+        turn.show(Screen::kChoose);
+    } else if (event.button == Button::kFinish) {
+        turn.end_visit();
+    }
+}
+
+void press_resume(Turn& turn, const Event& event) {
+    if (event.button == Button::kResumeGo) {
+        turn.state.left_over = false;
+        turn.state.throwing = {.progress_s = turn.now_s, .warning_s = turn.now_s};
+        turn.add(Effect::Kind::kResume);
+        turn.show(Screen::kThrow);
+    } else if (event.button == Button::kResumeFresh) {
+        turn.state.left_over = false;
+        turn.add(Effect::Kind::kDropLeftOver);
+        turn.show(Screen::kThrow);
+        turn.put_on_clay(std::nullopt);
+    }
+}
+
+}  // namespace
+
+void pass_firing(Turn& turn) {
+    const double passed_s = turn.now_s - turn.state.screen_s;
+    const Rules& rules = turn.rules;
+    if (passed_s >= rules.cut_s + rules.dry_s + rules.fire_s) {
+        show_glazes(turn);
+    } else if (passed_s >= rules.cut_s + rules.dry_s) {
+        turn.state.firing = FiringStage::kFire;
+    } else if (passed_s >= rules.cut_s) {
+        turn.state.firing = FiringStage::kDry;
+    }
+}
+
+void press_screen(Turn& turn, const Event& event) {
+    switch (turn.state.screen) {
+        case Screen::kAttract:
+            turn.begin_visit(turn.state.left_over ? Screen::kResume : Screen::kChoose);
+            break;
+        case Screen::kChoose:
+            press_choose(turn, event);
+            break;
+        case Screen::kThrow:
+            press_throw(turn, event);
+            break;
+        case Screen::kFailure:
+            press_failure(turn, event);
+            break;
+        case Screen::kFiring:
+            if (event.button == Button::kSkip) show_glazes(turn);
+            break;
+        case Screen::kGlaze:
+            press_glaze(turn, event);
+            break;
+        case Screen::kYourPot:
+            press_your_pot(turn, event);
+            break;
+        case Screen::kKeep:
+            press_keep(turn, event);
+            break;
+        case Screen::kResume:
+            press_resume(turn, event);
+            break;
+        case Screen::kFault:
+            break;
+    }
+}
+
+void press_idle(Turn& turn, const Event& event) {
+    if (event.button != Button::kFresh) {
+        turn.lay_over(Panel::kNone);
+        return;
+    }
+    turn.lay_over(Panel::kNone);
+    turn.show(Screen::kThrow);
+    turn.put_on_clay(std::nullopt);
+}
+
+void press_language(Turn& turn, const Event& event) {
+    Comfort& comfort = turn.state.comfort;
+    switch (event.button) {
+        case Button::kLanguage:
+            if (event.value >= 0 && event.value < turn.rules.language_count) comfort.language = event.value;
+            break;
+        case Button::kTextLess:
+        case Button::kTextMore:
+            comfort.text_size = std::clamp(comfort.text_size + (event.button == Button::kTextMore ? 1 : -1),
+                                           1, kMostTextSize);
+            break;
+        case Button::kSoundLess:
+        case Button::kSoundMore:
+            change(turn, comfort.volume, event.button == Button::kSoundMore ? 1 : -1, 0, kMostVolume,
+                   Effect::Kind::kSetVolume);
+            break;
+        case Button::kReach:
+            comfort.reach = !comfort.reach;
+            break;
+        case Button::kLeftHand:
+            comfort.left_hand = !comfort.left_hand;
+            break;
+        case Button::kStill:
+            comfort.still = !comfort.still;
+            break;
+        case Button::kComfortDone:
+        case Button::kLanguages:
+            turn.lay_over(Panel::kNone);
+            // A visit has begun with the choice of a language.
+            if (turn.state.screen == Screen::kAttract) {
+                turn.begin_visit(turn.state.left_over ? Screen::kResume : Screen::kChoose);
+            }
+            break;
+        default:
+            break;
+    }
+}
+
+void press_staff(Turn& turn, const Event& event) {
+    Staff& staff = turn.state.staff;
+    if (event.button == Button::kPinClose || event.button == Button::kStaffClose) {
+        turn.leave_staff();
+        return;
+    }
+    if (turn.state.panel == Panel::kPin) {
+        if (event.button == Button::kPinClear) staff = {.used_s = turn.now_s};
+        if (event.button != Button::kDigit || event.value < 0 || event.value > 9) return;
+        staff.typed = staff.typed * 10 + event.value;
+        staff.was_wrong = false;
+        if (++staff.digits < turn.rules.pin_digits) return;
+        const bool right = staff.typed == turn.rules.pin;
+        staff = {.was_wrong = !right, .used_s = turn.now_s};
+        if (right) turn.lay_over(Panel::kStaff);
+        return;
+    }
+    switch (event.button) {
+        case Button::kStaffPage:
+            staff.page = event.value;
+            break;
+        case Button::kStaffForceTest:
+            turn.add(Effect::Kind::kTestForce);
+            break;
+        case Button::kStaffSoundTest:
+            turn.add(Effect::Kind::kTestSound);
+            break;
+        case Button::kStaffDeletePot:
+            turn.add(Effect::Kind::kDeletePot, event.value);
+            break;
+        case Button::kStaffRestart:
+            turn.add(Effect::Kind::kRestart);
+            break;
+        case Button::kStaffQuit:
+            turn.add(Effect::Kind::kQuit);
+            break;
+        default:
+            press_language(turn, event);  // volume and language are set here too
+            break;
+    }
+}
+
+}  // namespace onggi::kiosk

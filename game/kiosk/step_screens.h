@@ -1,0 +1,36 @@
+// What the buttons of each screen do; step.cpp decides which screen is asked. Any thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "game/kiosk/step.h"
+
+namespace onggi::kiosk {
+
+// One step in the making.
+struct Turn {
+    State& state;
+    double now_s;
+    const Rules& rules;
+    std::vector<Effect> effects{};
+
+    void add(Effect::Kind kind, int value = 0) { effects.push_back({kind, value}); }
+    void show(Screen screen);
+    void lay_over(Panel panel);
+    void leave_staff();
+    void begin_visit(Screen screen);
+    // A fresh lump and the settings that go with it.
+    void put_on_clay(std::optional<int> target);
+    // Attract again, with nothing left of the visitor.
+    void end_visit();
+};
+
+void press_screen(Turn& turn, const Event& event);
+void press_idle(Turn& turn, const Event& event);
+void press_language(Turn& turn, const Event& event);
+void press_staff(Turn& turn, const Event& event);
+// Cutting, drying and firing go on by themselves.
+void pass_firing(Turn& turn);
+
+}  // namespace onggi::kiosk

@@ -1,0 +1,51 @@
+// What the screens say, in each language: tables a museum can edit and add to. Any thread; not changed once
+// read.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+
+namespace onggi::kiosk {
+
+struct Words {
+    std::string shown;
+    std::string spoken;  // for recorded or synthetic speech
+    bool needs_native_check = false;
+};
+
+class Language {
+  public:
+    // A table of lines `key TAB text TAB spoken TAB check`, the first of them exactly these names. An empty
+    // spoken cell means "as written"; check is empty or `native`. `code` is BCP 47 ("ko"); `file` is what
+    // messages call it. Bad input names file and line: a missing or extra cell, an unknown or repeated key,
+    // an empty text, bytes that are not UTF-8, a placeholder other than the first language's.
+    static Result<Language> read(std::string_view table, std::string code, const std::string& file,
+                                 const Language* pattern = nullptr);
+
+    // The key's words; where this language lacks them, those of the pattern. A key that neither has is shown
+    // as itself, so that nobody faces an empty button.
+    [[nodiscard]] const std::string& shown(std::string_view key) const;
+    [[nodiscard]] const std::string& spoken(std::string_view key) const;
+    // With every {n} replaced.
+    [[nodiscard]] std::string shown(std::string_view key, std::string_view n) const;
+
+    [[nodiscard]] bool has(std::string_view key) const { return words_.contains(key); }
+    [[nodiscard]] std::vector<std::string> missing_keys() const;  // that the pattern has
+    [[nodiscard]] const std::string& code() const { return code_; }
+    [[nodiscard]] bool right_to_left() const;
+    [[nodiscard]] const std::map<std::string, Words, std::less<>>& words() const { return words_; }
+
+  private:
+    std::string code_;
+    std::map<std::string, Words, std::less<>> words_;
+    std::map<std::string, Words, std::less<>> fallback_;
+};
+
+// The three that are built in, English first: `en`, `ko`, `ar`. They come from assets/languages.
+[[nodiscard]] const std::vector<Language>& built_in_languages();
+
+}  // namespace onggi::kiosk
