@@ -1,0 +1,61 @@
+// The design as numbers: colours, type, distances, in u. One u is 1/720 of a 16:9 picture's height. Any
+// thread; constant. Contrast of every pair that is used is held by a test.
+#pragma once
+
+#include "engine/ui/colour.h"
+
+namespace onggi::screens::design {
+
+using ui::Colour;
+using ui::hex;
+
+inline constexpr Colour kInk = hex(0x2a1f17);
+inline constexpr Colour kInk2 = hex(0x4b3b2d);
+inline constexpr Colour kSlip = hex(0xf7f0e3);
+inline constexpr Colour kSlip2 = hex(0xddcfb8);
+inline constexpr Colour kSlip3 = hex(0xefe3cd);
+inline constexpr Colour kWhiteSlip = hex(0xfff8ea);
+inline constexpr Colour kHanji = hex(0xefe5d2);
+inline constexpr Colour kPorcelain = hex(0xfbf8f1);
+inline constexpr Colour kNight = hex(0x1b1410);
+inline constexpr Colour kNightTop = hex(0x3a2a1e);
+inline constexpr Colour kCeladonHi = hex(0xcbdcc4);
+inline constexpr Colour kCeladonLo = hex(0xa8c3a1);
+inline constexpr Colour kTokenHi = hex(0xfdf8ee);
+inline constexpr Colour kTokenLo = hex(0xece1cd);
+inline constexpr Colour kBareClay = hex(0xb98556);
+inline constexpr Colour kRust = hex(0x8a3212);
+inline constexpr Colour kHatch = hex(0x5a1c08);
+inline constexpr Colour kAmber = hex(0xf3bd72);
+inline constexpr Colour kDot = hex(0x7d4f2a);
+inline constexpr Colour kClayFill = hex(0xcda077);
+inline constexpr Colour kWater = hex(0xa9c0bf);
+inline constexpr Colour kNiche = hex(0x3a2c21);
+inline constexpr Colour kNicheEdge = hex(0x85705a);
+inline constexpr Colour kOutline = hex(0xfff6e2);
+inline constexpr Colour kTokenEdge = hex(0xe9dcc6);
+inline constexpr Colour kGhostFill = hex(0xe6d3b3);
+inline constexpr Colour kGhostEdge = hex(0xfffaf0);
+inline constexpr Colour kWallLight = hex(0x6a5642);
+inline constexpr Colour kWall = hex(0x4a3a2c);
+inline constexpr Colour kWallDark = hex(0x281e16);
+inline constexpr Colour kShelf = hex(0x70573f);
+inline constexpr Colour kShelfEdge = hex(0x7d5c3a);
+inline constexpr Colour kRule = hex(0xd3c3a8);
+
+inline constexpr float kMargin = 32.0F;
+inline constexpr float kTokenHeight = 66.0F;
+inline constexpr float kStepperWidth = 164.0F;
+inline constexpr float kLeastTextSize = 26.0F;
+// A 24 inch panel of 1080 lines, on which u was chosen.
+inline constexpr float kMmPerU = 0.4151F;
+inline constexpr float kLeastTargetMm = 20.0F;
+
+// Families in the order in which they are asked; Arabic has its own first, so that its digits and marks
+// match.
+inline constexpr const char* kUiFamily = "NanumSquareRound, Noto Sans Arabic, Noto Sans";
+inline constexpr const char* kUiFamilyArabic = "Noto Sans Arabic, NanumSquareRound, Noto Sans";
+inline constexpr const char* kTitleFamily = "NanumMyeongjo, Noto Naskh Arabic, Noto Serif";
+inline constexpr const char* kTitleFamilyArabic = "Noto Naskh Arabic, NanumMyeongjo, Noto Serif";
+
+}  // namespace onggi::screens::design

@@ -1,0 +1,172 @@
+#include "game/screens/icons.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "game/screens/design.h"
+
+namespace onggi::screens {
+namespace {
+
+struct Stroke {
+    std::string_view path;
+    std::optional<ui::Colour> fill{};
+    float width = 3.6F;
+};
+
+constexpr ui::Colour kMetal = ui::hex(0xc9bfae);
+constexpr ui::Colour kSkin = ui::hex(0xe6cfae);
+constexpr ui::Colour kStepFill = ui::hex(0xc79a6c);
+
+std::vector<Stroke> strokes_of(Icon icon) {
+    using design::kClayFill;
+    using design::kSlip;
+    using design::kWater;
+    switch (icon) {
+        case Icon::kUndo:
+            return {{"M24 14 L11 27 L25 38"}, {"M12 27 H37 C49 27 54 34 54 41 C54 49 48 54 38 54 H24"}};
+        case Icon::kAgain:
+            return {{"M14 46 C13 27 23 16 32 16 C42 16 51 27 50 46 Z", kClayFill}, {"M5 52 H59"}};
+        case Icon::kTool:
+            return {{"M10 42 C5 22 22 9 40 12 C54 14 60 27 53 36 C46 43 41 36 33 41 C25 47 14 53 10 42 Z",
+                     kClayFill},
+                    {"M20.5 30 a4.5 4.5 0 1 1 9 0 a4.5 4.5 0 1 1 -9 0 Z", kSlip}};
+        case Icon::kWater:
+            return {{"M6 31 H58 C56 48 45 56 32 56 C19 56 8 48 6 31 Z", kWater},
+                    {"M32 3 C36 11 40 14 40 19 A8 8 0 0 1 24 19 C24 14 28 11 32 3 Z", kWater}};
+        case Icon::kSpeed:
+            return {{"M5 42 a27 10 0 1 1 54 0 a27 10 0 1 1 -54 0 Z", kMetal},
+                    {"M5 42 V47 C5 53 17 58 32 58 C47 58 59 53 59 47 V42"},
+                    {"M11 25 C17 15 42 12 51 22"},
+                    {"M52 10 L52 23 L39 23"}};
+        case Icon::kDone:
+            return {{"M14 42 C8 26 20 22 22 10 H42 C44 22 56 26 50 42 Z", kClayFill},
+                    {"M4 51 H60"},
+                    {"M4 46 V56 M60 46 V56"}};
+        case Icon::kUp:
+            return {{"M32 52 V14 M15 30 L32 12 L49 30"}};
+        case Icon::kDown:
+            return {{"M32 12 V50 M15 34 L32 52 L49 34"}};
+        case Icon::kLeft:
+            return {{"M52 32 H14 M30 15 L12 32 L30 49"}};
+        case Icon::kRight:
+            return {{"M12 32 H50 M34 15 L52 32 L34 49"}};
+        case Icon::kMinus:
+            return {{"M14 32 H50", {}, 6.0F}};
+        case Icon::kPlus:
+            return {{"M14 32 H50 M32 14 V50", {}, 6.0F}};
+        case Icon::kSound:
+            return {{"M10 25 H20 L34 13 V51 L20 39 H10 Z", kClayFill},
+                    {"M43 24 C48 29 48 35 43 40 M50 17 C59 26 59 38 50 47"}};
+        case Icon::kText:
+            return {{"M4 52 L19 14 L34 52 M9 40 H29"}, {"M39 52 L48 29 L57 52 M42 44 H54", {}, 3.0F}};
+        case Icon::kHand:
+            return {
+                {"M18 34 V18 a5 5 0 0 1 10 0 V28 M28 28 V12 a5 5 0 0 1 10 0 V28 M38 28 V16 a5 5 0 0 1 10 0 "
+                 "V40 "
+                 "C48 52 40 58 31 58 C22 58 17 53 9 38 C7 33 13 30 18 36",
+                 kSkin}};
+        case Icon::kLow:
+            return {{"M10 8 H54 V56 H10 Z"}, {"M10 36 H54"}, {"M32 12 V28 M24 22 L32 30 L40 22"}};
+        case Icon::kStill:
+            return {{"M6 40 a26 10 0 1 1 52 0 a26 10 0 1 1 -52 0 Z", kMetal},
+                    {"M22 16 V28 M42 16 V28", {}, 6.0F}};
+        case Icon::kCheck:
+            return {{"M10 34 L26 50 L55 15", {}, 6.0F}};
+        case Icon::kStepPress:
+            return {{"M10 46 C10 30 16 14 32 14 C48 14 54 30 54 46 Z", kStepFill, 3.4F},
+                    {"M3 51 H61", {}, 3.4F}};
+        case Icon::kStepOpen:
+            return {{"M9 46 V24 H22 C23 34 26 38 32 38 C38 38 41 34 42 24 H55 V46 Z", kStepFill, 3.4F},
+                    {"M3 51 H61", {}, 3.4F}};
+        case Icon::kStepRaise:
+            return {{"M14 46 V8 H22 V38 H42 V8 H50 V46 Z", kStepFill, 3.4F}, {"M3 51 H61", {}, 3.4F}};
+    }
+    return {};
+}
+
+void add_strokes(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
+                 const std::optional<std::optional<ui::Colour>>& other_fill) {
+    for (const Stroke& one : strokes_of(icon)) {
+        std::optional<ui::Colour> fill = one.fill;
+        if (fill && other_fill) fill = *other_fill;
+        sketch.add(ui::Shape{.path = std::string(one.path),
+                             .placing = {.at = at, .scale = vec2(side / 64.0F)},
+                             .fill = fill,
+                             .stroke = stroke,
+                             .stroke_width = one.width});
+    }
+}
+
+struct Limb {
+    std::string_view path;
+    float width;
+};
+constexpr std::array kPressLimbs{Limb{"M214 204 L116 82", 52.0F},    Limb{"M94 48 L118 82", 58.0F},
+                                 Limb{"M94 85 Q58 82 20 80", 16.0F}, Limb{"M90 67 Q48 57 5 60", 19.0F},
+                                 Limb{"M90 51 Q46 34 0 40", 20.0F},  Limb{"M92 35 Q52 12 6 20", 19.0F},
+                                 Limb{"M102 36 Q88 6 62 -10", 20.0F}};
+constexpr std::array kInsideLimbs{Limb{"M96 -128 L52 -22", 50.0F},    Limb{"M58 -30 L44 -2", 56.0F},
+                                  Limb{"M66 -4 Q74 36 70 64", 16.0F}, Limb{"M52 2 Q58 46 54 84", 19.0F},
+                                  Limb{"M36 2 Q38 50 38 92", 20.0F},  Limb{"M22 0 Q18 46 22 84", 19.0F},
+                                  Limb{"M22 -18 Q-2 6 -8 34", 20.0F}};
+constexpr std::array<std::string_view, 3> kPressSeams{"M80 76 Q50 70 16 70", "M78 59 Q44 46 6 50",
+                                                      "M80 44 Q46 24 8 30"};
+constexpr std::array<std::string_view, 3> kInsideSeams{"M29 12 Q27 50 30 80", "M44 12 Q48 50 46 80",
+                                                       "M59 10 Q66 40 62 66"};
+
+}  // namespace
+
+void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke) {
+    add_strokes(sketch, icon, at, side, stroke, std::nullopt);
+}
+
+void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
+              const std::optional<ui::Colour>& fill) {
+    add_strokes(sketch, icon, at, side, stroke, std::optional(fill));
+}
+
+std::span<const std::string_view> icon_paths(Icon icon) {
+    static thread_local std::vector<std::string_view> paths;
+    paths.clear();
+    for (const Stroke& stroke : strokes_of(icon))
+        paths.push_back(stroke.path);
+    return paths;
+}
+
+ui::Rect ghost_hand_reach(HandPose pose) {
+    return pose == HandPose::kPress ? ui::Rect{-20.0F, -28.0F, 270.0F, 270.0F}
+                                    : ui::Rect{-28.0F, -164.0F, 160.0F, 280.0F};
+}
+
+void add_ghost_hand(ui::Sketch& sketch, HandPose pose, vec2 at, float scale, bool flipped) {
+    const bool presses = pose == HandPose::kPress;
+    const std::span<const Limb> limbs = presses ? std::span<const Limb>(kPressLimbs) : kInsideLimbs;
+    const ui::Placing placing{.at = at, .scale = vec2(flipped ? -scale : scale, scale)};
+    // A dark halo, a pale edge and the hand itself, each as all limbs together.
+    struct Coat {
+        float wider;
+        ui::Colour colour;
+    };
+    for (const Coat& coat : {Coat{8.0F, design::kNight.with_alpha(0.30F)}, Coat{4.6F, design::kGhostEdge},
+                             Coat{0.0F, design::kGhostFill}}) {
+        for (const Limb& limb : limbs) {
+            sketch.add(ui::Shape{.path = std::string(limb.path),
+                                 .placing = placing,
+                                 .stroke = coat.colour,
+                                 .stroke_width = limb.width + coat.wider});
+        }
+    }
+    for (const std::string_view seam : presses ? kPressSeams : kInsideSeams) {
+        sketch.add(ui::Shape{.path = std::string(seam),
+                             .placing = placing,
+                             .stroke = design::kGhostEdge,
+                             .stroke_width = 2.2F});
+    }
+    const auto placed = [&](float x, float y) { return at + vec2(flipped ? -x : x, y) * scale; };
+    sketch.fade = presses ? ui::Sketch::Fade{placed(90.0F, 70.0F), placed(205.0F, 200.0F)}
+                          : ui::Sketch::Fade{placed(50.0F, -58.0F), placed(92.0F, -150.0F)};
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,51 @@
+// The pictures on the tokens, as strokes in a field of 64 x 64. Any thread; constant.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "engine/ui/sketch.h"
+
+namespace onggi::screens {
+
+enum class Icon {
+    kUndo,
+    kAgain,
+    kTool,
+    kWater,
+    kSpeed,
+    kDone,
+    kUp,
+    kDown,
+    kLeft,
+    kRight,
+    kMinus,
+    kPlus,
+    kSound,
+    kText,
+    kHand,
+    kLow,
+    kStill,
+    kCheck,
+    kStepPress,  // sections of the clay
+    kStepOpen,
+    kStepRaise,
+};
+constexpr int kIconCount = static_cast<int>(Icon::kStepRaise) + 1;
+
+// The icon in a square of `side` u with its top left at `at`.
+void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke);
+// The same with every fill replaced: none, or one colour. For steps that are done or still to come.
+void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
+              const std::optional<ui::Colour>& fill);
+
+// All paths, for the test that reads them.
+[[nodiscard]] std::span<const std::string_view> icon_paths(Icon icon);
+
+// Ghost hands: the fingertips at the origin, 190 u long, the right hand.
+enum class HandPose { kPress, kInside };
+void add_ghost_hand(ui::Sketch& sketch, HandPose pose, vec2 at, float scale, bool flipped);
+// Where its strokes reach, u about the origin, unflipped and at scale 1.
+[[nodiscard]] ui::Rect ghost_hand_reach(HandPose pose);
+
+}  // namespace onggi::screens

@@ -1,0 +1,204 @@
+#include "game/screens/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace onggi::screens {
+namespace {
+
+using ui::Colour;
+using ui::Fill;
+using ui::Rect;
+
+Shape shape_of(int width_px, int height_px) {
+    const float aspect = static_cast<float>(width_px) / static_cast<float>(std::max(1, height_px));
+    if (aspect < 1.0F) return Shape::kTall;
+    return aspect < 1.5F ? Shape::kSquare : Shape::kWide;
+}
+
+}  // namespace
+
+Page::Page(const View& view, ui::Painter& painter, PaintingStore& store)
+    : view_(view),
+      painter_(painter),
+      store_(store),
+      shape_(shape_of(view.width_px, view.height_px)) {
+    // The designs are 720 u high, 720 wide when tall, and 768 high at 4:3.
+    const float short_side = shape_ == Shape::kSquare ? 768.0F : 720.0F;
+    const auto px = static_cast<float>(shape_ == Shape::kTall ? view.width_px : view.height_px);
+    composition_.px_per_u = px / short_side;
+    composition_.mm_per_u = composition_.px_per_u / static_cast<float>(view.px_per_mm);
+    composition_.bounds = {0.0F, 0.0F, static_cast<float>(view.width_px) / composition_.px_per_u,
+                           static_cast<float>(view.height_px) / composition_.px_per_u};
+    text_scale_ = 0.5F + 0.5F * static_cast<float>(view.state.comfort.text_size);
+}
+
+const kiosk::Language& Page::language(int place) const {
+    const auto& all = *view_.languages;
+    const int wanted = place < 0 ? view_.state.comfort.language : place;
+    return all[static_cast<std::size_t>(std::clamp(wanted, 0, static_cast<int>(all.size()) - 1))];
+}
+
+std::string Page::digits(std::string_view number) const {
+    if (!view_.own_digits || language().code() != "ar") return std::string(number);
+    std::string own;
+    for (const char letter : number) {
+        if (letter >= '0' && letter <= '9') {
+            own += '\xd9';
+            own += static_cast<char>('\xa0' + (letter - '0'));  // U+0660 on
+        } else if (letter == '.') {
+            own += "\xd9\xab";  // U+066B
+        } else {
+            own += letter;
+        }
+    }
+    return own;
+}
+
+std::string Page::measure(std::string_view number, std::string_view unit_key) const {
+    // Number and unit stay in this order and on one line, also inside Arabic: U+00A0 between them. The number
+    // is fenced off as left-to-right (U+2066 to U+2069), so that "91 x 154" does not turn round.
+    return "\u2066" + digits(number) + "\u2069\u00a0" + t(unit_key);
+}
+
+Rect Page::mirrored(const Rect& rect) const {
+    if (!right_to_left()) return rect;
+    return {width() - rect.x - rect.width, rect.y, rect.width, rect.height};
+}
+
+Rect Page::on_ledge(const Rect& rect) const {
+    if (right_to_left() == view_.state.comfort.left_hand) return rect;
+    return {width() - rect.x - rect.width, rect.y, rect.width, rect.height};
+}
+
+void Page::box(const Rect& rect, const std::array<Colour, 4>& corners) {
+    Item item;
+    item.rect = rect;
+    item.corners = corners;
+    composition_.items.push_back(std::move(item));
+}
+
+void Page::down(const Rect& rect, const Colour& top, const Colour& bottom) {
+    box(rect, {top, top, bottom, bottom});
+}
+
+void Page::across(const Rect& rect, const Colour& left, const Colour& right) {
+    box(rect, {left, right, right, left});
+}
+
+void Page::sprite(const Rect& rect, ui::Sketch sketch, int target, Role role, vec2 way) {
+    sketch.size = {rect.width, rect.height};
+    sketch.px_per_u = composition_.px_per_u;
+    Item item;
+    item.rect = rect;
+    item.painting = store_.get(sketch, item.key);
+    item.target = target;
+    item.role = role;
+    item.way = way;
+    composition_.items.push_back(std::move(item));
+}
+
+void Page::picture(const Rect& rect, std::shared_ptr<const ui::Painting> painting, std::uint64_t key) {
+    Item item;
+    item.rect = rect;
+    item.painting = std::move(painting);
+    item.key = key;
+    composition_.items.push_back(std::move(item));
+}
+
+ui::TextStyle Page::style(const Words& words) const {
+    const kiosk::Language& tongue = language(words.language);
+    const bool arabic = tongue.code() == "ar";
+    ui::TextStyle style;
+    style.family = words.title ? (arabic ? design::kTitleFamilyArabic : design::kTitleFamily)
+                               : (arabic ? design::kUiFamilyArabic : design::kUiFamily);
+    style.bold = words.bold || words.title;
+    style.size = words.size;
+    style.line_height = words.line;
+    style.colour = words.colour;
+    style.align = words.align;
+    style.right_to_left = tongue.right_to_left();
+    style.language = tongue.code();
+    return style;
+}
+
+float Page::words_width(const Words& words) {
+    return painter_.measure({.words = words.text, .style = style(words)}).width;
+}
+
+float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
+    Words words = wanted;
+    const float least = words.least_size > 0.0F ? words.least_size : design::kLeastTextSize;
+    const float line_ratio = wanted.line / wanted.size;
+    words.size = wanted.size * text_scale_;
+    ui::Text text;
+    ui::TextSize size;
+    // As large as asked for, or as large as fits.
+    for (;; words.size = std::max(least, words.size * 0.96F)) {
+        words.line = words.size * line_ratio;
+        text = {.words = words.text, .style = style(words), .width = rect.width};
+        size = painter_.measure(text);
+        if ((!size.too_wide && size.height <= rect.height + 0.5F) || words.size <= least) break;
+    }
+    const bool rtl = text.style.right_to_left;
+    const bool from_right = (words.align == ui::Align::kStart) == rtl;
+    float x = from_right ? rect.right() - size.width : rect.x;
+    if (words.align == ui::Align::kCentre) x = rect.x + 0.5F * (rect.width - size.width);
+    constexpr float kAir = 6.0F;  // letters lean out of their boxes
+    const float width = size.width + 2.0F;
+    ui::Sketch sketch;
+    text.width = width;
+    sketch.add(ui::Writing{.at = {kAir, kAir}, .text = text, .box_width = width});
+    sprite({x - kAir, rect.y - kAir, width + 2.0F * kAir, size.height + 2.0F * kAir}, std::move(sketch));
+    composition_.items.back().is_words = true;
+    const float air = 0.5F * (words.line - words.size);
+    composition_.writings.push_back({.words = words.text,
+                                     .rect = {x, rect.y + air, size.width, size.height - 2.0F * air},
+                                     .size = words.size,
+                                     .colour = words.colour,
+                                     .within = rect,
+                                     .unknown_glyphs = size.unknown_glyphs,
+                                     .too_wide = size.too_wide,
+                                     .on_pot = on_pot});
+    return size.height;
+}
+
+float Page::fixed_words(const Rect& rect, const Words& wanted) {
+    const float scale = std::exchange(text_scale_, 1.0F);
+    const float height = words(rect, wanted, true);
+    text_scale_ = scale;
+    return height;
+}
+
+int Page::english() const {
+    const auto& all = *view_.languages;
+    for (std::size_t place = 0; place < all.size(); ++place) {
+        if (all[place].code() == "en") return static_cast<int>(place);
+    }
+    return 0;
+}
+
+int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::string name, bool repeats) {
+    composition_.targets.push_back(
+        {.button = button, .value = value, .rect = rect, .name = std::move(name), .repeats = repeats});
+    return static_cast<int>(composition_.targets.size()) - 1;
+}
+
+Composition Page::take() {
+    // The ring on what keyboard or switch would press now, and its name beside it.
+    const int focus = view_.focus;
+    if (focus >= 0 && focus < static_cast<int>(composition_.targets.size())) {
+        const Target target = composition_.targets[static_cast<std::size_t>(focus)];
+        ui::Sketch sketch;
+        const Rect ring = target.rect.grown(17.0F);
+        const Rect body{0.0F, 0.0F, ring.width, ring.height};
+        const float radius = std::min(48.0F, 0.5F * ring.height);
+        sketch.add(ui::Frame{body, radius, 4.0F, design::kNight});
+        sketch.add(ui::Frame{body.grown(-4.0F), radius - 4.0F, 5.0F, ui::hex(0xfff7e6)});
+        sprite(ring, std::move(sketch));
+    }
+    return std::move(composition_);
+}
+
+}  // namespace onggi::screens

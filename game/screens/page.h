@@ -1,0 +1,146 @@
+// Builds one composition out of the design's parts: tokens, steppers, cards, words, scrims, the ledge.
+// Places are given for a left-to-right screen and mirrored here; what must not mirror says so. The composer's
+// thread. Lengths are u.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "engine/ui/painter.h"
+#include "game/screens/composition.h"
+#include "game/screens/design.h"
+#include "game/screens/icons.h"
+#include "game/screens/view.h"
+
+namespace onggi::screens {
+
+// Paintings by the hash of their sketch, kept while they are used.
+class PaintingStore {
+  public:
+    explicit PaintingStore(ui::Painter& painter) : painter_(painter) {}
+    std::shared_ptr<const ui::Painting> get(const ui::Sketch& sketch, std::uint64_t& key);
+    // A painting that is made otherwise: pots.
+    std::shared_ptr<const PotPicture> pot(const PotShape& shape, const finish::GlazeMaterial& glaze,
+                                          float px_per_mm, float elevation_rad);
+    // What was not asked for during the last few compositions goes.
+    void forget_unused();
+
+  private:
+    template <typename T>
+    struct Kept {
+        std::shared_ptr<const T> value;
+        int unused = 0;
+    };
+    ui::Painter& painter_;
+    std::unordered_map<std::uint64_t, Kept<ui::Painting>> paintings_;
+    std::unordered_map<std::uint64_t, Kept<PotPicture>> pots_;
+};
+
+enum class Shape { kWide, kTall, kSquare };  // 16:9, 9:16, 4:3
+
+struct Words {
+    std::string text;
+    float size = 26.0F;
+    float line = 32.0F;
+    bool bold = false;
+    bool title = false;  // in the serif
+    ui::Colour colour = design::kSlip;
+    ui::Align align = ui::Align::kStart;
+    int language = -1;        // another than the visitor's
+    float least_size = 0.0F;  // may shrink to this to fit its box; 0: design::kLeastTextSize
+};
+
+enum class Look { kToken, kPrimary, kOutline };
+
+class Page {
+  public:
+    Page(const View& view, ui::Painter& painter, PaintingStore& store);
+
+    [[nodiscard]] Shape shape() const { return shape_; }
+    [[nodiscard]] float width() const { return composition_.bounds.width; }
+    [[nodiscard]] float height() const { return composition_.bounds.height; }
+    [[nodiscard]] bool right_to_left() const { return language().right_to_left(); }
+    [[nodiscard]] const View& view() const { return view_; }
+    [[nodiscard]] float text_scale() const { return text_scale_; }
+    [[nodiscard]] float px_per_u() const { return composition_.px_per_u; }
+
+    // Words of the visitor's language, or of another.
+    [[nodiscard]] const kiosk::Language& language(int place = -1) const;
+    [[nodiscard]] const std::string& t(std::string_view key) const { return language().shown(key); }
+    [[nodiscard]] std::string t(std::string_view key, std::string_view n) const {
+        return language().shown(key, n);
+    }
+    // In the digits of the language; an Arabic decimal sign too.
+    [[nodiscard]] std::string digits(std::string_view number) const;
+    // "305 mm", as a left-to-right piece inside whatever line.
+    [[nodiscard]] std::string measure(std::string_view number, std::string_view unit_key) const;
+
+    // The rect mirrored when the screen is (ledge: also by left hand).
+    [[nodiscard]] ui::Rect mirrored(const ui::Rect& rect) const;
+    [[nodiscard]] ui::Rect on_ledge(const ui::Rect& rect) const;
+
+    void covers() { composition_.covers = true; }
+    void box(const ui::Rect& rect, const std::array<ui::Colour, 4>& corners);
+    void down(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom);
+    void across(const ui::Rect& rect, const ui::Colour& left, const ui::Colour& right);
+    void sprite(const ui::Rect& rect, ui::Sketch sketch, int target = -1, Role role = Role::kStill,
+                vec2 way = vec2(0.0F));
+    void picture(const ui::Rect& rect, std::shared_ptr<const ui::Painting> painting, std::uint64_t key);
+
+    // Words in a box that is already where it should be. Wraps; shrinks to its least size before it would
+    // leave the box. Gives the height it took.
+    float words(const ui::Rect& rect, const Words& words, bool on_pot = false);
+    [[nodiscard]] float words_width(const Words& words);
+    // Words that keep their size whatever the visitor's: numbers on cards, the staff's panel.
+    float fixed_words(const ui::Rect& rect, const Words& words);
+
+    // Buttons. `rect` is final.
+    int token(const ui::Rect& rect, Look look, kiosk::Button button, std::string_view name, int value = 0,
+              std::optional<Icon> icon = {}, bool with_words = true, bool repeats = false);
+    void stepper(const ui::Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,
+                 const std::string& name, bool reversed);
+    void label(const ui::Rect& rect, const std::string& text);
+    void card(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom, int target = -1);
+    int card_target(const ui::Rect& rect, bool celadon, kiosk::Button button, int value,
+                    const std::string& name);
+    // A dark niche, or a paper one where it is chosen.
+    int card_niche(const ui::Rect& rect, bool chosen, kiosk::Button button, int value,
+                   const std::string& name);
+    void languages_token();
+    // A language by its own name, in its own letters.
+    void language_token(const ui::Rect& rect, int place, bool chosen);
+    void toggle(const ui::Rect& rect, Icon icon, bool on, kiosk::Button button, const std::string& name);
+    // A target whose looks are the caller's.
+    int plain_target(const ui::Rect& rect, kiosk::Button button, int value, const std::string& name) {
+        return add_target(rect, button, value, name, false);
+    }
+    // Where English is among the languages; else the first.
+    [[nodiscard]] int english() const;
+
+    // The wall of the evening museum, its pool of light about a place, and the shelf.
+    void museum(vec2 light, vec2 reach, float strength);
+    void shelf(float top, float thickness);
+    void pot_shadow(float centre_x, float y, float radius, float height);
+    // A pot standing at a place at so many px a mm of the design; gives the rect it covers.
+    ui::Rect pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
+                 float brightness = 1.0F);
+    void ledge(float y);
+
+    void keep_clear(const ui::Rect& pot) { composition_.pots.push_back(pot); }
+    [[nodiscard]] Composition take();
+
+  private:
+    [[nodiscard]] ui::TextStyle style(const Words& words) const;
+    int add_target(const ui::Rect& rect, kiosk::Button button, int value, std::string name, bool repeats);
+    void token_body(ui::Sketch& sketch, const ui::Rect& rect, Look look, bool pressed) const;
+
+    const View& view_;
+    ui::Painter& painter_;
+    PaintingStore& store_;
+    Composition composition_;
+    Shape shape_ = Shape::kWide;
+    float text_scale_ = 1.0F;
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,247 @@
+// The pot as it came out of the kiln beside its nearest relative, and its place on the day's shelf.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "game/screens/screens.h"
+
+namespace onggi::screens {
+namespace {
+
+using ui::Rect;
+
+void measures_card(Page& page, const Rect& card) {
+    const FiredPot& pot = *page.view().pot;
+    struct Row {
+        const char* key;
+        std::string number;
+        const char* unit;
+    };
+    const std::array rows{Row{"your.h", fmt::format("{:.0f}", pot.height_mm), "unit.mm"},
+                          Row{"your.w", fmt::format("{:.0f}", pot.width_mm), "unit.mm"},
+                          Row{"your.wt", fmt::format("{:.0f}", pot.weight_g), "unit.g"},
+                          Row{"your.cap", fmt::format("{:.1f}", pot.capacity_l), "unit.l"}};
+    page.card(card, design::kHanji, design::kHanji);
+    const float step = (card.height - 34.0F) / static_cast<float>(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const float y = card.y + 17.0F + step * static_cast<float>(i);
+        const float split = 0.44F * card.width;
+        const Rect name{card.x + 28.0F, y, split, step};
+        const Rect value{card.x + 28.0F + split, y, card.width - 56.0F - split, step};
+        const auto within = [&](const Rect& rect) {
+            return page.right_to_left()
+                       ? Rect{2.0F * card.x + card.width - rect.right(), rect.y, rect.width, rect.height}
+                       : rect;
+        };
+        const Rect name_box = within(name);
+        const float name_line = 40.0F;
+        page.words({name_box.x, name_box.y + 0.5F * (step - name_line), name_box.width, name_line + 4.0F},
+                   {.text = page.t(rows[i].key), .size = 30.0F, .line = name_line, .colour = design::kInk2},
+                   true);
+        const Rect value_box = within(value);
+        // Number large and unit small, both in one row from the line's end.
+        const Words unit{.text = page.t(rows[i].unit),
+                         .size = 28.0F,
+                         .line = 56.0F,
+                         .colour = design::kInk,
+                         .align = ui::Align::kEnd};
+        const float unit_width = page.words_width(unit) + 2.0F;
+        const bool rtl = page.right_to_left();
+        const float middle = value_box.y + 0.5F * (step - 56.0F);
+        page.fixed_words(
+            {rtl ? value_box.x : value_box.right() - unit_width, middle + 4.0F, unit_width, 58.0F}, unit);
+        const Rect number_box{rtl ? value_box.x + unit_width + 10.0F : value_box.x, middle,
+                              value_box.width - unit_width - 10.0F, 58.0F};
+        page.fixed_words(number_box, {.text = page.digits(rows[i].number),
+                                      .size = 46.0F,
+                                      .line = 56.0F,
+                                      .bold = true,
+                                      .colour = design::kInk,
+                                      .align = ui::Align::kEnd});
+        if (i + 1 < rows.size()) {
+            const Rect rule{card.x + 28.0F, y + step - 1.0F, card.width - 56.0F, 2.0F};
+            page.box(rule, {design::kRule, design::kRule, design::kRule, design::kRule});
+        }
+    }
+}
+
+const Exhibit* nearest(const View& view) {
+    if (!view.pot || view.pot->nearest < 0) return nullptr;
+    const auto& all = *view.exhibits;
+    const auto place = static_cast<std::size_t>(view.pot->nearest);
+    return place < all.size() ? &all[place] : nullptr;
+}
+
+void height_bracket(Page& page, float x, float foot_y, float height) {
+    ui::Sketch sketch;
+    sketch.add(ui::Shape{.path = fmt::format("M10 2 V{0:.1f} M1.5 2 H18.5 M1.5 {0:.1f} H18.5", height),
+                         .stroke = design::kTokenEdge,
+                         .stroke_width = 2.5F});
+    page.sprite({x - 10.0F, foot_y - height - 2.0F, 20.0F, height + 6.0F}, std::move(sketch));
+}
+
+void near_words(Page& page, const Rect& rect, const Exhibit& exhibit) {
+    const std::string text = page.t("your.near") + (page.language().code() == "ko" ? ": " : " ") +
+                             page.t(exhibit.name_key) + "\n" + page.t(exhibit.date_key) + " \u00b7 " +
+                             page.t("your.scale");
+    page.words(rect, {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
+}
+
+}  // namespace
+
+void draw_your_pot(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.shape() == Shape::kTall;
+    const bool square = page.shape() == Shape::kSquare;
+    const float shelf_y = tall ? 590.0F : square ? 546.0F : 546.0F;
+    const float foot_y = shelf_y + 14.0F;
+    const Rect stage = page.mirrored({0.0F, 0.0F, tall ? width : square ? 560.0F : 760.0F, shelf_y});
+    page.museum({stage.centre().x, 0.42F * height}, {0.44F * width, 0.62F * height}, 0.30F);
+    page.shelf(shelf_y, 34.0F);
+    page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
+    page.words(
+        page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+        {.text = page.t("your.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
+    page.languages_token();
+    if (!view.pot) return;
+
+    const Exhibit* const relative = nearest(view);
+    const float own_box = relative == nullptr ? stage.width - 100.0F
+                          : tall              ? 250.0F
+                          : square            ? 190.0F
+                                              : 230.0F;
+    const float other_box = stage.width - own_box - 100.0F;
+    float scale = std::min((own_box - 12.0F) / (2.0F * view.pot->shape.radius_mm()),
+                           (foot_y - 108.0F) / (view.pot->shape.height_mm() * 1.12F));
+    if (relative != nullptr) {
+        scale = std::min({scale, (other_box - 12.0F) / (2.0F * relative->shape.radius_mm()),
+                          (foot_y - 108.0F) / (relative->shape.height_mm() * 1.1F)});
+    }
+    scale = std::min(scale, 2.2F);
+    const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
+    const float own_x = 62.0F + 0.5F * own_box;
+    page.keep_clear(
+        page.pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale, {mirrored_x(own_x), foot_y}));
+    height_bracket(page, mirrored_x(42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
+    const float names_y = shelf_y + 40.0F;
+    const Rect own_name =
+        page.mirrored({own_x - 116.0F < 24.0F ? 24.0F : own_x - 116.0F, names_y, 232.0F, 74.0F});
+    page.words(own_name, {.text = page.t("your.title") + "\n" +
+                                  page.measure(fmt::format("{:.0f}", view.pot->height_mm), "unit.mm"),
+                          .size = 27.0F,
+                          .line = 34.0F,
+                          .align = ui::Align::kCentre});
+    if (relative != nullptr) {
+        const float x = 62.0F + own_box + 14.0F + 0.5F * other_box;
+        page.keep_clear(
+            page.pot(relative->shape, finish::glaze_at(relative->glaze), scale, {mirrored_x(x), foot_y}));
+        const float name_width = std::min(other_box + 40.0F, 400.0F);
+        page.words(page.mirrored({x - 0.5F * name_width, names_y, name_width, 106.0F}),
+                   {.text = page.t(relative->name_key) + " \u00b7 " +
+                            page.measure(fmt::format("{:.0f}", relative->height_mm), "unit.mm") + "\n" +
+                            page.t(relative->museum_key),
+                    .size = 26.0F,
+                    .line = 34.0F,
+                    .align = ui::Align::kCentre});
+    }
+    const float card_x = tall ? 40.0F : stage.width + 10.0F;
+    const float card_width = tall ? width - 80.0F : width - 32.0F - card_x;
+    const Rect card = page.mirrored({card_x, tall ? 740.0F : 118.0F, card_width, 320.0F});
+    measures_card(page, card);
+    if (relative != nullptr) {
+        near_words(
+            page,
+            page.mirrored({card_x + 6.0F, card.bottom() + 12.0F, card_width - 6.0F, tall ? 76.0F : 90.0F}),
+            *relative);
+    }
+    const float y = tall ? height - 110.0F : height - 108.0F;
+    const float left_width = 0.46F * card_width;
+    page.token(page.mirrored({card_x, y, left_width, 76.0F}), Look::kOutline, kiosk::Button::kOtherGlaze,
+               page.t("your.glaze"));
+    page.token(page.mirrored({card_x + left_width + 18.0F, y, card_width - left_width - 18.0F, 76.0F}),
+               Look::kPrimary, kiosk::Button::kKeep, page.t("your.keep"));
+}
+
+void draw_keep(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.shape() == Shape::kTall;
+    const bool square = page.shape() == Shape::kSquare;
+    const float shelf_y = tall ? 560.0F : square ? 548.0F : 508.0F;
+    const float foot_y = shelf_y + 12.0F;
+    const bool has_phone = view.saves_phone;
+    const float pot_x = !has_phone ? 0.5F * width : tall ? 0.5F * width : square ? 310.0F : 420.0F;
+    const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
+    page.museum({mirrored_x(pot_x), 0.44F * height}, {0.46F * width, 0.6F * height}, 0.32F);
+    page.shelf(shelf_y, 32.0F);
+    // The pots of the day on both sides, dimmer than the new one.
+    const float own_reach = 190.0F;
+    if (view.shelf) {
+        float reach[2]{pot_x - own_reach, pot_x + own_reach};
+        for (std::size_t i = 0; i < view.shelf->size(); ++i) {
+            const ShelfPot& other = (*view.shelf)[i];
+            const float scale =
+                std::min({0.8F, 130.0F / other.shape.height_mm(), 70.0F / other.shape.radius_mm()});
+            const float half = other.shape.radius_mm() * scale + 12.0F;
+            const bool left = i % 2 == 0;
+            const float x = left ? reach[0] - half : reach[1] + half;
+            if (x - half < 24.0F || x + half > (has_phone && !tall ? width - 460.0F : width - 24.0F))
+                continue;
+            page.pot(other.shape, finish::glaze_at(other.glaze), scale, {mirrored_x(x), foot_y}, 0.76F);
+            (left ? reach[0] : reach[1]) += left ? -2.0F * half : 2.0F * half;
+        }
+    }
+    if (view.pot) {
+        const float scale = std::min({2.2F, 330.0F / (2.0F * view.pot->shape.radius_mm()),
+                                      (foot_y - 150.0F) / (view.pot->shape.height_mm() * 1.12F)});
+        page.keep_clear(page.pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
+                                 {mirrored_x(pot_x), foot_y}));
+    }
+    const bool full = view.state.keeping.outcome == kiosk::Keeping::Outcome::kFull;
+    const bool kept = view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
+    const float title_width = tall ? width - 250.0F : width - 260.0F;
+    page.words(page.mirrored({32.0F, 24.0F, title_width, tall || full ? 126.0F : 66.0F}),
+               {.text = full   ? page.t("keep.fail")
+                        : kept ? page.t("keep.title")
+                               : "",
+                .size = full ? 34.0F : 46.0F,
+                .line = full ? 44.0F : 62.0F,
+                .bold = full,
+                .title = !full,
+                .least_size = full ? 26.0F : 40.0F});
+    page.languages_token();
+    const float words_y = tall ? 930.0F : shelf_y + 54.0F;
+    if (kept) {
+        const Rect rect = page.mirrored({36.0F, words_y,
+                                         tall     ? width - 72.0F
+                                         : square ? 480.0F
+                                                  : 620.0F,
+                                         84.0F});
+        page.words(rect, {.text = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number))) +
+                                  "\n" + page.t("keep.priv"),
+                          .size = 28.0F,
+                          .line = 40.0F,
+                          .colour = design::kSlip3,
+                          .align = tall ? ui::Align::kCentre : ui::Align::kStart});
+    }
+    if (view.state.keeping.outcome == kiosk::Keeping::Outcome::kSaving) return;
+    if (tall) {
+        page.token({60.0F, 1090.0F, width - 120.0F, 84.0F}, Look::kPrimary, kiosk::Button::kAnother,
+                   page.t("keep.again"));
+        page.token({60.0F, 1190.0F, width - 120.0F, 68.0F}, Look::kOutline, kiosk::Button::kFinish,
+                   page.t("keep.end"));
+        return;
+    }
+    const float y = height - (square ? 118.0F : 130.0F);
+    const float again = square ? 240.0F : 264.0F;
+    page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary,
+               kiosk::Button::kAnother, page.t("keep.again"));
+    page.token(page.mirrored({width - 32.0F - again - 18.0F - 190.0F, y, 190.0F, 78.0F}), Look::kOutline,
+               kiosk::Button::kFinish, page.t("keep.end"));
+}
+
+}  // namespace onggi::screens

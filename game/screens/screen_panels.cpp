@@ -1,0 +1,234 @@
+// What lies over any screen: the countdown, languages and comfort; and the two screens that stand alone, the
+// pot that was left over and the wheel that rests.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/screens/screens.h"
+
+namespace onggi::screens {
+namespace {
+
+using kiosk::Button;
+using ui::Rect;
+
+// A clay spiral from its middle outwards, as far as the share says.
+std::string spiral(float share) {
+    constexpr int kPoints = 240;
+    constexpr float kTurns = 6.0F;
+    std::string path;
+    for (int i = 0; i <= static_cast<int>(kPoints * share); ++i) {
+        const float along = static_cast<float>(i) / kPoints;
+        const float angle = along * kTurns * 6.2831853F - 1.5707963F;
+        const float radius = 66.0F + along * 92.0F;
+        path += fmt::format("{}{:.1f} {:.1f} ", i == 0 ? 'M' : 'L', 180.0F + radius * std::cos(angle),
+                            180.0F + radius * std::sin(angle));
+    }
+    return path;
+}
+
+void veil(Page& page, float top, float bottom) {
+    page.down({0.0F, 0.0F, page.width(), 0.6F * page.height()}, design::kNight.with_alpha(top),
+              design::kNight.with_alpha(0.5F * (top + bottom)));
+    page.down({0.0F, 0.6F * page.height(), page.width(), 0.4F * page.height()},
+              design::kNight.with_alpha(0.5F * (top + bottom)), design::kNight.with_alpha(bottom));
+}
+
+}  // namespace
+
+void draw_idle(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.shape() == Shape::kTall;
+    veil(page, 0.90F, 0.95F);
+    const vec2 centre(0.5F * width, tall ? 400.0F : 0.36F * height - 10.0F);
+    const float share = std::clamp(static_cast<float>(view.seconds_left) / 20.0F, 0.0F, 1.0F);
+    ui::Sketch sketch;
+    sketch.add(ui::Ellipse{{4.0F, 4.0F, 352.0F, 352.0F}, ui::Fill::flat(ui::hex(0x6f5a44))});
+    sketch.add(ui::Ellipse{{7.0F, 7.0F, 346.0F, 346.0F}, ui::Fill::flat(ui::hex(0x2b2019))});
+    sketch.add(ui::Shape{.path = spiral(1.0F), .stroke = ui::hex(0x4a3829), .stroke_width = 13.0F});
+    if (share > 0.0F) {
+        sketch.add(ui::Shape{.path = spiral(share), .stroke = ui::hex(0xc79a6c), .stroke_width = 13.0F});
+        sketch.add(ui::Shape{.path = spiral(share),
+                             .placing = {.at = {-2.0F, -3.0F}},
+                             .stroke = ui::hex(0xe6c79d),
+                             .stroke_width = 3.0F});
+    }
+    sketch.add(ui::Ellipse{{122.0F, 122.0F, 116.0F, 116.0F}, ui::Fill::flat(design::kNight)});
+    page.sprite({centre.x - 180.0F, centre.y - 180.0F, 360.0F, 360.0F}, std::move(sketch));
+    page.fixed_words({centre.x - 70.0F, centre.y - 46.0F, 140.0F, 92.0F},
+                     {.text = page.digits(std::to_string(view.seconds_left)),
+                      .size = 76.0F,
+                      .line = 92.0F,
+                      .bold = true,
+                      .colour = design::kWhiteSlip,
+                      .align = ui::Align::kCentre});
+    const float words_y = centre.y + 196.0F;
+    const float button_y = height - (tall ? 330.0F : 120.0F);
+    const float title =
+        page.words({60.0F, words_y, width - 120.0F, tall ? 150.0F : 72.0F}, {.text = page.t("idle.title"),
+                                                                             .size = 52.0F,
+                                                                             .line = 70.0F,
+                                                                             .title = true,
+                                                                             .align = ui::Align::kCentre,
+                                                                             .least_size = 40.0F});
+    page.words({60.0F, words_y + title + 2.0F, width - 120.0F, button_y - words_y - title - 8.0F},
+               {.text = page.t("idle.line"),
+                .size = 30.0F,
+                .line = 40.0F,
+                .colour = design::kSlip3,
+                .align = ui::Align::kCentre});
+    const float button = std::min(280.0F, 0.5F * width - 60.0F);
+    page.token(page.mirrored({0.5F * width - 14.0F - button, button_y, button, 84.0F}), Look::kOutline,
+               Button::kFresh, page.t("idle.fresh"));
+    page.token(page.mirrored({0.5F * width + 14.0F, button_y, button, 84.0F}), Look::kPrimary, Button::kStay,
+               page.t("idle.stay"));
+}
+
+void draw_language(Page& page) {
+    const View& view = page.view();
+    const kiosk::Comfort& comfort = view.state.comfort;
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.shape() == Shape::kTall;
+    const auto& languages = *view.languages;
+    const int count = static_cast<int>(languages.size());
+    veil(page, 0.86F, 0.96F);
+    std::string title;
+    for (const kiosk::Language& language : languages)
+        title += (title.empty() ? "" : " \u00b7 ") + language.shown("lang.title");
+    page.words({60.0F, 48.0F, width - 120.0F, 76.0F}, {.text = title,
+                                                       .size = 40.0F,
+                                                       .line = 56.0F,
+                                                       .title = true,
+                                                       .align = ui::Align::kCentre,
+                                                       .language = 0,
+                                                       .least_size = 40.0F});
+    const int columns = tall ? 1 : std::min(count, 4);
+    const float gap = 24.0F;
+    const float wide =
+        std::min(tall ? 480.0F : 330.0F,
+                 (width - 64.0F - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    const float high = tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
+    const float left =
+        0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
+    float bottom = 0.0F;
+    for (int i = 0; i < count; ++i) {
+        const Rect rect{left + static_cast<float>(i % columns) * (wide + gap),
+                        140.0F + static_cast<float>(i / columns) * (high + 16.0F), wide, high};
+        page.language_token(rect, i, i == comfort.language);
+        bottom = std::max(bottom, rect.bottom());
+    }
+    const float y = tall ? bottom + 70.0F : 352.0F;
+    const bool reversed = page.right_to_left();
+    const auto stepper = [&](const Rect& place, Icon icon, int dots, int on, Button less, Button more,
+                             const char* key) {
+        const Rect rect = page.mirrored(place);
+        page.stepper(rect, icon, dots, on, less, more, page.t(key), reversed);
+        page.label({rect.x - 8.0F, rect.bottom() + 8.0F, rect.width + 16.0F, 66.0F}, page.t(key));
+    };
+    const auto toggle = [&](const Rect& place, Icon icon, bool on, Button button, const char* key) {
+        const Rect rect = page.mirrored(place);
+        page.toggle(rect, icon, on, button, page.t(key));
+        page.label({rect.x - 10.0F, rect.bottom() + 8.0F, rect.width + 20.0F, 66.0F}, page.t(key));
+    };
+    const float stepper_width = std::min(238.0F, (width - 64.0F - 4.0F * gap) * 0.21F + 60.0F);
+    const float toggle_width =
+        tall ? 180.0F : std::min(150.0F, (width - 64.0F - 2.0F * stepper_width - 4.0F * gap) / 3.0F);
+    if (tall) {
+        const float two = 0.5F * width;
+        stepper({two - 254.0F, y, 238.0F, 84.0F}, Icon::kText, kiosk::kMostTextSize, comfort.text_size,
+                Button::kTextLess, Button::kTextMore, "lang.text");
+        stepper({two + 16.0F, y, 238.0F, 84.0F}, Icon::kSound, kiosk::kMostVolume, comfort.volume,
+                Button::kSoundLess, Button::kSoundMore, "lang.sound");
+    } else {
+        const float all = 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap;
+        const float x = 0.5F * (width - all);
+        stepper({x, y, stepper_width, 84.0F}, Icon::kText, kiosk::kMostTextSize, comfort.text_size,
+                Button::kTextLess, Button::kTextMore, "lang.text");
+        stepper({x + stepper_width + gap, y, stepper_width, 84.0F}, Icon::kSound, kiosk::kMostVolume,
+                comfort.volume, Button::kSoundLess, Button::kSoundMore, "lang.sound");
+    }
+    const float toggles_y = tall ? y + 200.0F : y;
+    const float toggles_x = tall ? 0.5F * (width - 3.0F * toggle_width - 2.0F * gap)
+                                 : 0.5F * (width + 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap) -
+                                       3.0F * toggle_width - 2.0F * gap;
+    toggle({toggles_x, toggles_y, toggle_width, 84.0F}, Icon::kLow, comfort.reach, Button::kReach,
+           "lang.reach");
+    toggle({toggles_x + toggle_width + gap, toggles_y, toggle_width, 84.0F}, Icon::kHand, comfort.left_hand,
+           Button::kLeftHand, "lang.left");
+    toggle({toggles_x + 2.0F * (toggle_width + gap), toggles_y, toggle_width, 84.0F}, Icon::kStill,
+           comfort.still, Button::kStill, "lang.still");
+    page.token({0.5F * (width - 280.0F), height - (tall ? 160.0F : 120.0F), 280.0F, 84.0F}, Look::kPrimary,
+               Button::kComfortDone, page.t("lang.done"));
+}
+
+void draw_resume(Page& page) {
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.shape() == Shape::kTall;
+    veil(page, 0.90F, 0.95F);
+    page.words({60.0F, tall ? 420.0F : 0.36F * height, width - 120.0F, 170.0F},
+               {.text = page.t("resume.title"),
+                .size = 50.0F,
+                .line = 68.0F,
+                .title = true,
+                .align = ui::Align::kCentre,
+                .least_size = 40.0F});
+    const float y = height - (tall ? 330.0F : 150.0F);
+    const float button = std::min(330.0F, 0.5F * width - 60.0F);
+    page.token(page.mirrored({0.5F * width - 14.0F - button, y, button, 84.0F}), Look::kOutline,
+               Button::kResumeFresh, page.t("ctl.again"), 0, tall ? std::optional<Icon>() : Icon::kAgain);
+    page.token(page.mirrored({0.5F * width + 14.0F, y, button, 84.0F}), Look::kPrimary, Button::kResumeGo,
+               page.t("resume.go"));
+}
+
+void draw_fault(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.shape() == Shape::kTall;
+    const int count = static_cast<int>(view.languages->size());
+    page.museum({0.5F * width, 0.42F * height}, {0.4F * width, 0.55F * height}, 0.16F);
+    const float shelf_y = tall ? 640.0F : height - 196.0F;
+    page.shelf(shelf_y, 32.0F);
+    if (!view.exhibits->empty()) {
+        const Exhibit& resting = view.exhibits->back();
+        const float scale =
+            std::min(1.4F, (shelf_y - 120.0F) / (static_cast<float>(resting.height_mm) * 1.1F));
+        page.keep_clear(
+            page.pot(resting.shape, finish::glaze_at(0), scale, {0.5F * width, shelf_y + 12.0F}, 0.78F));
+    }
+    const float words_y = shelf_y + 46.0F;
+    page.down({0.0F, shelf_y + 32.0F, width, 14.0F}, design::kNight.with_alpha(0.7F),
+              design::kNight.with_alpha(0.93F));
+    page.down({0.0F, words_y, width, height - words_y}, design::kNight.with_alpha(0.93F),
+              design::kNight.with_alpha(0.97F));
+    // All languages at once: side by side, or one below the other.
+    for (int i = 0; i < count; ++i) {
+        const float column = (width - 48.0F) / static_cast<float>(count);
+        const Rect rect =
+            tall
+                ? Rect{40.0F, words_y + 16.0F + 170.0F * static_cast<float>(i), width - 80.0F, 160.0F}
+                : Rect{24.0F + column * static_cast<float>(i) + 8.0F, words_y + 4.0F, column - 16.0F, 150.0F};
+        const float title =
+            page.words({rect.x, rect.y, rect.width, 50.0F}, {.text = page.language(i).shown("fault.title"),
+                                                             .size = 33.0F,
+                                                             .line = 46.0F,
+                                                             .title = true,
+                                                             .align = ui::Align::kCentre,
+                                                             .language = i,
+                                                             .least_size = 26.0F});
+        page.words({rect.x, rect.y + title + 2.0F, rect.width, 76.0F},
+                   {.text = page.language(i).shown("fault.line"),
+                    .size = 26.0F,
+                    .line = 34.0F,
+                    .colour = ui::hex(0xe6d8c0),
+                    .align = ui::Align::kCentre,
+                    .language = i});
+    }
+}
+
+}  // namespace onggi::screens

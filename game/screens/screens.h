@@ -1,0 +1,29 @@
+// Every screen, drawn from the state: one function each, and compose() which picks. The composer's thread.
+#pragma once
+
+#include "game/screens/page.h"
+
+namespace onggi::screens {
+
+// The whole screen for this view: the state's screen, or the panel that lies over it.
+[[nodiscard]] Composition compose(const View& view, ui::Painter& painter, PaintingStore& store);
+
+void draw_attract(Page& page);
+void draw_choose(Page& page);
+void draw_throw(Page& page);
+void draw_failure(Page& page);
+void draw_firing(Page& page);
+void draw_glazes(Page& page);
+void draw_your_pot(Page& page);
+void draw_keep(Page& page);
+void draw_resume(Page& page);
+void draw_fault(Page& page);
+void draw_idle(Page& page);
+void draw_language(Page& page);
+void draw_pin(Page& page);
+void draw_staff(Page& page);
+
+// Shared by several: dots with a head, cream over dark, within the rect's own coordinates.
+void add_path(ui::Sketch& sketch, const std::string& dots, const std::string& head);
+
+}  // namespace onggi::screens

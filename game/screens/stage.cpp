@@ -1,0 +1,175 @@
+#include "game/screens/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/screens/design.h"
+
+namespace onggi::screens {
+namespace {
+
+constexpr double kChangeS = 0.24;
+constexpr double kChangeStillS = 0.12;
+constexpr float kRiseU = 12.0F;
+constexpr double kHintInS = 0.4;
+constexpr double kHintOutS = 0.18;
+constexpr double kLoopS = 2.6;
+constexpr double kRestS = 0.5;
+constexpr float kHintAlpha = 0.88F;
+constexpr int kAtlasSide = 4096;
+
+bool is_still(const Composed& composed) {
+    return composed.view->state.comfort.still;
+}
+
+bool is_other_screen(const Composed& one, const Composed& other) {
+    const kiosk::State& a = one.view->state;
+    const kiosk::State& b = other.view->state;
+    return a.screen != b.screen || a.panel != b.panel || a.comfort.language != b.comfort.language ||
+           one.view->attract_exhibit != other.view->attract_exhibit || a.firing != b.firing;
+}
+
+}  // namespace
+
+Stage::Stage() : atlas_(kAtlasSide) {}
+
+void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
+    if (!composed || composed == now_) return;
+    if (now_ && is_other_screen(*now_, *composed)) {
+        before_ = now_;
+        since_s_ = now_s;
+    }
+    now_ = std::move(composed);
+}
+
+bool Stage::changes(double now_s) const {
+    return before_ != nullptr && now_s - since_s_ < kChangeS;
+}
+
+int Stage::target_at(vec2 px) const {
+    if (!now_) return -1;
+    const Composition& composition = now_->composition;
+    const vec2 at = px / composition.px_per_u;
+    for (std::size_t i = composition.targets.size(); i-- > 0;) {
+        if (composition.targets[i].rect.contains(at)) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+// Everything a composition shows has its place in the atlas; false when making room moved something out.
+bool Stage::all_placed(const Composed& composed) {
+    const std::uint64_t generation = atlas_.generation();
+    for (const Item& item : composed.composition.items) {
+        if (item.painting) static_cast<void>(atlas_.place(item.key, item.painting));
+        if (item.pressed_painting) static_cast<void>(atlas_.place(item.pressed_key, item.pressed_painting));
+    }
+    return atlas_.generation() == generation;
+}
+
+const ui::DrawList& Stage::draw(const StageFrame& frame) {
+    list_.clear();
+    covers_ = false;
+    const double step_s = std::clamp(frame.now_s - last_s_, 0.0, 0.1);
+    last_s_ = frame.now_s;
+    if (!now_) return list_;
+    if (frame.hint && hint_alpha_ <= 0.0) hint_s_ = frame.now_s;
+    hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / kHintInS : -step_s / kHintOutS), 0.0, 1.0);
+
+    const double lasts_s = is_still(*now_) ? kChangeStillS : kChangeS;
+    const double along = before_ ? (frame.now_s - since_s_) / lasts_s : 1.0;
+    if (along >= 1.0) before_.reset();
+    // Twice, because taking a painting in may have emptied the half in which an earlier one lay.
+    for (int look = 0; look < 3; ++look) {
+        const bool kept_before = !before_ || all_placed(*before_);
+        if (all_placed(*now_) && kept_before) break;
+    }
+    if (!before_) {
+        covers_ = now_->composition.covers;
+        add(*now_, frame, 1.0F, 0.0F);
+    } else {
+        const float share = static_cast<float>(along * (2.0 - along));  // eased out
+        const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - share);
+        const bool from_wall = before_->composition.covers;
+        const bool to_wall = now_->composition.covers;
+        covers_ = from_wall && to_wall;
+        if (to_wall) {
+            add(*before_, frame, 1.0F, 0.0F);
+            add(*now_, frame, share, rise);
+        } else {
+            add(*now_, frame, from_wall ? 1.0F : share, rise);
+            add(*before_, frame, 1.0F - share, 0.0F);
+        }
+    }
+    if (frame.dims)
+        list_.add_box(now_->composition.bounds.scaled(now_->composition.px_per_u), ui::hex(0x000000, 0.8F));
+    uploads_ = atlas_.take_uploads();
+    return list_;
+}
+
+void Stage::add(const Composed& composed, const StageFrame& frame, float alpha, float rise_u) {
+    const Composition& composition = composed.composition;
+    const float scale = composition.px_per_u;
+    const bool is_now = &composed == now_.get();
+    if (is_now && frame.band != nullptr && alpha >= 1.0F) add_band(*frame.band, frame, scale);
+    // Where a ghost is in its loop: there, a rest, and again from the start.
+    const double in_loop = std::fmod(std::max(0.0, frame.now_s - hint_s_), kLoopS);
+    const double moved = std::clamp(in_loop / (kLoopS - kRestS), 0.0, 1.0);
+    const float way = is_still(composed) ? 0.0F : static_cast<float>(moved * moved * (3.0 - 2.0 * moved));
+    for (const Item& item : composition.items) {
+        float item_alpha = alpha;
+        vec2 shift(0.0F, composition.covers ? 0.0F : rise_u);
+        if (item.role == Role::kHint) {
+            item_alpha *= static_cast<float>(hint_alpha_) * kHintAlpha;
+            shift += way * item.way;
+        }
+        const bool pressed = is_now && item.target >= 0 && item.target == frame.pressed;
+        if (item_alpha <= 0.0F) continue;
+        if (!item.painting) {
+            std::array<ui::Colour, 4> corners = item.corners;
+            for (ui::Colour& corner : corners)
+                corner.a *= item_alpha;
+            list_.add_box(item.rect.scaled(scale), corners);
+            continue;
+        }
+        const bool has_pressed = pressed && item.pressed_painting != nullptr;
+        const auto& painting = has_pressed ? item.pressed_painting : item.painting;
+        const auto place = atlas_.place(has_pressed ? item.pressed_key : item.key, painting);
+        if (!place) continue;
+        if (pressed && !has_pressed) shift.y += 4.0F;
+        // On whole pixels, as it was painted.
+        const vec2 at = glm::round((vec2(item.rect.x, item.rect.y) + shift) * scale);
+        list_.add_picture({at.x, at.y, place->width, place->height}, *place, item_alpha);
+    }
+}
+
+void Stage::add_band(const Band& band, const StageFrame& frame, float u_px) {
+    const std::size_t count = std::min(band.upper.size(), band.lower.size());
+    if (count < 2) return;
+    const auto along = [&](const std::vector<vec2>& edge, float share) {
+        const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(count - 1);
+        const auto first = std::min(static_cast<std::size_t>(at), count - 2);
+        return glm::mix(edge[first], edge[first + 1], at - static_cast<float>(first));
+    };
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const std::array corners{band.upper[i], band.upper[i + 1], band.lower[i + 1], band.lower[i]};
+        list_.add_polygon(corners, ui::hex(0xe4672c, 0.26F));
+    }
+    const float width = std::max(1.0F, glm::length(band.upper.back() - band.upper.front()));
+    const float step = 13.0F * u_px / width;
+    const float drift =
+        is_still(*now_) ? 0.0F : static_cast<float>(std::fmod(frame.now_s * 6.0, 13.0)) * u_px / width;
+    const float slant = 0.9F * glm::length(band.lower[count / 2] - band.upper[count / 2]) / width;
+    for (float share = -slant + drift; share < 1.0F; share += step) {
+        const float end = share + 0.4F * step;
+        if (end <= 0.0F && end + slant <= 0.0F) continue;
+        const std::array corners{along(band.upper, share + slant), along(band.upper, end + slant),
+                                 along(band.lower, end), along(band.lower, share)};
+        list_.add_polygon(corners, design::kHatch.with_alpha(0.8F));
+    }
+    for (const std::vector<vec2>* edge : {&band.upper, &band.lower}) {
+        list_.add_line(*edge, 8.0F * u_px, design::kNight.with_alpha(0.65F));
+        list_.add_line(*edge, 3.5F * u_px, ui::hex(0xfff1d6));
+    }
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,66 @@
+// Puts compositions on the screen frame by frame: cross-fades, tokens that sink, ghosts that move; and says
+// what lies under a finger. Main thread. Times are seconds of the caller's clock.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/ui/atlas.h"
+#include "engine/ui/draw_list.h"
+#include "game/screens/composer.h"
+
+namespace onggi::screens {
+
+// A warning's place on the pot: its upper and lower edge, pixels, from left to right.
+struct Band {
+    std::vector<vec2> upper;
+    std::vector<vec2> lower;
+};
+
+struct StageFrame {
+    double now_s = 0.0;
+    bool hint = false;  // whether the ghosts are to be seen
+    int pressed = -1;   // target that a finger holds down
+    const Band* band = nullptr;
+    bool dims = false;  // outside opening hours
+};
+
+class Stage {
+  public:
+    Stage();
+
+    // Takes a newer composition, if it is newer.
+    void take(std::shared_ptr<const Composed> composed, double now_s);
+    // All of this frame. Good until the next call.
+    const ui::DrawList& draw(const StageFrame& frame);
+
+    // Nothing of the scene is seen this frame.
+    [[nodiscard]] bool covers() const { return covers_; }
+    // What the last draw() needs in the texture; to be handed on with it.
+    [[nodiscard]] std::span<const ui::Atlas::Upload> uploads() const { return uploads_; }
+    [[nodiscard]] int atlas_side_px() const { return atlas_.side_px(); }
+
+    [[nodiscard]] const Composed* shown() const { return now_.get(); }
+    // The target under a pixel; -1: none.
+    [[nodiscard]] int target_at(vec2 px) const;
+    [[nodiscard]] bool changes(double now_s) const;
+
+  private:
+    void add(const Composed& composed, const StageFrame& frame, float alpha, float rise_u);
+    void add_band(const Band& band, const StageFrame& frame, float u_px);
+    [[nodiscard]] bool all_placed(const Composed& composed);
+
+    ui::Atlas atlas_;
+    std::vector<ui::Atlas::Upload> uploads_;
+    ui::DrawList list_;
+    std::shared_ptr<const Composed> now_;
+    std::shared_ptr<const Composed> before_;  // fading out
+    double since_s_ = 0.0;
+    bool covers_ = false;
+    double hint_alpha_ = 0.0;
+    double hint_s_ = 0.0;
+    double last_s_ = 0.0;
+};
+
+}  // namespace onggi::screens
