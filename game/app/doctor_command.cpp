@@ -11,13 +11,26 @@
 #include "engine/core/result.h"
 #include "engine/jobs/thread_setup.h"
 #include "engine/vk/physical_device.h"
+#include "game/app/device_probes.h"
 #include "game/app/finding.h"
+#include "game/app/haptic_core.h"
 #include "game/app/system_probes.h"
+#include "game/wheel/live_screen.h"
 
 namespace onggi::app {
 namespace {
 
 using Verdict = Finding::Verdict;
+
+// Where the quality ladder begins on this device, and how far it may go from there.
+Finding probe_quality(const vk::DeviceDescription& device) {
+    const int threads = draw_threads(jobs::choose_haptic_core());
+    const render::QualityRange range = render::quality_range(wheel::device_class(device), threads);
+    return {.subject = "picture",
+            .found = fmt::format("begins as for {}; frame times move it between {} and {}",
+                                 render::quality_name(range.first), render::quality_name(range.lowest),
+                                 render::quality_name(range.highest))};
+}
 
 std::vector<Finding> probe_vulkan() {
     Finding none{.subject = "vulkan",
@@ -41,6 +54,7 @@ std::vector<Finding> probe_vulkan() {
         findings.push_back({.subject = "vulkan",
                             .verdict = device.chosen ? Verdict::kGood : Verdict::kNote,
                             .found = std::move(words)});
+        if (device.chosen) findings.push_back(probe_quality(device));
     }
     if (!one_is_chosen) {
         none.found = "no device that can be used, or ONGGI_VULKAN_DEVICE names none of these";
@@ -82,6 +96,8 @@ int examine(bool strict) {
     findings.push_back(probe_display());
     add(probe_haptic_loop());
     add(probe_haptic_devices());
+    findings.push_back(probe_sound());
+    findings.push_back(probe_workshop());
     findings.push_back(probe_disk(std::filesystem::current_path()));
     findings.push_back(probe_fonts(font_folders()));
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "game/app/command_line.h"
 
 namespace onggi::app {
@@ -13,6 +16,13 @@ jobs::CoreChoice leave_haptic_core() {
         remark(fmt::format("real time: the picture could not be kept off core {}", core.core));
     }
     return core;
+}
+
+int draw_threads(const jobs::CoreChoice& choice) {
+    // Mesa's own switch; 0 and 1 both draw on one.
+    const char* wished = std::getenv("LP_NUM_THREADS");
+    if (wished != nullptr) return std::max(1, std::atoi(wished));
+    return std::max(1, static_cast<int>(choice.others.size()));
 }
 
 }  // namespace onggi::app

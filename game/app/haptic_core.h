@@ -10,4 +10,7 @@ namespace onggi::app {
 // with.
 [[nodiscard]] jobs::CoreChoice leave_haptic_core();
 
+// How many threads a software Vulkan device draws with, once that is done.
+[[nodiscard]] int draw_threads(const jobs::CoreChoice& choice);
+
 }  // namespace onggi::app

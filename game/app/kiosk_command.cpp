@@ -1,30 +1,29 @@
 #include "game/app/kiosk_command.h"
 
-#include <fmt/format.h>
-
-#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "engine/asset/image.h"
-#include "engine/core/units.h"
-#include "engine/files/atomic_file.h"
+#include "engine/files/asset_folder.h"
+#include "engine/files/read_file.h"
 #include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
+#include "game/app/end_signal.h"
+#include "game/app/hand_devices.h"
 #include "game/app/haptic_core.h"
-#include "game/app/kiosk_input.h"
+#include "game/app/haptic_guard.h"
+#include "game/app/kiosk_settings.h"
+#include "game/app/kiosk_sound.h"
+#include "game/app/kiosk_visit.h"
 #include "game/app/live_loop.h"
 #include "game/app/options.h"
-#include "game/app/snapshot_view.h"
 #include "game/haptic/job.h"
-#include "game/share/export.h"
 #include "game/wheel/live_view.h"
-#include "game/wheel/still.h"
 
 namespace onggi::app {
 namespace {
@@ -32,153 +31,112 @@ namespace {
 // Where the kernel keeps deadlines for us the hand gets the finer rate.
 constexpr double kRealTimeRateHz = 4000.0;
 constexpr double kPlainRateHz = 1000.0;
+constexpr double kNsPerSecond = 1e9;
 
 struct KioskOptions {
     PictureSize size;
     bool full_screen = false;
+    std::string device = "auto";
+    std::string config;
+    std::string gallery;
+    std::optional<double> volume = {};
 };
 
-// The first of out/pot-1.glb, out/pot-2.glb, ... that is not there yet.
-Result<std::filesystem::path> free_place(const std::string& ending) {
-    const std::filesystem::path folder = "out";
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return system_lacks(
-            fmt::format("out: expected a folder to save in, found none: {}", error.message()));
-    for (int number = 1;; ++number) {
-        std::filesystem::path place = folder / fmt::format("pot-{}{}", number, ending);
-        if (!std::filesystem::exists(place, error)) return place;
+// What the wheel shows by itself while nobody is there; without it the wheel waits with its lump.
+std::optional<haptics::Gesture> demonstration() {
+    constexpr std::size_t kMostBytes = std::size_t{16} << 20U;
+    const auto folder = files::find_asset("gestures/attract.csv");
+    if (!folder) {
+        remark(folder.error().message);
+        return std::nullopt;
     }
+    const auto text = files::read_file(*folder, kMostBytes);
+    const auto gesture =
+        text ? haptics::parse_gesture(*text, "attract.csv") : Result<haptics::Gesture>(text.error());
+    if (gesture) return *gesture;
+    remark(gesture.error().message);
+    return std::nullopt;
 }
 
-Result<void> save(const std::string& ending, const Result<std::vector<std::byte>>& bytes) {
-    if (!bytes) return bytes.error();
-    const auto place = free_place(ending);
-    if (!place) return place.error();
-    if (auto written = files::write_file_atomically(*place, *bytes); !written) return written;
-    remark(fmt::format("saved {}", place->string()));
+// The visitor turns the volume in steps.
+constexpr double kLoudestStep = 5.0;
+
+Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, std::optional<double> volume) {
+    KioskSound sound(volume.value_or(visit.state().comfort.volume / kLoudestStep));
+    jobs::MonotonicClock clock;
+    jobs::FramePacer<> pacer(clock, kFrameRateHz);
+    while (!visit.quits() && !end_was_asked() && !job.finished()) {
+        pacer.wait();
+        const double now_s = static_cast<double>(jobs::MonotonicClock::now_ns()) / kNsPerSecond;
+        if (auto shown = visit.frame(now_s); !shown) return shown;
+        if (!volume) sound.set_volume(visit.state().comfort.volume / kLoudestStep);
+        sound.hear(job.newest_snapshot());
+        if (const std::string line = sound.news(); !line.empty()) remark(line);
+        pacer.finish();
+    }
     return {};
 }
 
-Result<std::vector<std::byte>> picture_of(const wheel::PotView& pot, const wheel::LiveView& view) {
-    wheel::PotView alone = pot;
-    alone.tool_shown = false;
-    const auto image = wheel::render_still(alone, view.width(), view.height());
-    if (!image) return image.error();
-    return asset::encode_png(*image);
-}
-
-std::string title_of(const haptic::Snapshot& snapshot, const haptic::HapticParameters& parameters) {
-    const double rev_min =
-        snapshot.wheel_turning ? units::rev_min_from_rad_s(parameters.clay.wheel_speed_rad_s) : 0.0;
-    return fmt::format("Onggi - tool {:.0f} mm, wheel {:.0f} rev/min, force {:.2f} N{}",
-                       snapshot.tool.radius_mm, rev_min, glm::length(snapshot.limited_force_n),
-                       snapshot.fault == haptics::Fault::kNone ? "" : ", stopped for safety: press R");
-}
-
-// One visitor after another, until somebody closes the window.
-class Kiosk {
-  public:
-    Kiosk(wheel::LiveView& view, haptic::HapticJob& job, haptics::SimulatedDevice& hand,
-          const haptic::HapticParameters& parameters, double height_mm)
-        : view_(view),
-          job_(job),
-          hand_(hand),
-          parameters_(parameters),
-          height_mm_(height_mm) {}
-
-    Result<void> run() {
-        jobs::MonotonicClock clock;
-        jobs::FramePacer<> pacer(clock, kFrameRateHz);
-        while (!quits_ && !job_.finished()) {
-            pacer.wait();
-            if (auto shown = frame(); !shown) return shown;
-            pacer.finish();
-        }
-        return {};
-    }
-
-  private:
-    Result<void> frame() {
-        const haptic::Snapshot& snapshot = job_.newest_snapshot();
-        const wheel::PotView pot = pot_view(snapshot, height_mm_);
-        const KioskInput::PlaceOf place_of = [&](double x_px, double y_px) {
-            return view_.tool_target_mm(x_px, y_px);
-        };
-        for (const window::Event& event : view_.poll_events()) {
-            // What cannot be saved is said, and the visitor throws on.
-            if (auto done = act(input_.handle(event, place_of), pot); !done) remark(done.error().message);
-        }
-        hand_.set_target(input_.target());
-        auto drawn = view_.draw(pot);
-        if (!drawn) return drawn.error();
-        constexpr std::uint64_t kFramesPerTitle = 12;  // five times a second is as quick as one can read
-        if (frames_++ % kFramesPerTitle == 0) view_.set_title(title_of(snapshot, parameters_));
-        pass_over_records(job_);
-        return {};
-    }
-
-    Result<void> act(KioskAction action, const wheel::PotView& pot) {
-        switch (action) {
-            case KioskAction::kNone:
-                break;
-            case KioskAction::kQuit:
-                quits_ = true;
-                break;
-            case KioskAction::kFreshLump:
-                // A full ring means that the haptic thread stands still; then the window says nothing new
-                // either.
-                static_cast<void>(job_.send(haptic::Command::kFreshLump));
-                static_cast<void>(job_.send(haptic::Command::kRearmForce));
-                break;
-            case KioskAction::kSaveModel:
-                return save(".glb", share::export_pot({.height_mm = pot.height_mm, .radii_mm = pot.radii_mm},
-                                                      share::ExportKind::kGlb));
-            case KioskAction::kSavePicture:
-                return save(".png", picture_of(pot, view_));
-            case KioskAction::kToggleFullScreen:
-                full_screen_ = !full_screen_;
-                view_.set_full_screen(full_screen_);
-                break;
-        }
-        return {};
-    }
-
-    wheel::LiveView& view_;
-    haptic::HapticJob& job_;
-    haptics::SimulatedDevice& hand_;
-    const haptic::HapticParameters& parameters_;
-    double height_mm_;
-    KioskInput input_;
-    std::uint64_t frames_ = 0;
-    bool full_screen_ = false;
-    bool quits_ = false;
-};
-
 Result<void> open_kiosk(const KioskOptions& options) {
+    auto settings = load_settings(options.config);
+    if (!settings) return settings.error();
+    if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
     const jobs::CoreChoice core = leave_haptic_core();
-    auto view = wheel::LiveView::open({.width = options.size.width,
-                                       .height = options.size.height,
-                                       .full_screen = options.full_screen,
-                                       .title = "Onggi"});
+    auto view =
+        wheel::LiveView::open({.width = options.size.width,
+                               .height = options.size.height,
+                               .full_screen = options.full_screen || settings->config.screen.full_screen,
+                               .draw_threads = draw_threads(core),
+                               .title = "Onggi"});
     if (!view) return view.error();
+    for (const std::string& line : settings->remarks)
+        remark(line);
+    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
+    if (const std::string lack = screens::missing_fonts(); !lack.empty()) remark(lack);
 
     const jobs::RealTimeRequest real_time{.core = core};
     const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
-    haptic::HapticState start;
+    const double wanted_hz = settings->config.haptics.rate_hz;
+    const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters;
-    parameters.clay.rate_hz = is_real_time ? kRealTimeRateHz : kPlainRateHz;
+    parameters.set_rate_hz(wanted_hz > 0.0 ? wanted_hz : is_real_time ? kRealTimeRateHz : kPlainRateHz);
+    parameters.studio.forgiving = settings->config.visit.forgiving;
     auto device = std::make_unique<haptics::SimulatedDevice>();
     haptics::SimulatedDevice& hand = *device;
-    hand.set_target(KioskInput().target());
+    hand.set_target({.position_mm = {170.0, 220.0, 120.0}});
     parameters.safety = haptics::limits_for(device->capabilities());
-    const double height_mm = start.clay.height_mm();
+    auto devices = HandDevices::make(settings->config.haptics.devices ? options.device : "mouse",
+                                     std::move(device), false);
+    if (!devices) return devices.error();
     haptic::HapticJobOptions job_options;
     job_options.real_time = real_time;
-    haptic::HapticJob job(std::move(start), parameters, std::move(device), job_options);
+    haptic::HapticJob job(start, parameters, devices->take(), job_options);
+    const std::string& wanted = settings->config.staff.statistics_folder;
+    const std::filesystem::path statistics =
+        wanted.empty() ? std::filesystem::path(settings->config.gallery.folder) / "statistics"
+                       : std::filesystem::path(wanted);
+    KioskKeeper keeper(job, start, parameters, Gallery(settings->config), statistics);
+    note_end_signals(settings->rules.locked);
     if (auto started = job.start(); !started) return started;
-    auto played = Kiosk(**view, job, hand, parameters, height_mm).run();
+    if (auto started = keeper.start(); !started) return started;
+    const StopGuard stop_guard(job);
+    for (const std::string& line : job.refusals())
+        remark(line);
+    const std::optional<haptics::Gesture> shown = demonstration();
+    Result<void> played;
+    {
+        KioskVisit visit({.view = **view,
+                          .job = job,
+                          .hand = hand,
+                          .devices = *devices,
+                          .keeper = keeper,
+                          .settings = *settings,
+                          .demonstration = shown,
+                          .rate_hz = parameters.rate_hz()});
+        played = visit.start();
+        if (played) played = run_visits(visit, job, options.volume);
+    }
+    keeper.stop();
     job.stop();
     return played;
 }
@@ -186,11 +144,25 @@ Result<void> open_kiosk(const KioskOptions& options) {
 }  // namespace
 
 void add_kiosk_command(CLI::App& program, int& exit_status) {
-    CLI::App* command = program.add_subcommand("kiosk", "the wheel in a window; also what onggi does alone");
+    CLI::App* command =
+        program.add_subcommand("kiosk", "the experience, in a window; also what onggi does alone");
     const auto options = std::make_shared<KioskOptions>();
     add_size_option(*command, options->size);
     command->add_flag("--full-screen", options->full_screen, "fill the primary screen");
+    command
+        ->add_option("--config", options->config, "settings of this kiosk (assets/kiosk.toml shows them all)")
+        ->type_name("FILE.toml");
+    command->add_option("--gallery", options->gallery, "where pots are saved, whatever the settings say")
+        ->type_name("FOLDER");
+    add_device_option(*command, options->device);
+    add_volume_option(*command, options->volume);
     command->callback([options, &exit_status] {
+        if (options->device != "mouse") {
+            if (const auto end = supervise_devices()) {
+                exit_status = *end;
+                return;
+            }
+        }
         const auto done = open_kiosk(*options);
         exit_status = done ? 0 : report(done.error());
     });

@@ -11,7 +11,11 @@
 #include "engine/files/atomic_file.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
+#include "game/app/end_signal.h"
+#include "game/app/hand_devices.h"
 #include "game/app/haptic_core.h"
+#include "game/app/haptic_guard.h"
+#include "game/app/kiosk_sound.h"
 #include "game/app/options.h"
 #include "game/app/performance.h"
 #include "game/app/progress.h"
@@ -30,6 +34,8 @@ struct LiveOptions {
     InputOptions input;
     std::optional<double> seconds;
     std::string wait = "hybrid";
+    std::string device = "gesture";
+    std::optional<double> volume;
     bool headless = false;
     PictureSize size;
     std::optional<std::string> stats;
@@ -37,10 +43,12 @@ struct LiveOptions {
 
 Result<FrameOutcome> show(wheel::LiveView& view, const wheel::PotView& pot) {
     static_cast<void>(view.poll_events());  // a live run is watched, not played: only closing means something
-    if (view.close_requested()) return FrameOutcome::kClosed;
+    if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
     const auto drawn = view.draw(pot);
     if (!drawn) return drawn.error();
     if (auto done = view.wait(); !done) return done.error();
+    for (const std::string& line : view.take_remarks())
+        remark(line);
     return *drawn ? FrameOutcome::kDrawn : FrameOutcome::kNotShown;
 }
 
@@ -62,24 +70,34 @@ Result<void> play(const LiveOptions& options) {
     auto view = wheel::LiveView::open({.width = options.size.width,
                                        .height = options.size.height,
                                        .headless = options.headless,
+                                       .draw_threads = draw_threads(core),
                                        .title = "Onggi"});
     if (!view) return view.error();
+    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
 
-    const double rate_hz = performance->start.parameters.clay.rate_hz;
-    const double height_mm = performance->start.state.clay.height_mm();
+    auto devices =
+        HandDevices::make(options.device, std::make_unique<RecordedHand>(std::move(performance->hand)), true);
+    if (!devices) return devices.error();
+    const double rate_hz = performance->start.parameters.rate_hz();
     const double seconds = options.seconds.value_or(static_cast<double>(performance->tick_count) / rate_hz);
     Progress progress("playing", static_cast<std::uint64_t>(seconds * kFrameRateHz));
     std::uint64_t frame = 0;
+    note_end_signals();
+    KioskSound sound(options.volume.value_or(0.0));
     const auto report =
         run_live({.start = std::move(performance->start),
-                  .hand = std::move(performance->hand),
+                  .hand = devices->take(),
                   .tick_count = performance->tick_count,
                   .seconds = options.seconds,
                   .wait = options.wait == "sleep" ? jobs::WaitMode::kSleep : jobs::WaitMode::kHybrid,
                   .real_time = {.core = core}},
                  [&](const haptic::Snapshot& snapshot) {
                      progress.reached_rarely(frame++);
-                     return show(**view, pot_view(snapshot, height_mm));
+                     sound.hear(snapshot);
+                     if (const std::string line = sound.news(); !line.empty()) remark(line);
+                     for (const std::string& line : devices->news())
+                         remark(line);
+                     return show(**view, pot_view(snapshot));
                  });
     if (!report) return report.error();
     say_what_is_lacking(report->real_time);
@@ -99,7 +117,7 @@ nlohmann::ordered_json live_stats(const LiveReport& report) {
     constexpr double kNsPerMs = 1e6;
     const bool pinned = report.real_time.pinning.grant == jobs::Grant::kGranted;
     nlohmann::ordered_json stats =
-        common_stats(report.ticks.ticks, report.ticks.tick_ns, report.rate_hz, report.clay);
+        common_stats(report.ticks.ticks, report.ticks.tick_ns, report.rate_hz, report.state);
     stats["missed_deadlines"] = report.ticks.missed_deadlines();
     stats["skipped_periods"] = report.ticks.skipped_periods;
     stats["wake_latency_us"] = percentiles(report.ticks.wake_latency_ns, kNsPerUs);
@@ -112,6 +130,11 @@ nlohmann::ordered_json live_stats(const LiveReport& report) {
     stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
     stats["lumps"] = report.lumps;
     stats["dropped_records"] = report.dropped_records;
+    stats["safety"] = {
+        {"late_periods", report.safety.late_periods}, {"gain", report.safety.gain},
+        {"faults", report.safety.fault_count},        {"silences", report.safety.silences},
+        {"energy_taken_mj", report.safety.taken_mj},  {"energy_given_mj", report.safety.given_mj},
+        {"mean_force_n", report.safety.mean_force_n}};
     return stats;
 }
 
@@ -120,17 +143,27 @@ void add_live_command(CLI::App& program, int& exit_status) {
         program.add_subcommand("live", "play a gesture or session in real time, with its picture");
     const auto options = std::make_shared<LiveOptions>();
     add_input_file(*command, options->input);
+    add_clay_options(*command, options->input);
     add_rate_option(*command, options->input);
     add_number_option(*command, "--seconds", options->seconds, kLeastSeconds, kMostSeconds,
                       "how long; past its end the gesture starts again on a fresh lump");
     command->add_option("--wait", options->wait, "how the haptic loop waits: hybrid or sleep (hybrid)")
         ->type_name("hybrid|sleep")
         ->check(CLI::Validator(check_wait, ""));
+    add_device_option(*command, options->device, "gesture");
+    add_number_option(*command, "--volume", options->volume, 0.0, 1.0,
+                      "how loud the wheel is heard, 0 to 1 (0)");
     command->add_flag("--headless", options->headless, "draw without a window or display");
     add_size_option(*command, options->size);
     command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
         ->type_name("F.json");
     command->callback([options, &exit_status] {
+        if (options->device != "gesture") {
+            if (const auto end = supervise_devices()) {
+                exit_status = *end;
+                return;
+            }
+        }
         const auto done = play(*options);
         exit_status = done ? 0 : report(done.error());
     });

@@ -6,6 +6,7 @@
 
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
+#include "game/app/haptic_guard.h"
 
 namespace onggi::app {
 namespace {
@@ -17,7 +18,7 @@ haptic::HapticJobOptions job_options(const LiveRun& run) {
     options.run_ticks = run.tick_count;
     options.repeat = run.seconds.has_value();
     if (run.seconds) {
-        const double periods = std::round(*run.seconds * run.start.parameters.clay.rate_hz);
+        const double periods = std::round(*run.seconds * run.start.parameters.rate_hz());
         options.end_periods = static_cast<std::uint64_t>(std::max(1.0, periods));
     }
     return options;
@@ -36,10 +37,11 @@ void pass_over_records(haptic::HapticJob& job) {
 
 Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
     const haptic::HapticJobOptions options = job_options(run);
-    const double rate_hz = run.start.parameters.clay.rate_hz;
+    const double rate_hz = run.start.parameters.rate_hz();
     run.start.parameters.safety = haptics::limits_for(run.hand->capabilities());
     haptic::HapticJob job(std::move(run.start.state), run.start.parameters, std::move(run.hand), options);
     if (auto started = job.start(); !started) return started.error();
+    const StopGuard stop_guard(job);
 
     LiveReport report;
     jobs::MonotonicClock clock;
@@ -63,7 +65,8 @@ Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
     report.frame_interval_ns = pacer.interval_ns();
     report.lumps = job.runs();
     report.dropped_records = job.dropped_records();
-    report.clay = job.state().clay;
+    report.state = job.state();
+    report.safety = job.newest_snapshot().safety;
     return report;
 }
 

@@ -11,7 +11,6 @@
 #include "engine/haptics/haptic_device.h"
 #include "engine/jobs/fixed_rate_job.h"
 #include "engine/jobs/histogram.h"
-#include "game/clay/paper_clay.h"
 #include "game/haptic/job.h"
 #include "game/haptic/start_state.h"
 
@@ -46,7 +45,8 @@ struct LiveReport {
     jobs::Histogram frame_interval_ns;  // from the start of a frame to the start of the next
     std::uint64_t lumps = 0;            // how many were begun
     std::uint64_t dropped_records = 0;
-    clay::PaperClay clay;  // at the end
+    haptic::SafetyReport safety;
+    haptic::HapticState state;  // at the end
 };
 
 // Errors: the device's or the thread's (see HapticJob::start), or the first that `draw` returned.

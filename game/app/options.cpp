@@ -4,11 +4,16 @@
 
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/core/quote.h"
 #include "engine/haptics/gesture.h"
 #include "game/clay/paper_clay.h"
+#include "game/clay/studio/lump.h"
+#include "game/share/studio_export.h"
 
 namespace onggi::app {
 namespace {
@@ -40,7 +45,34 @@ CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::option
     return command.add_option(name, read, description)->type_name(kind);
 }
 
+// An option whose value is one of a few words.
+template <typename T>
+CLI::Option* add_choice(CLI::App& command, const std::string& name,
+                        const std::vector<std::pair<std::string, T>>& words, std::function<void(T)> take,
+                        const std::string& description) {
+    std::string kind;
+    for (const auto& [word, value] : words)
+        kind += (kind.empty() ? "" : "|") + word;
+    const auto read = [words, take = std::move(take), name, kind](const CLI::results_t& given) {
+        for (const auto& [word, value] : words) {
+            if (word != given.at(0)) continue;
+            take(value);
+            return true;
+        }
+        throw CLI::ValidationError(name, fmt::format("expected {}, found {}", kind, in_quotes(given.at(0))));
+    };
+    return command.add_option(name, read, description)->type_name(kind);
+}
+
 }  // namespace
+
+std::optional<clay::ClayBody> clay_body_named(std::string_view name) {
+    for (const clay::ClayBody body :
+         {clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware}) {
+        if (share::name_of(body) == name) return body;
+    }
+    return std::nullopt;
+}
 
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, std::optional<double>& number,
                                double least, double most, const std::string& description) {
@@ -58,7 +90,19 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "within\n"
         "+-1000) is linear between rows; button (0 the wheel stands, 1 it turns) and tool radius (2 to 40) "
         "hold from\n"
-        "their row on. More columns may follow to the right.");
+        "their row on. More columns may follow to the right; to the studio clay some of them speak. An "
+        "empty\n"
+        "field is as without the column:\n"
+        "  tool             hand, rib, sponge or trimmer\n"
+        "  side             auto, outer, inner or rim: where a hand that comes to the clay means to be\n"
+        "  water            0 dry to 1 dripping: hands that slide, a sponge that gives\n"
+        "  wheel_rev_min    0 to 300: speed while the button is 1 (120)\n"
+        "  assist_gap_mm    0 to 60: between the hand and a second one held opposite; 0 none\n"
+        "  shaft_mm         0 to 40: radius of the arm that holds an inside tool from above\n"
+        "  wire, wire_y_mm  none, rim (cut it level) or off (cut the pot off), and at which height\n"
+        "  hand2_x_mm, hand2_y_mm, hand2_z_mm, and if wanted hand2_radius_mm, hand2_tool: the second hand,\n"
+        "                   absent where its place is empty\n"
+        "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.");
 }
 
 void add_rate_option(CLI::App& command, InputOptions& options) {
@@ -68,15 +112,70 @@ void add_rate_option(CLI::App& command, InputOptions& options) {
 
 void add_clay_options(CLI::App& command, InputOptions& options) {
     const auto known = [](const std::string& name) {
-        return name == "paper"
+        return name == "paper" || name == "studio"
                    ? std::string{}
-                   : fmt::format("expected one of the clays there are (paper), found {}", in_quotes(name));
+                   : fmt::format("expected one of the clays there are (studio, paper), found {}",
+                                 in_quotes(name));
     };
-    command.add_option("--clay", options.clay, "the clay's model, for a gesture: paper")
+    command.add_option("--clay", options.clay, "the clay's model, for a gesture: studio or paper (studio)")
         ->type_name("NAME")
         ->check(CLI::Validator(known, ""));
-    add_bounded(command, "--elements", options.element_count, clay::kMinElements, clay::kMaxElements, "N",
-                "elements of the clay, 100 to 200000, for a gesture (2000)");
+    add_bounded(
+        command, "--elements", options.element_count, clay::kMinElements, clay::kMaxElements, "N",
+        "elements over 200 mm, 100 to 200000, for a gesture (2000); the studio clay takes the nearest "
+        "it can have, 200 to 4000");
+    add_bounded(command, "--clay-mass", options.clay_mass_g, clay::kLeastLumpG, clay::kLargestLumpG, "G",
+                "mass of a studio lump in grams, 100 to 5000, for a gesture (1000)");
+    command
+        .add_option("--body", options.body,
+                    "body of a studio lump, for a gesture: stoneware, porcelain or earthenware (stoneware)")
+        ->type_name("NAME")
+        ->check(CLI::Validator(
+            [](const std::string& name) {
+                return clay_body_named(name) ? std::string{}
+                                             : fmt::format(
+                                                   "expected stoneware, porcelain or earthenware, "
+                                                   "found {}",
+                                                   in_quotes(name));
+            },
+            ""));
+    const auto known_wheel = [](const std::string& name) {
+        return name == "electric" || name == "kick"
+                   ? std::string{}
+                   : fmt::format("expected one of the wheels there are (electric, kick), found {}",
+                                 in_quotes(name));
+    };
+    command.add_option("--wheel", options.wheel, "under the studio clay: electric or kick (electric)")
+        ->type_name("NAME")
+        ->check(CLI::Validator(known_wheel, ""));
+    command.add_flag("--forgiving", options.forgiving,
+                     "the wheel slows by itself before the studio clay gives way");
+}
+
+void add_start_pot_options(CLI::App& command, StartPot& options) {
+    CLI::Option* on =
+        command.add_option("--on", options.on, "throw a gesture on the pot that this session left")
+            ->type_name("SESSION.onggi");
+    CLI::Option* join = command
+                            .add_option("--join", options.joined,
+                                        "turn the pot that this session left upside down and join it to "
+                                        "that one, rim to rim; its floor is cut out")
+                            ->type_name("SESSION.onggi")
+                            ->needs(on);
+    constexpr double kWidestMouthMm = 290.0;
+    add_number_option(command, "--mouth", options.mouth_mm, 1.0, kWidestMouthMm,
+                      "cut the joined pot open this wide inside, mm (as wide as its floor was)")
+        ->needs(join);
+}
+
+void add_firing_option(CLI::App& command, clay::Firing& stage) {
+    std::vector<std::pair<std::string, clay::Firing>> stages;
+    for (const clay::Firing known :
+         {clay::Firing::kWet, clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze})
+        stages.emplace_back(share::name_of(known), known);
+    add_choice<clay::Firing>(
+        command, "--fired", stages, [&stage](clay::Firing chosen) { stage = chosen; },
+        "the stage that --export and --screenshot show: wet, dry, bisque or glaze (wet)");
 }
 
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
@@ -96,6 +195,18 @@ CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
         return true;
     };
     return command.add_option("--size", read, "the picture's size in pixels (1280x720)")->type_name("WxH");
+}
+
+void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* picture) {
+    add_choice<wheel::StillView>(
+        command, "--view",
+        {{"throw", wheel::StillView::kThrowing},
+         {"look-in", wheel::StillView::kLookingIn},
+         {"portrait", wheel::StillView::kPortrait},
+         {"cutaway", wheel::StillView::kCutaway}},
+        [&view](wheel::StillView chosen) { view = chosen; },
+        "what the picture shows: pot and hands, into the pot, the pot alone, its section")
+        ->needs(picture);
 }
 
 }  // namespace onggi::app

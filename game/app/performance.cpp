@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/core/quote.h"
 #include "engine/files/read_file.h"
 #include "engine/haptics/gesture.h"
+#include "game/app/start_pot.h"
 
 namespace onggi::app {
 namespace {
@@ -22,7 +24,18 @@ Result<void> check_brings_its_own(const InputOptions& options) {
     if (options.rate_hz) return refused("--rate");
     if (options.clay) return refused("--clay");
     if (options.element_count) return refused("--elements");
+    if (options.clay_mass_g) return refused("--clay-mass");
+    if (options.body) return refused("--body");
+    if (options.start.on) return refused("--on");
+    if (options.wheel) return refused("--wheel");
+    if (options.forgiving) return refused("--forgiving");
     return {};
+}
+
+std::string clay_of(const record::SessionHeader& header) {
+    return fmt::format("{} clay of {} elements and {} sectors",
+                       header.clay_model == record::ClayModel::kPaper ? "paper" : "studio",
+                       header.element_count, header.sector_count);
 }
 
 Result<LoadedSession> session_in_file(const std::string& file) {
@@ -31,19 +44,15 @@ Result<LoadedSession> session_in_file(const std::string& file) {
     auto session = record::parse_session(std::move(bytes).value(), file);
     if (!session) return session.error();
     const record::SessionHeader& header = session->header();
-    if (header.clay_model != record::ClayModel::kPaper || header.sector_count != 1) {
-        return bad_input(fmt::format("{}: expected a session of the paper clay, found one of another clay",
-                                     shown_path(file)));
-    }
     auto start = haptic::start_from_bytes(session->start_state(), header.rate_hz);
     if (!start) {
         return Error{start.error().kind, fmt::format("{}: {}", shown_path(file), start.error().message)};
     }
-    const auto elements = static_cast<std::uint32_t>(start->state.clay.element_count());
-    if (elements != header.element_count) {
-        return bad_input(
-            fmt::format("{}: expected {} elements as the header says, found {} in the start state",
-                        shown_path(file), header.element_count, elements));
+    record::SessionHeader of_start = haptic::session_header(*start);
+    of_start.start_state_hash = header.start_state_hash;  // a replay compares that one
+    if (of_start != header) {
+        return bad_input(fmt::format("{}: expected {} as the header says, found {} in the start state",
+                                     shown_path(file), clay_of(header), clay_of(of_start)));
     }
     return LoadedSession{std::move(session).value(), std::move(start).value()};
 }
@@ -65,19 +74,52 @@ Result<Performance> performance_of_gesture(const InputOptions& options) {
     if (!text) return text.error();
     auto gesture = haptics::parse_gesture(*text, options.file);
     if (!gesture) return gesture.error();
-    const clay::PaperLump usual;
+    auto start = fresh_start(options);
+    if (!start) return start.error();
     Performance performance;
-    performance.start.parameters.clay.rate_hz =
-        options.rate_hz.value_or(performance.start.parameters.clay.rate_hz);
-    performance.start.state = haptic::HapticState(
-        clay::PaperClay({.element_count = options.element_count.value_or(usual.element_count)}));
-    const double rate_hz = performance.start.parameters.clay.rate_hz;
+    performance.start = std::move(start).value();
+    const double rate_hz = performance.start.parameters.rate_hz();
     performance.tick_count = gesture->tick_count(rate_hz);
     performance.hand = std::make_unique<haptics::GesturePlayer>(std::move(gesture).value(), rate_hz);
     return performance;
 }
 
 }  // namespace
+
+Result<haptic::Start> fresh_start(const InputOptions& options) {
+    haptic::Start start;
+    start.parameters.set_rate_hz(options.rate_hz.value_or(start.parameters.rate_hz()));
+    if (options.clay == "paper") {
+        const auto refused = [](std::string_view option) {
+            return bad_input(fmt::format("{}: expected the studio clay, found --clay paper", option));
+        };
+        if (options.clay_mass_g) return refused("--clay-mass");
+        if (options.wheel) return refused("--wheel");
+        if (options.forgiving) return refused("--forgiving");
+        if (options.body) return refused("--body");
+        if (options.start.on) return refused("--on");
+        const clay::PaperLump usual;
+        start.state = haptic::HapticState(
+            clay::PaperClay({.element_count = options.element_count.value_or(usual.element_count)}));
+        return start;
+    }
+    if (options.wheel == "kick") start.parameters.studio.wheel = clay::studio::kick_wheel();
+    start.parameters.studio.forgiving = options.forgiving;
+    if (options.start.on && (options.clay_mass_g || options.body || options.element_count))
+        return bad_input("--on: expected no --clay-mass, --body or --elements: the pot brings its own");
+    auto pot = start_pot(options.start);
+    if (!pot) return pot.error();
+    if (*pot) {
+        start.state = haptic::HapticState(std::move(**pot));
+        return start;
+    }
+    clay::StudioLump lump;
+    lump.mass_g = options.clay_mass_g.value_or(lump.mass_g);
+    if (options.body) lump.body = clay_body_named(*options.body).value_or(lump.body);
+    lump.rings = std::clamp(options.element_count.value_or(lump.rings), clay::kFewestRings, clay::kMostRings);
+    start.state = haptic::HapticState(clay::StudioClay(lump));
+    return start;
+}
 
 Result<Performance> load_performance(const InputOptions& options) {
     const auto start = files::read_file_start(options.file, kStartBytes);
@@ -104,14 +146,6 @@ std::optional<std::string> remark_on_cut(const record::Session& session, const s
         "{}: cut short: expected the end marker, found the end of the file at byte {}; plays {} "
         "ticks, up to the last whole block at byte {}",
         shown_path(file), session.file_bytes(), session.tick_count(), session.usable_bytes());
-}
-
-record::SessionHeader session_header(const haptic::Start& start) {
-    return {.rate_hz = start.parameters.clay.rate_hz,
-            .element_count = static_cast<std::uint32_t>(start.state.clay.element_count()),
-            .sector_count = 1,
-            .clay_model = record::ClayModel::kPaper,
-            .start_state_hash = start.state.hash()};
 }
 
 }  // namespace onggi::app

@@ -26,6 +26,10 @@ struct Performance {
 // Bad input: what the parsers refuse; a rate or a clay given with a session, which brings its own.
 [[nodiscard]] Result<Performance> load_performance(const InputOptions& options);
 
+// The lump and the parameters that these options ask for, whatever their file. Bad input: an option that the
+// clay does not have.
+[[nodiscard]] Result<haptic::Start> fresh_start(const InputOptions& options);
+
 // A session and its start, for a replay that compares.
 struct LoadedSession {
     record::Session session;
@@ -36,8 +40,5 @@ struct LoadedSession {
 // "FILE: cut short ..." for a session that does not end with its end marker.
 [[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
                                                        const std::string& file);
-
-// The header and the start state with which a recording of this performance begins.
-[[nodiscard]] record::SessionHeader session_header(const haptic::Start& start);
 
 }  // namespace onggi::app

@@ -9,8 +9,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "engine/haptics/hid/hid_list.h"
+#include "engine/files/asset_folder.h"
 #include "engine/window/window.h"
+#include "game/wheel/workshop_files.h"
 
 namespace onggi::app {
 namespace {
@@ -58,6 +59,30 @@ Finding probe_display() {
             .remedy = "start from a desktop session, or set DISPLAY to a running X server"};
 }
 
+Finding probe_workshop() {
+    const Finding lacking{
+        .subject = "workshop",
+        .verdict = Verdict::kLacking,
+        .cost = "the wheel stands before a plain wall instead of in its workshop",
+        .remedy = "install the program with its share/onggi folder, or name one by ONGGI_ASSETS"};
+    const auto without = [&](const std::string& why) {
+        Finding finding = lacking;
+        finding.found = why;
+        return finding;
+    };
+    const auto folder = files::find_asset("workshop");
+    if (!folder) return without(folder.error().message);
+    const auto workshop = wheel::load_workshop(*folder);
+    if (!workshop) return without(workshop.error().message);
+    for (const wheel::PlateCamera& camera : workshop->cameras) {
+        const auto plate = wheel::load_plate(*workshop, camera);
+        if (!plate) return without(plate.error().message);
+    }
+    return {.subject = "workshop",
+            .found = fmt::format("{} cameras with their plates in {}", workshop->cameras.size(),
+                                 folder->string())};
+}
+
 Finding probe_disk(const fs::path& folder) {
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
@@ -102,30 +127,6 @@ Finding probe_fonts(const std::vector<fs::path>& folders) {
             .verdict = Verdict::kNote,
             .found = fmt::format("without {} (packages {}); this version draws no text and misses none",
                                  fmt::join(missing, ", "), fmt::join(packages, ", "))};
-}
-
-std::vector<Finding> probe_haptic_devices() {
-    std::vector<Finding> findings{
-        {.subject = "device", .found = "simulated tool: mouse or touch, always there"}};
-    const auto devices = haptics::list_hid_devices();
-    if (!devices) {
-        findings.push_back({.subject = "device",
-                            .verdict = Verdict::kLacking,
-                            .found = devices.error().message,
-                            .cost = "HID devices cannot be seen",
-                            .remedy = "check that /sys/class/hidraw can be read"});
-        return findings;
-    }
-    for (const haptics::HidDeviceInfo& device : *devices) {
-        const std::string name =
-            fmt::format("{} {:04x}:{:04x} {}", device.path, device.vendor_id, device.product_id,
-                        device.name.empty() ? "(no name)" : device.name);
-        findings.push_back({.subject = "device",
-                            .verdict = Verdict::kNote,
-                            .found = name + (device.may_open ? ": seen; this version drives no HID device"
-                                                             : ": seen; may not be opened by this user")});
-    }
-    return findings;
 }
 
 }  // namespace onggi::app

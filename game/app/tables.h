@@ -4,19 +4,21 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
-#include "game/clay/paper_clay.h"
+#include "game/haptic/tick.h"
 
 namespace onggi::app {
 
-// y_mm,outer_mm: one row an element, bottom first; y is the element's middle.
-[[nodiscard]] std::string profile_table(const clay::PaperClay& clay);
+// y_mm,outer_mm, and of the studio's clay inner_mm (0 where it is solid): one row an element or ring, bottom
+// first; y is its middle.
+[[nodiscard]] std::string profile_table(const haptic::HapticState& state);
 
-constexpr std::string_view kForcesHeader =
-    "tick,t_s,contacts,fs_x_N,fs_y_N,fs_z_N,fv_x_N,fv_y_N,fv_z_N,ff_x_N,ff_y_N,ff_z_N\n";
-// Appends the row of one tick.
+// The header line of the forces, with its end: of the first hand; of the studio's clay also its side (free,
+// outer, inner or rim), how many rings the second hand or the assist touches, the wheel's speed, the hands'
+// friction on it, and the largest load index.
+[[nodiscard]] std::string forces_header(const haptic::HapticState& state);
+// Appends the row of one tick; `state` is the one after it.
 void append_forces_row(std::string& table, std::uint64_t tick, double rate_hz,
-                       const clay::ContactForces& forces);
+                       const haptic::TickResult& result, const haptic::HapticState& state);
 
 }  // namespace onggi::app

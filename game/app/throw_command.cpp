@@ -1,7 +1,9 @@
 #include "game/app/throw_command.h"
 
 #include <chrono>
+#include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "game/app/command_line.h"
 #include "game/app/performance.h"
@@ -14,20 +16,29 @@ namespace {
 struct ThrowOptions {
     InputOptions input;
     ThrowOutputs outputs;
+    std::optional<std::string> target;
 };
 
-Result<void> throw_pot(const ThrowOptions& options) {
-    if (auto outputs = check_outputs(options.outputs); !outputs) return outputs;
+Result<std::string> throw_pot(ThrowOptions options) {
+    auto target = find_target_choice(options.target);
+    if (!target) return target.error();
+    options.outputs.target = std::move(target).value();
+    if (auto outputs = check_outputs(options.outputs); !outputs) return outputs.error();
     auto performance = load_performance(options.input);
     if (!performance) return performance.error();
     if (performance->remark) remark(*performance->remark);
+    if (performance->start.state.studio() == nullptr) {
+        if (options.target) return bad_input("--target: expected the studio clay, found the paper's");
+        if (options.outputs.stage != clay::Firing::kWet)
+            return bad_input("--fired: expected the studio clay, found the paper's, which is never fired");
+    }
     auto writer = OutputWriter::create(options.outputs, performance->start);
     if (!writer) return writer.error();
 
     haptic::HapticState& state = performance->start.state;
     const haptic::HapticParameters& parameters = performance->start.parameters;
     haptics::HapticDevice& hand = *performance->hand;
-    if (auto opened = hand.open(); !opened) return opened;
+    if (auto opened = hand.open(); !opened) return opened.error();
     jobs::Histogram tick_ns;
     haptic::TickResult last;
     {
@@ -39,7 +50,7 @@ Result<void> throw_pot(const ThrowOptions& options) {
             const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - before;
             tick_ns.record(took.count());
             hand.write(last.limited_force_n);
-            if (auto added = writer->add_tick(state, last); !added) return added;
+            if (auto added = writer->add_tick(state, last); !added) return added.error();
             progress.reached(tick);
         }
     }
@@ -56,6 +67,7 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     add_input_file(*command, options->input);
     add_clay_options(*command, options->input);
     add_rate_option(*command, options->input);
+    add_start_pot_options(*command, options->input.start);
     const auto add_output = [&](const char* name, std::optional<std::string>& place, const char* kind,
                                 const char* description) {
         return command->add_option(name, place, description)->type_name(kind);
@@ -67,11 +79,17 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     CLI::Option* screenshot =
         add_output("--screenshot", outputs.screenshot, "F.png", "a picture; needs Vulkan");
     add_size_option(*command, outputs.size)->needs(screenshot);
+    command->add_flag("--beauty", outputs.beauty, "the picture as the mean of many: finer, and slower")
+        ->needs(screenshot);
+    add_view_option(*command, outputs.view, screenshot);
+    add_firing_option(*command, outputs.stage);
+    add_target_option(*command, options->target);
     add_output("--save", outputs.session, "F.onggi", "the session, for replay");
     add_output("--stats", outputs.stats, "F.json", "what the ticks cost");
     command->callback([options, &exit_status] {
-        const auto done = throw_pot(*options);
-        exit_status = done ? 0 : report(done.error());
+        const auto said = throw_pot(*options);
+        if (said) std::fputs(said->c_str(), stdout);
+        exit_status = said ? 0 : report(said.error());
     });
 }
 

@@ -10,9 +10,10 @@
 #include "engine/asset/image.h"
 #include "engine/core/quote.h"
 #include "game/app/performance.h"
+#include "game/app/snapshot_view.h"
 #include "game/app/stats.h"
 #include "game/app/tables.h"
-#include "game/share/export.h"
+#include "game/share/studio_export.h"
 #include "game/wheel/still.h"
 
 namespace onggi::app {
@@ -29,29 +30,35 @@ Result<void> check_endings(const ThrowOutputs& outputs) {
     return {};
 }
 
-Result<std::vector<std::byte>> model_bytes(const std::string& place, const clay::PaperClay& clay) {
+Result<std::vector<std::byte>> model_for(const std::string& place, const haptic::HapticState& state,
+                                         clay::Firing stage) {
     const auto kind = share::export_kind_of(place);
     if (!kind) return kind.error();
-    return share::export_pot({.height_mm = clay.height_mm(), .radii_mm = clay.radii_mm()}, *kind);
+    return model_bytes(state, *kind, stage);
 }
 
-Result<std::vector<std::byte>> picture_bytes(const PictureSize& size, const haptic::HapticState& state,
-                                             const haptic::TickResult& last) {
-    const auto& heading = state.wheel.heading();
-    const auto image = wheel::render_still({.radii_mm = state.clay.radii_mm(),
-                                            .height_mm = state.clay.height_mm(),
-                                            .tool_position_mm = state.tool.position_mm,
-                                            .tool_radius_mm = state.tool.radius_mm,
-                                            .tool_shown = true,
-                                            .wheel_direction = {heading.cosine, heading.sine},
-                                            .wheel_turning = state.tool.wheel_button,
-                                            .contacts = last.forces.contacts},
-                                           size.width, size.height);
+Result<std::vector<std::byte>> picture_bytes(const ThrowOutputs& outputs, const haptic::HapticState& state,
+                                             const haptic::TickResult& last,
+                                             const haptic::HapticParameters& parameters,
+                                             const haptic::PotShape& shape) {
+    haptic::Snapshot snapshot;
+    haptic::fill_snapshot(snapshot, state, last, parameters);
+    snapshot.shape = &shape;
+    wheel::PotView pot = pot_view(snapshot);
+    pot.stage = outputs.stage;
+    const auto image = wheel::render_still(pot, outputs.size.width, outputs.size.height,
+                                           {.view = outputs.view, .beauty = outputs.beauty});
     if (!image) return image.error();
     return asset::encode_png(*image);
 }
 
 }  // namespace
+
+Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, share::ExportKind kind,
+                                           clay::Firing stage) {
+    if (const clay::StudioClay* studio = state.studio()) return share::export_pot(*studio, stage, kind);
+    return share::export_pot({.height_mm = state.height_mm(), .radii_mm = state.paper()->radii_mm()}, kind);
+}
 
 Result<void> check_outputs(const ThrowOutputs& outputs) {
     if (auto endings = check_endings(outputs); !endings) return endings;
@@ -73,16 +80,16 @@ Result<void> check_outputs(const ThrowOutputs& outputs) {
 }
 
 Result<OutputWriter> OutputWriter::create(const ThrowOutputs& outputs, const haptic::Start& start) {
-    OutputWriter writer(outputs, start.parameters.clay.rate_hz);
+    OutputWriter writer(outputs, start.parameters);
     if (outputs.forces) {
         auto file = files::AtomicFile::create(*outputs.forces);
         if (!file) return file.error();
-        if (auto written = file->write(kForcesHeader); !written) return written.error();
+        if (auto written = file->write(forces_header(start.state)); !written) return written.error();
         writer.forces_.emplace(std::move(file).value());
     }
     if (outputs.session) {
         auto session =
-            record::SessionWriter::create(*outputs.session, session_header(start),
+            record::SessionWriter::create(*outputs.session, haptic::session_header(start),
                                           haptic::start_state_bytes(start.state, start.parameters));
         if (!session) return session.error();
         writer.session_.emplace(std::move(session).value());
@@ -93,7 +100,7 @@ Result<OutputWriter> OutputWriter::create(const ThrowOutputs& outputs, const hap
 Result<void> OutputWriter::add_tick(const haptic::HapticState& state, const haptic::TickResult& result) {
     if (forces_) {
         row_.clear();
-        append_forces_row(row_, tick_, rate_hz_, result.forces);
+        append_forces_row(row_, tick_, parameters_.rate_hz(), result, state);
         if (auto written = forces_->write(row_); !written) return written;
     }
     ++tick_;
@@ -117,16 +124,24 @@ Result<void> OutputWriter::prepare_text(const std::string& place, std::string_vi
     return prepare(place, std::vector<std::byte>(bytes.begin(), bytes.end()));
 }
 
-Result<void> OutputWriter::finish(const haptic::HapticState& state, const haptic::TickResult& last,
-                                  const jobs::Histogram& tick_ns) {
+Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const haptic::TickResult& last,
+                                         const jobs::Histogram& tick_ns) {
     Result<void> done;
+    const haptic::PotShape shape = haptic::first_shape(state);
     // The picture first: it is what may be missing its device.
-    if (outputs_.screenshot) done = prepare(*outputs_.screenshot, picture_bytes(outputs_.size, state, last));
-    if (done && outputs_.model) done = prepare(*outputs_.model, model_bytes(*outputs_.model, state.clay));
-    if (done && outputs_.profile) done = prepare_text(*outputs_.profile, profile_table(state.clay));
+    if (outputs_.screenshot)
+        done = prepare(*outputs_.screenshot, picture_bytes(outputs_, state, last, parameters_, shape));
+    if (done && outputs_.model)
+        done = prepare(*outputs_.model, model_for(*outputs_.model, state, outputs_.stage));
+    if (done && outputs_.profile) done = prepare_text(*outputs_.profile, profile_table(state));
+    const clay::StudioClay* studio = state.studio();
+    std::optional<TargetScore> target;
+    if (outputs_.target && studio != nullptr && studio->ring_count() > 0)
+        target = score_beside(*outputs_.target, *studio);
     if (done && outputs_.stats) {
-        done =
-            prepare_text(*outputs_.stats, common_stats(tick_, tick_ns, rate_hz_, state.clay).dump(2) + "\n");
+        auto stats = common_stats(tick_, tick_ns, parameters_.rate_hz(), state);
+        if (target) stats["target"] = target->json;
+        done = prepare_text(*outputs_.stats, stats.dump(2) + "\n");
     }
     if (done && forces_) done = forces_->prepare();
     if (done && session_) done = session_->prepare(state.hash());
@@ -135,7 +150,8 @@ Result<void> OutputWriter::finish(const haptic::HapticState& state, const haptic
         done = prepared_[i].commit();
     if (done && forces_) done = forces_->commit();
     if (done && session_) done = session_->commit();
-    return done;
+    if (!done) return done.error();
+    return target ? target->text : std::string();
 }
 
 }  // namespace onggi::app

@@ -1,0 +1,23 @@
+// What there is to hold and feel the clay with, for `onggi devices` and `onggi doctor`. Main thread; may
+// block for some milliseconds; opens nothing and changes nothing.
+#pragma once
+
+#include <vector>
+
+#include "engine/haptics/hid/hid_list.h"
+#include "game/app/finding.h"
+
+namespace onggi::app {
+
+// The simulated tool, which is always there, every HID device - what it can do here, or why it is not used
+// and what would mend that - and every gamepad. Lacking: a device that could be used and is not, or a bus
+// that cannot be seen.
+[[nodiscard]] std::vector<Finding> probe_haptic_devices();
+
+// Whether the wheel can be heard.
+[[nodiscard]] Finding probe_sound();
+
+// One device's line.
+[[nodiscard]] Finding finding_for(const haptics::HidDeviceInfo& device);
+
+}  // namespace onggi::app

@@ -1,0 +1,27 @@
+#include "game/app/haptic_guard.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "engine/haptics/hid/hid_device.h"
+#include "engine/jobs/supervisor.h"
+#include "game/app/command_line.h"
+
+namespace onggi::app {
+
+std::optional<int> supervise_devices() {
+    if (std::getenv("ONGGI_UNSUPERVISED") != nullptr) return std::nullopt;
+    return jobs::supervise([](int signal) {
+        const int count = haptics::let_go_of_all();
+        remark(fmt::format("the program died of signal {}; {} told to let go", signal,
+                           count == 1 ? std::string("1 device was") : fmt::format("{} devices were", count)));
+    });
+}
+
+StopGuard::StopGuard(haptic::HapticJob& job) : key_(haptics::open_stop_keys(), [&job] { job.stop_force(); }) {
+    // Without a thread there is no stop key besides the window's; the loop is no worse than before.
+    if (key_.found() > 0) static_cast<void>(thread_.start(key_, "onggi-stop-key"));
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,145 @@
+#include "game/app/kiosk_gallery.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <ctime>
+
+#include "engine/asset/image.h"
+#include "engine/files/atomic_file.h"
+#include "engine/files/atomic_folder.h"
+#include "game/share/studio_export.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBytesPerMb = 1e6;
+
+// The number in "pot-014"; 0 for any other name.
+int number_of(const std::string& name) {
+    constexpr std::string_view kPrefix = "pot-";
+    int number = 0;
+    if (!name.starts_with(kPrefix)) return 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + kPrefix.size(), end, number);
+    return read.ec == std::errc() && read.ptr == end ? number : 0;
+}
+
+asset::Material gltf_material(const finish::GlazeMaterial& glaze) {
+    return {.name = std::string(glaze.id),
+            .base_colour_linear = dvec3(glaze.colour),
+            .roughness = double{glaze.roughness},
+            .metallic = 0.0,
+            .clearcoat = {.factor = double{glaze.clear_coat}, .roughness = double{glaze.coat_roughness}}};
+}
+
+asset::Image straight(const ui::Painting& painting) {
+    asset::Image image{.width = painting.width, .height = painting.height, .rgba = painting.rgba};
+    for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+        const unsigned alpha = image.rgba[at + 3];
+        for (std::size_t channel = 0; alpha > 0 && channel < 3; ++channel) {
+            const unsigned value = image.rgba[at + channel] * 255U / alpha;
+            image.rgba[at + channel] = static_cast<std::uint8_t>(std::min(255U, value));
+        }
+    }
+    return image;
+}
+
+}  // namespace
+
+std::string today() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
+}
+
+Gallery::Gallery(const kiosk::Config& config)
+    : folder_(config.gallery.folder),
+      most_pots_(config.gallery.most_pots),
+      least_free_mb_(config.gallery.least_free_mb) {
+    files::clear_parts(folder_);
+}
+
+double Gallery::free_mb() const {
+    std::error_code error;
+    const fs::space_info space = fs::space(fs::exists(folder_, error) ? folder_ : fs::path("."), error);
+    return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
+}
+
+std::vector<KeptPot> Gallery::pots() const {
+    std::vector<KeptPot> found;
+    std::error_code error;
+    for (const fs::directory_entry& day : fs::directory_iterator(folder_, error)) {
+        if (!day.is_directory(error)) continue;
+        std::error_code inner;
+        for (const fs::directory_entry& pot : fs::directory_iterator(day.path(), inner)) {
+            if (number_of(pot.path().filename().string()) == 0) continue;
+            found.push_back({pot.path(), (day.path().filename() / pot.path().filename()).string()});
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const KeptPot& a, const KeptPot& b) { return a.name > b.name; });
+    return found;
+}
+
+Result<void> Gallery::remove(const KeptPot& pot) {
+    std::error_code error;
+    fs::remove_all(pot.folder, error);
+    if (error)
+        return system_lacks(
+            fmt::format("{}: expected to remove it, found {}", pot.folder.string(), error.message()));
+    return {};
+}
+
+// The oldest leave first.
+void Gallery::make_room() {
+    std::vector<KeptPot> all = pots();
+    while (all.size() >= static_cast<std::size_t>(most_pots_)) {
+        static_cast<void>(remove(all.back()));
+        all.pop_back();
+    }
+}
+
+Result<int> Gallery::keep(const PotToKeep& pot, const std::string& today) {
+    std::error_code error;
+    fs::create_directories(folder_ / today, error);
+    if (error)
+        return system_lacks(fmt::format("{}: expected a folder to save in, found none: {}",
+                                        (folder_ / today).string(), error.message()));
+    if (const double free = free_mb(); free < least_free_mb_) {
+        return system_lacks(
+            fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
+    }
+    make_room();
+    int number = 1;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / today, error))
+        number = std::max(number, number_of(entry.path().filename().string()) + 1);
+
+    auto folder = files::AtomicFolder::create(folder_ / today / fmt::format("pot-{:03}", number));
+    if (!folder) return folder.error();
+    if (pot.history != nullptr && pot.history->is_whole()) {
+        if (auto saved = pot.history->save(folder->inside() / "pot.onggi"); !saved) return saved.error();
+    }
+    const auto write = [&](const char* name, const Result<std::vector<std::byte>>& bytes) -> Result<void> {
+        if (!bytes) return bytes.error();
+        return files::write_file_atomically(folder->inside() / name, *bytes);
+    };
+    const asset::Material material = gltf_material(*pot.glaze);
+    if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,
+                                                          share::ExportKind::kGlb, &material));
+        !written)
+        return written.error();
+    if (auto written =
+            write("pot.stl", share::export_pot(*pot.clay, clay::Firing::kGlaze, share::ExportKind::kStl));
+        !written)
+        return written.error();
+    if (auto written = write("pot.png", asset::encode_png(straight(pot.portrait))); !written)
+        return written.error();
+    if (auto done = folder->commit(); !done) return done.error();
+    return number;
+}
+
+}  // namespace onggi::app

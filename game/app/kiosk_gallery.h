@@ -1,0 +1,58 @@
+// The day's shelf on the disk: a folder a day, a folder a pot, four files in each. A pot is there whole or
+// not at all. Nothing about the person is stored. Any one thread at a time but the haptic one; blocks.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/ui/painting.h"
+#include "game/clay/studio/studio_clay.h"
+#include "game/finish/glaze.h"
+#include "game/haptic/history.h"
+#include "game/kiosk/config.h"
+
+namespace onggi::app {
+
+// What a pot is kept as. The history is of the clay that was cut off.
+struct PotToKeep {
+    const haptic::History* history = nullptr;
+    const clay::StudioClay* clay = nullptr;
+    const finish::GlazeMaterial* glaze = nullptr;
+    ui::Painting portrait;  // for the PNG
+};
+
+struct KeptPot {
+    std::filesystem::path folder;
+    std::string name;  // "2026-11-21/pot-014"
+};
+
+class Gallery {
+  public:
+    // `today`: the folder of the day, "2026-11-21".
+    explicit Gallery(const kiosk::Config& config);
+
+    // Writes pot.onggi, pot.glb, pot.stl and pot.png; gives the pot's number of the day, from 1. System
+    // lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing is
+    // there.
+    Result<int> keep(const PotToKeep& pot, const std::string& today);
+    // Newest first.
+    [[nodiscard]] std::vector<KeptPot> pots() const;
+    Result<void> remove(const KeptPot& pot);
+    [[nodiscard]] double free_mb() const;
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    void make_room();
+
+    std::filesystem::path folder_;
+    int most_pots_;
+    double least_free_mb_;
+};
+
+// Of the machine's clock, where it stands: "2026-11-21".
+[[nodiscard]] std::string today();
+
+}  // namespace onggi::app

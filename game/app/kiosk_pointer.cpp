@@ -1,0 +1,196 @@
+#include "game/app/kiosk_pointer.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace onggi::app {
+namespace {
+
+using Kind = PointerNews::Kind;
+
+constexpr float kLifePx = 24.0F;  // a mouse that a passing lorry shakes is nobody
+constexpr double kRepeatAfterS = 0.5;
+constexpr double kRepeatEveryS = 0.25;
+constexpr double kCornerS = 5.0;
+constexpr float kCornerU = 80.0F;
+constexpr double kScanEveryS = 1.4;
+
+}  // namespace
+
+void KioskPointer::forget() {
+    focus_ = -1;
+    scans_ = false;
+}
+
+int KioskPointer::target_count() const {
+    return composition_ == nullptr ? 0 : static_cast<int>(composition_->targets.size());
+}
+
+int KioskPointer::target_at(vec2 px) const {
+    for (int i = target_count() - 1; i >= 0; --i) {
+        if (composition_->targets[static_cast<std::size_t>(i)].rect.contains(px / composition_->px_per_u))
+            return i;
+    }
+    return -1;
+}
+
+bool KioskPointer::in_corner(vec2 px) const {
+    if (composition_ == nullptr) return false;
+    const vec2 at = px / composition_->px_per_u;
+    const float x = right_to_left_ ? composition_->bounds.width - at.x : at.x;
+    return x >= 0.0F && x < kCornerU && at.y >= 0.0F && at.y < kCornerU;
+}
+
+void KioskPointer::look_at(const screens::Composition* composition, int screen_key, bool right_to_left) {
+    composition_ = composition;
+    right_to_left_ = right_to_left;
+    if (screen_key == screen_key_) {
+        if (focus_ >= target_count()) focus_ = target_count() - 1;
+        return;
+    }
+    screen_key_ = screen_key;
+    if (focus_ >= 0 || scans_) focus_ = target_count() > 0 ? 0 : -1;
+    scan_is_new_ = true;
+}
+
+void KioskPointer::move_focus(int by) {
+    const int count = target_count();
+    if (count == 0) return;
+    focus_ = focus_ < 0 ? (by > 0 ? 0 : count - 1) : (focus_ + by + count) % count;
+}
+
+void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
+    if (focus_ < 0 || focus_ >= target_count()) return;
+    const screens::Target& target = composition_->targets[static_cast<std::size_t>(focus_)];
+    news.push_back({Kind::kPressed, target.button, target.value, {}});
+}
+
+void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news) {
+    using window::Key;
+    if (!key.pressed) return;
+    news.push_back({.kind = Kind::kLife});
+    const auto nudge = [&](kiosk::Button button) { news.push_back({Kind::kNudged, button, 0, {}}); };
+    switch (key.key) {
+        case Key::kTab:
+        case Key::kRightBracket:
+            scans_ = false;
+            move_focus(1);
+            return;
+        case Key::kLeftBracket:
+            scans_ = false;
+            move_focus(-1);
+            return;
+        case Key::kUp:
+            nudge(kiosk::Button::kHandUp);
+            return;
+        case Key::kDown:
+            nudge(kiosk::Button::kHandDown);
+            return;
+        case Key::kLeft:
+            nudge(kiosk::Button::kHandIn);
+            return;
+        case Key::kRight:
+            nudge(kiosk::Button::kHandOut);
+            return;
+        case Key::kEnter:
+            if (!key.repeat) press_focus(news);
+            return;
+        case Key::kSpace:
+            // One switch is enough: the first press starts the ring on its way, the next takes what it is on.
+            if (key.repeat) return;
+            if (focus_ >= 0) {
+                press_focus(news);
+            } else {
+                scans_ = true;
+                move_focus(1);
+            }
+            scan_s_ = now_s;
+            return;
+        case Key::kEscape:
+        case Key::kQ:
+            if (!key.repeat) news.push_back({.kind = Kind::kCloseAsked});
+            return;
+        case Key::kF:
+        case Key::kF11:
+            if (!key.repeat) news.push_back({.kind = Kind::kFullScreen});
+            return;
+        default:
+            return;
+    }
+}
+
+void KioskPointer::handle(const window::Event& event, double now_s, std::vector<PointerNews>& news) {
+    if (const auto* pointer = std::get_if<window::PointerEvent>(&event)) {
+        at_px_ = vec2(pointer->x_px, pointer->y_px);
+        if (!in_corner(at_px_)) corner_s_.reset();
+        if (!pointer_came_) still_px_ = at_px_;  // where a window finds a mouse that nobody moves
+        pointer_came_ = true;
+        if (glm::length(at_px_ - still_px_) > kLifePx) {
+            still_px_ = at_px_;
+            news.push_back({.kind = Kind::kLife, .at_px = at_px_});
+        }
+        if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
+        if (hand_down_) {
+            news.push_back({.kind = Kind::kHandMoved, .at_px = at_px_});
+        } else if (!button_down_) {
+            news.push_back({.kind = Kind::kHovered, .at_px = at_px_});
+        }
+    } else if (const auto* button = std::get_if<window::ButtonEvent>(&event)) {
+        if (button->button != window::MouseButton::kLeft) return;
+        button_down_ = button->pressed;
+        if (button->pressed) {
+            scans_ = false;
+            focus_ = -1;
+            if (in_corner(at_px_)) corner_s_ = now_s;
+            pressed_ = target_at(at_px_);
+            pressed_over_ = pressed_ >= 0;
+            pressed_key_ = screen_key_;
+            repeat_s_ = now_s + kRepeatAfterS;
+            has_repeated_ = false;
+            hand_down_ = pressed_ < 0 && !corner_s_;
+            news.push_back({.kind = hand_down_ ? Kind::kHandDown : Kind::kLife, .at_px = at_px_});
+            return;
+        }
+        corner_s_.reset();
+        if (hand_down_) news.push_back({.kind = Kind::kHandUp, .at_px = at_px_});
+        hand_down_ = false;
+        const bool counts =
+            pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_;
+        // A token that was held until it repeated has done its work.
+        if (counts && !has_repeated_) {
+            const screens::Target& target = composition_->targets[static_cast<std::size_t>(pressed_)];
+            news.push_back({Kind::kPressed, target.button, target.value, at_px_});
+        }
+        pressed_ = -1;
+        pressed_over_ = false;
+    } else if (const auto* key = std::get_if<window::KeyEvent>(&event)) {
+        handle_key(*key, now_s, news);
+    } else if (std::holds_alternative<window::ScrollEvent>(event)) {
+        news.push_back({.kind = Kind::kLife});
+    } else if (std::holds_alternative<window::CloseEvent>(event)) {
+        news.push_back({.kind = Kind::kCloseAsked});
+    }
+}
+
+void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
+    if (pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_) {
+        const screens::Target& target = composition_->targets[static_cast<std::size_t>(pressed_)];
+        if (target.repeats && now_s >= repeat_s_) {
+            repeat_s_ = now_s + kRepeatEveryS;
+            has_repeated_ = true;
+            news.push_back({Kind::kPressed, target.button, target.value, at_px_});
+        }
+    }
+    if (corner_s_ && now_s - *corner_s_ >= kCornerS) {
+        corner_s_.reset();
+        news.push_back({.kind = Kind::kCornerHeld});
+    }
+    if (scan_is_new_) scan_s_ = now_s;
+    scan_is_new_ = false;
+    if (scans_ && now_s - scan_s_ >= kScanEveryS) {
+        scan_s_ = now_s;
+        move_focus(1);
+    }
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,191 @@
+#include "game/app/kiosk_pot.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "engine/ui/painter.h"
+#include "game/clay/studio/pot.h"
+#include "game/finish/glaze.h"
+#include "game/heritage/score.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr double kPressedMm = 3.0;     // a foot narrower by this, or a lump higher by twice as much
+constexpr double kOpenedMm = 18.0;     // from rim to floor
+constexpr double kRaisedShare = 1.15;  // of the height when it was opened
+constexpr double kWarnsAt = 0.85;
+constexpr double kRelaxesAt = 0.70;
+
+struct Shown {
+    std::string_view id;
+    const char* name_key;
+    const char* museum_key;
+    const char* date_key;
+    int glaze;
+};
+// In the order of the choose screen: the least tall first.
+constexpr std::array kShown{
+    Shown{"ido-kizaemon", "pot.ido", "mus.daitoku", "date.joseon16", finish::kIdoGlaze},
+    Shown{"buncheong-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon15", 2},
+    Shown{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
+    Shown{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1}};
+
+std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
+    constexpr int kSteps = 40;
+    std::vector<vec2> outline;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double y_mm = target.height_mm * i / kSteps;
+        outline.push_back(vec2(target.radius_at(y_mm) * scale, y_mm * scale));
+    }
+    return outline;
+}
+
+}  // namespace
+
+int Lesson::steps_done(const haptic::PotShape& shape) {
+    if (shape.rings <= 0) return done_;
+    const auto outer = shape.outer_mm();
+    const double foot_mm = double{outer[outer.size() / 6]};
+    if (!has_start_) {
+        has_start_ = true;
+        start_height_mm_ = shape.height_mm;
+        start_foot_mm_ = foot_mm;
+    }
+    const bool opened = shape.is_hollow && shape.height_mm - shape.floor_mm > kOpenedMm;
+    const bool pressed =
+        start_foot_mm_ - foot_mm > kPressedMm || shape.height_mm - start_height_mm_ > 2.0 * kPressedMm;
+    if (done_ < 1 && (pressed || opened)) done_ = 1;
+    if (done_ < 2 && opened) {
+        done_ = 2;
+        low_height_mm_ = shape.height_mm;
+    }
+    if (done_ == 2) {
+        low_height_mm_ = std::min(low_height_mm_, shape.height_mm);
+        if (shape.height_mm > kRaisedShare * low_height_mm_) done_ = 3;
+    }
+    return done_;
+}
+
+kiosk::Warning warning_for(clay::studio::Cause cause) {
+    switch (cause) {
+        case clay::studio::Cause::kSpin:
+            return kiosk::Warning::kFast;
+        case clay::studio::Cause::kTwist:
+            return kiosk::Warning::kWet;  // soft clay, twisted by the hands
+        case clay::studio::Cause::kWeight:
+        case clay::studio::Cause::kOverhang:
+        case clay::studio::Cause::kNone:
+            break;
+    }
+    return kiosk::Warning::kThin;
+}
+
+kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before) {
+    const double limit = before == kiosk::Warning::kNone ? kWarnsAt : kRelaxesAt;
+    return load.index < limit ? kiosk::Warning::kNone : warning_for(load.cause);
+}
+
+double thinnest_wall_mm(const haptic::PotShape& shape) {
+    double thinnest = 0.0;
+    const auto outer = shape.outer_mm();
+    const auto inner = shape.inner_mm();
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        if (inner[i] <= 0.0F) continue;
+        const double wall = double{outer[i]} - double{inner[i]};
+        if (thinnest == 0.0 || wall < thinnest) thinnest = wall;
+    }
+    return thinnest;
+}
+
+screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
+                            const std::vector<std::size_t>& shown) {
+    const clay::ClayBody body = clay.lump().body;
+    const clay::PotMeasures measures = clay::measure_pot(clay.rings(), body, clay::Firing::kGlaze);
+    const heritage::PotForm form = heritage::form_of(clay);
+    screens::FiredPot pot{.height_mm = measures.height_mm,
+                          .width_mm = measures.widest_mm,
+                          .weight_g = measures.mass_g,
+                          .capacity_l = measures.capacity_ml / 1000.0};
+    const double step_mm = form.height_mm / static_cast<double>(form.radii_mm.size() - 1);
+    // A sample every 1/129 of the height is finer than a small picture shows.
+    for (std::size_t i = 0; i < form.radii_mm.size(); i += 4)
+        pot.shape.outside.push_back(vec2(form.radii_mm[i], step_mm * static_cast<double>(i)));
+    const double scale = clay::shrunk_scale(body, clay::Firing::kGlaze);
+    for (auto point = pot.shape.outside.rbegin(); point != pot.shape.outside.rend(); ++point) {
+        const double wet_y_mm = std::min(double{point->y} / scale, clay.height_mm() - 0.5);
+        const double wall_mm = clay::wall_thickness_mm(clay.rings(), wet_y_mm) * scale;
+        const double radius_mm = double{point->x} - wall_mm;
+        if (radius_mm < 2.0 || double{point->y} < measures.floor_mm) break;
+        pot.shape.inside.push_back(vec2(radius_mm, point->y));
+    }
+    if (!pot.shape.inside.empty()) {
+        const auto floor_mm = static_cast<float>(measures.floor_mm);
+        pot.shape.inside.push_back({0.6F * pot.shape.inside.back().x, floor_mm});
+        pot.shape.inside.push_back({0.0F, floor_mm});
+    }
+    double least = 2.0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double unlike = heritage::unlikeness(form, heritage::form_of(targets[shown[i]]));
+        if (unlike >= least) continue;
+        least = unlike;
+        pot.nearest = static_cast<int>(i);
+    }
+    return pot;
+}
+
+ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px) {
+    const auto side = static_cast<float>(side_px);
+    const float scale = std::min(0.62F * side / std::max(1.0F, 2.0F * shape.radius_mm()),
+                                 0.66F * side / std::max(1.0F, shape.height_mm()));
+    const screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, 0.2F);
+    ui::Sketch sketch;
+    sketch.size = vec2(side);
+    sketch.add(ui::Box{{0.0F, 0.0F, side, side}, 0.0F, ui::Fill::flat(ui::hex(0x281e16))});
+    sketch.add(ui::Ellipse{{-0.35F * side, -0.45F * side, 1.7F * side, 1.8F * side},
+                           ui::Fill::round(ui::hex(0x7d6750), ui::hex(0x281e16))});
+    const vec2 foot(0.5F * side, 0.84F * side);
+    const float reach = 1.5F * shape.radius_mm() * scale;
+    sketch.add(ui::Ellipse{{foot.x - 0.8F * reach, foot.y - 0.1F * reach, 1.8F * reach, 0.24F * reach},
+                           ui::Fill::round(ui::hex(0x0c0703, 0.7F), ui::hex(0x0c0703, 0.0F))});
+    ui::Picture picture;
+    picture.painting = std::make_shared<const ui::Painting>(pot.painting);
+    picture.hash = shape.hash();
+    picture.rect = {foot.x - pot.foot_px.x, foot.y - pot.foot_px.y, static_cast<float>(pot.painting.width),
+                    static_cast<float>(pot.painting.height)};
+    sketch.add(picture);
+    return ui::Painter().paint(sketch);
+}
+
+std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
+                                          std::vector<std::size_t>& places) {
+    constexpr float kWallMm = 5.0F;
+    constexpr float kFloorMm = 9.0F;
+    std::vector<screens::Exhibit> exhibits;
+    places.clear();
+    for (const Shown& shown : kShown) {
+        for (std::size_t place = 0; place < targets.size(); ++place) {
+            const heritage::Target& target = targets[place];
+            if (target.id != shown.id) continue;
+            screens::Exhibit exhibit;
+            exhibit.name_key = shown.name_key;
+            exhibit.museum_key = shown.museum_key;
+            exhibit.date_key = shown.date_key;
+            exhibit.height_mm = target.height_mm;
+            exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
+            exhibit.half_size = heritage::thrown_size(target, clay::ClayBody::kStoneware).fraction == 0.5;
+            exhibit.glaze = shown.glaze;
+            exhibit.shape = screens::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
+            exhibits.push_back(std::move(exhibit));
+            places.push_back(place);
+        }
+    }
+    return exhibits;
+}
+
+std::vector<vec2> wet_outline(const heritage::Target& target) {
+    return outline_of(target, heritage::thrown_size(target, clay::ClayBody::kStoneware).wet_scale);
+}
+
+}  // namespace onggi::app

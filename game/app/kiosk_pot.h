@@ -1,0 +1,56 @@
+// What the screens need to know of the clay: how far the lesson has come, what it warns of, and the finished
+// pot in a visitor's numbers. Any one thread at a time. mm.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/ui/painting.h"
+#include "game/clay/studio/studio_clay.h"
+#include "game/haptic/messages.h"
+#include "game/heritage/target.h"
+#include "game/kiosk/state.h"
+#include "game/screens/view.h"
+
+namespace onggi::app {
+
+// Follows one lump from fresh to pot and says which of the three moves it shows: pressed, opened, raised.
+class Lesson {
+  public:
+    void begin() { *this = {}; }
+    // 0 to kiosk::kTeachingSteps; never less than before.
+    int steps_done(const haptic::PotShape& shape);
+
+  private:
+    bool has_start_ = false;
+    double start_height_mm_ = 0.0;
+    double start_foot_mm_ = 0.0;
+    double low_height_mm_ = 0.0;  // since it was opened
+    int done_ = 0;
+};
+
+// What to warn of; it comes at 0.85 of what the clay bears and goes at 0.7.
+[[nodiscard]] kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before);
+
+// Which warning names that cause.
+[[nodiscard]] kiosk::Warning warning_for(clay::studio::Cause cause);
+
+// Thickness of the thinnest wall above the floor; 0 where nothing is hollow.
+[[nodiscard]] double thinnest_wall_mm(const haptic::PotShape& shape);
+
+// The pot as it comes out of the kiln.
+[[nodiscard]] screens::FiredPot fired_pot(const clay::StudioClay& clay,
+                                          const std::vector<heritage::Target>& targets,
+                                          const std::vector<std::size_t>& shown);
+// A portrait on the evening museum's wall, square.
+[[nodiscard]] ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px);
+
+// The pots of the choose screen, of all that the tables hold: those for which the design has words. `places`
+// gets where each stands in the tables.
+[[nodiscard]] std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
+                                                        std::vector<std::size_t>& places);
+// Its outline at the size at which it is thrown, wet: radius and height from below.
+[[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
+
+}  // namespace onggi::app

@@ -1,0 +1,80 @@
+#include "game/app/kiosk_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/files/asset_folder.h"
+#include "engine/files/read_file.h"
+#include "game/app/kiosk_pot.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostTextBytes = std::size_t{1} << 20U;
+
+Result<kiosk::Language> language_of(const std::string& code, const fs::path& folder,
+                                    std::vector<std::string>& remarks) {
+    const auto& built_in = kiosk::built_in_languages();
+    const auto found = std::find_if(built_in.begin(), built_in.end(),
+                                    [&](const kiosk::Language& one) { return one.code() == code; });
+    const fs::path file = folder / (code + ".tsv");
+    std::error_code error;
+    if (!folder.empty() && fs::exists(file, error)) {
+        const auto table = files::read_file(file, kMostTextBytes);
+        if (!table) return table.error();
+        auto language = kiosk::Language::read(*table, code, file.string(), &built_in.front());
+        if (language && !language->missing_keys().empty()) {
+            remarks.push_back(fmt::format(
+                "{}: expected every text, found {} missing, the first {}; English stands in", file.string(),
+                language->missing_keys().size(), language->missing_keys().front()));
+        }
+        return language;
+    }
+    if (found != built_in.end()) return *found;
+    return bad_input(fmt::format("languages: expected a table {} for '{}', found none",
+                                 folder.empty() ? fs::path(code + ".tsv").string() : file.string(), code));
+}
+
+}  // namespace
+
+Result<KioskSettings> load_settings(const std::string& config_file) {
+    KioskSettings settings;
+    if (!config_file.empty()) {
+        const auto text = files::read_file(config_file, kMostTextBytes);
+        if (!text) return text.error();
+        auto config = kiosk::read_config(*text, config_file);
+        if (!config) return config.error();
+        settings.config = std::move(*config);
+    }
+    const kiosk::Config& config = settings.config;
+    settings.rules = kiosk::rules_of(config);
+    std::vector<kiosk::Language> languages;
+    for (const std::string& code : config.languages.order) {
+        auto language = language_of(code, config.languages.folder, settings.remarks);
+        if (!language) return language.error();
+        languages.push_back(std::move(*language));
+        if (code == config.languages.first)
+            settings.rules.default_language = static_cast<int>(languages.size()) - 1;
+    }
+    settings.rules.language_count = static_cast<int>(languages.size());
+    settings.languages = std::make_shared<const std::vector<kiosk::Language>>(std::move(languages));
+
+    const auto folder = files::find_asset("heritage");
+    const auto targets =
+        folder ? heritage::load_targets(*folder) : Result<std::vector<heritage::Target>>(folder.error());
+    if (targets) {
+        settings.targets = *targets;
+    } else {
+        settings.remarks.push_back(targets.error().message);  // free throwing needs none
+    }
+    settings.exhibits = std::make_shared<const std::vector<screens::Exhibit>>(
+        exhibits_of(settings.targets, settings.exhibit_places));
+    settings.rules.target_count = static_cast<int>(settings.exhibits->size());
+    return settings;
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,161 @@
+// What the screens are told of a moment: the second half of KioskVisit.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "game/app/kiosk_staff.h"
+#include "game/app/kiosk_visit.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+// Attract: the throwing, then one pot of a museum, and so on.
+constexpr double kAttractThrowsS = 25.0;
+constexpr double kAttractPotS = 20.0;
+
+// Whether the screens would look the same: what changes every frame is not in a View.
+bool looks_the_same(const screens::View& a, const screens::View& b) {
+    const kiosk::State& s = a.state;
+    const kiosk::State& t = b.state;
+    const auto near = [](const std::vector<std::vector<vec2>>& x, const std::vector<std::vector<vec2>>& y) {
+        if (x.size() != y.size()) return false;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            if (x[i].size() != y[i].size() ||
+                (!x[i].empty() && glm::length(x[i].back() - y[i].back()) > 0.5F))
+                return false;
+        }
+        return true;
+    };
+    const bool same_warning_place =
+        a.warning_at_px.has_value() == b.warning_at_px.has_value() &&
+        (!a.warning_at_px || glm::length(*a.warning_at_px - *b.warning_at_px) < 6.0F);
+    return s.screen == t.screen && s.panel == t.panel && s.comfort == t.comfort && s.firing == t.firing &&
+           s.glaze == t.glaze && s.keeping.outcome == t.keeping.outcome &&
+           s.keeping.number == t.keeping.number && s.throwing.target == t.throwing.target &&
+           s.throwing.steps_done == t.throwing.steps_done && s.throwing.tool == t.throwing.tool &&
+           s.throwing.water == t.throwing.water && s.throwing.speed == t.throwing.speed &&
+           s.throwing.warning == t.throwing.warning && s.staff.digits == t.staff.digits &&
+           s.staff.was_wrong == t.staff.was_wrong && s.staff.page == t.staff.page &&
+           s.device_lost == t.device_lost && a.width_px == b.width_px && a.height_px == b.height_px &&
+           a.hint == b.hint && a.seconds_left == b.seconds_left && a.pot == b.pot &&
+           a.attract_exhibit == b.attract_exhibit && near(a.outline_px, b.outline_px) &&
+           std::lround(a.thinnest_mm * 10.0) == std::lround(b.thinnest_mm * 10.0) && same_warning_place &&
+           a.focus == b.focus && a.scans == b.scans && a.heard == b.heard && a.closed == b.closed &&
+           a.staff_title == b.staff_title && a.staff_lines == b.staff_lines;
+}
+
+}  // namespace
+
+void KioskVisit::compose(const haptic::Snapshot& snapshot) {
+    screens::View view;
+    view.state = state_;
+    view.width_px = parts_.view.width();
+    view.height_px = parts_.view.height();
+    if (view.width_px <= 0 || view.height_px <= 0) return;
+    const kiosk::Config& config = parts_.settings.config;
+    const double diagonal_px = std::hypot(view.width_px, view.height_px);
+    view.px_per_mm = diagonal_px / (config.screen.diagonal_inch * kMmPerInch);
+    view.own_digits = config.languages.own_digits;
+    view.hint = state_.screen == kiosk::Screen::kThrow && state_.throwing.steps_done < kiosk::kTeachingSteps;
+    view.seconds_left = state_.panel == kiosk::Panel::kIdle
+                            ? kiosk::seconds_left(state_, parts_.settings.rules.countdown_s, now_s_)
+                            : 0;
+    view.languages = parts_.settings.languages;
+    view.exhibits = parts_.settings.exhibits;
+    view.pot = pot_;
+    // The newest stands in the middle already while its maker looks at it.
+    std::vector<screens::ShelfPot> others = day_;
+    const bool newest_is_shown = pot_ && state_.keeping.outcome == kiosk::Keeping::Outcome::kKept;
+    if (newest_is_shown && !others.empty()) others.erase(others.begin());
+    view.shelf = std::make_shared<const std::vector<screens::ShelfPot>>(std::move(others));
+    view.focus = pointer_.focus();
+    view.scans = pointer_.scans();
+    if (config.sound.captions && state_.screen == kiosk::Screen::kThrow) view.heard = "cap.wheel";
+    if (state_.screen == kiosk::Screen::kAttract && !view.exhibits->empty()) {
+        // The throwing, then one of the pots, and again with the next.
+        const double in_turn = std::max(0.0, now_s_ - state_.screen_s);
+        const double turn_s = kAttractThrowsS + kAttractPotS;
+        const auto turn = static_cast<std::size_t>(in_turn / turn_s);
+        const bool pot_now = std::fmod(in_turn, turn_s) >= kAttractThrowsS;
+        if (pot_now) view.attract_exhibit = static_cast<int>(turn % view.exhibits->size());
+    }
+    add_scene(view, snapshot);
+    if (state_.panel == kiosk::Panel::kStaff) add_staff(view, snapshot);
+    view.closed = state_.screen == kiosk::Screen::kAttract && !kiosk::is_open(config, minute_of_day());
+    if (asked_ && looks_the_same(*asked_, view)) return;
+    asked_ = std::make_shared<const screens::View>(std::move(view));
+    composer_.ask(asked_);
+}
+
+// The lines change once a second at most, so that the panel can be read.
+void KioskVisit::add_staff(screens::View& view, const haptic::Snapshot& snapshot) {
+    view.staff_title = parts_.settings.config.staff.name;
+    constexpr double kEveryS = 1.0;
+    const bool same_page = asked_ && asked_->state.panel == kiosk::Panel::kStaff &&
+                           asked_->state.staff.page == state_.staff.page;
+    if (same_page && now_s_ - surveyed_s_ < kEveryS) {
+        view.staff_lines = asked_->staff_lines;
+        return;
+    }
+    surveyed_s_ = now_s_;
+    parts_.keeper.survey();
+    const Health health{.rate_hz = parts_.rate_hz,
+                        .skipped_periods = snapshot.skipped_periods,
+                        .late_periods = snapshot.safety.late_periods,
+                        .has_fault = snapshot.fault != haptics::Fault::kNone,
+                        .frame_ms = frame_ms_,
+                        .quality = parts_.view.quality(),
+                        .free_mb = free_mb_,
+                        .least_free_mb = parts_.settings.config.gallery.least_free_mb,
+                        .devices = parts_.devices.names(),
+                        .holder = parts_.devices.holder(),
+                        .pots = kept_pots_};
+    view.staff_lines = staff_lines(health, static_cast<StaffPage>(state_.staff.page));
+}
+
+void KioskVisit::add_scene(screens::View& view, const haptic::Snapshot& snapshot) {
+    if (state_.screen != kiosk::Screen::kThrow) return;
+    const auto seen = [&](const dvec3& place_mm) {
+        const auto px = parts_.view.project(place_mm);
+        return px ? vec2(*px) : vec2(0.0F);
+    };
+    const haptic::PotShape& shape = *snapshot.shape;
+    if (view.hint) {
+        // At the height at which a hand would begin, and in the mouth. Whole tens, so that a clay that moves
+        // a little does not paint the hands anew.
+        const double side = state_.comfort.left_hand ? -1.0 : 1.0;
+        const double low_mm = state_.throwing.steps_done == 0 ? 25.0 : 0.4 * shape.height_mm;
+        const double edge_mm = std::round(wall_at(shape, low_mm).outer_mm / 10.0) * 10.0;
+        const double top_mm = std::round(shape.height_mm / 10.0) * 10.0;
+        view.hint_at_px = seen({side * edge_mm, low_mm, 0.0});
+        view.second_hint_at_px = seen({0.0, top_mm, 0.0});
+    }
+    if (state_.throwing.warning != kiosk::Warning::kNone) {
+        view.thinnest_mm = thinnest_wall_mm(shape);
+        const bool rtl = (*view.languages)[static_cast<std::size_t>(state_.comfort.language)].right_to_left();
+        const double radius_mm = wall_at(shape, snapshot.load.height_mm).outer_mm;
+        view.warning_at_px = seen({(rtl ? -radius_mm : radius_mm), snapshot.load.height_mm, 0.0});
+    }
+    if (!state_.throwing.target) return;
+    const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*state_.throwing.target)];
+    const std::vector<vec2> outline = wet_outline(parts_.settings.targets[place]);
+    std::vector<vec2> left;
+    std::vector<vec2> right;
+    for (const vec2& point : outline) {
+        left.push_back(seen({-double{point.x}, double{point.y}, 0.0}));
+        right.push_back(seen({double{point.x}, double{point.y}, 0.0}));
+    }
+    std::vector<vec2> rim;
+    constexpr int kPoints = 48;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kPoints;
+        rim.push_back(seen({double{outline.back().x} * std::cos(angle), double{outline.back().y},
+                            double{outline.back().x} * std::sin(angle)}));
+    }
+    view.outline_px = {std::move(left), std::move(right), std::move(rim)};
+}
+
+}  // namespace onggi::app
