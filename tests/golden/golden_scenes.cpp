@@ -20,11 +20,6 @@ std::vector<float> radii_of(Outline outline) {
     return radii;
 }
 
-double bump(double y, double centre, double width) {
-    const double share = (y - centre) / width;
-    return std::exp(-share * share);
-}
-
 double throwing_rings(double y) {
     return 0.35 * std::sin(y * 0.78 + 2.3 * std::sin(y * 0.026));
 }
@@ -40,15 +35,6 @@ double pressed(double y) {
     return std::min({60.0, dent, 60.0 - 5.0 * bump(y, 150.0, 20.0)});
 }
 
-double bottle(double y) {
-    return 7.0 + 46.0 * bump(y, 48.0, 42.0) + 9.0 * bump(y, 203.0, 12.0);
-}
-
-// Wide, and rough: grooves of 5 mm, and fine ones of 1.2 mm, which two pixels span.
-double grooved(double y) {
-    return 55.0 - 6.0 * bump(y, 20.0, 30.0) + 1.6 * std::sin(y * 1.25) + 0.12 * std::sin(y * 5.2);
-}
-
 // Ledges, where outline and rings have corners.
 double stepped(double y) {
     return y < 40.0 ? 60.0 : (y < 90.0 ? 38.0 : (y < 130.0 ? 52.0 : 24.0));
@@ -57,20 +43,49 @@ double stepped(double y) {
 }  // namespace
 
 wheel::PotView GoldenScene::pot() const {
-    return {.radii_mm = radii_mm,
-            .height_mm = kHeightMm,
-            .tool_position_mm = tool_position_mm,
-            .tool_radius_mm = tool_radius_mm,
-            .wheel_direction = wheel_direction,
-            .wheel_turning = true,
-            .contacts = contacts};
+    const bool is_studio = !studio.outer_mm.empty();
+    wheel::PotView pot{.radii_mm = is_studio ? studio.outer_mm : radii_mm,
+                       .inner_mm = studio.inner_mm,
+                       .top_mm = studio.top_mm,
+                       .height_mm = is_studio ? studio.height_mm : kHeightMm,
+                       .floor_mm = studio.floor_mm,
+                       .centre_mm = studio.centre_mm,
+                       .dents_mm = studio.dents_mm,
+                       .film = studio.film,
+                       .liquidity = studio.liquidity,
+                       .load_index = studio.load,
+                       .wheel_direction = wheel_direction,
+                       .wheel_turning = true,
+                       .contacts = contacts,
+                       .body = body,
+                       .stage = stage};
+    pot.hand = {.position_mm = tool_position_mm,
+                .radius_mm = tool_radius_mm,
+                .tool = tool,
+                .side = clay::studio::Side::kOut,
+                .shown = tool_shown,
+                .touching = contacts > 0};
+    if (second_hand_mm) {
+        pot.second_hand = {.position_mm = *second_hand_mm,
+                           .radius_mm = tool_radius_mm,
+                           .side = clay::studio::Side::kIn,
+                           .shown = true,
+                           .touching = contacts > 0};
+    }
+    return pot;
 }
 
 std::uint64_t GoldenScene::hash() const {
     StateHash hash;
-    hash.add(std::span<const float>(radii_mm));
+    for (const std::vector<float>* column :
+         {&radii_mm, &studio.outer_mm, &studio.inner_mm, &studio.top_mm, &studio.centre_mm, &studio.dents_mm,
+          &studio.film, &studio.liquidity, &studio.load})
+        hash.add(std::span<const float>(*column));
+    const dvec3 second = second_hand_mm.value_or(dvec3(0.0));
     for (const double value : {tool_position_mm.x, tool_position_mm.y, tool_position_mm.z, tool_radius_mm,
-                               wheel_direction.x, wheel_direction.y})
+                               second.x, second.y, second.z, wheel_direction.x, wheel_direction.y,
+                               static_cast<double>(body), static_cast<double>(stage),
+                               static_cast<double>(view), static_cast<double>(tool), tool_shown ? 1.0 : 0.0})
         hash.add(value);
     return hash.value();
 }
@@ -82,27 +97,95 @@ std::string test_name(const GoldenScene& scene) {
 }
 
 std::vector<GoldenScene> golden_scenes() {
+    using clay::ClayBody;
+    using clay::Firing;
+    using wheel::StillView;
+    StudioPot dented = studio_pot(cylinder());
+    press_dent(dented, 90.0, 4.9, 9.0, 15.0);
+    StudioPot off_centre = studio_pot(lump());
+    lean(off_centre, 9.0, -3.0);
+    StudioPot failed = studio_pot(jar());
+    slump(failed);
+    StudioPot loaded = studio_pot(jar());
+    slump(loaded);
+    loaded.centre_mm.clear();
+    loaded.dents_mm.clear();
+    StudioShape dry_jar = jar();
+    dry_jar.liquidity = dry_jar.film = 0.0;
     return {
+        // The paper's clay: solid.
         {.name = "fresh-lump", .radii_mm = radii_of([](double) { return 60.0; })},
         {.name = "vase", .radii_mm = radii_of(vase), .wheel_direction = {0.6, 0.8}},
+        {.name = "stepped",
+         .radii_mm = radii_of(stepped),
+         .tool_position_mm = {-95.0, 40.0, 0.0},
+         .tool_radius_mm = 40.0},
         {.name = "tool-pressing",
          .radii_mm = radii_of(pressed),
          .tool_position_mm = {67.0, 95.0, 0.0},
          .tool_radius_mm = 16.0,
          .contacts = 320},
-        {.name = "tool-in-front",
-         .radii_mm = radii_of(pressed),
-         .tool_position_mm = {-20.0, 95.0, 64.0},
-         .tool_radius_mm = 16.0,
-         .contacts = 320},
-        {.name = "thin-neck", .radii_mm = radii_of(bottle)},
-        {.name = "grooved", .radii_mm = radii_of(grooved), .tool_radius_mm = 2.0},
-        {.name = "stepped",
-         .radii_mm = radii_of(stepped),
-         .tool_position_mm = {-95.0, 40.0, 0.0},
-         .tool_radius_mm = 40.0},
-        {.name = "vase-portrait", .width = 405, .height = 720, .radii_mm = radii_of(vase)},
-        {.name = "vase-wide", .width = 960, .height = 540, .radii_mm = radii_of(vase)},
+        // Three bodies, wet, dry, bisque and glazed.
+        {.name = "stoneware-wet", .studio = studio_pot(jar()), .tool_shown = false},
+        {.name = "porcelain-wet",
+         .studio = studio_pot(bottle()),
+         .tool_shown = false,
+         .body = ClayBody::kPorcelain},
+        {.name = "earthenware-wet",
+         .studio = studio_pot(bowl()),
+         .tool_shown = false,
+         .body = ClayBody::kEarthenware},
+        {.name = "stoneware-dry", .studio = studio_pot(dry_jar), .tool_shown = false, .stage = Firing::kDry},
+        {.name = "earthenware-bisque",
+         .studio = studio_pot(cylinder()),
+         .tool_shown = false,
+         .body = ClayBody::kEarthenware,
+         .stage = Firing::kBisque},
+        {.name = "celadon", .studio = studio_pot(bottle()), .tool_shown = false, .stage = Firing::kGlaze},
+        // Views.
+        {.name = "inside", .studio = studio_pot(jar()), .tool_shown = false, .view = StillView::kLookingIn},
+        {.name = "wide-plate",
+         .studio = studio_pot(plate()),
+         .tool_shown = false,
+         .body = ClayBody::kEarthenware,
+         .view = StillView::kLookingIn},
+        {.name = "portrait",
+         .width = 405,
+         .height = 720,
+         .studio = studio_pot(bottle()),
+         .view = StillView::kPortrait},
+        {.name = "cutaway", .studio = studio_pot(jar()), .view = StillView::kCutaway},
+        {.name = "load", .studio = loaded, .view = StillView::kCutaway},
+        {.name = "wide", .width = 960, .height = 540, .studio = studio_pot(bowl()), .tool_shown = false},
+        // Moves and what goes wrong.
+        {.name = "centring",
+         .studio = off_centre,
+         .tool_position_mm = {70.0, 40.0, 8.0},
+         .wheel_direction = {0.6, 0.8},
+         .contacts = 200},
+        {.name = "coning",
+         .studio = studio_pot(cone()),
+         .tool_position_mm = {40.0, 120.0, 20.0},
+         .contacts = 200},
+        {.name = "opening",
+         .studio = studio_pot(opened()),
+         .tool_position_mm = {0.0, 24.0, 12.0},
+         .contacts = 90,
+         .view = StillView::kLookingIn},
+        {.name = "pulling",
+         .studio = studio_pot(cylinder()),
+         .tool_position_mm = {54.5, 96.0, 4.0},
+         .second_hand_mm = dvec3{31.0, 96.0, 2.0},
+         .contacts = 90},
+        {.name = "rib",
+         .studio = studio_pot(jar()),
+         .tool_position_mm = {86.0, 88.0, 24.0},
+         .tool = clay::StudioTool::kRib,
+         .contacts = 60},
+        {.name = "rough-grooves", .studio = studio_pot(rough()), .tool_shown = false},
+        {.name = "dent", .studio = dented, .tool_shown = false},
+        {.name = "failure", .studio = failed, .tool_shown = false, .wheel_direction = {0.8, -0.6}},
+        {.name = "empty-wheel", .tool_shown = false},
     };
 }
 

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "game/wheel/pot_view.h"
+#include "game/wheel/still.h"
+#include "tests/golden/golden_pots.h"
 
 namespace onggi::golden {
 
@@ -14,11 +17,18 @@ struct GoldenScene {
     std::string name;
     int width = 640;
     int height = 480;
-    std::vector<float> radii_mm;
+    std::vector<float> radii_mm{};  // of the paper's clay, 200 mm high; or
+    StudioPot studio{};             // the studio's, if it has rings
     dvec3 tool_position_mm{110.0, 150.0, 0.0};
     double tool_radius_mm = 10.0;
+    bool tool_shown = true;
+    std::optional<dvec3> second_hand_mm = std::nullopt;
+    clay::StudioTool tool = clay::StudioTool::kHand;
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
+    clay::ClayBody body = clay::ClayBody::kStoneware;
+    clay::Firing stage = clay::Firing::kWet;
+    wheel::StillView view = wheel::StillView::kThrowing;
 
     // Refers to this scene.
     [[nodiscard]] wheel::PotView pot() const;

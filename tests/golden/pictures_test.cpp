@@ -29,7 +29,8 @@ class Picture : public testing::TestWithParam<GoldenScene> {};
 
 TEST_P(Picture, EqualsTheOneThatWasLookedAt) {
     const GoldenScene& scene = GetParam();
-    const auto image = wheel::render_still(scene.pot(), scene.width, scene.height, {.validation = true});
+    const auto image =
+        wheel::render_still(scene.pot(), scene.width, scene.height, {.view = scene.view, .validation = true});
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_TRUE(support::matches_golden(scene.name, *image, render_info(scene)));
 }

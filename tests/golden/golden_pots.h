@@ -1,0 +1,56 @@
+// Pots of the studio's clay for the golden pictures, drawn by formula: whatever the clay learns to do, the
+// picture of these stays what it is. Any thread; mm.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace onggi::golden {
+
+// The columns of a PotView, bottom first.
+struct StudioPot {
+    double height_mm = 0.0;
+    double floor_mm = 0.0;
+    std::vector<float> outer_mm;
+    std::vector<float> inner_mm;
+    std::vector<float> top_mm;
+    std::vector<float> centre_mm;  // x and z; empty: on the axis
+    std::vector<float> dents_mm;   // 64 rows of 64 sectors; empty: round
+    std::vector<float> film;
+    std::vector<float> liquidity;
+    std::vector<float> load;
+};
+
+// What a pot is made from: by height, mm.
+struct StudioShape {
+    double height_mm = 150.0;
+    double floor_mm = 9.0;
+    std::function<double(double)> outer_mm;
+    std::function<double(double)> wall_mm;  // null: solid
+    double rings_mm = 0.3;                  // how deep fingers left their rings
+    double liquidity = 0.6;
+    double film = 0.6;
+};
+[[nodiscard]] StudioPot studio_pot(const StudioShape& shape);
+
+// Bell-shaped about a centre.
+[[nodiscard]] double bump(double y, double centre, double width);
+
+[[nodiscard]] StudioShape jar();
+[[nodiscard]] StudioShape bottle();  // with a neck of 15 mm radius
+[[nodiscard]] StudioShape bowl();
+[[nodiscard]] StudioShape plate();  // 270 mm across
+[[nodiscard]] StudioShape cylinder();
+[[nodiscard]] StudioShape lump();    // solid
+[[nodiscard]] StudioShape cone();    // a lump raised between the hands
+[[nodiscard]] StudioShape opened();  // thick walls and the first hollow
+[[nodiscard]] StudioShape rough();   // 150 grooves of one pixel in a picture of 720
+
+// A thumb's mark at a height and a direction, counter-clockwise from the clay's +X.
+void press_dent(StudioPot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm);
+// The pot leans: its top stands off the axis.
+void lean(StudioPot& pot, double x_mm, double z_mm);
+// What gave way: a belly that sank and bulged to one side, and the load that did it.
+void slump(StudioPot& pot);
+
+}  // namespace onggi::golden

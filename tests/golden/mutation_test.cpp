@@ -1,0 +1,105 @@
+// The gate held against real pictures that are wrong by as little as must be seen: a gate that lets these
+// through protects nothing.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "engine/render/renderer.h"
+#include "engine/vk/offscreen.h"
+#include "game/wheel/workshop_scene.h"
+#include "tests/golden/golden_scenes.h"
+#include "tests/support/image_compare.h"
+#include "tests/support/image_gate.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::golden {
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+
+class Gate : public testing::Test {
+  protected:
+    void SetUp() override {
+        instance_ = vk::Instance::create({}).value();
+        device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(), false)
+                      .value();
+        opened_ = wheel::open_scene({}, kWidth, kHeight);
+        options_.golden_folder = folder_ / "golden";
+        options_.output_folder = folder_ / "out";
+        options_.dirty_paths = [] { return Result<std::string>(std::string()); };
+        options_.bless = {"vase"};
+        ASSERT_TRUE(support::matches_golden("vase", draw(), info_, options_));
+        options_.bless.clear();
+    }
+
+    // The jar on the wheel, after something was changed about it.
+    asset::Image draw(const std::function<void(StudioPot&)>& change_pot = {},
+                      const std::function<void(render::Scene&)>& change_scene = {}, bool inside_out = false) {
+        StudioPot pot = studio_pot(jar());
+        if (change_pot) change_pot(pot);
+        const GoldenScene golden{.name = "vase", .studio = pot, .tool_shown = false};
+        render::RendererDesc desc = render::still_desc(vk::Offscreen::kFormat);
+        desc.inside_out = inside_out;
+        auto renderer = render::Renderer::create(*device_, desc).value();
+        auto target = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
+        render::Scene scene = opened_.scene->apply(golden.pot(), kWidth, kHeight);
+        if (change_scene) change_scene(scene);
+        EXPECT_TRUE(renderer->draw(scene, *target).value());
+        return {.width = kWidth, .height = kHeight, .rgba = target->read_back().value()};
+    }
+    [[nodiscard]] testing::AssertionResult check(const asset::Image& image) const {
+        return support::matches_golden("vase", image, info_, options_);
+    }
+
+    const support::RenderInfo info_{"llvmpipe", "1", "1", "0123456789abcdef"};
+    test::TemporaryFolder folder_;
+    support::GateOptions options_;
+    std::unique_ptr<vk::Instance> instance_;
+    std::unique_ptr<vk::Device> device_;
+    wheel::OpenedScene opened_;
+};
+
+TEST_F(Gate, PassesTheSamePotDrawnAgain) {
+    EXPECT_TRUE(check(draw()));
+}
+
+TEST_F(Gate, SeesATwentiethOfAMillimetreOfRadius) {
+    EXPECT_FALSE(check(draw([](StudioPot& pot) {
+        for (float& radius : pot.outer_mm)
+            radius += 0.05F;
+    })));
+}
+
+TEST_F(Gate, SeesOnePercentOfLight) {
+    EXPECT_FALSE(check(draw({}, [](render::Scene& scene) { scene.key.radiance *= 0.99F; })));
+    EXPECT_FALSE(check(draw({}, [](render::Scene& scene) {
+        for (vec3& coefficient : *scene.irradiance)
+            coefficient *= 0.99F;
+        scene.key.radiance *= 0.99F;
+    })));
+}
+
+TEST_F(Gate, SeesAPictureShiftedByOnePixel) {
+    const asset::Image whole = draw();
+    for (const std::size_t shift : {std::size_t{4}, std::size_t{4} * kWidth}) {
+        asset::Image shifted = whole;
+        std::copy(whole.rgba.begin(), whole.rgba.end() - static_cast<std::ptrdiff_t>(shift),
+                  shifted.rgba.begin() + static_cast<std::ptrdiff_t>(shift));
+        EXPECT_FALSE(check(shifted));
+    }
+}
+
+TEST_F(Gate, SeesAFlippedWinding) {
+    EXPECT_FALSE(check(draw({}, {}, true)));
+}
+
+TEST_F(Gate, SeesWaterThatIsOnePercentLess) {
+    EXPECT_FALSE(check(draw([](StudioPot& pot) {
+        for (float& liquidity : pot.liquidity)
+            liquidity -= 0.01F;
+    }))) << "the darkness of wet clay is part of the picture";
+}
+
+}  // namespace
+}  // namespace onggi::golden
