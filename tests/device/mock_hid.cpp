@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 
 #include "tests/support/hex.h"
@@ -120,6 +123,25 @@ HidScript& HidScript::answers_feature(std::string_view hex_bytes) {
     return *this;
 }
 
+void LiveHid::report(std::string_view hex_bytes) const {
+    const auto bytes = hex(hex_bytes);
+    if (write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+        ADD_FAILURE() << "a device could not report";
+}
+
+std::string LiveHid::take_written() const {
+    std::string text;
+    pollfd waiting{file_, POLLIN, 0};
+    std::array<std::uint8_t, 4096> bytes{};
+    while (poll(&waiting, 1, 0) > 0 && (waiting.revents & POLLIN) != 0) {
+        const ssize_t size = read(file_, bytes.data(), bytes.size());
+        if (size <= 0) break;
+        text += as_hex(std::span(bytes).first(static_cast<std::size_t>(size)));
+    }
+    std::erase(text, ' ');
+    return text;
+}
+
 MockBus::MockBus() : testbed_(umockdev_testbed_new()) {
     std::string name = (std::filesystem::temp_directory_path() / "onggi-hid-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
@@ -145,6 +167,15 @@ void MockBus::plug_in(const MockHid& device, const HidScript& script) {
     std::ofstream(lines, std::ios::binary) << "d 0 " << device.path() << "\n" << script.lines();
     umockdev_testbed_load_script(testbed_, device.path().c_str(), lines.c_str(), &error);
     expect_none(error);
+}
+
+LiveHid MockBus::at(const MockHid& device) {
+    return LiveHid(umockdev_testbed_get_dev_fd(testbed_, device.path().c_str()));
+}
+
+void MockBus::forbid(const MockHid& device) {
+    const std::string node = std::string(umockdev_testbed_get_root_dir(testbed_)) + device.path();
+    if (chmod(node.c_str(), 0) != 0) ADD_FAILURE() << node << ": its permissions cannot be changed";
 }
 
 void MockBus::pull_out(const MockHid& device) {

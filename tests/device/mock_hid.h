@@ -44,6 +44,20 @@ class HidScript {
     std::string ioctls_;
 };
 
+// The other side of a device that has no script: what the program wrote to it, and what it says, at once.
+class LiveHid {
+  public:
+    explicit LiveHid(int file) : file_(file) {}
+
+    void report(std::string_view hex_bytes) const;
+    // All that was written since the last call, as lower-case hex without blanks. Reports follow each other
+    // without a gap: the test knows their lengths.
+    std::string take_written() const;
+
+  private:
+    int file_;
+};
+
 class MockBus {
   public:
     MockBus();
@@ -53,6 +67,10 @@ class MockBus {
 
     // Fails the test where umockdev does not take the description.
     void plug_in(const MockHid& device, const HidScript& script = {});
+    // For a device that was plugged in without a script.
+    [[nodiscard]] LiveHid at(const MockHid& device);
+    // Nobody may read or write its node any more.
+    void forbid(const MockHid& device);
     // Its node and all that belongs to it disappear.
     void pull_out(const MockHid& device);
 

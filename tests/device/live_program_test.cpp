@@ -1,0 +1,185 @@
+// `onggi live` among devices that come, go and hold the tool: the real program, hidapi and libudev, on
+// devices that umockdev describes. Never on hardware.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>  // NOLINT: SIGTERM
+
+#include <chrono>
+#include <thread>
+
+#include "tests/cli/cli_expectations.h"
+#include "tests/device/mock_devices.h"
+#include "tests/device/mock_hid.h"
+
+namespace onggi {
+namespace {
+
+using test::RunningOnggi;
+using testing::HidScript;
+using testing::kDualSense;
+using testing::kJoystick;
+using testing::kPedal;
+using testing::kSpaceMouse;
+using testing::LiveHid;
+using testing::MockBus;
+using testing::MockHid;
+
+// A hand that holds the tool away from the clay for as long as any test takes.
+constexpr std::string_view kAwayFromTheClay = "0,140,100,0,0,10\n300,140,100,0,0,10\n";
+
+class LiveAmongDevices : public ::testing::Test {
+  protected:
+    LiveAmongDevices() {
+        test::put_file(folder_ / "away.csv", test::kGestureHeaderLine + std::string(kAwayFromTheClay));
+    }
+
+    RunningOnggi start(const std::string& device = "auto") {
+        return RunningOnggi({"live", "away.csv", "--clay", "paper", "--device", device, "--headless",
+                             "--size", "64x36", "--rate", "1000"},
+                            {.folder = folder_.path()});
+    }
+    // At most twenty seconds, on a machine that is busy with other things.
+    template <typename Condition>
+    static bool comes_true(Condition condition) {
+        for (int round = 0; round < 2'000; ++round) {
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+    static bool says(RunningOnggi& program, std::string_view line) {
+        return comes_true([&] { return program.printed().find(line) != std::string::npos; });
+    }
+
+    test::TemporaryFolder folder_;
+    MockBus bus_;
+};
+
+std::string solid(std::initializer_list<std::string_view> reports) {
+    std::string text;
+    for (const std::string_view report : reports)
+        text += report;
+    std::erase(text, ' ');
+    return text;
+}
+
+// The joystick's input report: the stick's X and Y as shares of 32767.
+std::string stick(double x, double y) {
+    const auto field = [](double share) {
+        const auto value = static_cast<std::uint16_t>(static_cast<std::int16_t>(share * 32767.0));
+        return fmt::format("{:02x} {:02x} ", value & 0xffU, value >> 8U);
+    };
+    std::string text = "01 00 00 00 00 00 00 00 00 " + field(x) + field(y);
+    for (int axis = 0; axis < 6; ++axis)
+        text += "00 00 ";
+    return text;
+}
+// Where the tool is to be, in the stick's terms: 0 to 150 mm of radius and 0 to 250 mm of height.
+std::string stick_at(double radius_mm, double height_mm) {
+    return stick(radius_mm / 75.0 - 1.0, 1.0 - height_mm / 125.0);
+}
+
+TEST_F(LiveAmongDevices, AForceJoystickFeelsTheClayAndIsLeftInPeaceBySigterm) {
+    HidScript features;
+    features.sets_feature("11 08 00 00").answers_feature("12 01 01 00 01");
+    features.sets_feature("11 01 00 00").answers_feature("12 02 01 00 01");
+    features.sets_feature("11 09 00 00").answers_feature("12 03 01 00 01");
+    features.sets_feature("11 0b 00 00").answers_feature("12 04 01 00 01");
+    bus_.plug_in(kJoystick, features);
+    const LiveHid joystick = bus_.at(kJoystick);
+    RunningOnggi onggi = start();
+    ASSERT_TRUE(says(onggi, "device: Testing FFB stick is here (/dev/hidraw8)")) << onggi.printed();
+
+    std::string written = joystick.take_written();
+    EXPECT_TRUE(
+        written.starts_with(solid({"0c 08", "0c 08", "0c 04", "0c 01", "0d ff",
+                                   "01 01 08 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",
+                                   "01 02 01 f4 01 00 00 00 00 00 00 ff 00 06 50 46 00 00 00 00 00 00",
+                                   "01 03 09 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",
+                                   "01 04 0b f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",
+                                   "03 01 00 00 00 00 00 00 00 73 08 73 08 00 00",
+                                   "03 01 01 00 00 00 00 00 00 73 08 73 08 00 00", "0a 01 01 01"})))
+        << written;
+
+    // Taken in the hand beside the clay, it waits for its ramp; then it presses 2 mm deep.
+    int trembles = 0;
+    for (int report = 0; report < 150; ++report) {
+        joystick.report(stick_at(90.0 + 2.0 * (++trembles % 2), 100.0));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    joystick.take_written();
+    written.clear();
+    // A one-sided spring on X: block 1, the centre where the clay's face is, and stiff on one side only.
+    const auto feels_a_wall = [&] {
+        joystick.report(stick_at(68.0, 100.0 + 0.1 * (++trembles % 2)));
+        written += joystick.take_written();
+        for (std::size_t at = written.find("030100"); at != std::string::npos;
+             at = written.find("030100", at + 2)) {
+            if (written.size() >= at + 30 && written.substr(at + 10, 4) == "0000" &&
+                written.substr(at + 14, 4) != "0000")
+                return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(comes_true(feels_a_wall)) << written;
+
+    joystick.take_written();
+    onggi.signal(SIGTERM);
+    EXPECT_EQ(onggi.exit_code(20'000), 0) << onggi.printed();
+    written = joystick.take_written();
+    EXPECT_TRUE(written.ends_with(solid({"0c 04", "0b 01", "0b 02", "0b 03", "0b 04", "0c 02"})))
+        << "stop all, free all four, actuators off; found: " << written;
+}
+
+TEST_F(LiveAmongDevices, ADeviceMayComeAndGoWhileTheWheelTurns) {
+    RunningOnggi onggi = start();
+    bus_.plug_in(kPedal);
+    ASSERT_TRUE(says(onggi, "device: VEC Footpedal is here")) << onggi.printed();
+    bus_.plug_in(kSpaceMouse);
+    const auto plugged_in = std::chrono::steady_clock::now();
+    ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is here (/dev/hidraw5)\n"))
+        << onggi.printed();
+    EXPECT_LT(std::chrono::steady_clock::now() - plugged_in, std::chrono::seconds(10));
+    EXPECT_EQ(bus_.at(kSpaceMouse).take_written(), "0401") << "its lamp burns";
+    bus_.pull_out(kSpaceMouse);
+    ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is gone\n")) << onggi.printed();
+    MockHid again = kSpaceMouse;
+    again.node = 11;
+    bus_.plug_in(again);
+    ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is here (/dev/hidraw11)\n"))
+        << onggi.printed();
+    onggi.signal(SIGINT);
+    EXPECT_EQ(onggi.exit_code(20'000), 0) << onggi.printed();
+    EXPECT_EQ(bus_.at(again).take_written(), "04010400") << "and is put out at the end";
+}
+
+TEST_F(LiveAmongDevices, OneDeviceMayBeNamedAndAllOthersStayUntouched) {
+    bus_.plug_in(kSpaceMouse);
+    bus_.plug_in(kDualSense);
+    RunningOnggi onggi = start("256f:c635");
+    ASSERT_TRUE(says(onggi, "SpaceMouse Compact is here")) << onggi.printed();
+    onggi.signal(SIGTERM);
+    EXPECT_EQ(onggi.exit_code(20'000), 0);
+    EXPECT_EQ(bus_.at(kDualSense).take_written(), "");
+}
+
+TEST_F(LiveAmongDevices, ANamedDeviceThatIsNotThereIsSaidToBeLacking) {
+    bus_.plug_in(kPedal);
+    const auto refused = [&](const std::string& device, int exit_code, const std::string& reason) {
+        test::expect_one_line(
+            test::run_onggi({"live", "away.csv", "--device", device, "--headless", "--size", "64x36"},
+                            {.folder = folder_.path()}),
+            exit_code, reason);
+    };
+    refused("/dev/hidraw3", 3,
+            "--device /dev/hidraw3: expected it to be plugged in, found /dev/hidraw6 05f3:00ff");
+    refused("256f:c635", 3, "--device 256f:c635: expected it to be plugged in, found /dev/hidraw6 05f3:00ff");
+    refused("spoon", 2,
+            "--device: expected auto, gesture, spacemouse, dualsense, joystick, inverse3, /dev/hidrawN or "
+            "VENDOR:PRODUCT, found "
+            "'spoon'");
+    refused("/dev/sda", 2, "--device: expected auto, gesture");
+}
+
+}  // namespace
+}  // namespace onggi

@@ -1,0 +1,97 @@
+// The program itself among HID devices: the real `onggi`, hidapi and libudev, on devices that umockdev
+// describes. Never on hardware.
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+
+#include <linux/capability.h>
+
+#include "tests/cli/run_program.h"
+#include "tests/device/mock_devices.h"
+#include "tests/device/mock_hid.h"
+
+namespace onggi {
+namespace {
+
+using testing::kDualSense;
+using testing::kJoystick;
+using testing::kPedal;
+using testing::kSpaceMouse;
+using testing::MockBus;
+using testing::MockHid;
+
+// A super-user to whom file permissions apply as to anybody.
+void give_up_passing_permissions() {
+    ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
+    ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
+}
+
+TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
+    MockBus bus;
+    MockHid keyboard = kPedal;
+    keyboard.node = 10;
+    keyboard.vendor_id = 0x0c45;
+    keyboard.product_id = 0x7403;
+    keyboard.product = "Keyboard";
+    for (const MockHid& device : {kSpaceMouse, kPedal, kDualSense, kJoystick, keyboard})
+        bus.plug_in(device);
+    const test::ProgramRun run = test::run_onggi({"devices"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    for (const char* line :
+         {"good     device  simulated tool: mouse or touch, always there; the tool lags behind\n",
+          "good     device  /dev/hidraw5 256f:c635 3Dconnexion SpaceMouse Compact: SpaceMouse; moves the "
+          "tool in "
+          "radius and height; no force; button 1 starts and stops the wheel, a twist changes its speed\n",
+          "good     device  /dev/hidraw6 05f3:00ff VEC Footpedal: foot pedal; turns the wheel while a pedal "
+          "is "
+          "down, faster by the right one, slower by the left\n",
+          "good     device  /dev/hidraw7 054c:0ce6 Sony DualSense Wireless Controller: DualSense; moves the "
+          "tool by stick, touch pad or tilt; "
+          "its right trigger presses into the clay and pushes back\n",
+          "good     device  /dev/hidraw8 1209:ffb0 Testing FFB stick: force-feedback joystick; moves the "
+          "tool in "
+          "radius and height and pushes back in both\n",
+          "note     device  Haply Inverse3: looked for at 127.0.0.1:10001 while the wheel runs;",
+          "note     device  /dev/hidraw10 0c45:7403 VEC Keyboard: no driver here knows it\n"}) {
+        EXPECT_NE(run.out.find(line), std::string::npos) << line << "found:\n" << run.out;
+    }
+}
+
+TEST(DevicesCommand, PrintsTheUdevRuleForADeviceThatMayNotBeOpened) {
+    MockBus bus;
+    bus.plug_in(kSpaceMouse);
+    bus.forbid(kSpaceMouse);
+    const test::ProgramRun run = test::run_onggi({"devices"}, {.in_child = give_up_passing_permissions});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string expected =
+        "lacking  device  /dev/hidraw5 256f:c635 3Dconnexion SpaceMouse Compact: SpaceMouse; may not be "
+        "opened by "
+        "this user\n"
+        "                 costs: it is not used; it moves the tool in radius and height; no force; button 1 "
+        "starts "
+        "and stops the wheel, a twist changes its speed\n"
+        "                 mend: put this line into /etc/udev/rules.d/70-onggi.rules and plug it in again: "
+        "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\", MODE=\"0660\", "
+        "GROUP=\"plugdev\", TAG+=\"uaccess\"\n";
+    EXPECT_NE(run.out.find(expected), std::string::npos) << "expected:\n"
+                                                         << expected << "found:\n"
+                                                         << run.out;
+}
+
+TEST(Doctor, ListsTheDevicesToo) {
+    MockBus bus;
+    bus.plug_in(kJoystick);
+    MockHid bluetooth = kDualSense;
+    bluetooth.is_bluetooth = true;
+    bus.plug_in(bluetooth);
+    const test::ProgramRun run = test::run_onggi({"doctor"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find("Testing FFB stick: force-feedback joystick; moves the tool"), std::string::npos)
+        << run.out;
+    EXPECT_NE(run.out.find("DualSense; expected a USB cable, found Bluetooth\n"), std::string::npos)
+        << run.out;
+    EXPECT_NE(run.out.find("mend: plug it in with a cable\n"), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace onggi

@@ -1,0 +1,237 @@
+// Human hands of several kinds on a simulated device, closed through the whole haptic tick: clay, velocity
+// estimator, safety chain. Minutes of simulated time; whatever they do, the force stays within its limits and
+// the loop gives no more energy than it took but for what the wheel's motor does.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "game/haptic/device_force.h"
+#include "game/haptic/tick.h"
+#include "tests/haptics/device_models.h"
+
+namespace onggi::haptic {
+namespace {
+
+#ifdef NDEBUG
+constexpr double kSeconds = 120.0;
+#else
+constexpr double kSeconds = 20.0;  // unoptimised code is ten times slower
+#endif
+constexpr double kRateHz = 1000.0;
+constexpr double kMmPerM = 1000.0;
+
+// A hand: a mass, held where the arm wants it by one spring, and to the tool by another. No grip: nobody.
+struct HandModel {
+    const char* name;
+    double mass_kg = 0.0;
+    double grip_n_per_mm = 0.0;
+    double grip_n_s_per_mm = 0.0;
+    double arm_n_per_mm = 0.0;
+    double arm_n_s_per_mm = 0.0;
+    double taps_hz = 0.0;  // in and out of the clay
+};
+
+constexpr HandModel kHands[] = {
+    {.name = "free"},
+    {"light hold", 0.05, 0.1, 0.002, 0.05, 0.003, 0.0},
+    {"firm hold", 0.3, 1.0, 0.01, 0.5, 0.02, 0.0},
+    {"tapping", 0.1, 0.5, 0.005, 0.3, 0.01, 3.0},
+};
+
+// The tool of a device as device_models.h describes one, in three axes, and the hand on it.
+class HeldDevice {
+  public:
+    HeldDevice(const haptics::DeviceCapabilities& device, const HandModel& hand)
+        : device_(device),
+          hand_(hand) {
+        at_ = hand_at_ = {80.0, 100.0, 0.0};
+    }
+
+    [[nodiscard]] dvec3 reading_mm() const {
+        const double step = device_.position_resolution_mm;
+        return {std::round(at_.x / step) * step, std::round(at_.y / step) * step,
+                std::round(at_.z / step) * step};
+    }
+
+    // The force is held for dt_s while hand and tool move. Gives its work, mJ.
+    double advance(const dvec3& force_n, const dvec3& aim_mm, double dt_s) {
+        constexpr int kSteps = 20;
+        const double h = dt_s / kSteps;
+        const dvec3 before = at_;
+        for (int step = 0; step < kSteps; ++step) {
+            dvec3 push = force_n - v_ * device_.damping_n_s_per_mm;
+            if (hand_.mass_kg > 0.0) {
+                const dvec3 grip =
+                    (hand_at_ - at_) * hand_.grip_n_per_mm + (hand_v_ - v_) * hand_.grip_n_s_per_mm;
+                const dvec3 arm = (aim_mm - hand_at_) * hand_.arm_n_per_mm - hand_v_ * hand_.arm_n_s_per_mm;
+                push += grip;
+                hand_v_ += (arm - grip) * (kMmPerM / hand_.mass_kg * h);
+                hand_at_ += hand_v_ * h;
+            }
+            v_ += push * (kMmPerM / device_.moving_mass_kg * h);
+            const double speed = std::sqrt(glm::dot(v_, v_));
+            const double loss = device_.coulomb_friction_n / device_.moving_mass_kg * kMmPerM * h;
+            v_ = speed > loss ? v_ * (1.0 - loss / speed) : dvec3(0.0);
+            at_ += v_ * h;
+        }
+        return glm::dot(force_n, at_ - before);
+    }
+    [[nodiscard]] const dvec3& place_mm() const { return at_; }
+    void put_at(const dvec3& at_mm) {
+        at_ = hand_at_ = at_mm;
+        v_ = hand_v_ = dvec3(0.0);
+    }
+
+  private:
+    const haptics::DeviceCapabilities device_;
+    const HandModel hand_;
+    dvec3 at_{0.0};
+    dvec3 v_{0.0};
+    dvec3 hand_at_{0.0};
+    dvec3 hand_v_{0.0};
+};
+
+// Where the arm wants the hand: to new places near the wall every now and then, up and down, deeper and not.
+class Wish {
+  public:
+    explicit Wish(unsigned seed) : random_(seed) {}
+    dvec3 next(const HandModel& hand, double t_s, double dt_s, double wall_mm) {
+        if (t_s >= until_s_) {
+            until_s_ = t_s + 0.3 + 1.5 * share_(random_);
+            goal_ = {wall_mm + 14.0 - 12.0 * share_(random_), 30.0 + 60.0 * share_(random_),
+                     6.0 * share_(random_) - 3.0};
+        }
+        aim_ += (goal_ - aim_) * std::min(1.0, dt_s / 0.15);
+        dvec3 aim = aim_;
+        if (hand.taps_hz > 0.0) {
+            const double beat = t_s * hand.taps_hz;
+            aim.x += beat - std::floor(beat) < 0.5 ? 12.0 : -3.0;
+        }
+        return aim;
+    }
+    bool wheel() {
+        if (share_(random_) < 0.0005) turning_ = !turning_;
+        return turning_;
+    }
+
+  private:
+    std::mt19937 random_;
+    std::uniform_real_distribution<double> share_{0.0, 1.0};
+    double until_s_ = 0.0;
+    dvec3 goal_{90.0, 60.0, 0.0};
+    dvec3 aim_{90.0, 60.0, 0.0};
+    bool turning_ = false;
+};
+
+struct Outcome {
+    double largest_n = 0.0;
+    double largest_heat_n2 = 0.0;
+    double most_given_mj = 0.0;  // net of what was taken and of what the wheel did, at its worst
+    double largest_change_n = 0.0;
+    double touched_s = 0.0;
+    double farthest_mm = 0.0;
+    double late_swing_mm = 0.0;  // of a free tool in the last two seconds
+    haptics::Fault fault = haptics::Fault::kNone;
+};
+
+Outcome work(HapticState state, const HandModel& hand, unsigned seed, double seconds) {
+    const haptics::DeviceCapabilities device = test::omni_like();
+    HapticParameters parameters;
+    parameters.set_rate_hz(kRateHz);
+    const bool is_paper = state.paper() != nullptr;
+    EXPECT_TRUE(fit_to_device(parameters, device, is_paper));
+    state.velocity = haptics::VelocityEstimator(device.position_resolution_mm);
+    const double wall_mm = is_paper ? 60.0 : 50.0;
+
+    HeldDevice held(device, hand);
+    Wish wish(seed);
+    Outcome outcome;
+    dvec3 applied_n(0.0);
+    double net_mj = 0.0;
+    dvec3 low(1e9);
+    dvec3 high(-1e9);
+    const auto ticks = static_cast<int>(seconds * kRateHz);
+    // A free tool is led into the clay until that pushes back, and let loose: what happens then is the loop's
+    // doing alone.
+    constexpr double kPushesN = 0.6;
+    bool is_led = hand.mass_kg == 0.0;
+    double led_x_mm = wall_mm + 30.0;
+    for (int k = 0; k < ticks; ++k) {
+        is_led = is_led && glm::dot(applied_n, applied_n) < kPushesN * kPushesN;
+        if (is_led && k > kRateHz * 1.5) held.put_at({led_x_mm -= 0.02, 20.0, 0.0});
+        const dvec3 aim = wish.next(hand, k / kRateHz, 1.0 / kRateHz, wall_mm);
+        haptics::ToolState tool{.position_mm = held.reading_mm(), .wheel_button = wish.wheel()};
+        if (hand.mass_kg == 0.0) tool.wheel_button = false;
+        const dvec3 place_before = held.place_mm();
+        const TickResult result = tick(state, tool, parameters);
+        // One tick of delay: what is felt now was worked out at the last tick.
+        const double given_mj = held.advance(applied_n, aim, 1.0 / kRateHz);
+        // The wheel's motor pays for its drag.
+        const dvec3 way = held.place_mm() - place_before;
+        const dvec3 drag = result.forces.friction_n;
+        const double drag_n = std::sqrt(glm::dot(drag, drag));
+        const double scale = drag_n > 3.3 ? 3.3 / drag_n : 1.0;
+        net_mj = std::max(0.0, net_mj + given_mj - std::max(0.0, glm::dot(drag, way) * scale));
+        outcome.most_given_mj = std::max(outcome.most_given_mj, net_mj);
+
+        const dvec3 next_n = result.limited_force_n;
+        const double change = std::sqrt(glm::dot(next_n - applied_n, next_n - applied_n));
+        const double size = std::sqrt(glm::dot(next_n, next_n));
+        outcome.largest_change_n = std::max(outcome.largest_change_n, change);
+        outcome.largest_n = std::max(outcome.largest_n, size);
+        outcome.largest_heat_n2 = std::max(outcome.largest_heat_n2, state.safety.heat_n2);
+        if (size > 0.0) outcome.touched_s += 1.0 / kRateHz;
+        applied_n = next_n;
+        const dvec3 place = held.place_mm();
+        outcome.farthest_mm = std::max({outcome.farthest_mm, std::abs(place.x), std::abs(place.z)});
+        if (k > ticks - 2000) {
+            low = glm::min(low, place);
+            high = glm::max(high, place);
+        }
+    }
+    outcome.late_swing_mm = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    outcome.fault = state.safety.fault;
+    return outcome;
+}
+
+class HandsOnClay : public testing::TestWithParam<bool> {
+  protected:
+    static HapticState start() {
+        return GetParam() ? HapticState(clay::StudioClay{}) : HapticState(clay::PaperClay{});
+    }
+};
+
+TEST_P(HandsOnClay, NeverFeelMoreThanTheyMayHoweverTheyHoldTheTool) {
+    const haptics::SafetyLimits limits = haptics::limits_for(test::omni_like());
+    for (const HandModel& hand : kHands) {
+        for (const unsigned seed : {1U, 2U}) {
+            const Outcome outcome = work(start(), hand, seed, kSeconds / 2.0);
+            const std::string who = std::string(hand.name) + ", seed " + std::to_string(seed);
+            EXPECT_LE(outcome.largest_n, limits.peak_force_n * (1.0 + 1e-12)) << who;
+            EXPECT_LE(outcome.largest_heat_n2, 0.88 * 0.88 * (1.0 + 1e-9)) << who;
+            EXPECT_LE(outcome.largest_change_n, (limits.slew_n_per_s + limits.release_n_per_s) / kRateHz)
+                << who;
+            EXPECT_EQ(outcome.fault, haptics::Fault::kNone) << who;
+            EXPECT_LT(outcome.farthest_mm, 200.0) << who;
+            // A few mJ are a tool of 45 g at some hundred mm/s; a shake would add up without bound.
+            EXPECT_LT(outcome.most_given_mj, 8.0) << who;
+            // The test must have been one: hands that hold the tool press it into the clay.
+            EXPECT_TRUE(hand.mass_kg == 0.0 || outcome.touched_s > kSeconds / 40.0) << who;
+        }
+    }
+}
+
+TEST_P(HandsOnClay, LeaveAFreeToolAtRest) {
+    const Outcome outcome = work(start(), kHands[0], 1, 10.0);
+    EXPECT_GT(outcome.touched_s, 0.0);
+    EXPECT_LT(outcome.late_swing_mm, 0.12);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothClays, HandsOnClay, testing::Bool(),
+                         [](const auto& which) { return which.param ? "Studio" : "Paper"; });
+
+}  // namespace
+}  // namespace onggi::haptic

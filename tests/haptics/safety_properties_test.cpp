@@ -1,0 +1,442 @@
+// The safety properties of a kiosk's loop, one by one. Each test shows the property, and that it is gone when
+// the mechanism behind it is taken away: the stages of the chain are data, so a chain without one is a list
+// without one. Where else each is proved is the table of safety_table_test.cpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/haptics/hid/force_gate.h"
+#include "engine/haptics/stability.h"
+#include "engine/haptics/watchdog.h"
+#include "engine/record/session.h"
+#include "game/haptic/fault_report.h"
+#include "game/haptic/job.h"
+#include "tests/haptics/device_models.h"
+#include "tests/support/scripted_device.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::haptic {
+namespace {
+
+using haptics::kSafetyChain;
+using haptics::SafetyInput;
+using haptics::SafetyLimits;
+using haptics::SafetyStage;
+using haptics::SafetyState;
+
+constexpr double kRateHz = 4000.0;
+constexpr double kDt = 1.0 / kRateHz;
+const dvec3 kPush(1.0, 0.0, 0.0);
+
+double size_of(const dvec3& force_n) {
+    return std::sqrt(glm::dot(force_n, force_n));
+}
+
+std::vector<SafetyStage> chain_without(std::string_view name) {
+    std::vector<SafetyStage> stages;
+    for (const SafetyStage& stage : kSafetyChain)
+        if (stage.name != name) stages.push_back(stage);
+    EXPECT_EQ(stages.size() + 1, kSafetyChain.size()) << "there is no stage " << name;
+    return stages;
+}
+
+SafetyState engaged() {
+    SafetyState state;
+    state.calm_ticks = 1000;
+    state.ramp = 1.0;
+    return state;
+}
+
+SafetyInput resting() {
+    return {.position_mm = {60.0, 100.0, 0.0}, .dt_s = kDt};
+}
+
+// The largest force of so many ticks of the same.
+double largest_n(std::span<const SafetyStage> stages, const dvec3& wanted_n, const SafetyInput& input,
+                 const SafetyLimits& limits, SafetyState& state, int ticks) {
+    double largest = 0.0;
+    for (int k = 0; k < ticks; ++k)
+        largest = std::max(largest, size_of(haptics::apply_stages(stages, wanted_n, input, limits, state)));
+    return largest;
+}
+
+double last_n(std::span<const SafetyStage> stages, const dvec3& wanted_n, const SafetyInput& input,
+              const SafetyLimits& limits, SafetyState& state, int ticks) {
+    dvec3 force(0.0);
+    for (int k = 0; k < ticks; ++k)
+        force = haptics::apply_stages(stages, wanted_n, input, limits, state);
+    return size_of(force);
+}
+
+TEST(SafetyProperty01, TheForceStaysWithinPeakAndContinuousForce) {
+    const SafetyLimits limits = haptics::limits_for(
+        {.name = "falcon", .force_axes = 3, .peak_force_n = 8.0, .continuous_force_n = 8.0});
+    SafetyState whole = engaged();
+    EXPECT_LE(largest_n(kSafetyChain, kPush * 100.0, resting(), limits, whole, 40'000), 3.3 * (1.0 + 1e-12));
+    EXPECT_LE(whole.heat_n2, 0.88 * 0.88 * (1.0 + 1e-9));
+    SafetyState unclamped = engaged();
+    EXPECT_GT(largest_n(chain_without("clamp"), kPush * 100.0, resting(), limits, unclamped, 1000), 3.4);
+    SafetyState unbudgeted = engaged();
+    EXPECT_NEAR(last_n(chain_without("budget"), kPush * 100.0, resting(), limits, unbudgeted, 40'000), 3.3,
+                1e-9);
+}
+
+TEST(SafetyProperty02, TheClampKeepsTheDirection) {
+    // Without it, what a device does by itself is to clip each axis, which bends the push.
+    const auto clip = [](const dvec3& force_n, const SafetyInput&, const SafetyLimits& limits,
+                         SafetyState&) noexcept -> dvec3 {
+        return glm::clamp(force_n, -limits.peak_force_n, limits.peak_force_n);
+    };
+    std::vector<SafetyStage> clipped(kSafetyChain.begin(), kSafetyChain.end());
+    for (SafetyStage& stage : clipped)
+        if (stage.name == "clamp") stage.apply = clip;
+    const dvec3 wanted(2.0, 20.0, 0.0);
+    const auto bend = [&](std::span<const SafetyStage> stages) {
+        SafetyState state = engaged();
+        dvec3 force(0.0);
+        for (int k = 0; k < 400; ++k)
+            force = haptics::apply_stages(stages, wanted, resting(), {}, state);
+        return std::abs(force.x * wanted.y - force.y * wanted.x) / (size_of(force) * size_of(wanted));
+    };
+    EXPECT_LT(bend(kSafetyChain), 1e-12);
+    EXPECT_GT(bend(clipped), 0.3);
+}
+
+TEST(SafetyProperty03, TheForceGrowsSlowlyAndGoesQuickly) {
+    SafetyState whole = engaged();
+    const double step = size_of(haptics::apply_safety_chain(kPush, resting(), {}, whole));
+    EXPECT_LE(step, 0.05 + 1e-12);  // 200 N/s at 4 kHz
+    SafetyState blunt = engaged();
+    EXPECT_EQ(last_n(chain_without("slew"), kPush, resting(), {}, blunt, 1), 1.0);
+}
+
+TEST(SafetyProperty04, TheForceBeginsFromNothingAndOnlyOnceItIsSmall) {
+    SafetyState start;
+    EXPECT_EQ(largest_n(kSafetyChain, kPush, resting(), {}, start, 8000), 0.0);  // deep in the clay: never
+    largest_n(kSafetyChain, dvec3(0.0), resting(), {}, start, 4);
+    EXPECT_LT(last_n(kSafetyChain, kPush, resting(), {}, start, 400), 0.11);  // a tenth of a second: a tenth
+    SafetyState blunt;
+    EXPECT_EQ(last_n(chain_without("ramp"), kPush, resting(), {}, blunt, 400), 1.0);
+}
+
+TEST(SafetyProperty05, NonsenseIsAFaultThatStays) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    SafetyState whole = engaged();
+    whole.applied_force_n = kPush;
+    EXPECT_EQ(last_n(kSafetyChain, {nan, 0.0, 0.0}, resting(), {}, whole, 1), 0.0);
+    EXPECT_EQ(last_n(kSafetyChain, kPush, resting(), {}, whole, 8000), 0.0);
+    SafetyState open = engaged();
+    const double passed = last_n(chain_without("gate"), {nan, 0.0, 0.0}, resting(), {}, open, 1);
+    EXPECT_FALSE(passed == 0.0);  // NaN goes through to the device
+}
+
+TEST(SafetyProperty06, AToolThatFliesThroughTheClayIsLetGo) {
+    SafetyInput flying = resting();
+    flying.velocity_mm_s = {-1500.0, 0.0, 0.0};
+    SafetyState whole = engaged();
+    EXPECT_EQ(last_n(kSafetyChain, kPush, flying, {}, whole, 100), 0.0);
+    SafetyState open = engaged();
+    EXPECT_EQ(last_n(chain_without("speed"), kPush, flying, {}, open, 100), 1.0);
+}
+
+// Keeps what it was told, as real ones do, until it is silenced.
+class ObedientDevice : public test::ScriptedDevice {
+  public:
+    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
+        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
+        // Out of the clay, and into it once the ramp is done; then it stays there.
+        tool.position_mm = {std::max(68.0, 120.0 - 0.02 * static_cast<double>(tick)), 100.0, 0.0};
+        tool.radius_mm = 10.0;
+        tool.wheel_button = false;
+        return tool;
+    }
+    [[nodiscard]] haptics::HandSigns signs() const noexcept override { return signs_now; }
+    void silence() noexcept override {
+        last_force_n = dvec3(0.0);
+        ++silenced;
+    }
+
+    haptics::HandSigns signs_now;
+    int silenced = 0;
+};
+
+struct Loop {
+    explicit Loop(const HapticJobOptions& options = {}) {
+        auto owned = std::make_unique<ObedientDevice>();
+        device = owned.get();
+        HapticParameters parameters;
+        parameters.set_rate_hz(1000.0);
+        work = std::make_unique<HapticWork>(HapticState(), parameters, std::move(owned), options);
+    }
+    void run(int ticks) {
+        for (int k = 0; k < ticks; ++k) {
+            EXPECT_TRUE(work->tick(period));
+            ++period.index;
+            ++period.tick;
+            TickRecord record;
+            while (work->take_record(record))
+                records.push_back(record);
+            BlockHash hash;
+            while (work->take_hash(hash)) {
+            }
+        }
+    }
+    [[nodiscard]] double force_n() const { return size_of(device->last_force_n); }
+
+    ObedientDevice* device = nullptr;
+    std::unique_ptr<HapticWork> work;
+    jobs::Period period{.dt_s = 0.001};
+    std::vector<TickRecord> records;
+};
+
+constexpr std::int64_t kMs = 1'000'000;
+
+TEST(SafetyProperty07, ALoopThatStandsStillLosesTheDevice) {
+    Loop loop;
+    loop.run(3000);
+    ASSERT_GT(loop.force_n(), 0.3);
+    // The loop hangs. Without a watchdog the device pushes on for ever; with one it is let go in 5 ms and a
+    // look.
+    haptics::Watchdog& watchdog = loop.work->watchdog();
+    std::int64_t now_ns = 1000 * kMs;
+    const std::int64_t hung_ns = now_ns;
+    (void)watchdog.round(now_ns);
+    while (loop.device->silenced == 0 && now_ns < hung_ns + 1000 * kMs) {
+        EXPECT_GT(loop.force_n(), 0.3);
+        now_ns += kMs;
+        (void)watchdog.round(now_ns);
+    }
+    EXPECT_LE(now_ns - hung_ns, 6 * kMs);
+    EXPECT_EQ(loop.force_n(), 0.0);
+    // It wakes up, still deep in the clay: nothing until the tool has been out, and the picture is told.
+    loop.run(1500);
+    EXPECT_EQ(loop.force_n(), 0.0);
+    EXPECT_EQ(loop.work->newest_snapshot().safety.silences, 1U);
+}
+
+TEST(SafetyProperty07, AUsbDeviceIsToldNothingTwentyMillisecondsAfterTheLastOrder) {
+    // HID reports are 4 ms apart, so that 5 ms cannot be kept there; the device's own half are effects that
+    // end by themselves (tests/device, engine/haptics/README.md).
+    const auto force_after = [](std::int64_t silence_ns) {
+        haptics::hid::ForceGate gate({.silence_ns = silence_ns});
+        std::uint64_t ticks = 0;
+        std::int64_t now_ns = 0;
+        for (; now_ns < 2000 * kMs; now_ns += 4 * kMs)
+            (void)gate.passed({.force_n = {now_ns < 8 * kMs ? 0.0 : 1.0, 0.0}, .ticks = ++ticks}, now_ns);
+        now_ns += 24 * kMs;
+        return gate.passed({.force_n = {1.0, 0.0}, .ticks = ticks}, now_ns).force_n.x;
+    };
+    EXPECT_EQ(force_after(20 * kMs), 0.0);
+    EXPECT_EQ(force_after(1'000'000 * kMs), 1.0);  // without its limit
+}
+
+TEST(SafetyProperty08, AStalePositionLosesItsForceInFiveMilliseconds) {
+    SafetyInput stale = resting();
+    stale.position_is_new = false;
+    const int ticks = static_cast<int>((2.0 * kDt + 0.005) * kRateHz) + 2;
+    SafetyState whole = engaged();
+    last_n(kSafetyChain, kPush, resting(), {}, whole, 400);
+    EXPECT_EQ(last_n(kSafetyChain, kPush, stale, {}, whole, ticks), 0.0);
+    SafetyState open = engaged();
+    EXPECT_EQ(last_n(chain_without("hand"), kPush, stale, {}, open, 4000), 1.0);
+}
+
+TEST(SafetyProperty09, TheLoopGivesNoMoreThanItTook) {
+    const haptics::DeviceCapabilities slippery = test::stylus("slippery", 0.1, 0.0);
+    const std::vector<SafetyStage> without = chain_without("passivity");
+    EXPECT_TRUE(haptics::is_stable(slippery, {.rate_hz = 1000.0, .stages = kSafetyChain}, 0.3));
+    EXPECT_FALSE(haptics::is_stable(slippery, {.rate_hz = 1000.0, .stages = without}, 0.3));
+    // The counters are in the snapshot and in words.
+    Loop loop;
+    loop.run(3000);
+    EXPECT_GT(loop.work->newest_snapshot().safety.taken_mj, 0.1);
+    EXPECT_NE(haptics::describe(loop.work->state().safety, {}).find("taken"), std::string::npos);
+}
+
+// A device that says what it is, and counts its openings.
+class DescribedDevice final : public ObedientDevice {
+  public:
+    explicit DescribedDevice(haptics::DeviceCapabilities capabilities)
+        : capabilities_(std::move(capabilities)) {}
+    [[nodiscard]] haptics::DeviceCapabilities capabilities() const override { return capabilities_; }
+
+  private:
+    haptics::DeviceCapabilities capabilities_;
+};
+
+TEST(SafetyProperty10, AClayThatIsTooStiffForTheDeviceIsRefusedBeforeItIsOpened) {
+    haptics::DeviceCapabilities device = test::stylus("slippery", 0.1, 0.0);
+    const auto start = [&] {
+        HapticParameters parameters;
+        parameters.set_rate_hz(500.0);
+        auto owned = std::make_unique<DescribedDevice>(device);
+        DescribedDevice* opened = owned.get();
+        HapticJobOptions options;
+        options.end_periods = 1;
+        options.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
+        HapticJob job(HapticState(), parameters, std::move(owned), options);
+        const Result<void> started = job.start();
+        const std::pair<bool, int> outcome{static_cast<bool>(started), opened->opened};
+        EXPECT_TRUE(started ||
+                    started.error().message.find("the stiffest that is stable") != std::string::npos);
+        job.stop();
+        return outcome;
+    };
+    EXPECT_EQ(start(), std::pair(false, 0));
+    device.moving_mass_kg = 0.0;  // nothing to judge by: the check is taken away
+    EXPECT_EQ(start(), std::pair(true, 1));
+}
+
+TEST(SafetyProperty11, ALoopThatIsLateMakesTheClaySofter) {
+    SafetyInput late = resting();
+    late.late = 1;
+    late.dt_s = 2.0 * kDt;
+    SafetyState whole = engaged();
+    EXPECT_LT(last_n(kSafetyChain, kPush, late, {}, whole, 4000), 0.3);
+    EXPECT_EQ(whole.late_count, 4000U);
+    SafetyState open = engaged();
+    EXPECT_EQ(last_n(chain_without("late"), kPush, late, {}, open, 4000), 1.0);
+}
+
+TEST(SafetyProperty12, ADeviceThatGoesAndComesBackBeginsFromNothing) {
+    Loop loop;
+    loop.run(3000);
+    ASSERT_GT(loop.force_n(), 0.3);
+    loop.device->signs_now = {.position_is_new = false, .hand_is_there = false};
+    loop.run(10);
+    EXPECT_EQ(loop.force_n(), 0.0);
+    loop.device->signs_now = {};
+    loop.run(1500);
+    EXPECT_EQ(loop.force_n(), 0.0);  // it came back inside the clay
+    // Whoever does not say that it has gone is pushed on.
+    Loop silent;
+    silent.run(3010);
+    EXPECT_GT(silent.force_n(), 0.3);
+}
+
+TEST(SafetyProperty13, TheTickAsksTheSystemForNothing) {
+    // What it would take is a clock, a lock or a file: none of their headers can be reached from the tick's
+    // files.
+    for (const char* file : {"tick.cpp", "tick.h", "device_force.cpp", "device_force.h"}) {
+        std::ifstream in(std::string(ONGGI_SOURCE_DIR "/game/haptic/") + file);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        ASSERT_FALSE(text.empty()) << file;
+        for (const char* header : {"<mutex>", "<chrono>", "<fstream>", "<iostream>", "<thread>", "throw "})
+            EXPECT_EQ(text.find(header), std::string::npos) << file << ' ' << header;
+    }
+}
+
+TEST(SafetyProperty14, NobodyThereNoForce) {
+    SafetyInput alone = resting();
+    alone.hand_is_there = false;
+    SafetyState whole = engaged();
+    last_n(kSafetyChain, kPush, resting(), {}, whole, 400);
+    EXPECT_EQ(last_n(kSafetyChain, kPush, alone, {}, whole, 22), 0.0);
+    SafetyState open = engaged();
+    EXPECT_EQ(last_n(chain_without("hand"), kPush, alone, {}, open, 22), 1.0);
+}
+
+TEST(SafetyProperty14, AnIdleKioskAndAHungPictureLetGo) {
+    Loop idle;
+    idle.run(3000);
+    ASSERT_GT(idle.force_n(), 0.3);
+    EXPECT_TRUE(idle.work->send(Command::kLetGo));
+    idle.run(10);
+    EXPECT_EQ(idle.force_n(), 0.0);
+
+    Loop hung;
+    hung.run(3000);
+    haptics::Watchdog& watchdog = hung.work->watchdog();
+    std::int64_t now_ns = 0;
+    watchdog.picture_is_alive();
+    (void)watchdog.round(now_ns);
+    // The loop beats on, the picture does not.
+    for (int k = 0; k < 2100; ++k) {
+        hung.run(1);
+        now_ns += kMs;
+        (void)watchdog.round(now_ns);
+        if (k < 1900) {
+            ASSERT_GT(hung.force_n(), 0.3) << k;
+        }
+    }
+    EXPECT_EQ(hung.force_n(), 0.0);
+    EXPECT_EQ(hung.device->silenced, 0);
+}
+
+TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilItIsTakenBack) {
+    Loop loop;
+    loop.run(3000);
+    ASSERT_GT(loop.force_n(), 0.3);
+    loop.work->stop_force();  // any thread; nobody looks at snapshots
+    loop.run(1);
+    EXPECT_EQ(loop.force_n(), 0.0);
+    loop.run(3000);
+    EXPECT_EQ(loop.force_n(), 0.0);
+    EXPECT_EQ(loop.work->newest_snapshot().fault, haptics::Fault::kStopped);
+    EXPECT_TRUE(loop.work->send(Command::kRearmForce));
+    loop.run(1);
+    EXPECT_EQ(loop.work->newest_snapshot().fault, haptics::Fault::kNone);
+}
+
+// Loses its senses after 2500 ticks.
+class LosingDevice final : public test::ScriptedDevice {
+  public:
+    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
+        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
+        if (tick == 2500) tool.position_mm.x = std::numeric_limits<double>::quiet_NaN();
+        return tool;
+    }
+};
+
+TEST(SafetyProperty15, AFaultLeavesAReportThatReplaysToTheBit) {
+    HapticParameters parameters;
+    HapticWork work(HapticState(), parameters, std::make_unique<LosingDevice>(), {});
+    History history(HapticState(), parameters);
+    const test::TemporaryFolder folder;
+    FaultReport report(folder.path() / "faults");
+    jobs::Period period{.dt_s = 0.001};
+    std::optional<std::filesystem::path> kept;
+    int reports = 0;
+    for (int k = 0; k < 3000; ++k) {
+        ASSERT_TRUE(work.tick(period));
+        ++period.index;
+        ++period.tick;
+        TickRecord record;
+        while (work.take_record(record)) {
+            history.add(record);
+            const auto looked = report.look(record, history);
+            ASSERT_TRUE(looked) << looked.error().message;
+            if (!*looked) continue;
+            kept = *looked;
+            ++reports;
+        }
+    }
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(reports, 1);
+    EXPECT_EQ(history.state().hash(), work.state().hash());
+    auto session = record::parse_session(test::content_of(*kept), "fault");
+    ASSERT_TRUE(session) << session.error().message;
+    auto start = start_from_bytes(session->start_state(), session->header().rate_hz);
+    ASSERT_TRUE(start) << start.error().message;
+    record::SessionCursor cursor(*session);
+    for (std::uint64_t tick = 0; tick < session->tick_count(); ++tick) {
+        const TickResult result = haptic::tick(start->state, cursor.at(tick), start->parameters);
+        ASSERT_EQ(record::force_check(result.forces.total_n()), session->force_check_at(tick)) << tick;
+    }
+    EXPECT_GE(session->tick_count(), 2501U);  // the fault is in it
+}
+
+}  // namespace
+}  // namespace onggi::haptic
