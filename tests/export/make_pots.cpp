@@ -10,7 +10,10 @@
 
 #include "game/share/export.h"
 #include "game/share/pot_mesh.h"
+#include "game/share/pot_solid.h"
+#include "game/share/studio_export.h"
 #include "tests/support/pot_samples.h"
+#include "tests/support/studio_samples.h"
 
 namespace {
 
@@ -24,6 +27,59 @@ bool write(const std::filesystem::path& path, const std::vector<std::byte>& byte
     return file.good();
 }
 
+// Both kinds of file; false after saying what went wrong.
+template <typename Export>
+bool write_both(const std::filesystem::path& folder, const std::string& name, Export export_as) {
+    for (const auto& [kind, ending] :
+         {std::pair{share::ExportKind::kGlb, ".glb"}, {share::ExportKind::kStl, ".stl"}}) {
+        const Result<std::vector<std::byte>> bytes = export_as(kind);
+        const std::filesystem::path path = folder / (name + ending);
+        if (bytes && write(path, *bytes)) continue;
+        fmt::print(stderr, "{}: {}\n", path.string(), bytes ? "cannot be written" : bytes.error().message);
+        return false;
+    }
+    return true;
+}
+
+bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample& pot,
+                   nlohmann::json& expected) {
+    if (!write_both(folder, pot.name, [&](auto kind) { return share::export_pot(pot.shape(), kind); }))
+        return false;
+    const share::PotMesh built = share::build_pot_mesh(pot.shape());
+    expected.push_back({{"name", pot.name},
+                        {"height_m", pot.height_mm * 1e-3},
+                        {"diameter_m", 2e-3 * *std::max_element(pot.radii_mm.begin(), pot.radii_mm.end())},
+                        {"volume_m3", share::clay_volume_mm3(pot.shape()) * 1e-9},
+                        {"hand_made", pot.hand_made},
+                        {"triangles", built.mesh.triangle_count()}});
+    fmt::print("{}: {} elements, {} rings of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", pot.name,
+               built.elements, built.profile.size(), built.sectors, built.mesh.triangle_count(),
+               built.tolerance_mm, built.radius_scale);
+    return true;
+}
+
+bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
+                    nlohmann::json& expected) {
+    if (!write_both(folder, pot.name,
+                    [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
+        return false;
+    const double scale = 1e-3 * clay::shrunk_scale(pot.clay.lump().body, pot.stage);
+    const auto built = share::build_pot_solid(pot.clay.rings());
+    if (!built) return false;
+    const auto outer = pot.clay.outer_mm();
+    // Clay off its axis is wider across than twice its radius; the browser's check is for calm pots.
+    expected.push_back({{"name", pot.name},
+                        {"height_m", pot.clay.height_mm() * scale},
+                        {"diameter_m", 2.0 * *std::max_element(outer.begin(), outer.end()) * scale},
+                        {"volume_m3", pot.clay.volume_mm3() * scale * scale * scale},
+                        {"hand_made", pot.calm && pot.off_axis_mm == 0.0},
+                        {"triangles", built->mesh.triangle_count()}});
+    fmt::print("{}: {} elements, {} rings of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", pot.name,
+               pot.clay.ring_count(), built->rows, built->corners, built->mesh.triangle_count(),
+               built->tolerance_mm, built->across_scale);
+    return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -35,27 +91,10 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     nlohmann::json expected = nlohmann::json::array();
     for (const support::PotSample& pot : support::all_pot_samples()) {
-        for (const auto& [kind, ending] :
-             {std::pair{share::ExportKind::kGlb, ".glb"}, {share::ExportKind::kStl, ".stl"}}) {
-            const Result<std::vector<std::byte>> bytes = share::export_pot(pot.shape(), kind);
-            const std::filesystem::path path = folder / (pot.name + ending);
-            if (!bytes || !write(path, *bytes)) {
-                fmt::print(stderr, "{}: {}\n", path.string(),
-                           bytes ? "cannot be written" : bytes.error().message);
-                return 1;
-            }
-        }
-        const share::PotMesh built = share::build_pot_mesh(pot.shape());
-        expected.push_back(
-            {{"name", pot.name},
-             {"height_m", pot.height_mm * 1e-3},
-             {"diameter_m", 2e-3 * *std::max_element(pot.radii_mm.begin(), pot.radii_mm.end())},
-             {"volume_m3", share::clay_volume_mm3(pot.shape()) * 1e-9},
-             {"hand_made", pot.hand_made},
-             {"triangles", built.mesh.triangle_count()}});
-        fmt::print("{}: {} elements, {} rings of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", pot.name,
-                   built.elements, built.profile.size(), built.sectors, built.mesh.triangle_count(),
-                   built.tolerance_mm, built.radius_scale);
+        if (!add_paper_pot(folder, pot, expected)) return 1;
+    }
+    for (const support::StudioSample& pot : support::all_studio_samples()) {
+        if (!add_studio_pot(folder, pot, expected)) return 1;
     }
     std::ofstream list(folder / "pots.json");
     list << expected.dump(1) << '\n';

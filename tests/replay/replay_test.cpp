@@ -68,7 +68,7 @@ TEST(StoredSession, ReplaysWithEveryKernelThisMachineHas) {
          {clay::KernelVariant::kPlain, clay::KernelVariant::kSse, clay::KernelVariant::kAvx2}) {
         if (!clay::is_supported(variant)) continue;
         LoadedSession session = loaded(stored("vase-100hz.onggi"));
-        session.start.state.clay.use_kernel(variant);
+        session.start.state.paper()->use_kernel(variant);
         EXPECT_EQ(words_for(find_difference(session.session, std::move(session.start))), "none");
     }
 }
@@ -76,7 +76,7 @@ TEST(StoredSession, ReplaysWithEveryKernelThisMachineHas) {
 TEST(Replay, NoticesAnotherStart) {
     LoadedSession session = loaded(stored("vase-100hz.onggi"));
     const float radius = 60.01F;
-    session.start.state.clay.set_radii_mm(std::span(&radius, 1), 42);
+    session.start.state.paper()->set_radii_mm(std::span(&radius, 1), 42);
     EXPECT_EQ(words_for(find_difference(session.session, std::move(session.start))),
               "0 to 0: the start state is not the one that was recorded");
 }
@@ -92,7 +92,7 @@ TEST(Replay, NamesTheFirstTickThatADifferentClayFeels) {
         ++touch;
     ASSERT_GT(touch, 10U);
 
-    session.start.parameters.clay.stiffness_turning_n_per_mm *= 1.0 + 1e-12;
+    session.start.parameters.paper.stiffness_turning_n_per_mm *= 1.0 + 1e-12;
     EXPECT_EQ(words_for(find_difference(session.session, std::move(session.start))),
               std::to_string(touch) + " to " + std::to_string(touch) +
                   ": its force is not the one that was recorded");
@@ -103,11 +103,11 @@ TEST(Replay, NarrowsAStateThatIsNotFeltToItsBlock) {
     const TemporaryFolder folder;
     auto performance = load_performance({.file = stored("vase-100hz.onggi")});
     ASSERT_TRUE(performance);
-    performance->start.parameters.clay.friction_c3_n_s_per_mm = 0.0;
+    performance->start.parameters.paper.friction_c3_n_s_per_mm = 0.0;
     record_session(*performance, (folder / "s.onggi").string());
 
     LoadedSession session = loaded((folder / "s.onggi").string());
-    session.start.parameters.clay.wheel_speed_rad_s = 3.0;
+    session.start.parameters.paper.wheel_speed_rad_s = 3.0;
     EXPECT_EQ(words_for(find_difference(session.session, std::move(session.start))),
               "0 to 999: every force is as recorded, but the state after them is not");
 }

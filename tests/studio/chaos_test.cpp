@@ -1,5 +1,7 @@
 // Two wild hands, every tool, wires and fresh lumps: the ledger stays at zero and no ring leaves its bounds.
+#include <cstdlib>
 #include <random>
+#include <string>
 
 #include "tests/studio/bench.h"
 
@@ -8,24 +10,31 @@ namespace {
 
 #ifdef NDEBUG
 constexpr int kTicks = 1000000;
+constexpr int kTicksASeed = 20000;
 #else
 constexpr int kTicks = 100000;
+constexpr int kTicksASeed = 1000;
 #endif
+constexpr unsigned kSeeds = 50;
 
-TEST(Chaos, TheLedgerErrorIsExactlyZero) {
-    Bench bench({.mass_g = 1000.0, .rings = 1000, .sectors = 64});
-    bench.parameters.wheel = electric_wheel();
-    std::mt19937 random(20240229);
-    const auto uniform = [&](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-    };
+struct Wildness {
     std::uint64_t splits = 0;
     std::uint64_t joins = 0;
     int lumps = 0;
     int wires = 0;
+};
+
+// Throws like mad for so many ticks; a failure of the test is fatal there.
+void throw_wildly(unsigned seed, int ticks, Wildness& seen) {
+    Bench bench({.mass_g = 1000.0, .rings = 1000, .sectors = 64});
+    bench.parameters.wheel = electric_wheel();
+    std::mt19937 random(seed);
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
     std::array<dvec3, 2> goal{};
     std::array<dvec3, 2> place{dvec3(0.0, 200.0, 0.0), dvec3(0.0, 200.0, 0.0)};
-    for (int k = 0; k < kTicks; ++k) {
+    for (int k = 0; k < ticks; ++k) {
         if (k % 500 == 0) {
             for (std::size_t h = 0; h < 2; ++h) {
                 const double spread = uniform(5.0, 90.0);
@@ -38,22 +47,22 @@ TEST(Chaos, TheLedgerErrorIsExactlyZero) {
             bench.input.has_second = random() % 3 != 0;
             bench.input.assist_gap_mm = random() % 3 == 0 ? uniform(2.0, 12.0) : 0.0;
             bench.input.wheel_speed_rad_s = random() % 8 == 0 ? 0.0 : uniform(2.0, 25.0);
-            bench.input.wet_hands = random() % 2 == 0;
+            bench.input.water = random() % 2 == 0 ? 1.0 : 0.0;
             bench.parameters.sponge_water_ml_s = random() % 2 == 0 ? uniform(0.0, 2.0) : 0.0;
-            bench.parameters.shaft_radius_mm = random() % 4 == 0 ? 9.0 : 0.0;
+            bench.input.hand.shaft_mm = random() % 4 == 0 ? 9.0 : 0.0;
         }
         if (random() % 20000 == 0) {
             bench.input.wire = Wire::kCutRim;
             bench.input.wire_height_mm = uniform(0.2, 1.1) * bench.clay.height_mm();
-            ++wires;
+            ++seen.wires;
         } else {
             bench.input.wire = Wire::kNone;
         }
         if (random() % 40000 == 0 || bench.clay.ring_count() < 20 || bench.clay.height_mm() < 8.0) {
-            splits += bench.clay.splits();
-            joins += bench.clay.joins();
+            seen.splits += bench.clay.splits();
+            seen.joins += bench.clay.joins();
             bench.clay.restart();
-            ++lumps;
+            ++seen.lumps;
         }
         for (std::size_t h = 0; h < 2; ++h)
             place[h] += (goal[h] - place[h]) * 0.01;
@@ -62,21 +71,46 @@ TEST(Chaos, TheLedgerErrorIsExactlyZero) {
         const StudioForces forces = bench.tick();
         const dvec3 total = forces.total_n();
         ASSERT_TRUE(std::isfinite(total.x) && std::isfinite(total.y) && std::isfinite(total.z))
-            << "tick " << k;
+            << "seed " << seed << ", tick " << k;
         if (k % 1000 == 0) {
-            ASSERT_EQ(bench.clay.ledger_error_mm3(), 0.0) << "tick " << k;
+            ASSERT_EQ(bench.clay.ledger_error_mm3(), 0.0) << "seed " << seed << ", tick " << k;
             expect_sound(bench.clay);
-            if (testing::Test::HasFatalFailure()) FAIL() << "tick " << k;
+            if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed << ", tick " << k;
         }
     }
-    splits += bench.clay.splits();
-    joins += bench.clay.joins();
-    std::printf("%d ticks: %llu splits, %llu joins, %d lumps, %d wires\n", kTicks,
-                static_cast<unsigned long long>(splits), static_cast<unsigned long long>(joins), lumps,
-                wires);
-    EXPECT_GT(splits, 100U);
-    EXPECT_GT(joins, 100U);
-    EXPECT_EQ(bench.clay.ledger_error_mm3(), 0.0);
+    seen.splits += bench.clay.splits();
+    seen.joins += bench.clay.joins();
+    ASSERT_EQ(bench.clay.ledger_error_mm3(), 0.0) << "seed " << seed;
+}
+
+void print(const char* what, const Wildness& seen) {
+    std::printf("%s: %llu splits, %llu joins, %d lumps, %d wires\n", what,
+                static_cast<unsigned long long>(seen.splits), static_cast<unsigned long long>(seen.joins),
+                seen.lumps, seen.wires);
+}
+
+TEST(Chaos, TheLedgerErrorIsExactlyZeroAfterAMillionTicks) {
+    Wildness seen;
+    throw_wildly(20240229, kTicks, seen);
+    print("one long throw", seen);
+    EXPECT_GT(seen.splits, 100U);
+    EXPECT_GT(seen.joins, 100U);
+    EXPECT_GT(seen.wires, 1);
+}
+
+// Fifty seeds, each for as many ticks as a check has time for: a million between them. ONGGI_CHAOS_TICKS sets
+// how many each gets; README.md says how to give each a million.
+TEST(Chaos, FiftySeedsLoseNothingEither) {
+    const char* wanted = std::getenv("ONGGI_CHAOS_TICKS");
+    const int ticks = wanted != nullptr ? std::stoi(wanted) : kTicksASeed;
+    Wildness seen;
+    for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+        throw_wildly(seed, ticks, seen);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    print("fifty seeds", seen);
+    EXPECT_GT(seen.splits, 50U);
+    EXPECT_GT(seen.joins, 50U);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What the clay carries and when it gives way; every stress worked out by hand beside it.
 #include "game/clay/studio/load.h"
 
+#include <tuple>
+
 #include "engine/core/units.h"
 #include "game/clay/studio/strength.h"
 #include "tests/studio/bench.h"
@@ -118,6 +120,86 @@ TEST(Slump, ABowlTwentyCentimetresWideOfWetClayStandsAtSixtyTurnsAndFailsAtTwoHu
     EXPECT_NE(sentence(fast.failure).find("spun"), std::string::npos) << sentence(fast.failure);
 }
 
+TEST(Slump, StiffClayOfThatBowlStandsAtTwoHundred) {
+    // Spin: 1900 x (20.94)^2 x 0.1^2 Pa = 8.33 kPa of tension around, against 2 su(0.5) = 40.7 kPa.
+    const Outcome outcome = spin_bowl(0.5, 200.0);
+    EXPECT_EQ(outcome.failure.cause, Cause::kNone) << sentence(outcome.failure);
+    EXPECT_LT(outcome.index, 0.5);
+    EXPECT_NEAR(outcome.height, outcome.height_before, 0.05);
+}
+
+// A cylinder 300 mm high on a floor of 12: its foot carries 1900 x 9.81 x 0.288 Pa = 5.37 kPa of pressure
+// along the wall, whatever its thickness. Against 2 su: 4.60 kPa at LI 1.0 (index 1.17), 11.03 kPa at 0.8
+// (0.49).
+TEST(Slump, ATallCylinderSagsAtTheLiquidLimitAndStandsAFifthBelowIt) {
+    const auto stand = [](double liquidity) {
+        Bench bench({.mass_g = 2500.0, .rings = 1000});
+        bench.clay.set_liquidity(liquidity);
+        bench.wall(45.0, 6.0, 12.0, 300.0, 1500);
+        bench.turn_at(units::rad_s_from_rev_min(20.0));
+        bench.lift();
+        bench.hold(3.0);
+        expect_sound(bench.clay);
+        return std::tuple{bench.clay.failure(), bench.clay.load_index(), bench.clay.height_mm()};
+    };
+    const auto [wet, wet_index, wet_height] = stand(1.0);
+    EXPECT_EQ(wet.cause, Cause::kWeight) << sentence(wet);
+    EXPECT_NEAR(wet.stress_kpa / (2.0 * wet.strength_kpa), wet.load_index, 1e-6);
+    EXPECT_LT(wet.height_mm, 60.0) << "near the foot";
+    EXPECT_LT(wet_height, 299.0);
+    const auto [stiff, stiff_index, stiff_height] = stand(0.8);
+    EXPECT_EQ(stiff.cause, Cause::kNone) << sentence(stiff);
+    EXPECT_NEAR(stiff_index, 5.37 / 11.03, 0.03);
+    EXPECT_NEAR(stiff_height, 300.0, 0.01);
+}
+
+// A neck 20 mm in mean radius with 3 mm of wall, under a flare of 50 mm on which a hand drags with 3 N: it
+// carries 3 x 50 = 150 N mm, which is 150/(2 pi 20^2 3) N/mm^2 = 19.9 kPa of shear, equivalent to sqrt(3)
+// times that, 34.5 kPa. Against 2 su: 7.1 kPa at LI 0.9 (index 4.8), 40.7 kPa at 0.5 (0.85).
+TEST(Slump, ADraggingHandTwistsAThinWetNeckOffAndAStiffOneStands) {
+    const auto twist = [](double liquidity, double drag_n) {
+        Bench bench({.mass_g = 500.0, .rings = 1000, .off_centre_mm = 0.0});
+        bench.clay.set_liquidity(liquidity);
+        bench.wall(21.5, 3.0, 8.0, 70.0, 700);
+        Rings shaped = bench.clay.rings();
+        for (int i = shaped.first_hollow; i < shaped.count; ++i) {
+            // Straight up to 30 mm, then a flare to 50 mm at 66.
+            const double part = std::clamp((shaped.centre_mm(i) - 30.0) / 36.0, 0.0, 1.0);
+            const double mean = 20.0 + 30.0 * part * part;
+            shaped.outer_mm[Rings::at(i)] = mean + 1.5;
+            shaped.inner_mm[Rings::at(i)] = mean - 1.5;
+        }
+        bench.clay.set_profile(shaped.outer_mm, shaped.inner_mm);
+        Rings rings = bench.clay.rings();
+        LoadSweep sweep;
+        restart(sweep, rings);
+        bool torn = false;
+        double first_index = 0.0;  // of the first look at all of it, before anything has given way
+        for (int k = 0; k < 5000 && !torn; ++k) {
+            sweep_load(sweep, rings,
+                       {.wheel_speed_rad_s = 1.0,
+                        .twist_n_mm = drag_n * 50.0,
+                        .twist_height_mm = 68.0,
+                        .dt_s = 0.001});
+            torn = sweep.tear_at >= 0;
+            if (first_index == 0.0) first_index = sweep.peak_index;
+        }
+        return std::tuple{sweep.failure, first_index, torn};
+    };
+    const auto [wet, wet_index, wet_torn] = twist(0.9, 3.0);
+    EXPECT_EQ(wet.cause, Cause::kTwist) << sentence(wet);
+    EXPECT_NEAR(wet_index, 34.5 / 7.12, 0.1);
+    EXPECT_TRUE(wet_torn);
+    const auto [stiff, stiff_index, stiff_torn] = twist(0.5, 3.0);
+    EXPECT_EQ(stiff.cause, Cause::kNone) << sentence(stiff);
+    EXPECT_NEAR(stiff_index, 34.5 / 40.7, 0.02);
+    EXPECT_FALSE(stiff_torn);
+    const auto [left, left_index, left_torn] = twist(0.9, 0.0);
+    EXPECT_EQ(left.cause, Cause::kNone) << "it is the hand that does it: " << sentence(left);
+    EXPECT_LT(left_index, 0.9);
+    EXPECT_FALSE(left_torn);
+}
+
 TEST(Slump, OrdinaryClayOfThatBowlStandsAtTwoHundred) {
     const Outcome outcome = spin_bowl(0.6, 200.0);
     EXPECT_EQ(outcome.failure.cause, Cause::kNone) << sentence(outcome.failure);
@@ -186,7 +268,7 @@ TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
     const double dry_ratio =
         std::sqrt(glm::dot(dry.friction_n, dry.friction_n) / glm::dot(dry.stiffness_n, dry.stiffness_n));
     EXPECT_NEAR(dry_ratio, 0.5, 0.01);
-    bench.input.wet_hands = true;
+    bench.input.water = 1.0;
     const ContactForces wet = rubbing();
     const double wet_ratio =
         std::sqrt(glm::dot(wet.friction_n, wet.friction_n) / glm::dot(wet.stiffness_n, wet.stiffness_n));
@@ -200,6 +282,63 @@ TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
     EXPECT_LT(rings.strength_kpa[Rings::at(bench.ring_at(50.0))], 0.95F * rings.strength_kpa[0]);
     EXPECT_GT(bench.clay.ledger().slip_mm3, 0.0);
     EXPECT_EQ(bench.clay.ledger_error_mm3(), 0.0);
+}
+
+TEST(Water, PassesFromRingToRing) {
+    Bench bench({.mass_g = 500.0});
+    bench.wall(45.0, 6.0, 12.0, 80.0, 800);
+    Rings rings = bench.clay.rings();
+    for (int i = 0; i < rings.count; ++i)
+        set_liquidity(rings, i, rings.centre_mm(i) > 50.0 ? 0.8 : 0.6);
+    const auto water = [&] {
+        double sum = 0.0;
+        for (int i = 0; i < rings.count; ++i)
+            sum += static_cast<double>(rings.liquidity[Rings::at(i)]) * rings.volume_mm3[Rings::at(i)];
+        return sum;
+    };
+    const double before = water();
+    // Five minutes, looked at every 0.4 s: diffusion over sqrt(4 x 0.005 x 300) = 2.4 mm to either side.
+    for (int step = 0; step < 750; ++step) {
+        // In the order of the load's rounds, which leans neither up nor down.
+        for (int round = 0; round < 16; ++round) {
+            for (int i = rings.count - 1; i >= 0; --i) {
+                if (((i ^ round) & 15) == 0)
+                    refresh_ring(rings, i, {.elapsed_s = 0.4, .diffusivity_mm2_s = 5e-3});
+            }
+        }
+    }
+    const auto at = [&](double y) {
+        return static_cast<double>(rings.liquidity[Rings::at(rings.ring_at(y))]);
+    };
+    EXPECT_NEAR(water(), before, 1e-5 * before) << "none is lost";
+    EXPECT_NEAR(at(50.0), 0.7, 0.01);
+    // 0.7 +- 0.1 erf(d/2.449), in the rings whose middles are 1.05 mm above the step and 0.95 mm below it.
+    EXPECT_NEAR(at(51.0), 0.7456, 0.006);
+    EXPECT_NEAR(at(49.0), 0.6583, 0.006);
+    EXPECT_NEAR(at(70.0), 0.8, 1e-4);
+    EXPECT_NEAR(at(30.0), 0.6, 1e-4);
+    EXPECT_NEAR(static_cast<double>(rings.strength_kpa[Rings::at(rings.ring_at(70.0))]), strength_kpa(0.8),
+                0.01);
+}
+
+TEST(Water, AWetHandLeavesAFilmThatSlidesAndSoaksIn) {
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
+    bench.wall(45.0, 6.0, 12.0, 80.0, 800);
+    bench.input.water = 1.0;
+    bench.at(54.5, 50.05);
+    bench.hold(0.5);
+    bench.input.water = 0.0;
+    bench.lift();
+    const Rings& rings = bench.clay.rings();
+    const auto touched = Rings::at(bench.ring_at(50.05));
+    EXPECT_GT(rings.film[touched], 0.9F);
+    EXPECT_EQ(rings.film[Rings::at(bench.ring_at(20.0))], 0.0F) << "it was not there";
+    bench.hold(20.0);
+    EXPECT_NEAR(static_cast<double>(rings.film[touched]), std::exp(-1.0), 0.05);
+    // Soaked in: 0.63 of 1e-5 g/mm^2 on one of two faces, over 6 mm of 1.52e-3 g/mm^3 dry clay, an index of
+    // 0.2.
+    EXPECT_NEAR(static_cast<double>(rings.liquidity[touched]) - 0.6, 0.63 * 1e-5 / (6.0 * 1.52e-3 * 0.2),
+                1e-3);
 }
 
 TEST(Water, DriesFromThinWallsFaster) {

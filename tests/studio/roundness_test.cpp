@@ -119,6 +119,50 @@ TEST(Sectors, ATurningWheelUnderAHandRoundsThem) {
     expect_sound(bench.clay);
 }
 
+// A dent pressed while the wheel stands, rounded a little by a hand on the turning wheel, then left: what
+// every point of the wall is at, R + w.
+std::vector<double> dented_wall_at(double rate_hz) {
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, rate_hz);
+    bench.wall(50.0, 8.0, 12.0, 60.0, 600);
+    bench.turn_at(0.0);
+    bench.at(62.0, 40.05);
+    bench.move({57.0, 40.05, 0.0}, 0.5);
+    bench.hold(0.5);
+    bench.lift();
+    bench.turn_at(kThrowingSpeed);
+    bench.at(59.0, 40.05);
+    bench.hold(0.75);
+    bench.lift();
+    bench.turn_at(0.0);
+    bench.hold(1.0);  // every row's mean has gone into its ring
+    std::vector<double> wall;
+    for (double y = 26.0; y < 55.0; y += 0.5) {
+        const int ring = bench.ring_at(y);
+        const auto row = bench.clay.residuals_mm(ring);
+        for (std::size_t s = 0; s < 256; ++s) {
+            const double w = row.empty() ? 0.0 : static_cast<double>(row[s]);
+            wall.push_back(bench.clay.outer_mm()[static_cast<std::size_t>(ring)] + w);
+        }
+    }
+    return wall;
+}
+
+TEST(Sectors, AreTheSameAtEveryRate) {
+    const std::vector<double> fine = dented_wall_at(8000.0);
+    const auto [least, most] = std::minmax_element(fine.begin(), fine.end());
+    EXPECT_GT(*most - *least, 1.0) << "there is a dent to compare";
+    for (const double rate : {500.0, 1000.0, 4000.0}) {
+        const std::vector<double> other = dented_wall_at(rate);
+        ASSERT_EQ(other.size(), fine.size());
+        double sum = 0.0;
+        for (std::size_t i = 0; i < fine.size(); ++i)
+            sum += (fine[i] - other[i]) * (fine[i] - other[i]);
+        const double rms = std::sqrt(sum / static_cast<double>(fine.size()));
+        std::printf("a dent at %.0f Hz against 8 kHz: %.4f mm\n", rate, rms);
+        EXPECT_LT(rms, 0.1) << rate << " Hz";
+    }
+}
+
 TEST(Sectors, ADentIsFeltWhereItIs) {
     Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
     bench.wall(50.0, 8.0, 12.0, 60.0, 600);

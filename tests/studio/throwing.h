@@ -21,12 +21,12 @@ struct Stroke {
 inline void throw_pot(Bench& bench, const std::vector<Stroke>& strokes) {
     double x0 = 120.0;
     double y0 = 200.0;
-    bench.input.wet_hands = true;
+    bench.input.water = 1.0;
     double start = 0.0;
     long tick = 0;
     for (const Stroke& stroke : strokes) {
         bench.input.assist_gap_mm = stroke.gap_mm;
-        bench.parameters.shaft_radius_mm = stroke.shaft_mm;
+        bench.input.hand.shaft_mm = stroke.shaft_mm;
         bench.input.hand.tool = stroke.tool;
         const double end = start + stroke.seconds;
         for (; static_cast<double>(tick) / bench.parameters.rate_hz < end; ++tick) {
