@@ -108,8 +108,9 @@ TEST(AnInput, ThatMayNotBeReadIsAPermissionDenied) {
 // The bytes of a recorded session.
 std::string a_session() {
     const TemporaryFolder folder;
-    expect_silent_success(run_onggi({"throw", kPressAndHold, "--elements", "100", "--save", "s.onggi"},
-                                    {.folder = folder.path()}));
+    expect_silent_success(
+        run_onggi({"throw", kPressAndHold, "--clay", "paper", "--elements", "100", "--save", "s.onggi"},
+                  {.folder = folder.path()}));
     return content_of(folder / "s.onggi");
 }
 
@@ -125,7 +126,7 @@ TEST(ABadSession, IsRefusedWithTheOffset) {
         {whole.substr(0, 40), "byte 40: expected a header of 72 bytes, found the end of the file"},
         {whole.substr(0, 200), "byte 200: expected"},
         {flipped, ": expected the checksum"},
-        {newer, "byte 8: expected a session of version 1.0, found 2.0, written by a newer program"},
+        {newer, "byte 8: expected a session of version 1.1, found 2.0, written by a newer program"},
         {wrong_size, "byte 68: expected the checksum"},
         {whole + "more", "byte " + std::to_string(whole.size()) + ": expected the end of the file"},
     };

@@ -41,9 +41,9 @@ TEST(AnOutput, IsCheckedBeforeTheWork) {
     // An hour's gesture would take its time: the missing folder is seen first.
     const TemporaryFolder folder;
     put_file(folder / "hour.csv", kGestureHeaderLine + "0,90,100,0,1,10\n3600,90,100,0,1,10\n");
-    const ProgramRun run =
-        run_onggi({"throw", "hour.csv", "--rate", "10000", "--forces", "f.csv", "--profile", "none/p.csv"},
-                  {.folder = folder.path()});
+    const ProgramRun run = run_onggi({"throw", "hour.csv", "--clay", "paper", "--rate", "10000", "--forces",
+                                      "f.csv", "--profile", "none/p.csv"},
+                                     {.folder = folder.path()});
     expect_one_line(run, 2, "none is not there");
     EXPECT_EQ(folder.names(), Words{"hour.csv"});
 }

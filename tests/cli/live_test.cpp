@@ -26,7 +26,8 @@ nlohmann::json stats_of(const std::vector<std::string>& words, const TemporaryFo
 TEST(Live, PlaysAGestureOnceAndWritesStatsOthersCanRead) {
     const TemporaryFolder folder;
     put_file(folder / "g.csv", kShortGesture);
-    const auto stats = stats_of({"live", "g.csv", "--rate", "500", "--stats", "s.json"}, folder);
+    const auto stats =
+        stats_of({"live", "g.csv", "--clay", "paper", "--rate", "500", "--stats", "s.json"}, folder);
     EXPECT_EQ(stats.at("ticks"), 201);
     EXPECT_EQ(stats.at("rate_hz"), 500.0);
     EXPECT_EQ(stats.at("lumps"), 1);
@@ -43,17 +44,27 @@ TEST(Live, PlaysAGestureOnceAndWritesStatsOthersCanRead) {
 }
 
 TEST(Live, ThrowsTheSamePotAsSimulatedTime) {
-    const TemporaryFolder folder;
-    put_file(folder / "g.csv", kShortGesture);
-    expect_silent_success(
-        run_onggi({"throw", "g.csv", "--stats", "s.json", "--save", "s.onggi"}, {.folder = folder.path()}));
-    const auto thrown = nlohmann::json::parse(content_of(folder / "s.json"));
-    ASSERT_LT(thrown.at("clay_volume_mm3").get<double>(), 2.26e6);  // some clay was pressed
-    EXPECT_EQ(stats_of({"live", "g.csv", "--stats", "s.json"}, folder).at("clay_volume_mm3"),
-              thrown.at("clay_volume_mm3"));
-    EXPECT_EQ(
-        stats_of({"live", "s.onggi", "--stats", "s.json", "--wait", "sleep"}, folder).at("clay_volume_mm3"),
-        thrown.at("clay_volume_mm3"));
+    for (const std::string clay : {"paper", "studio"}) {
+        const TemporaryFolder folder;
+        // Low enough for a studio lump, which is 50 mm high.
+        put_file(
+            folder / "g.csv",
+            kGestureHeaderLine + "0,90,20,0,1,10\n0.1,69,20,0,1,10\n0.3,69,25,0,1,10\n0.4,90,25,0,0,10\n");
+        expect_silent_success(
+            run_onggi({"throw", "g.csv", "--clay", clay, "--stats", "s.json", "--save", "s.onggi"},
+                      {.folder = folder.path()}));
+        const std::string number = clay == "paper" ? "clay_volume_mm3" : "height_mm";
+        const auto thrown = nlohmann::json::parse(content_of(folder / "s.json")).at(number);
+        if (clay == "paper") {
+            ASSERT_LT(thrown.get<double>(), 2.26e6) << "some clay was pressed";
+        } else {
+            ASSERT_NE(thrown.get<double>(), 49.57519511507503) << "the lump was moved";
+        }
+        EXPECT_EQ(stats_of({"live", "g.csv", "--clay", clay, "--stats", "s.json"}, folder).at(number),
+                  thrown);
+        EXPECT_EQ(stats_of({"live", "s.onggi", "--stats", "s.json", "--wait", "sleep"}, folder).at(number),
+                  thrown);
+    }
 }
 
 TEST(Live, StartsAgainOnAFreshLumpUntilItsTimeIsUp) {

@@ -9,8 +9,9 @@ namespace {
 class Replay : public testing::Test {
   protected:
     void SetUp() override {
-        expect_silent_success(run_onggi({"throw", kPressAndHold, "--elements", "100", "--save", "s.onggi"},
-                                        {.folder = folder_.path()}));
+        expect_silent_success(
+            run_onggi({"throw", kPressAndHold, "--clay", "paper", "--elements", "100", "--save", "s.onggi"},
+                      {.folder = folder_.path()}));
         bytes_ = content_of(folder_ / "s.onggi");
         first_block_at_ = kSessionHeaderBytes + get_at<std::uint64_t>(bytes_, 40);
     }

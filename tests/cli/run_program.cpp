@@ -1,5 +1,6 @@
 #include "tests/cli/run_program.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
 #include <signal.h>  // NOLINT: kill is POSIX
@@ -96,6 +97,53 @@ bool run_onggi_and_kill(const std::vector<std::string>& words, int after_ms, con
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFSIGNALED(status);
+}
+
+RunningOnggi::RunningOnggi(const std::vector<std::string>& words, const ProgramOptions& options) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    child_ = ::fork();
+    if (child_ == 0) {
+        ::dup2(ends[1], STDOUT_FILENO);
+        ::dup2(ends[1], STDERR_FILENO);
+        ::close(ends[0]);
+        ::close(ends[1]);
+        become_onggi(words, options);
+    }
+    ::close(ends[1]);
+    pipe_ = ends[0];
+    ::fcntl(pipe_, F_SETFL, O_NONBLOCK);
+}
+
+RunningOnggi::~RunningOnggi() {
+    if (at_work()) {
+        ::kill(child_, SIGKILL);
+        ::waitpid(child_, &status_, 0);
+    }
+    ::close(pipe_);
+}
+
+const std::string& RunningOnggi::printed() {
+    while (read_some(pipe_, printed_)) {
+    }
+    return printed_;
+}
+
+bool RunningOnggi::at_work() {
+    if (!has_ended_) has_ended_ = ::waitpid(child_, &status_, WNOHANG) == child_;
+    return !has_ended_;
+}
+
+void RunningOnggi::signal(int number) const {
+    ::kill(child_, number);
+}
+
+int RunningOnggi::exit_code(int most_ms) {
+    for (int waited_ms = 0; at_work() && waited_ms < most_ms; waited_ms += 5) {
+        ::poll(nullptr, 0, 5);
+        (void)printed();  // a full pipe would hold it up
+    }
+    return !at_work() && WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
 }
 
 }  // namespace onggi::test

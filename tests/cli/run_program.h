@@ -30,6 +30,29 @@ ProgramRun run_onggi_on_terminal(const std::vector<std::string>& words, const Pr
 bool run_onggi_and_kill(const std::vector<std::string>& words, int after_ms,
                         const ProgramOptions& options = {});
 
+// The program at work, while the test goes on. Killed when it goes out of scope.
+class RunningOnggi {
+  public:
+    explicit RunningOnggi(const std::vector<std::string>& words, const ProgramOptions& options = {});
+    ~RunningOnggi();
+    RunningOnggi(const RunningOnggi&) = delete;
+    RunningOnggi& operator=(const RunningOnggi&) = delete;
+
+    // What it has printed so far, output and errors together.
+    [[nodiscard]] const std::string& printed();
+    [[nodiscard]] bool at_work();
+    void signal(int number) const;
+    // Waits for it to end by itself, at most so long. -1: it did not, or a signal ended it.
+    int exit_code(int most_ms);
+
+  private:
+    int child_ = -1;
+    int pipe_ = -1;
+    bool has_ended_ = false;
+    int status_ = 0;
+    std::string printed_;
+};
+
 // Whether the program is built with a sanitizer, which needs memory of its own.
 constexpr bool is_sanitized() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

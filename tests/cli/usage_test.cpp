@@ -63,7 +63,8 @@ TEST(Usage, NumbersOutsideTheirBoundsAreRefused) {
 }
 
 TEST(Usage, WhatIsNotBuiltIsRefusedNamingWhatIs) {
-    expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "studio"}), 2, "(paper), found 'studio'");
+    expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "porridge"}), 2,
+                    "(studio, paper), found 'porridge'");
     const TemporaryFolder folder;
     expect_one_line(run_onggi({"throw", kPressAndHold, "--export", (folder / "pot.3mf").string()}), 2,
                     ".glb");
@@ -71,6 +72,19 @@ TEST(Usage, WhatIsNotBuiltIsRefusedNamingWhatIs) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--screenshot", (folder / "pot.bmp").string()}), 2,
                     ".png");
     EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Usage, OptionsOfTheStudioClayAreNotThePapers) {
+    expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "paper", "--clay-mass", "500"}), 2,
+                    "--clay-mass: expected the studio clay, found --clay paper");
+    expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "paper", "--wheel", "kick"}), 2,
+                    "--wheel: expected the studio clay, found --clay paper");
+    expect_one_line(run_onggi({"throw", kPressAndHold, "--wheel", "ferris"}), 2,
+                    "(electric, kick), found 'ferris'");
+    for (const char* mass : {"99", "5001", "nan", "heavy"}) {
+        expect_one_line(run_onggi({"throw", kPressAndHold, "--clay-mass", mass}), 2,
+                        fmt::format("--clay-mass: expected 100 to 5000, found '{}'", mass));
+    }
 }
 
 TEST(Usage, AnOptionGivenTwiceIsRefused) {
@@ -81,8 +95,8 @@ TEST(Usage, ASessionBringsItsOwnRateAndClay) {
     const TemporaryFolder folder;
     const std::string session = (folder / "s.onggi").string();
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--save", session}));
-    for (const Words& extra :
-         {Words{"--rate", "1000"}, Words{"--clay", "paper"}, Words{"--elements", "2000"}}) {
+    for (const Words& extra : {Words{"--rate", "1000"}, Words{"--clay", "paper"}, Words{"--elements", "2000"},
+                               Words{"--clay-mass", "500"}}) {
         Words words{"throw", session};
         words.insert(words.end(), extra.begin(), extra.end());
         expect_one_line(run_onggi(words), 2, "a session brings its own rate, clay and elements");

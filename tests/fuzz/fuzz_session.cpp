@@ -20,7 +20,7 @@ constexpr int kElementsReplayed = 2000;
 
 void replay(const record::Session& session) {
     auto start = haptic::start_from_bytes(session.start_state(), session.header().rate_hz);
-    if (!start || start->state.clay.element_count() > kElementsReplayed) return;
+    if (!start || start->state.element_count() > kElementsReplayed) return;
     record::SessionCursor cursor(session);
     const std::uint64_t ticks = std::min(session.tick_count(), kTicksReplayed);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {

@@ -29,6 +29,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         expect_refused_in_one_line(clay.error());
     }
 
+    const auto studio = clay::StudioClay::from_start_state(bytes);
+    if (studio) {
+        fuzz::expect(std::ranges::equal(studio->start_state(), bytes));
+    } else {
+        expect_refused_in_one_line(studio.error());
+    }
+
     auto start = haptic::start_from_bytes(bytes, 1000.0);
     if (!start) {
         expect_refused_in_one_line(start.error());
@@ -37,10 +44,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::expect(std::ranges::equal(haptic::start_state_bytes(start->state, start->parameters), bytes));
     for (int tick = 0; tick < 20; ++tick) {
         const double x_mm = 80.0 - tick;
-        const auto result = haptic::tick(
-            start->state,
-            {.position_mm = {x_mm, 5.0 * tick, 1.0}, .radius_mm = 10.0, .wheel_button = tick % 4 != 0},
-            start->parameters);
+        haptics::ToolState tool{
+            .position_mm = {x_mm, 5.0 * tick, 1.0}, .radius_mm = 10.0, .wheel_button = tick % 4 != 0};
+        // What only the studio's clay hears; the paper's is not told.
+        tool.tool = static_cast<haptics::ToolKind>(tick % 4);
+        tool.assist_gap_mm = tick % 3 == 0 ? 5.0 : 0.0;
+        tool.water = 0.5;
+        tool.wire = tick == 15 ? haptics::WireCommand::kCutRim : haptics::WireCommand::kNone;
+        tool.wire_height_mm = 10.0;
+        const auto result = haptic::tick(start->state, tool, start->parameters);
         const dvec3 force_n = result.forces.total_n();
         fuzz::expect(std::isfinite(force_n.x) && std::isfinite(force_n.y) && std::isfinite(force_n.z));
     }

@@ -14,7 +14,7 @@ namespace {
 TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndCommandsArrive) {
     constexpr std::uint64_t kTicks = 6000;
     HapticParameters parameters;
-    parameters.clay.rate_hz = 4000.0;
+    parameters.set_rate_hz(4000.0);
     auto owned = std::make_unique<haptics::SimulatedDevice>();
     haptics::SimulatedDevice& device = *owned;
     device.set_target({.position_mm = {90.0, 100.0, 0.0}});
@@ -37,7 +37,7 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
         while (job.take_record(record)) {
             ++records;
             if ((record.flags & TickRecord::kFreshLump) != 0) replayed.restart_from(HapticState());
-            const TickResult result = tick(replayed, record.tool(), parameters);
+            const TickResult result = tick(replayed, record.tool, parameters);
             ASSERT_EQ(result.forces.total_n(), record.force_n);
             if (!result.hash_due) continue;
             BlockHash hash;
@@ -56,7 +56,7 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
         ASSERT_TRUE(snapshot.run > last_run || snapshot.tick >= last_tick);
         last_run = snapshot.run;
         last_tick = snapshot.tick;
-        ASSERT_TRUE(std::all_of(snapshot.radii_mm.begin(), snapshot.radii_mm.end(),
+        ASSERT_TRUE(std::all_of(snapshot.shape->outer_mm().begin(), snapshot.shape->outer_mm().end(),
                                 [](float radius_mm) { return radius_mm >= 2.0F && radius_mm <= 60.0F; }));
         bool sent = true;
         if (frame % 1000 == 999) sent = job.send(Command::kFreshLump);

@@ -112,16 +112,16 @@ Fault edge_fault(const Edges& edges) {
                        repeated);
 }
 
-Fault euler_fault(const SolidMesh& mesh, const Welded& welded, const Edges& edges) {
+Fault euler_fault(const SolidMesh& mesh, const Welded& welded, const Edges& edges, int expected) {
     // In a closed mesh each edge is there in both directions.
     const auto signed_count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
     const std::int64_t euler = signed_count(welded.place_count) - signed_count(edges.size() / 2) +
                                signed_count(mesh.indices.size() / 3);
-    if (euler == 2) return {};
-    return fmt::format("Euler: expected V - E + F = 2, found {}", euler);
+    if (euler == expected) return {};
+    return fmt::format("Euler: expected V - E + F = {}, found {}", expected, euler);
 }
 
-Fault part_fault(const Welded& welded, const Edges& edges) {
+Fault part_fault(const Welded& welded, const Edges& edges, int expected) {
     std::vector<std::uint32_t> parent(welded.place_count);
     std::iota(parent.begin(), parent.end(), 0U);
     const auto root = [&parent](std::uint32_t place) {
@@ -138,8 +138,8 @@ Fault part_fault(const Welded& welded, const Edges& edges) {
             --parts;
         }
     }
-    if (parts == 1) return {};
-    return fmt::format("parts: expected one, found {}", parts);
+    if (parts == static_cast<std::size_t>(expected)) return {};
+    return fmt::format("parts: expected {}, found {}", expected, parts);
 }
 
 Fault volume_fault(const SolidMesh& mesh, const ExpectedPot& expected) {
@@ -183,11 +183,12 @@ Fault place_fault(const SolidMesh& mesh, const ExpectedPot& expected) {
     if (std::abs(high.y - expected.height_m) > kExactM) {
         return fmt::format("height: expected {} m, found {}", expected.height_m, high.y);
     }
-    if (std::abs(low.x + high.x) > kExactM || std::abs(low.z + high.z) > kExactM) {
+    const double twice_off = std::max(kExactM, 2.0 * expected.off_axis_m);
+    if (std::abs(low.x + high.x) > twice_off || std::abs(low.z + high.z) > twice_off) {
         return fmt::format("axis: expected the middle at 0, found x {} and z {} m", 0.5 * (low.x + high.x),
                            0.5 * (low.z + high.z));
     }
-    if (std::abs(high.x - expected.max_radius_m) > expected.radius_tolerance_m) {
+    if (std::abs(high.x - expected.max_radius_m) > expected.radius_tolerance_m + expected.off_axis_m) {
         return fmt::format("radius: expected {} m at most, found {}", expected.max_radius_m, high.x);
     }
     return {};
@@ -211,8 +212,8 @@ std::vector<std::string> find_faults(const SolidMesh& mesh, const ExpectedPot& e
     std::vector<std::string> faults;
     for (const Fault& fault :
          {unreferenced_fault(mesh), degenerate_fault(mesh), edge_fault(edges),
-          euler_fault(mesh, welded, edges), part_fault(welded, edges), volume_fault(mesh, expected),
-          normal_fault(mesh, expected), place_fault(mesh, expected)}) {
+          euler_fault(mesh, welded, edges, expected.euler), part_fault(welded, edges, expected.parts),
+          volume_fault(mesh, expected), normal_fault(mesh, expected), place_fault(mesh, expected)}) {
         if (fault) faults.push_back(*fault);
     }
     return faults;

@@ -45,11 +45,14 @@ struct ExpectedPot {
     double volume_tolerance = 1e-3;      // relative
     double radius_tolerance_m = 2e-5;    // of the largest radius
     double min_normal_agreement = 0.93;  // cosine between a vertex's normal and each of its faces'
+    int euler = 2;                       // V - E + F: 0 for a tube, 2 more for each closed hollow
+    int parts = 1;
+    double off_axis_m = 0.0;  // how far the middle may lie from the axis
 };
 
 // Each fault one sentence, at most one a kind; none for a sound pot: no unreferenced vertex, no degenerate
-// triangle, each directed edge once and its opposite once (by position, bit for bit), one part, V - E + F =
-// 2, faces outward, the volume, unit normals that agree with the faces, base at y = 0, the height, the
+// triangle, each directed edge once and its opposite once (by position, bit for bit), the parts, V - E + F,
+// faces outward, the volume, unit normals that agree with the faces, base at y = 0, the height, the
 // largest radius, the axis.
 std::vector<std::string> find_faults(const SolidMesh& mesh, const ExpectedPot& expected);
 

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <filesystem>
 
+#include "game/app/device_probes.h"
 #include "game/app/system_probes.h"
 
 namespace onggi::app {
@@ -32,6 +35,16 @@ TEST(Findings, SayWhatALackCostsAndHowToMendIt) {
 TEST(SystemProbes, SeeAFolderThatIsNotThere) {
     EXPECT_EQ(probe_disk("/no/such/folder").verdict, Verdict::kLacking);
     EXPECT_NE(probe_disk("/no/such/folder").found.find("/no/such/folder"), std::string::npos);
+}
+
+TEST(SystemProbes, FindTheWorkshopOfThisSourceTreeOrSayWhatIsLost) {
+    EXPECT_EQ(probe_workshop().verdict, Verdict::kGood) << probe_workshop().found;
+    ::setenv("ONGGI_ASSETS", "/no/such/folder", 1);
+    const Finding none = probe_workshop();
+    ::unsetenv("ONGGI_ASSETS");
+    EXPECT_EQ(none.verdict, Verdict::kLacking);
+    EXPECT_NE(none.found.find("/no/such/folder"), std::string::npos);
+    EXPECT_FALSE(none.cost.empty() || none.remedy.empty());
 }
 
 TEST(SystemProbes, NameTheFontsThatAreMissing) {

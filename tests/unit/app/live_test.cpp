@@ -38,7 +38,7 @@ TEST(LiveLoop, PlaysAPathOnceWithEveryTickOfIt) {
     haptic::HapticState thrown;
     for (std::uint64_t k = 0; k < 300; ++k)
         haptic::tick(thrown, test::scripted_tool(k), haptic::HapticParameters{});
-    EXPECT_EQ(report.value().clay.state_hash(), thrown.clay.state_hash());
+    EXPECT_EQ(report.value().state.hash(), thrown.hash());
 }
 
 TEST(LiveLoop, StartsAgainOnAFreshLumpUntilItsTimeIsUp) {
@@ -54,7 +54,7 @@ TEST(LiveLoop, ShowsSnapshotsThatGoForward) {
     std::uint64_t last = 0;
     const auto report = run_live(modest_run(300, std::nullopt), [&](const haptic::Snapshot& snapshot) {
         EXPECT_GE(snapshot.tick, last);
-        EXPECT_EQ(snapshot.radii_mm.size(), 2000U);
+        EXPECT_EQ(snapshot.shape->outer_mm().size(), 2000U);
         last = snapshot.tick;
         seen.insert(last);
         return Result<FrameOutcome>(FrameOutcome::kDrawn);

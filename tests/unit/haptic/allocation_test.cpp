@@ -8,6 +8,7 @@
 #include "game/haptic/job.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/scripted_device.h"
+#include "tests/unit/haptic/studio_hand.h"
 
 namespace onggi::haptic {
 namespace {
@@ -27,6 +28,47 @@ TEST(HapticTick, AllocatesNothingInAHundredThousandTicks) {
     for (std::uint64_t k = 0; k < 100'000; ++k)
         tick(state, test::scripted_tool(k), parameters);
     EXPECT_EQ(test::allocation_count(), before);
+}
+
+TEST(HapticTick, OfTheStudioClayAllocatesNothing) {
+    HapticState state = test::studio_start();
+    const HapticParameters parameters;
+    const int before = test::allocation_count();
+    for (std::uint64_t k = 0; k < 9000; ++k)
+        tick(state, test::studio_hand(k, 1000.0), parameters);
+    EXPECT_EQ(test::allocation_count(), before);
+    EXPECT_GT(state.studio()->splits(), 0U);
+    EXPECT_GT(state.studio()->ledger().trimmings_mm3, 0.0);
+}
+
+// What is sent ahead is allocated by the main thread, here before the count.
+TEST(HapticWork, AllocatesNothingWhileItPutsStatesOnTheWheel) {
+    HapticParameters parameters;
+    HapticWork work(test::studio_start(), parameters, std::make_unique<test::StudioHand>(1000.0), {});
+    jobs::Period period{.dt_s = 0.001};
+    const auto run = [&](int ticks) {
+        for (int k = 0; k < ticks; ++k) {
+            if (!work.tick(period)) return false;
+            ++period.index;
+            ++period.tick;
+            TickRecord record;
+            while (work.take_record(record)) {
+            }
+            BlockHash hash;
+            while (work.take_hash(hash)) {
+            }
+        }
+        return true;
+    };
+    ASSERT_TRUE(run(4000));
+    for (int again = 0; again < 20; ++again) {
+        if (!work.put(std::make_unique<HapticState>(test::studio_start()))) FAIL();
+        const int before = test::allocation_count();
+        ASSERT_TRUE(run(500));
+        ASSERT_EQ(test::allocation_count(), before);
+    }
+    EXPECT_EQ(work.newest_snapshot().states_put, 20U);
+    EXPECT_EQ(work.state().ticks, 500U);
 }
 
 TEST(HapticWork, AllocatesNothingWhileItTicksPublishesRecordsRestartsAndObeys) {

@@ -97,7 +97,7 @@ TEST(HapticWork, KeepsARecordOfEveryTickThatReplaysToTheSameHashes) {
     for (const TickRecord& record : records) {
         if ((record.flags & TickRecord::kFreshLump) != 0) replayed.restart_from(HapticState());
         ASSERT_EQ(record.tick, replayed.ticks);
-        const TickResult result = tick(replayed, record.tool(), parameters);
+        const TickResult result = tick(replayed, record.tool, parameters);
         ASSERT_EQ(result.forces.total_n(), record.force_n);
         ASSERT_EQ((record.flags & TickRecord::kHashDue) != 0, result.hash_due);
         if (!result.hash_due) continue;
@@ -123,7 +123,7 @@ TEST(HapticWork, CountsTheRecordsNobodyFetched) {
 TEST(HapticWork, PublishesWhatAPictureNeeds) {
     Bench bench;
     EXPECT_EQ(bench.work.newest_snapshot().tick, 0U);
-    EXPECT_EQ(bench.work.newest_snapshot().radii_mm.size(), 2000U);
+    EXPECT_EQ(bench.work.newest_snapshot().shape->outer_mm().size(), 2000U);
     bench.run(1700);
     const Snapshot& snapshot = bench.work.newest_snapshot();
     const HapticState& state = bench.work.state();
@@ -132,10 +132,10 @@ TEST(HapticWork, PublishesWhatAPictureNeeds) {
     EXPECT_EQ(snapshot.tool, test::scripted_tool(1699));
     EXPECT_TRUE(snapshot.wheel_turning);
     EXPECT_EQ(snapshot.wheel_direction, dvec2(state.wheel.heading().cosine, state.wheel.heading().sine));
-    EXPECT_GT(snapshot.forces.contacts, 0);
-    EXPECT_EQ(snapshot.limited_force_n, bench.device.last_force_n);
-    EXPECT_TRUE(
-        std::equal(snapshot.radii_mm.begin(), snapshot.radii_mm.end(), state.clay.radii_mm().begin()));
+    EXPECT_GT(snapshot.result.forces.contacts, 0);
+    EXPECT_EQ(snapshot.result.limited_force_n, bench.device.last_force_n);
+    EXPECT_TRUE(std::equal(snapshot.shape->outer_mm().begin(), snapshot.shape->outer_mm().end(),
+                           state.paper()->radii_mm().begin()));
 }
 
 TEST(HapticWork, PutsOnAFreshLumpWhenTold) {

@@ -51,6 +51,72 @@ TEST(Gesture, MayEndItsLinesAsWindowsDoesAndTheLastNotAtAll) {
     EXPECT_EQ(gesture->rows()[1].tool.radius_mm, 10);
 }
 
+TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
+    const Gesture gesture = gesture_of(
+        "0,60,20,0,1,8,sponge,inner,1,90,6.5,3,rim,88,-30,20,5,7,rib\n"
+        "1,60,40,0,1,8,,,,,,,,,-30,60,5,,\n"
+        "2,60,40,0,1,8,hand,auto,0,200,0,0,off,1,,,,,\n",
+        std::string(kGestureHeader) +
+            ",tool,side,water,wheel_rev_min,assist_gap_mm,shaft_mm,wire,wire_y_mm,hand2_x_mm,hand2_y_mm,"
+            "hand2_z_mm,hand2_radius_mm,hand2_tool\n");
+    ASSERT_EQ(gesture.rows().size(), 3U);
+    const ToolState& first = gesture.rows()[0].tool;
+    EXPECT_EQ(first.tool, ToolKind::kSponge);
+    EXPECT_EQ(first.side, SideHint::kInside);
+    EXPECT_EQ(first.water, 1.0);
+    EXPECT_EQ(first.wheel_speed_rev_min, 90.0);
+    EXPECT_EQ(first.assist_gap_mm, 6.5);
+    EXPECT_EQ(first.shaft_mm, 3.0);
+    EXPECT_EQ(first.wire, WireCommand::kCutRim);
+    EXPECT_EQ(first.wire_height_mm, 88.0);
+    EXPECT_EQ(
+        first.second,
+        (SecondHand{
+            .present = true, .tool = ToolKind::kRib, .radius_mm = 7.0, .position_mm = {-30.0, 20.0, 5.0}}));
+    // What a row leaves empty is as by default; a second hand is as large as the first.
+    const ToolState& second = gesture.rows()[1].tool;
+    EXPECT_EQ(second.tool, ToolKind::kHand);
+    EXPECT_EQ(second.wheel_speed_rev_min, ToolState{}.wheel_speed_rev_min);
+    EXPECT_EQ(second.second.radius_mm, 8.0);
+    EXPECT_EQ(gesture.rows()[2].tool.wire, WireCommand::kCutOff);
+    EXPECT_FALSE(gesture.rows()[2].tool.second.present);
+    EXPECT_EQ(gesture.rows()[2].tool.second, SecondHand{});
+    // The second hand goes straight from row to row, as the first does, and its settings hold.
+    EXPECT_EQ(gesture.at(0.5).second.position_mm, dvec3(-30.0, 40.0, 5.0));
+    EXPECT_EQ(gesture.at(0.5).second.tool, ToolKind::kRib);
+    EXPECT_EQ(gesture.at(1.5).second.position_mm, dvec3(-30.0, 60.0, 5.0)) << "there is nowhere to go";
+}
+
+TEST(Gesture, LeavesColumnsItDoesNotKnowAlone) {
+    const Gesture gesture =
+        gesture_of("0,1,2,3,0,10,anything at all,-\n", std::string(kGestureHeader) + ",mood,weather\n");
+    EXPECT_EQ(gesture.rows()[0].tool,
+              (ToolState{.position_mm = {1, 2, 3}, .radius_mm = 10, .wheel_button = false}));
+}
+
+TEST(RejectsGesture, WhoseExtraColumnsSayWhatTheyCannot) {
+    const auto with = [](const std::string& columns, const std::string& fields) {
+        return refusal(std::string(kGestureHeader) + "," + columns + "\n0,1,2,3,0,10," + fields + "\n");
+    };
+    EXPECT_EQ(with("tool", "spoon"), "g.csv:2: tool: expected hand, rib, sponge, trimmer, found 'spoon'");
+    EXPECT_EQ(with("side", "left"), "g.csv:2: side: expected auto, outer, inner, rim, found 'left'");
+    EXPECT_EQ(with("water", "2"), "g.csv:2: water: expected 0 to 1, found '2'");
+    EXPECT_EQ(with("water", "nan"), "g.csv:2: water: expected a finite number, found 'nan'");
+    EXPECT_EQ(with("wheel_rev_min", "301"), "g.csv:2: wheel_rev_min: expected 0 to 300, found '301'");
+    EXPECT_EQ(with("assist_gap_mm", "-1"), "g.csv:2: assist_gap_mm: expected 0 to 60, found '-1'");
+    EXPECT_EQ(with("shaft_mm", "1e9"), "g.csv:2: shaft_mm: expected 0 to 40, found '1e9'");
+    EXPECT_EQ(with("wire,wire_y_mm", "cut,5"), "g.csv:2: wire: expected none, rim, off, found 'cut'");
+    EXPECT_EQ(with("wire", "rim"), "g.csv:1: expected a column wire_y_mm beside the others, found none");
+    EXPECT_EQ(with("hand2_x_mm,hand2_z_mm", "1,2"),
+              "g.csv:1: expected a column hand2_y_mm beside the others, found none");
+    EXPECT_EQ(with("hand2_x_mm,hand2_y_mm,hand2_z_mm", "1,1001,2"),
+              "g.csv:2: hand2_y_mm: expected -1000 to 1000, found '1001'");
+    EXPECT_EQ(with("hand2_x_mm,hand2_y_mm,hand2_z_mm", "1,,2"),
+              "g.csv:2: hand2_y_mm: expected a number beside the other two coordinates, found ''");
+    EXPECT_EQ(with("hand2_x_mm,hand2_y_mm,hand2_z_mm", ",4,2"),
+              "g.csv:2: hand2_x_mm: expected a number beside the other two coordinates, found ''");
+}
+
 TEST(Gesture, MayHaveColumnsToTheRight) {
     const Gesture gesture =
         gesture_of("0,1,2,3,0,10,inner,0.5\n1,1,2,3,0,10,,\n", std::string(kGestureHeader) + ",side,water\n");

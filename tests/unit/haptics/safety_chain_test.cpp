@@ -49,7 +49,10 @@ TEST(SafetyChain, CanBePrintedInItsOrder) {
         names.emplace_back(stage.name);
         EXPECT_FALSE(stage.does.empty());
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"gate", "ramp", "clamp", "slew"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"gate", "speed", "late", "passivity", "hand", "ramp", "budget",
+                                               "clamp", "slew"}));
+    EXPECT_EQ(describe_safety_chain().find("gate      zero force"), 0U);
+    EXPECT_NE(describe_safety_chain().find("\nslew      bounded change"), std::string::npos);
 }
 
 TEST(SafetyChain, IsItsStagesOneAfterTheOther) {
@@ -60,7 +63,12 @@ TEST(SafetyChain, IsItsStagesOneAfterTheOther) {
     for (int i = 0; i < 1000; ++i) {
         const dvec3 force = forces.next();
         dvec3 by_hand = gate(force, kInside, limits, staged);
+        by_hand = speed(by_hand, kInside, limits, staged);
+        by_hand = late(by_hand, kInside, limits, staged);
+        by_hand = passivity(by_hand, kInside, limits, staged);
+        by_hand = hand(by_hand, kInside, limits, staged);
         by_hand = ramp(by_hand, kInside, limits, staged);
+        by_hand = budget(by_hand, kInside, limits, staged);
         by_hand = clamp(by_hand, kInside, limits, staged);
         by_hand = slew(by_hand, kInside, limits, staged);
         ASSERT_EQ(apply_safety_chain(force, kInside, limits, whole), by_hand);
@@ -96,13 +104,34 @@ TEST(SafetyChain, NeverGivesMoreThanThePeakNorChangesFasterThanAllowedWhateverCo
                 case 5:
                     rearm(state);
                     break;
+                case 6:
+                    input.velocity_mm_s.y = kNan;
+                    break;
+                case 7:
+                    input.late = static_cast<std::uint32_t>(random() % 100);
+                    break;
+                case 8:
+                    input.position_is_new = false;
+                    break;
+                case 9:
+                    input.hand_is_there = false;
+                    break;
+                case 10:
+                    input.velocity_mm_s = forces.next() * 1000.0;
+                    break;
+                case 11:
+                    input.stop = true;
+                    break;
+                case 12:
+                    input.dt_s *= 2.0;
+                    break;
                 default:
                     break;
             }
             const dvec3 after = apply_safety_chain(force, input, limits, state);
             ASSERT_TRUE(std::isfinite(after.x) && std::isfinite(after.y) && std::isfinite(after.z));
             ASSERT_LE(length(after), limits.peak_force_n * (1.0 + 1e-12));
-            ASSERT_LE(length(after), length(before) + limits.slew_n_per_s / rate_hz + 1e-12);
+            ASSERT_LE(length(after), length(before) + limits.slew_n_per_s * input.dt_s + 1e-12);
             if (state.fault != Fault::kNone) {
                 ASSERT_EQ(after, dvec3(0.0));
             }
@@ -276,6 +305,23 @@ TEST(SafetySlew, ReachesAnySteadyForceExactlyAndStaysThere) {
             slew(wanted, kInside, {}, state);
         EXPECT_NEAR(length(state.applied_force_n - wanted), 0.0, 1e-12);
     }
+}
+
+TEST(SafetyLimits, GiveAMotorTheContinuousForceItCanBear) {
+    const DeviceCapabilities strong{
+        .name = "strong", .force_axes = 3, .peak_force_n = 12.0, .continuous_force_n = 5.0};
+    EXPECT_EQ(limits_for(strong).continuous_force_n, kKioskContinuousForceN);
+    const DeviceCapabilities weak{
+        .name = "weak", .force_axes = 3, .peak_force_n = 1.0, .continuous_force_n = 0.3};
+    EXPECT_EQ(limits_for(weak).continuous_force_n, 0.3);
+    const DeviceCapabilities picture{.name = "picture",
+                                     .force_axes = 3,
+                                     .peak_force_n = 3.3,
+                                     .continuous_force_n = 3.3,
+                                     .has_motors = false};
+    EXPECT_EQ(limits_for(picture).continuous_force_n, 3.3);
+    EXPECT_GT(limits_for(picture).brake_speed_mm_s, 1e6);
+    EXPECT_EQ(limits_for(strong).brake_speed_mm_s, 600.0);
 }
 
 TEST(SafetyLimits, AreLoweredByAWeakDeviceAndNeverRaisedByAStrongOne) {

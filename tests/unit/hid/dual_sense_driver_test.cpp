@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/scripted_hid.h"
 
 namespace onggi::haptics::hid {
@@ -100,7 +102,91 @@ TEST_F(DualSenseDriverTest, TremblesWithTheWallThatSlidesBy) {
     ASSERT_EQ(report.size(), 48U);
     EXPECT_EQ(report[3], 0x30) << "half of the most";
     EXPECT_EQ(report[4], 0x00);
-    EXPECT_EQ(as_hex(std::span(report).subspan(45, 3)), "60 28 00") << "the wheel turns: warm light";
+    EXPECT_EQ(as_hex(std::span(report).subspan(45, 3)), "18 50 08") << "the wheel turns, the clay is at ease";
+}
+
+TEST_F(DualSenseDriverTest, ShinesTheRedderTheNearerTheClayIsToGivingWay) {
+    const auto light = [](double load) {
+        return as_hex(light_for({.wheel_turns = true, .work = {.load = load}}));
+    };
+    EXPECT_EQ(as_hex(light_for({.work = {.load = 0.9}})), "00 10 40") << "a standing wheel is blue";
+    EXPECT_EQ(light(0.0), "18 50 08");
+    EXPECT_EQ(light(0.5), "60 28 00");
+    EXPECT_EQ(light(1.0), "80 04 00");
+    EXPECT_EQ(light(7.0), "80 04 00");
+    EXPECT_EQ(light(0.51), light(0.6)) << "in coarse steps: not a report for every breath";
+    EXPECT_EQ(light(std::nan("")), light(0.0));
+}
+
+TEST_F(DualSenseDriverTest, IsAsStiffAsTheClayAndNoStrongerThanAThinWall) {
+    const auto zones = [](const WorkFelt& work) {
+        const ForceOrder order{.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .work = work};
+        return as_hex(trigger_for_wall(order, 10.0, {}).bytes);
+    };
+    // Contact where 1 N is reached at 10 mm of travel: 2 N/mm begins 0.5 mm before it, 0.1 N/mm 10 mm.
+    EXPECT_EQ(zones({.stiffness_n_per_mm = 2.0}),
+              as_hex(trigger_resistance({0, 0, 0, 0, 0, 7, 8, 8, 8, 8}).bytes));
+    EXPECT_EQ(zones({.stiffness_n_per_mm = 0.1}),
+              as_hex(trigger_resistance({0, 1, 1, 2, 2, 3, 3, 4, 4, 5}).bytes));
+    EXPECT_EQ(zones({.stiffness_n_per_mm = 2.0, .wall_mm = 3.0, .most_force_n = 0.75}),
+              as_hex(trigger_resistance({0, 0, 0, 0, 0, 2, 2, 2, 2, 2}).bytes))
+        << "a wall of 3 mm bends aside at 0.75 N: two of eight";
+}
+
+// Bytes 33 to 36: a finger's number with bit 7 for none, then x and y in 12 bits each.
+std::vector<std::uint8_t> with_finger(std::uint8_t id, unsigned x, unsigned y) {
+    return report_with({{33, id},
+                        {34, static_cast<std::uint8_t>(x & 0xffU)},
+                        {35, static_cast<std::uint8_t>((x >> 8U) | ((y & 0x0fU) << 4U))},
+                        {36, static_cast<std::uint8_t>(y >> 4U)}});
+}
+
+TEST_F(DualSenseDriverTest, DrawsTheToolByAFingerOnTheTouchPad) {
+    driver.take_report(with_finger(1, 400, 500), 0);
+    EXPECT_EQ(driver.input(0).travelled_mm, dvec2(0.0)) << "a finger put down draws nothing";
+    driver.take_report(with_finger(1, 400 + 192, 500 - 96), 0);
+    EXPECT_NEAR(driver.input(0).travelled_mm.x, 160.0 * 192.0 / 1919.0, 1e-9);
+    EXPECT_NEAR(driver.input(0).travelled_mm.y, 160.0 * 96.0 / 1919.0, 1e-9) << "away from the hand is up";
+    const dvec2 drawn = driver.input(0).travelled_mm;
+    driver.take_report(with_finger(0x80 | 1, 900, 900), 0);
+    driver.take_report(with_finger(2, 100, 100), 0);
+    EXPECT_EQ(driver.input(0).travelled_mm, drawn) << "lifted and put down elsewhere";
+    driver.take_report(with_finger(3, 1500, 800), 0);
+    EXPECT_EQ(driver.input(0).travelled_mm, drawn) << "another finger";
+}
+
+TEST_F(DualSenseDriverTest, LeadsTheToolByTiltWhileL1IsHeld) {
+    // Gyro at 16 to 19: pitch and yaw, 1/16 degree/s a step; sensor time at 28 to 31, 3 a us.
+    const auto tilted = [](std::uint8_t l1, std::int16_t pitch, std::int16_t yaw, std::uint32_t time) {
+        const auto low = [](auto value) { return static_cast<std::uint8_t>(value & 0xff); };
+        const auto high = [](auto value) { return static_cast<std::uint8_t>((value >> 8) & 0xff); };
+        return report_with({{9, l1},
+                            {16, low(pitch)},
+                            {17, high(pitch)},
+                            {18, low(yaw)},
+                            {19, high(yaw)},
+                            {28, low(time)},
+                            {29, high(time)},
+                            {30, low(time >> 16U)}});
+    };
+    driver.take_report(tilted(0, 1600, 0, 0), 0);
+    driver.take_report(tilted(0, 1600, 0, 12'000), 0);
+    EXPECT_EQ(driver.input(0).travelled_mm, dvec2(0.0)) << "without L1 the pad may be waved about";
+    driver.take_report(tilted(1, 1600, -1600, 24'000), 0);
+    // 100 degrees/s for 4 ms at 1.5 mm a degree.
+    EXPECT_NEAR(driver.input(0).travelled_mm.x, 0.6, 1e-9);
+    EXPECT_NEAR(driver.input(0).travelled_mm.y, 0.6, 1e-9);
+    driver.take_report(tilted(1, 30, -30, 36'000), 0);
+    EXPECT_NEAR(driver.input(0).travelled_mm.x, 0.6, 1e-9) << "a hand at rest";
+    driver.take_report(tilted(1, 1600, 0, 12'000'000), 0);
+    EXPECT_LT(driver.input(0).travelled_mm.y, 8.2) << "reports that stayed away are no leap";
+}
+
+TEST_F(DualSenseDriverTest, TurnsTheWheelTheFasterTheFurtherL2IsPulled) {
+    driver.take_report(report_with({{5, 0x80}}), 0);
+    EXPECT_NEAR(driver.input(0).wheel_rev_min, 240.0 * 128.0 / 255.0, 1e-9);
+    driver.take_report(report_with({{5, 0x20}}), 0);
+    EXPECT_EQ(driver.input(0).wheel_rev_min, 0.0);
 }
 
 TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {

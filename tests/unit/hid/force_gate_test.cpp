@@ -73,6 +73,15 @@ TEST(ForceGate, GivesNothingAfterTwentyMillisecondsWithoutANewTick) {
     EXPECT_LT(size_of(gate.passed(next, now_ns + 22 * kMs)), 1e-3) << "it returns through the ramp";
 }
 
+TEST(ForceGate, SaysThatTheLoopIsDeadAfterATenthOfASecond) {
+    ForceGate gate;
+    EXPECT_FALSE(gate.passed({}, 10'000 * kMs).is_starved) << "it has not begun yet";
+    EXPECT_FALSE(gate.passed({.ticks = 1}, 20'000 * kMs).is_starved);
+    EXPECT_FALSE(gate.passed({.ticks = 1}, 20'100 * kMs).is_starved);
+    EXPECT_TRUE(gate.passed({.ticks = 1}, 20'101 * kMs).is_starved);
+    EXPECT_FALSE(gate.passed({.ticks = 2}, 20'102 * kMs).is_starved);
+}
+
 TEST(ForceGate, GivesNothingForWhatIsNoNumber) {
     for (const double wrong :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -102,30 +102,6 @@ TEST_F(HidDeviceTest, IsClosedWhenItGoesOutOfScope) {
     EXPECT_EQ(open_ports(), 0);
 }
 
-TEST_F(HidDeviceTest, TurnsTheWheelOfAnotherTool) {
-    class Still final : public HapticDevice {
-      public:
-        Result<void> open() override { return {}; }
-        void close() noexcept override {}
-        [[nodiscard]] DeviceCapabilities capabilities() const override { return {.name = "still"}; }
-        [[nodiscard]] ToolState read(std::uint64_t, double) noexcept override {
-            return {.position_mm = {70.0, 30.0, 0.0}, .radius_mm = 12.0};
-        }
-        void write(const dvec3& force_n) noexcept override { last_force_n = force_n; }
-        dvec3 last_force_n{0.0};
-    } tool;
-    PedalledDevice both(tool, pedal);
-    EXPECT_EQ(both.capabilities().name, "still");
-    ASSERT_TRUE(both.open());
-    std::uint64_t tick = 0;
-    EXPECT_TRUE(comes_true([&] { return both.read(tick++, 0.0).wheel_button; }));
-    EXPECT_EQ(both.read(tick++, 0.0).position_mm, dvec3(70.0, 30.0, 0.0));
-    both.write({0.5, 0.0, 0.0});
-    EXPECT_EQ(tool.last_force_n, dvec3(0.5, 0.0, 0.0));
-    both.close();
-    EXPECT_EQ(open_ports(), 0);
-}
-
 TEST(MakeHidDevice, MakesOneOfEachKindButTheUnknown) {
     for (const HidKind kind :
          {HidKind::kForceJoystick, HidKind::kSpaceMouse, HidKind::kDualSense, HidKind::kVecPedal}) {

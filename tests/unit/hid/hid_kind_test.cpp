@@ -57,14 +57,15 @@ TEST(HidKind, KnowsANewerSpaceMouseByWhatItSaysItIs) {
 TEST(HidKind, SaysWhyADeviceIsRefusedAndWhatMendsIt) {
     HidDeviceInfo mouse = device(0x256f, 0xc635);
     mouse.may_open = false;
-    EXPECT_EQ(
-        recognised(mouse).refusal,
-        "may not be opened by this user; put this line into /etc/udev/rules.d/70-onggi.rules and plug it in "
-        "again: KERNEL==\"hidraw*\", ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\", "
-        "MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"");
+    EXPECT_EQ(recognised(mouse).refusal, "may not be opened by this user");
+    EXPECT_EQ(recognised(mouse).remedy,
+              "put this line into /etc/udev/rules.d/70-onggi.rules and plug it in again: "
+              "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"256f\", ATTRS{idProduct}==\"c635\", "
+              "MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"");
     HidDeviceInfo pad = device(0x054c, 0x0ce6);
     pad.bus = HidBusType::kBluetooth;
-    EXPECT_EQ(recognised(pad).refusal, "expected a USB cable, found Bluetooth; plug it in");
+    EXPECT_EQ(recognised(pad).refusal, "expected a USB cable, found Bluetooth");
+    EXPECT_EQ(recognised(pad).remedy, "plug it in with a cable");
     HidDeviceInfo broken = device(0x1209, 0xffb0);
     broken.report_descriptor = testing::hex("05 0f 26 ff");
     EXPECT_EQ(recognised(broken).kind, HidKind::kForceJoystick);

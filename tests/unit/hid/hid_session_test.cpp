@@ -280,5 +280,24 @@ TEST(VecPedalDriver, TurnsTheWheelWhileAPedalIsDown) {
     EXPECT_EQ(driver.input(0).motion, HandInput::Motion::kNone);
 }
 
+TEST(VecPedalDriver, MakesTheWheelFasterByTheRightPedalAndSlowerByTheLeft) {
+    VecPedalDriver driver;
+    driver.take_report(testing::hex("04 00"), 0);
+    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, 40.0);
+    driver.take_report(testing::hex("01 00"), 0);
+    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, -40.0);
+    driver.take_report(testing::hex("02 00"), 0);
+    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, 0.0);
+}
+
+TEST(SpaceMouseDriver, ChangesTheWheelsSpeedByATwist) {
+    SpaceMouseDriver driver;
+    driver.take_report(testing::hex("02 00 00 00 00 5e 01"), 0);  // Rz 350
+    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, 80.0);
+    driver.take_report(testing::hex("02 00 00 00 00 a2 fe"), 0);  // -350
+    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, -80.0);
+}
+
 }  // namespace
 }  // namespace onggi::haptics::hid

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "engine/haptics/hid/hid_device.h"
 #include "tests/support/pid_descriptors.h"
 #include "tests/support/scripted_hid.h"
 
@@ -10,6 +13,7 @@ namespace onggi::haptics::hid {
 namespace {
 
 using testing::hex;
+using testing::ScriptedBus;
 using testing::ScriptedHid;
 using testing::ScriptedPort;
 using Log = std::vector<std::string>;
@@ -148,6 +152,18 @@ TEST_F(PidDriverTest, GivesNoForceWhileItsEmergencyStopIsPressed) {
     EXPECT_EQ(told(order, 8 * kMs).front(), "w 05 02 33 f3");
 }
 
+TEST_F(PidDriverTest, StopsAllOnceWhenTheLoopIsDeadAndStartsWhenItIsNot) {
+    start();
+    told({.force_n = {1.0, 0.0}, .tool_mm = {50.0, 100.0}, .ticks = 1}, 0);
+    const ForceOrder dead{.tool_mm = {50.0, 100.0}, .ticks = 1, .is_starved = true};
+    EXPECT_EQ(told(dead, 100 * kMs), (Log{"w 03 01 00 00 00 00 00 00 00 3d 2a 3d 2a 00 00",
+                                          "w 03 03 00 00 00 00 00 00 00 8f 0a 8f 0a 00 00",
+                                          "w 03 03 01 00 00 00 00 00 00 8f 0a 8f 0a 00 00", "w 0c 04"}));
+    EXPECT_EQ(told(dead, 1000 * kMs), Log{}) << "and starts nothing again";
+    EXPECT_EQ(told({.tool_mm = {50.0, 100.0}, .ticks = 2}, 1100 * kMs),
+              (Log{"w 0c 01", "w 0a 01 01 01", "w 0a 02 01 01", "w 0a 03 01 01", "w 0a 04 01 01"}));
+}
+
 TEST_F(PidDriverTest, StopsFreesAndSwitchesOffAtTheEndWhateverFails) {
     start();
     driver.stop(port);
@@ -238,6 +254,22 @@ TEST_F(PidDriverTest, RejectsADeviceWithoutForces) {
     info.report_descriptor = hex("05 01 09 04 a1 01 85 01 09 30 09 31 15 00 26 e8 03 75 10 95 02 81 02 c0");
     EXPECT_FALSE(driver.start(info, port));
     EXPECT_TRUE(script->take_sent().empty()) << "nothing is said to a device that is not understood";
+}
+
+TEST_F(PidDriverTest, IsToldToLetGoByWhoeverOutlivesItsProgram) {
+    info.kind = HidKind::kForceJoystick;
+    script->info = info;
+    ScriptedBus bus(script);
+    const int ports_before = script->open_ports;
+    EXPECT_EQ(let_go_of_all(bus), 1);
+    const Log sent = script->take_sent();
+    ASSERT_GE(sent.size(), 6U);
+    EXPECT_EQ(sent.front(), "w 0c 08");                                       // reset
+    EXPECT_NE(std::find(sent.end() - 6, sent.end(), "w 0c 04"), sent.end());  // stop all, in the end too
+    EXPECT_EQ(sent.back(), "w 0c 02");                                        // actuators off
+    EXPECT_EQ(script->open_ports, ports_before);
+    script->info.refusal = "no permission";
+    EXPECT_EQ(let_go_of_all(bus), 0);
 }
 
 }  // namespace

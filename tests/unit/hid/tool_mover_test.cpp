@@ -56,6 +56,48 @@ TEST(ToolMover, StaysWhereItIsWhenNothingIsPluggedIn) {
     }
 }
 
+TEST(ToolMover, GoesAlongWithWhatTheHandHasTravelledOnceAndWithoutALeap) {
+    ToolMover mover;
+    HandInput input{.motion = HandInput::Motion::kRate, .travelled_mm = {500.0, 0.0}, .heartbeat = 1};
+    const ToolState before = mover.moved(input, kStep);
+    input.is_live = true;
+    input.heartbeat = 2;
+    EXPECT_EQ(mover.moved(input, kStep).position_mm, before.position_mm) << "travelled before it was heard";
+    input.travelled_mm = {495.0, 3.0};
+    input.heartbeat = 3;
+    EXPECT_EQ(mover.moved(input, kStep).position_mm, before.position_mm + dvec3(-5.0, 3.0, 0.0));
+    EXPECT_TRUE(mover.hand_moves());
+    EXPECT_EQ(mover.moved(input, kStep).position_mm, before.position_mm + dvec3(-5.0, 3.0, 0.0));
+    EXPECT_FALSE(mover.hand_moves());
+}
+
+TEST(ToolMover, GoesOnFromWhereAnotherHandLeftTheTool) {
+    ToolMover mover;
+    (void)mover.moved(pushing(1), kStep);
+    mover.put_at({80.0, 40.0, 7.0});
+    const ToolState tool = mover.moved(pushing(2), kStep);
+    EXPECT_NEAR(tool.position_mm.x, 80.0 - 0.05, 1e-9);
+    EXPECT_NEAR(tool.position_mm.y, 40.0 + 0.02, 1e-9);
+}
+
+TEST(ToolMover, KeepsTheWheelsSpeedThatTheHandHasChanged) {
+    ToolMover mover;
+    HandInput input = pushing(1);
+    EXPECT_EQ(mover.moved(input, kStep).wheel_speed_rev_min, 120.0);
+    input.wheel_change_rev_min_s = 40.0;
+    ToolState tool;
+    for (std::uint64_t tick = 2; tick < 1002; ++tick) {
+        input.heartbeat = tick;
+        tool = mover.moved(input, kStep);
+    }
+    EXPECT_NEAR(tool.wheel_speed_rev_min, 160.0, 1e-6);
+    input.wheel_change_rev_min_s = 0.0;
+    input.wheel_rev_min = 77.0;
+    EXPECT_EQ(mover.moved(input, kStep).wheel_speed_rev_min, 77.0) << "or said outright";
+    input.wheel_rev_min = 1e9;
+    EXPECT_EQ(mover.moved(input, kStep).wheel_speed_rev_min, 240.0);
+}
+
 TEST(ToolMover, NeverLeavesItsReach) {
     const ToolReach reach;
     ToolMover mover(reach);

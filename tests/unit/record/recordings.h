@@ -32,6 +32,28 @@ inline haptics::ToolState tool_at(std::uint64_t tick) {
     return tool;
 }
 
+// A pair of hands: rests, moves one hand, moves both, changes what is in them.
+inline haptics::ToolState both_hands_at(std::uint64_t tick) {
+    haptics::ToolState tool = tool_at(tick);
+    const std::uint64_t part = tick / 300;
+    tool.tool = static_cast<haptics::ToolKind>(part % 4);
+    tool.side = static_cast<haptics::SideHint>(part % 3);
+    tool.water = part % 2 == 0 ? 0.25 : 1.0;
+    tool.wire = part == 2 ? haptics::WireCommand::kCutRim : haptics::WireCommand::kNone;
+    tool.wire_height_mm = static_cast<double>(part);
+    tool.wheel_speed_rev_min = 100.0 + static_cast<double>(part);
+    tool.assist_gap_mm = part % 5 == 4 ? 6.5 : 0.0;
+    tool.shaft_mm = static_cast<double>(part % 3);
+    if (part % 4 != 3) {
+        const double moved = part % 4 == 1 ? static_cast<double>(tick) / 4096.0 : 0.0;
+        tool.second = {.present = true,
+                       .tool = haptics::ToolKind::kRib,
+                       .radius_mm = 7.0,
+                       .position_mm = {-60.0 - moved, 20.0, -0.0}};
+    }
+    return tool;
+}
+
 inline dvec3 force_at(std::uint64_t tick) {
     return {static_cast<double>(tick) / 7.0, 0.0, tick % 500 < 250 ? 0.0 : -0.0};
 }
@@ -55,6 +77,28 @@ inline Result<void> record_ticks(SessionWriter& writer, std::uint64_t ticks) {
         if (auto ended = writer.end_block(hash_after(tick)); !ended) return ended;
     }
     return {};
+}
+
+inline SessionHeader studio_header() {
+    SessionHeader header = test_header();
+    header.clay_model = ClayModel::kStudio;
+    header.sector_count = 256;
+    return header;
+}
+
+// The bytes of a session of both hands.
+inline std::string studio_session_bytes(std::uint64_t ticks) {
+    const test::TemporaryFolder folder;
+    auto writer = SessionWriter::create(folder / "s.onggi", studio_header(), bytes_of(kStartState));
+    EXPECT_TRUE(writer) << writer.error().message;
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        EXPECT_TRUE(writer->add_tick(both_hands_at(tick), force_at(tick)));
+        if (!writer->block_is_full()) continue;
+        EXPECT_TRUE(writer->end_block(hash_after(tick)));
+    }
+    EXPECT_TRUE(writer->prepare(hash_after(ticks - 1)));
+    EXPECT_TRUE(writer->commit());
+    return test::content_of(folder / "s.onggi");
 }
 
 // The bytes of a session of so many ticks.

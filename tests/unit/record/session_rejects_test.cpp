@@ -45,8 +45,8 @@ TEST(RejectsSession, OfAnotherKind) {
 
 TEST(RejectsSession, OfANewerOrUnknownVersion) {
     EXPECT_EQ(refusal(with_header_field<std::uint16_t>(8, 2)),
-              "s.onggi: byte 8: expected a session of version 1.0, found 2.0, written by a newer program");
-    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 1)).find("found 1.1, written by a newer program"),
+              "s.onggi: byte 8: expected a session of version 1.1, found 2.0, written by a newer program");
+    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 2)).find("found 1.2, written by a newer program"),
               std::string::npos);
     EXPECT_NE(refusal(with_header_field<std::uint16_t>(8, 0)).find("byte 8: expected a session of version"),
               std::string::npos);
@@ -159,6 +159,35 @@ TEST(RejectsSession, WithAnEndThatCountsOtherwise) {
         EXPECT_NE(refusal(bytes).find("byte " + std::to_string(end + field) + ": "), std::string::npos)
             << refusal(bytes);
     }
+}
+
+TEST(RejectsSession, WithHandsThatNoToolWouldBe) {
+    const auto refused = [](std::size_t offset, auto number) {
+        std::string bytes = studio_session_bytes(700);
+        // After the block's head and the record's kind: places, settings, choices.
+        test::put_at(bytes, first_block_at() + test::kSessionBlockHeadBytes + 1 + offset, number);
+        test::mend_session_block(bytes, first_block_at());
+        return refusal(bytes);
+    };
+    const auto expect_found = [](const std::string& line, const std::string& what) {
+        EXPECT_NE(line.find(what), std::string::npos) << line;
+    };
+    expect_found(refused(24, 1000.5), "a coordinate, mm, of -1000 to 1000, found 1000.5");
+    expect_found(refused(48, 1.0), "a tool radius, mm of 2 to 40, found 1");
+    expect_found(refused(64, 61.0), "an assist's gap, mm of 0 to 60, found 61");
+    expect_found(refused(80, 301.0), "a wheel's speed, rev/min of 0 to 300, found 301");
+    expect_found(refused(96, std::bit_cast<double>(0x7ff8000000000000ULL)), "water of 0 to 1, found nan");
+    expect_found(refused(104, std::uint8_t{2}), "a button of 0 to 1, found 2");
+    expect_found(refused(105, std::uint8_t{4}), "a tool of 0 to 3, found 4");
+    expect_found(refused(107, std::uint8_t{3}), "a wire of 0 to 2, found 3");
+}
+
+// A session that says it is of the first version may not hold what that version did not know.
+TEST(RejectsSession, OfAnOlderVersionWithRecordsOfANewer) {
+    std::string bytes = studio_session_bytes(700);
+    test::put_at<std::uint16_t>(bytes, 10, 0);
+    test::mend_session_header(bytes);
+    EXPECT_NE(refusal(bytes).find("a tool record to open the block"), std::string::npos) << refusal(bytes);
 }
 
 TEST(RejectsSession, WithABlockAfterOneThatIsNotFull) {

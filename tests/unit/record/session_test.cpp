@@ -243,6 +243,35 @@ TEST(SessionWriter, OnAFullDiskLeavesNothing) {
         "3 0");
 }
 
+TEST(StudioSession, HoldsBothHandsAndAllTheySay) {
+    const auto session = parse_session(studio_session_bytes(5000), "s.onggi");
+    ASSERT_TRUE(session) << session.error().message;
+    EXPECT_EQ(session->header(), studio_header());
+    SessionCursor cursor(*session);
+    for (std::uint64_t tick = 0; tick < 5000; ++tick)
+        ASSERT_EQ(cursor.at(tick), both_hands_at(tick)) << tick;
+    for (const std::uint64_t tick : {4999U, 2500U, 299U, 300U, 0U, 1234U})
+        ASSERT_EQ(cursor.at(tick), both_hands_at(tick)) << tick;
+}
+
+TEST(StudioSession, IsOfANewerMinorVersionThanThePapers) {
+    EXPECT_EQ(test::get_at<std::uint16_t>(studio_session_bytes(10), 10), 1U);
+    EXPECT_EQ(test::get_at<std::uint16_t>(session_bytes(10), 10), 0U) << "older programs still read it";
+}
+
+TEST(StudioSession, TakesLittleForHandsThatRest) {
+    EXPECT_LT(studio_session_bytes(250).size(), first_block_at() + 250 * 5 + 300);
+}
+
+TEST(SessionWriter, RejectsAToolThatThePapersClayCannotHear) {
+    const TemporaryFolder folder;
+    auto writer = SessionWriter::create(folder / "s.onggi", test_header(), {});
+    ASSERT_TRUE(writer);
+    EXPECT_FALSE(writer->add_tick({.tool = haptics::ToolKind::kSponge}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.wheel_speed_rev_min = 100.0}, dvec3(0.0)));
+    EXPECT_TRUE(writer->add_tick({}, dvec3(0.0)));
+}
+
 TEST(SessionWriter, RejectsWhatTheReaderWouldReject) {
     const TemporaryFolder folder;
     const auto refused = [&](SessionHeader header) {
@@ -258,10 +287,10 @@ TEST(SessionWriter, RejectsWhatTheReaderWouldReject) {
 
     auto writer = SessionWriter::create(folder / "s.onggi", test_header(), {});
     ASSERT_TRUE(writer);
-    EXPECT_FALSE(writer->add_tick({.position_mm = {std::nan(""), 0, 0}}, {}));
-    EXPECT_FALSE(writer->add_tick({.position_mm = {0, 1000.5, 0}}, {}));
-    EXPECT_FALSE(writer->add_tick({.radius_mm = 1.0}, {}));
-    EXPECT_TRUE(writer->add_tick({}, {}));
+    EXPECT_FALSE(writer->add_tick({.position_mm = {std::nan(""), 0, 0}}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.position_mm = {0, 1000.5, 0}}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.radius_mm = 1.0}, dvec3(0.0)));
+    EXPECT_TRUE(writer->add_tick({}, dvec3(0.0)));
     EXPECT_EQ(writer->tick_count(), 1U);
 }
 

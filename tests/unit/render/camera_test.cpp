@@ -76,5 +76,39 @@ TEST(Camera, SaysHowManyPixelsAMillimetreSpans) {
     EXPECT_NEAR(one_mm_right->pixel.x - 400.0, scale, 1e-6);
 }
 
+TEST(PlateCamera, KeepsPotAndPlateInRegisterInEveryShapeOfPicture) {
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, {1920, 1080}, {2560, 1080}, {720, 1280}, {1024, 768}, {333, 777}}) {
+        const Camera camera = plate_camera(kCamera, 1280, 720, width, height);
+        const vec4 window = plate_window(1280, 720, width, height);
+        for (const dvec3 point : {dvec3(60, 0, 0), dvec3(-40, 200, 30), dvec3(0, 10, -150)}) {
+            const auto in_picture = project(camera, width, height, point);
+            const auto in_plate = project(kCamera, 1280, 720, point);
+            ASSERT_TRUE(in_picture && in_plate);
+            EXPECT_NEAR(in_picture->pixel.x * window.x + window.z, in_plate->pixel.x / 1280.0, 1e-5);
+            EXPECT_NEAR(in_picture->pixel.y * window.y + window.w, in_plate->pixel.y / 720.0, 1e-5);
+        }
+    }
+}
+
+TEST(PlateCamera, FillsThePictureAndShowsThePlatesMiddle) {
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1000}, {720, 1280}}) {
+        const vec4 window = plate_window(1280, 720, width, height);
+        const vec2 first(window.z, window.w);
+        const vec2 last =
+            first + vec2(static_cast<float>(width) * window.x, static_cast<float>(height) * window.y);
+        EXPECT_GE(std::min(first.x, first.y), -1e-6F);
+        EXPECT_LE(std::max(last.x, last.y), 1.0F + 1e-6F);
+        EXPECT_NEAR(first.x + last.x, 1.0F, 1e-6F);
+        EXPECT_NEAR(std::min(first.x, first.y), 0.0F, 1e-6F) << "one way the whole plate is seen";
+    }
+}
+
+TEST(PlateCamera, IsThePlatesOwnAtThePlatesSize) {
+    EXPECT_NEAR(plate_camera(kCamera, 1280, 720, 1280, 720).vertical_fov_rad, kCamera.vertical_fov_rad,
+                1e-6F);
+    EXPECT_EQ(plate_window(1280, 720, 1280, 720), vec4(1.0F / 1280.0F, 1.0F / 720.0F, 0.0F, 0.0F));
+}
+
 }  // namespace
 }  // namespace onggi::render

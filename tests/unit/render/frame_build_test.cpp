@@ -31,24 +31,29 @@ TEST_F(FrameBuild, NeverDrawsMoreRingsThanTheCap) {
     for (std::size_t i = 0; i < radii_.size(); ++i)
         radii_[i] = 50.0F + static_cast<float>((i * 2654435761U >> 7U) % 100U) * 0.05F;
     const BuiltFrame& built = build();
-    EXPECT_LE(built.rings.size(), 128U);
+    EXPECT_LE(built.rows.size(), static_cast<std::size_t>(desc_.max_rings));
     EXPECT_GT(built.ring_error_px, desc_.ring_error_px);
 }
 
-TEST_F(FrameBuild, DrawsAStripForEachRingTheEdgeAndTheTop) {
+TEST_F(FrameBuild, DrawsAStripBetweenEachTwoRows) {
     const BuiltFrame& built = build();
-    EXPECT_EQ(built.lathe_indices, (built.rings.size() + shaders::kEdgeRows) * 64 * 6);
-    const auto indices = lathe_indices(desc_.max_rings, desc_.sectors);
+    EXPECT_EQ(built.lathe_indices, (built.rows.size() - 1) * 64 * 6);
+    EXPECT_EQ(built.vertices.size(), built.rows.size() * 65);
+    const auto indices = lathe_indices(kMaxRings, desc_.sectors);
     ASSERT_LE(built.lathe_indices, indices.size());
-    const auto rows = static_cast<std::uint32_t>(built.rings.size()) + shaders::kEdgeRows + 1;
     const auto last = *std::max_element(indices.begin(), indices.begin() + built.lathe_indices);
-    EXPECT_EQ(last, rows * 65 - 1);
+    EXPECT_EQ(last, built.rows.size() * 65 - 1);
 }
 
 TEST_F(FrameBuild, IndexesTheLargestLatheWithSixteenBits) {
     const RendererDesc still = still_desc(VK_FORMAT_R8G8B8A8_UNORM);
-    const auto rows = static_cast<std::size_t>(still.max_rings + shaders::kEdgeRows + 1);
-    EXPECT_LE(rows * static_cast<std::size_t>(still.sectors + 1), 65536U);
+    EXPECT_LE(static_cast<std::size_t>(kMaxRings) * static_cast<std::size_t>(still.sectors + 1), 65536U);
+}
+
+TEST_F(FrameBuild, SmoothsOutlinesOnlyWhereThePictureHasOneSampleAPixel) {
+    EXPECT_FALSE(build().edges.empty());
+    desc_ = still_desc(VK_FORMAT_R8G8B8A8_UNORM);
+    EXPECT_TRUE(build().edges.empty());
 }
 
 TEST_F(FrameBuild, DrawsNoLatheWhereThereIsNone) {
@@ -57,7 +62,7 @@ TEST_F(FrameBuild, DrawsNoLatheWhereThereIsNone) {
     scene_.lathe = Lathe{};
     EXPECT_EQ(build().lathe_indices, 0U);
     scene_.spheres.clear();
-    EXPECT_EQ(build().shade_vertices, 0U);
+    EXPECT_TRUE(build().shade.empty());
 }
 
 TEST_F(FrameBuild, CastsShadowsOfNoMoreSpheresThanTheShaderKnows) {
@@ -66,16 +71,22 @@ TEST_F(FrameBuild, CastsShadowsOfNoMoreSpheresThanTheShaderKnows) {
     EXPECT_EQ(built.frame.spheres[shaders::kSpheres - 1].w, 10.0F);
 }
 
-TEST_F(FrameBuild, DarkensAndSaturatesWetClayButNeverBeyondItsWater) {
-    scene_.lathe->material = {.albedo = vec3(0.4F, 0.2F, 0.1F), .wetness = 0.0F};
-    EXPECT_EQ(vec3(build().lathe.albedo), vec3(0.4F, 0.2F, 0.1F));
-    scene_.lathe->material.wetness = 1.0F;
-    const vec3 wet(build().lathe.albedo);
+TEST_F(FrameBuild, DarkensAndSaturatesABodyFullOfWater) {
+    scene_.lathe->material = {.albedo = vec3(0.4F, 0.2F, 0.1F)};
+    const BuiltFrame& built = build();
+    EXPECT_EQ(vec3(built.lathe.dry), vec3(0.4F, 0.2F, 0.1F));
     // A' = A (1 - p) / (1 - p A), p = 0.66.
-    EXPECT_NEAR(wet.x, 0.4F * 0.34F / (1.0F - 0.66F * 0.4F), 1e-6F);
-    EXPECT_GT(wet.x / wet.z, 4.0F);
-    scene_.lathe->material.wetness = 7.0F;
-    EXPECT_EQ(vec3(build().lathe.albedo), wet);
+    EXPECT_NEAR(built.lathe.wet.x, 0.4F * 0.34F / (1.0F - 0.66F * 0.4F), 1e-6F);
+    EXPECT_GT(built.lathe.wet.x / built.lathe.wet.z, 4.0F);
+}
+
+TEST_F(FrameBuild, MirrorsAGlazeMoreThanWater) {
+    const float water = build().lathe.turn.z;
+    const float glaze_of_water = build().lathe.gloss.z;
+    EXPECT_FLOAT_EQ(water, 0.02F);  // at normal incidence, of n = 1.33
+    scene_.lathe->material.coat = 1.0F;
+    EXPECT_FLOAT_EQ(build().lathe.turn.z, 0.04F);  // n = 1.5
+    EXPECT_LT(build().lathe.gloss.z, glaze_of_water);
 }
 
 TEST_F(FrameBuild, TurnsTheSlipOnceRoundInTwoOfItsTexture) {
@@ -99,7 +110,23 @@ TEST_F(FrameBuild, RedrawsTheStillLifeForWhatItShowsAndForNothingElse) {
     hashes.insert(still_hash(scene_, 1280, 720));
     scene_.backdrop.glow.z += 0.1F;
     hashes.insert(still_hash(scene_, 1280, 720));
-    EXPECT_EQ(hashes.size(), 6U);
+    scene_.levels.key = 0.5F;
+    hashes.insert(still_hash(scene_, 1280, 720));
+    scene_.irradiance.emplace();
+    hashes.insert(still_hash(scene_, 1280, 720));
+    EXPECT_EQ(hashes.size(), 8U);
+}
+
+TEST_F(FrameBuild, DimsEveryLightOfTheClayWithTheRoom) {
+    scene_.key.radiance = vec3(2.0F, 1.5F, 1.0F);
+    scene_.irradiance.emplace().fill(vec3(0.5F));
+    scene_.environment.panels[1].radiance = vec3(1.0F);
+    scene_.levels = {.ambient = vec3(0.5F, 0.25F, 0.125F), .key = 0.0F};
+    const shaders::FrameData& frame = build().frame;
+    EXPECT_EQ(vec3(frame.key_radiance), vec3(0.0F));
+    EXPECT_EQ(vec3(frame.irradiance[4]), vec3(0.25F, 0.125F, 0.0625F));
+    EXPECT_EQ(vec3(frame.panel_radiance[1]), vec3(0.5F, 0.25F, 0.125F));
+    EXPECT_EQ(frame.levels, vec4(0.5F, 0.25F, 0.125F, 0.0F));
 }
 
 TEST_F(FrameBuild, RedrawsTheShadowForOutlineToolAndLight) {

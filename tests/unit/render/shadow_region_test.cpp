@@ -62,8 +62,8 @@ TEST(ShadeOutline, HoldsTheShadowOfEveryPointOfTheLatheAndTheTool) {
     scene.key = kLight;
     scene.lathe = Lathe{.radii_mm = radii, .element_height_mm = 1.0F};
     scene.spheres = {{.centre_mm = {90.0F, 120.0F, 0.0F}, .radius_mm = 20.0F}};
-    const std::vector<dvec2> outline = shade_outline(scene, -100.0F, 1280, 720, 16);
-    ASSERT_LE(outline.size(), 16U);
+    const std::vector<dvec2> outline = shade_outline(scene, -100.0F, 1280, 720, 32);
+    ASSERT_LE(outline.size(), 32U);
     const auto check = [&](vec3 point) {
         for (const float ground : {0.0F, -40.0F, -100.0F}) {
             const vec3 shadow = point - kLight.towards_light * ((point.y - ground) / kLight.towards_light.y);
@@ -86,7 +86,7 @@ TEST(ShadeOutline, HoldsTheShadowOfEveryPointOfTheLatheAndTheTool) {
 TEST(ShadeOutline, IsEmptyWhereNothingCasts) {
     Scene scene;
     scene.key = kLight;
-    EXPECT_TRUE(shade_outline(scene, -100.0F, 1280, 720, 16).empty());
+    EXPECT_TRUE(shade_outline(scene, -100.0F, 1280, 720, 32).empty());
 }
 
 TEST(PixelsOf, StaysInsideThePictureAndTakesAllOfItWhenABoxReachesBehindTheEye) {

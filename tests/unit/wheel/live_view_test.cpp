@@ -46,7 +46,7 @@ TEST(LiveView, ShowsTheSamePictureAfterAnotherAndBack) {
     const std::vector<float> lump(2000, 60.0F);
     const std::vector<float> thin(2000, 20.0F);
     const auto picture = [&](const std::vector<float>& radii) {
-        EXPECT_TRUE((*view)->draw({.radii_mm = radii, .tool_position_mm = {90.0, 100.0, 0.0}}));
+        EXPECT_TRUE((*view)->draw({.radii_mm = radii, .hand = {.position_mm = {90.0, 100.0, 0.0}}}));
         return (*view)->read_back().value().rgba;
     };
     const auto first = picture(lump);

@@ -18,8 +18,7 @@ class TheWheelScene : public testing::Test {
     std::array<float, 4> radii_{60.0F, 55.0F, 50.0F, 58.0F};
     PotView pot_{.radii_mm = radii_,
                  .height_mm = 200.0,
-                 .tool_position_mm = {70.0, 90.0, 5.0},
-                 .tool_radius_mm = 12.0};
+                 .hand = {.position_mm = {70.0, 90.0, 5.0}, .radius_mm = 12.0}};
     WheelScene scene_;
 };
 
@@ -42,7 +41,7 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     ASSERT_EQ(scene.spheres.size(), 1U);
     EXPECT_EQ(scene.spheres[0].centre_mm, vec3(70.0F, 90.0F, 5.0F));
     EXPECT_EQ(scene.spheres[0].radius_mm, 12.0F);
-    pot_.tool_shown = false;
+    pot_.hand.shown = false;
     EXPECT_TRUE(show(pot_).spheres.empty());
 }
 
@@ -53,8 +52,8 @@ TEST_F(TheWheelScene, TurnsTheClayWithTheWheel) {
 
 TEST_F(TheWheelScene, ComesOutOfItsEntitiesAndNowhereElse) {
     ecs::Registry& registry = scene_.registry();
-    registry.get<Clay>(scene_.clay()).material.wetness = 0.9F;
-    EXPECT_EQ(show(pot_).lathe->material.wetness, 0.9F);
+    registry.get<Clay>(scene_.clay()).edge_rounding_mm = 0.9F;
+    EXPECT_EQ(show(pot_).lathe->edge_rounding_mm, 0.9F);
     registry.destroy(scene_.tool());
     EXPECT_TRUE(show(pot_).spheres.empty());
     registry.destroy(scene_.clay());
@@ -105,7 +104,7 @@ TEST_F(TheWheelScene, PutsTheToolUnderThePointer) {
     for (const dvec2 pixel : {dvec2(640, 300), dvec2(820, 120), dvec2(410, 480)}) {
         const auto place = scene_.tool_target_mm(pixel.x, pixel.y, 1280, 720);
         ASSERT_TRUE(place);
-        pot_.tool_position_mm = *place;
+        pot_.hand.position_mm = *place;
         const auto seen = render::project(show(pot_).camera, 1280, 720, *place);
         EXPECT_NEAR(seen->pixel.x, pixel.x, 1e-3);
         EXPECT_NEAR(seen->pixel.y, pixel.y, 1e-3);
@@ -115,7 +114,7 @@ TEST_F(TheWheelScene, PutsTheToolUnderThePointer) {
 TEST(WheelSchedule, ReceivesBeforeItExtracts) {
     const auto names = wheel_schedule().names();
     const auto place_of = [&](std::string_view name) { return std::find(names.begin(), names.end(), name); };
-    for (const std::string_view received : {"receive clay", "receive wheel", "receive tool"}) {
+    for (const std::string_view received : {"receive clay", "receive wheel", "receive tools"}) {
         ASSERT_NE(place_of(received), names.end());
         EXPECT_LT(place_of(received), place_of("extract camera"));
     }

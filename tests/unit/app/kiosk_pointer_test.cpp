@@ -1,0 +1,175 @@
+// Fingers, keys and a single switch on a screen of three targets.
+#include "game/app/kiosk_pointer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace onggi::app {
+namespace {
+
+using Kind = PointerNews::Kind;
+using kiosk::Button;
+
+screens::Composition screen() {
+    screens::Composition composition;
+    composition.bounds = {0.0F, 0.0F, 1280.0F, 720.0F};
+    composition.px_per_u = 1.0F;
+    composition.targets = {
+        {.button = Button::kDone, .rect = {100.0F, 600.0F, 100.0F, 66.0F}, .name = "Done"},
+        {.button = Button::kToolMore,
+         .rect = {300.0F, 600.0F, 50.0F, 66.0F},
+         .name = "Tool +",
+         .repeats = true},
+        {.button = Button::kGlaze, .value = 4, .rect = {500.0F, 600.0F, 100.0F, 66.0F}, .name = "Ash"}};
+    return composition;
+}
+
+class Finger {
+  public:
+    Finger() { pointer.look_at(&composition, 1, false); }
+
+    Finger& moves(double x, double y) { return does(window::PointerEvent{x, y}); }
+    Finger& presses() { return does(window::ButtonEvent{window::MouseButton::kLeft, true}); }
+    Finger& lifts() { return does(window::ButtonEvent{window::MouseButton::kLeft, false}); }
+    Finger& types(window::Key key) { return does(window::KeyEvent{key, true, false}); }
+    Finger& does(const window::Event& event) {
+        pointer.handle(event, now_s, news);
+        return *this;
+    }
+    Finger& waits(double seconds) {
+        const double until_s = now_s + seconds;
+        for (; now_s < until_s; now_s += 0.05)
+            pointer.pass_time(now_s, news);
+        return *this;
+    }
+    [[nodiscard]] std::vector<Button> pressed() const {
+        std::vector<Button> buttons;
+        for (const PointerNews& one : news) {
+            if (one.kind == Kind::kPressed) buttons.push_back(one.button);
+        }
+        return buttons;
+    }
+    [[nodiscard]] bool said(Kind kind) const {
+        return std::any_of(news.begin(), news.end(),
+                           [&](const PointerNews& one) { return one.kind == kind; });
+    }
+
+    screens::Composition composition = screen();
+    KioskPointer pointer;
+    std::vector<PointerNews> news;
+    double now_s = 0.0;
+};
+
+TEST(KioskPointer, PressesOnReleaseOverTheSameTarget) {
+    Finger finger;
+    finger.moves(150, 630).presses();
+    EXPECT_EQ(finger.pointer.pressed(), 0);
+    EXPECT_TRUE(finger.pressed().empty());
+    finger.lifts();
+    EXPECT_EQ(finger.pressed(), std::vector<Button>{Button::kDone});
+    EXPECT_EQ(finger.pointer.pressed(), -1);
+}
+
+TEST(KioskPointer, LetsAPressBeTakenBackByLeavingTheTarget) {
+    Finger finger;
+    finger.moves(150, 630).presses().moves(150, 500);
+    EXPECT_EQ(finger.pointer.pressed(), -1) << "it no longer looks pressed";
+    finger.lifts();
+    EXPECT_TRUE(finger.pressed().empty());
+}
+
+TEST(KioskPointer, DropsAPressThatEndsOnAnotherScreen) {
+    Finger finger;
+    finger.moves(150, 630).presses();
+    finger.pointer.look_at(&finger.composition, 2, false);
+    finger.lifts();
+    EXPECT_TRUE(finger.pressed().empty());
+}
+
+TEST(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
+    Finger finger;
+    finger.moves(320, 630).presses().waits(1.1).lifts();
+    EXPECT_EQ(finger.pressed().size(), 3U) << "after half a second, and every quarter from then on";
+    Finger other;
+    other.moves(150, 630).presses().waits(1.1).lifts();
+    EXPECT_EQ(other.pressed().size(), 1U);
+}
+
+TEST(KioskPointer, GivesTheSceneAHandWhereNoTargetIs) {
+    Finger finger;
+    finger.moves(640, 300);
+    EXPECT_TRUE(finger.said(Kind::kHovered));
+    finger.presses().moves(600, 300).lifts();
+    EXPECT_TRUE(finger.said(Kind::kHandDown));
+    EXPECT_TRUE(finger.said(Kind::kHandMoved));
+    EXPECT_TRUE(finger.said(Kind::kHandUp));
+    EXPECT_TRUE(finger.pressed().empty());
+}
+
+TEST(KioskPointer, TakesAShakenMouseForNobody) {
+    Finger finger;
+    finger.moves(640, 360);
+    EXPECT_FALSE(finger.said(Kind::kLife)) << "it only lies where the window opened";
+    for (int i = 0; i < 50; ++i)
+        finger.moves(640 + i % 2, 360 + i % 3);
+    EXPECT_FALSE(finger.said(Kind::kLife));
+    finger.moves(700, 360);
+    EXPECT_TRUE(finger.said(Kind::kLife));
+}
+
+TEST(KioskPointer, WalksWithTabAndPressesWithEnter) {
+    Finger finger;
+    finger.types(window::Key::kTab)
+        .types(window::Key::kTab)
+        .types(window::Key::kTab)
+        .types(window::Key::kEnter);
+    ASSERT_EQ(finger.pressed(), std::vector<Button>{Button::kGlaze});
+    EXPECT_EQ(finger.news.back().value, 4);
+    finger.types(window::Key::kTab);
+    EXPECT_EQ(finger.pointer.focus(), 0) << "round";
+    finger.types(window::Key::kUp);
+    EXPECT_EQ(finger.news.back().kind, Kind::kNudged);
+}
+
+TEST(KioskPointer, IsUsedWithOneSwitchAlone) {
+    Finger finger;
+    finger.types(window::Key::kSpace);
+    EXPECT_TRUE(finger.pointer.scans());
+    EXPECT_EQ(finger.pointer.focus(), 0);
+    EXPECT_TRUE(finger.pressed().empty());
+    finger.waits(1.5);
+    EXPECT_EQ(finger.pointer.focus(), 1);
+    finger.types(window::Key::kSpace);
+    EXPECT_EQ(finger.pressed(), std::vector<Button>{Button::kToolMore});
+    finger.waits(3.0);
+    EXPECT_EQ(finger.pointer.focus(), 0);
+}
+
+TEST(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
+    Finger finger;
+    finger.moves(20, 20).presses().waits(4.5);
+    EXPECT_FALSE(finger.said(Kind::kCornerHeld));
+    finger.waits(1.0);
+    EXPECT_TRUE(finger.said(Kind::kCornerHeld));
+    Finger other;
+    other.moves(20, 20).presses().waits(3.0).moves(200, 200).moves(20, 20).waits(3.0);
+    EXPECT_FALSE(other.said(Kind::kCornerHeld)) << "the finger left it";
+    Finger mirrored;
+    mirrored.pointer.look_at(&mirrored.composition, 1, true);
+    mirrored.moves(1270, 20).presses().waits(5.2);
+    EXPECT_TRUE(mirrored.said(Kind::kCornerHeld)) << "on the other side where the page is mirrored";
+}
+
+TEST(KioskPointer, AsksToCloseForEveryWayOutThatWindowsHave) {
+    for (const window::Event& way : {window::Event(window::CloseEvent{}),
+                                     window::Event(window::KeyEvent{window::Key::kEscape, true, false}),
+                                     window::Event(window::KeyEvent{window::Key::kQ, true, false})}) {
+        Finger finger;
+        finger.does(way);
+        EXPECT_EQ(finger.news.back().kind, Kind::kCloseAsked);
+    }
+}
+
+}  // namespace
+}  // namespace onggi::app

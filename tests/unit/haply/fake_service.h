@@ -1,0 +1,33 @@
+// An Inverse service of its own on loopback, for tests: a WebSocket server on a thread. It moves its cursor
+// by the force it is told, and can be made to speak nonsense, to fall silent, or to go away.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/math/math.h"
+
+namespace onggi::testing {
+
+class FakeService {
+  public:
+    // On any free port, or on the one given.
+    explicit FakeService(int port = 0);
+    ~FakeService();
+    FakeService(const FakeService&) = delete;
+    FakeService& operator=(const FakeService&) = delete;
+
+    [[nodiscard]] int port() const;
+    // Any thread.
+    void put_cursor_m(const dvec3& cursor_m);
+    void say(const std::string& instead);  // from now on, instead of the state; empty: the state again
+    [[nodiscard]] std::string last_heard() const;
+    [[nodiscard]] int times_heard() const;
+
+    struct Impl;  // for the library's callback
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace onggi::testing

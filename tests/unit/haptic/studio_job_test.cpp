@@ -1,0 +1,178 @@
+// The haptic loop with the studio's clay: what it hands over, and that a replay gives the same bits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "game/haptic/job.h"
+#include "tests/unit/haptic/studio_hand.h"
+
+namespace onggi::haptic {
+namespace {
+
+constexpr double kRateHz = 1000.0;
+
+struct StudioLoop {
+    explicit StudioLoop(const HapticJobOptions& options = {})
+        : work(test::studio_start(), HapticParameters{}, std::make_unique<test::StudioHand>(kRateHz),
+               options) {}
+
+    void run(std::uint64_t ticks) {
+        for (std::uint64_t k = 0; k < ticks; ++k) {
+            ASSERT_TRUE(work.tick(period));
+            ++period.index;
+            ++period.tick;
+            TickRecord record;
+            while (work.take_record(record))
+                records.push_back(record);
+            BlockHash hash;
+            while (work.take_hash(hash))
+                hashes.push_back(hash);
+        }
+    }
+
+    HapticWork work;
+    jobs::Period period{.dt_s = 1.0 / kRateHz};
+    std::vector<TickRecord> records;
+    std::vector<BlockHash> hashes;
+};
+
+TEST(StudioLoop, ReplaysFromItsRecordsToTheBit) {
+    StudioLoop loop({.run_ticks = 9000, .repeat = true});
+    loop.run(12'000);
+    HapticState replayed = test::studio_start();
+    std::size_t hash = 0;
+    for (const TickRecord& record : loop.records) {
+        if ((record.flags & TickRecord::kFreshLump) != 0) replayed.restart_from(test::studio_start());
+        const TickResult result = tick(replayed, record.tool, HapticParameters{});
+        ASSERT_EQ(result.forces.total_n(), record.force_n) << "tick " << record.tick;
+        if (!result.hash_due) continue;
+        ASSERT_LT(hash, loop.hashes.size());
+        ASSERT_EQ(loop.hashes[hash++].state_hash, result.state_hash);
+    }
+    EXPECT_EQ(hash, 12U);
+    EXPECT_EQ(replayed.hash(), loop.work.state().hash());
+}
+
+TEST(StudioLoop, AFreshLumpIsTheLumpItBeganWith) {
+    StudioLoop loop({.run_ticks = 9000, .repeat = true});
+    loop.run(9000 + 1234);
+    StudioLoop once;
+    once.run(1234);
+    EXPECT_EQ(loop.work.state().hash(), once.work.state().hash());
+}
+
+// What the picture got, against the clay itself.
+void expect_shape_of(const PotShape& shape, const clay::StudioClay& clay, double within_mm) {
+    const auto outer = shape.outer_mm();
+    const auto inner = shape.inner_mm();
+    const auto top = shape.top_mm();
+    ASSERT_EQ(outer.size(), static_cast<std::size_t>(shape.rings));
+    ASSERT_EQ(inner.size(), outer.size());
+    ASSERT_EQ(top.size(), outer.size());
+    ASSERT_EQ(shape.centre_mm().size(), 2 * outer.size());
+    ASSERT_EQ(shape.load_index().size(), outer.size());
+    ASSERT_NEAR(shape.height_mm, clay.height_mm(), within_mm);
+    ASSERT_NEAR(shape.floor_mm, clay.floor_mm(), 1.0);
+    float below = 0.0F;
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+        ASSERT_GT(top[i], below) << "ring " << i;
+        const double middle = 0.5 * static_cast<double>(below + top[i]);
+        below = top[i];
+        const int ring = clay.rings().ring_at(middle);
+        const auto at = static_cast<std::size_t>(ring);
+        ASSERT_NEAR(static_cast<double>(outer[i]), clay.outer_mm()[at], within_mm)
+            << "at " << middle << " mm";
+        if (std::abs(middle - clay.floor_mm()) > 1.0) {
+            ASSERT_NEAR(static_cast<double>(inner[i]), clay.inner_mm()[at], within_mm) << "at " << middle;
+        }
+    }
+}
+
+TEST(StudioLoop, HandsTheWholePotOverBitByBit) {
+    StudioLoop loop;
+    const PotShape* shape = loop.work.newest_snapshot().shape;
+    ASSERT_NE(shape, nullptr);
+    expect_shape_of(*shape, *test::studio_start().studio(), 1e-4);
+    int shapes = 0;
+    std::uint64_t last = 0;
+    for (int k = 0; k < 9000; ++k) {
+        loop.run(1);
+        const Snapshot& snapshot = loop.work.newest_snapshot();
+        ASSERT_EQ(snapshot.tick, static_cast<std::uint64_t>(k + 1)) << "what is cheap comes every tick";
+        if (snapshot.shape->tick == last) continue;
+        last = snapshot.shape->tick;
+        ASSERT_EQ(last, snapshot.tick);
+        ++shapes;
+        // The copy takes 9 ms, in which a hand at 40 mm/s moves the clay by 0.4 mm; the wire takes all at
+        // once.
+        if (shapes % 10 == 0 && (k < 8790 || k > 8830))
+            expect_shape_of(*snapshot.shape, *loop.work.state().studio(), 0.6);
+    }
+    EXPECT_GE(shapes, 900) << "two a frame";
+    EXPECT_GT(loop.work.state().studio()->splits(), 100U) << "rings came meanwhile";
+}
+
+TEST(StudioLoop, SaysWhereBothHandsAreAndWhatTheClayCarries) {
+    StudioLoop loop;
+    loop.run(3000);
+    const Snapshot& snapshot = loop.work.newest_snapshot();
+    EXPECT_EQ(snapshot.result.side, clay::studio::Side::kIn);
+    EXPECT_GT(snapshot.result.forces.contacts, 0);
+    EXPECT_FALSE(snapshot.result.has_second);
+    EXPECT_NEAR(snapshot.wheel_speed_rad_s, 4.0 * 3.14159, 0.5);
+    EXPECT_TRUE(snapshot.wheel_turning);
+    EXPECT_GT(snapshot.load.index, 0.0);
+    EXPECT_LT(snapshot.load.index, 1.0);
+    EXPECT_EQ(snapshot.load.failure.cause, clay::studio::Cause::kNone);
+    EXPECT_EQ(snapshot.on_wheel_mm3, loop.work.state().studio()->volume_mm3());
+    EXPECT_EQ(snapshot.hand_film, loop.work.state().studio()->film());
+}
+
+TEST(StudioLoop, GivesTheDentsOfAStandingWheelRoundThePot) {
+    HapticState state = test::studio_start();
+    const HapticParameters parameters;
+    // Pressed from +X at 20 mm while the wheel stands.
+    for (int k = 0; k < 2000; ++k)
+        tick(state, {.position_mm = {59.0, 20.0, 0.0}, .radius_mm = 12.0}, parameters);
+    const PotShape shape = first_shape(state);
+    ASSERT_EQ(shape.dents_mm().size(), static_cast<std::size_t>(kDentRows) * kDentSectors);
+    const auto deepest = std::min_element(shape.dents_mm().begin(), shape.dents_mm().end());
+    const auto at = static_cast<std::size_t>(deepest - shape.dents_mm().begin());
+    EXPECT_LT(*deepest, -0.5F);
+    EXPECT_TRUE(at % kDentSectors == 0 || at % kDentSectors == kDentSectors - 1) << at % kDentSectors;
+    EXPECT_NEAR((static_cast<double>(at / kDentSectors) + 0.5) / kDentRows * shape.height_mm, 20.0, 2.0);
+    EXPECT_TRUE(first_shape(test::studio_start()).dents_mm().empty());
+}
+
+TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
+    StudioLoop loop;
+    loop.run(5000);
+    HapticState earlier = test::studio_start();
+    for (std::uint64_t k = 0; k < 2500; ++k)
+        tick(earlier, test::studio_hand(k, kRateHz), HapticParameters{});
+    const std::uint64_t hash = earlier.hash();
+    ASSERT_TRUE(loop.work.put(std::make_unique<HapticState>(earlier)));
+    loop.records.clear();
+    loop.run(1);
+    ASSERT_EQ(loop.records.size(), 1U);
+    EXPECT_EQ(loop.records[0].flags & TickRecord::kStatePut, TickRecord::kStatePut);
+    EXPECT_EQ(loop.records[0].tick, 2500U);
+    EXPECT_EQ(loop.work.newest_snapshot().states_put, 1U);
+    ASSERT_EQ(earlier.hash(), hash);
+    tick(earlier, loop.records[0].tool, HapticParameters{});
+    EXPECT_EQ(loop.work.state().hash(), earlier.hash());
+    loop.run(100);
+    EXPECT_EQ(loop.work.state().ticks, 2601U);
+    // More than fit are refused, and nothing is lost of those that were taken.
+    int taken = 0;
+    while (loop.work.put(std::make_unique<HapticState>(earlier)))
+        ++taken;
+    EXPECT_GE(taken, 4);
+    loop.run(1);
+    EXPECT_EQ(loop.work.newest_snapshot().states_put, 1U + static_cast<std::uint64_t>(taken));
+}
+
+}  // namespace
+}  // namespace onggi::haptic

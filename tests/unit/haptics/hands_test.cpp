@@ -1,0 +1,282 @@
+// Several hands at one wheel: who has the tool, how it changes hands, and who feels the clay.
+#include "engine/haptics/hands.h"
+
+#include <gtest/gtest.h>
+
+namespace onggi::haptics {
+namespace {
+
+constexpr double kStep = 0.001;
+
+// What the test does with a hand.
+struct Puppet {
+    ToolState tool;
+    DeviceCapabilities can{.name = "puppet"};
+    bool is_here = true;
+    bool is_moving = false;
+    bool fails_to_open = false;
+    int opened = 0;
+    int closed = 0;
+    dvec3 force_n{0.0};
+    WorkFelt felt;
+    std::optional<ToolState> took_over = std::nullopt;
+};
+
+class PuppetHand final : public Hand {
+  public:
+    explicit PuppetHand(Puppet& puppet) : puppet_(puppet) {}
+    Result<void> open() override {
+        ++puppet_.opened;
+        if (puppet_.fails_to_open) return failed("stuck");
+        return {};
+    }
+    void close() noexcept override { ++puppet_.closed; }
+    [[nodiscard]] DeviceCapabilities capabilities() const override { return puppet_.can; }
+    [[nodiscard]] ToolState read(std::uint64_t, double) noexcept override { return puppet_.tool; }
+    void write(const dvec3& force_n) noexcept override { puppet_.force_n = force_n; }
+    void feel(const WorkFelt& work) noexcept override { puppet_.felt = work; }
+    [[nodiscard]] bool is_here() const noexcept override { return puppet_.is_here; }
+    [[nodiscard]] bool is_moving() const noexcept override { return puppet_.is_moving; }
+    void take_over(const ToolState& tool) noexcept override { puppet_.took_over = tool; }
+
+  private:
+    Puppet& puppet_;
+};
+
+class HandsTest : public ::testing::Test {
+  protected:
+    explicit HandsTest(const HandsOptions& options = {}) {
+        mouse_.can = {.name = "mouse",
+                      .force_axes = 3,
+                      .peak_force_n = 3.3,
+                      .continuous_force_n = 3.3,
+                      .max_stiffness_n_per_mm = 0.5,
+                      .has_motors = false};
+        stick_.can = {.name = "stick",
+                      .force_axes = 2,
+                      .peak_force_n = 3.0,
+                      .continuous_force_n = 3.0,
+                      .max_stiffness_n_per_mm = 0.3};
+        hands_ = make(options);
+        mouse_.tool = {.position_mm = {100.0, 50.0, 0.0}, .radius_mm = 14.0};
+        stick_.tool = {.position_mm = {70.0, 60.0, 0.0}, .radius_mm = 10.0};
+        pad_.is_here = false;
+    }
+    std::unique_ptr<Hands> make(const HandsOptions& options) {
+        std::vector<std::unique_ptr<Hand>> hands;
+        for (Puppet* puppet : {&mouse_, &pad_, &stick_})
+            hands.push_back(std::make_unique<PuppetHand>(*puppet));
+        return std::make_unique<Hands>(std::move(hands), options);
+    }
+    ToolState after(double seconds, const dvec3& force_n = dvec3(0.0)) {
+        ToolState tool;
+        for (int step = 0; step < static_cast<int>(seconds / kStep + 0.5); ++step) {
+            tool = hands_->read(tick_++, kStep);
+            hands_->write(force_n);
+        }
+        return tool;
+    }
+
+    Puppet mouse_;
+    Puppet pad_;
+    Puppet stick_;
+    std::unique_ptr<Hands> hands_;
+    std::uint64_t tick_ = 0;
+};
+
+TEST_F(HandsTest, TheFirstHasTheToolUntilAnotherMoves) {
+    EXPECT_EQ(after(1.0).position_mm, mouse_.tool.position_mm);
+    EXPECT_EQ(hands_->holder(), 0U);
+    stick_.is_moving = true;
+    EXPECT_EQ(after(1.0).position_mm, stick_.tool.position_mm);
+    EXPECT_EQ(hands_->holder(), 2U);
+    stick_.is_moving = false;
+    EXPECT_EQ(after(5.0).position_mm, stick_.tool.position_mm) << "held still, it is still held";
+}
+
+TEST_F(HandsTest, NobodyTearsTheToolOutOfAHandAtWork) {
+    stick_.is_moving = true;
+    after(1.0);
+    mouse_.is_moving = true;
+    after(2.0);
+    EXPECT_EQ(hands_->holder(), 2U);
+    stick_.is_moving = false;
+    after(0.4);
+    EXPECT_EQ(hands_->holder(), 2U);
+    after(0.2);
+    EXPECT_EQ(hands_->holder(), 0U);
+}
+
+TEST_F(HandsTest, WhoeverMovesTakesTheToolOfOneThatIsGone) {
+    stick_.is_moving = true;
+    after(1.0);
+    stick_.is_here = false;
+    stick_.tool.wheel_button = true;
+    EXPECT_EQ(after(1.0).position_mm, stick_.tool.position_mm) << "the tool stays where it was left";
+    EXPECT_FALSE(after(kStep).wheel_button) << "and what a gone hand pressed counts for nothing";
+    mouse_.is_moving = true;
+    after(kStep);
+    EXPECT_EQ(hands_->holder(), 0U);
+}
+
+TEST_F(HandsTest, AHandThatIsNotHereGetsNothingHoweverItMoves) {
+    pad_.is_moving = true;
+    after(2.0);
+    EXPECT_EQ(hands_->holder(), 0U);
+    pad_.is_here = true;
+    after(kStep);
+    EXPECT_EQ(hands_->holder(), 1U);
+}
+
+TEST_F(HandsTest, TheToolGoesFromHandToHandWithoutAJump) {
+    after(1.0);
+    stick_.is_moving = true;
+    dvec3 last = mouse_.tool.position_mm;
+    for (int step = 0; step < 200; ++step) {
+        const dvec3 now = after(kStep).position_mm;
+        EXPECT_LE(glm::length(now - last), 0.6 + 1e-9) << step;
+        last = now;
+    }
+    EXPECT_EQ(last, stick_.tool.position_mm);
+    stick_.tool.position_mm.x = 20.0;
+    EXPECT_EQ(after(kStep).position_mm.x, 20.0) << "once there, it follows the hand wherever that goes";
+    ASSERT_TRUE(stick_.took_over);
+    EXPECT_EQ(stick_.took_over->position_mm, mouse_.tool.position_mm);
+}
+
+TEST_F(HandsTest, WhatTheToolIsIsTheFirstHandsAffair) {
+    stick_.is_moving = true;
+    EXPECT_EQ(after(1.0).radius_mm, 14.0);
+    EXPECT_FALSE(after(kStep).wheel_button);
+    mouse_.tool.wheel_button = true;
+    EXPECT_TRUE(after(kStep).wheel_button) << "either turns the wheel";
+    mouse_.tool.wheel_button = false;
+    stick_.tool.wheel_button = true;
+    EXPECT_TRUE(after(kStep).wheel_button);
+}
+
+TEST_F(HandsTest, OnlyTheHandWithTheToolFeelsTheClay) {
+    const dvec3 push(2.0, 0.0, 0.0);
+    after(0.1, push);
+    EXPECT_EQ(mouse_.force_n, push) << "the first starts with the loop, whose own ramp is the start's";
+    hands_->feel({.touches = true, .wall_mm = 6.0});
+    EXPECT_EQ(mouse_.felt.wall_mm, 6.0);
+    EXPECT_EQ(stick_.force_n, dvec3(0.0));
+    EXPECT_EQ(stick_.felt.wall_mm, 0.0);
+}
+
+TEST_F(HandsTest, AfterAChangeTheForceStartsFromNothingOnceItIsSmall) {
+    const dvec3 push(2.0, 0.0, 0.0);
+    stick_.is_moving = true;
+    after(1.0, push);
+    after(3.0, push);
+    EXPECT_EQ(stick_.force_n, dvec3(0.0)) << "taken over inside the wall: loose until it is out";
+    EXPECT_EQ(mouse_.force_n, dvec3(0.0));
+    after(0.01);
+    after(0.5, push);
+    EXPECT_GT(stick_.force_n.x, 0.8);
+    EXPECT_LT(stick_.force_n.x, 1.2);
+    after(0.6, push);
+    EXPECT_EQ(stick_.force_n, push);
+}
+
+TEST_F(HandsTest, MotorsGetNoMoreThanTheyBearForAMomentAndForEver) {
+    stick_.is_moving = true;
+    after(2.0);
+    after(0.4, {9.0, 0.0, 0.0});
+    EXPECT_NEAR(stick_.force_n.x, 3.0, 1e-9) << "its peak, though others bear more";
+    after(60.0, {9.0, 0.0, 0.0});
+    EXPECT_LE(stick_.force_n.x, kKioskContinuousForceN + 1e-9);
+    EXPECT_GT(stick_.force_n.x, 0.7 * kKioskContinuousForceN);
+    stick_.is_moving = false;
+    mouse_.is_moving = true;
+    after(60.0, {3.0, 0.0, 0.0});
+    EXPECT_EQ(mouse_.force_n.x, 0.0) << "it was taken over inside the wall";
+    after(0.01);
+    after(60.0, {3.0, 0.0, 0.0});
+    EXPECT_EQ(mouse_.force_n.x, 3.0) << "a picture of a tool does not get warm";
+}
+
+TEST_F(HandsTest, AreNoStifferThanTheSoftestThatClosesALoop) {
+    EXPECT_EQ(hands_->capabilities().max_stiffness_n_per_mm, 0.3);
+    EXPECT_EQ(hands_->capabilities().peak_force_n, 3.3);
+    EXPECT_FALSE(hands_->capabilities().has_motors);
+    stick_.can.has_own_walls = true;
+    EXPECT_EQ(make({})->capabilities().max_stiffness_n_per_mm, 0.5);
+}
+
+TEST_F(HandsTest, NobodyIsThereWhenTheHandWithTheToolIsGone) {
+    stick_.is_moving = true;
+    after(1.0);
+    EXPECT_TRUE(hands_->signs().hand_is_there);
+    stick_.is_here = false;
+    after(kStep);
+    EXPECT_FALSE(hands_->signs().hand_is_there);
+    EXPECT_FALSE(hands_->signs().position_is_new);
+}
+
+TEST_F(HandsTest, WhoTurnsTheWheelSaysHowFast) {
+    mouse_.tool.wheel_speed_rev_min = 90.0;
+    stick_.tool.wheel_speed_rev_min = 150.0;
+    stick_.is_moving = true;
+    EXPECT_EQ(after(1.0).wheel_speed_rev_min, 90.0);
+    stick_.tool.wheel_button = true;
+    EXPECT_EQ(after(kStep).wheel_speed_rev_min, 150.0);
+    Puppet pedal;
+    pedal.tool = {.wheel_button = true, .wheel_speed_rev_min = 200.0};
+    hands_->add_pedal(std::make_unique<PuppetHand>(pedal));
+    EXPECT_EQ(after(kStep).wheel_speed_rev_min, 200.0);
+}
+
+TEST_F(HandsTest, OpensAndClosesAllAndFailsWithTheFirstAlone) {
+    stick_.fails_to_open = true;
+    EXPECT_TRUE(hands_->open());
+    EXPECT_EQ(mouse_.opened + pad_.opened + stick_.opened, 3);
+    hands_->close();
+    EXPECT_EQ(mouse_.closed + pad_.closed + stick_.closed, 3);
+    mouse_.fails_to_open = true;
+    EXPECT_FALSE(hands_->open());
+}
+
+TEST_F(HandsTest, APedalTurnsTheWheelWhoeverHasTheTool) {
+    Puppet pedal;
+    hands_->add_pedal(std::make_unique<PuppetHand>(pedal));
+    EXPECT_FALSE(after(kStep).wheel_button);
+    pedal.tool.wheel_button = true;
+    EXPECT_TRUE(after(kStep).wheel_button);
+    EXPECT_EQ(after(kStep).position_mm, mouse_.tool.position_mm);
+}
+
+class RecordedHandsTest : public HandsTest {
+  protected:
+    RecordedHandsTest() : HandsTest({.chooser = {.first_yields = true}}) { mouse_.is_moving = true; }
+};
+
+TEST_F(RecordedHandsTest, ARecordingYieldsAtOnceAndGoesOnWhenThePersonHasLongBeenStill) {
+    after(1.0);
+    EXPECT_EQ(hands_->holder(), 0U);
+    stick_.is_moving = true;
+    after(kStep);
+    EXPECT_EQ(hands_->holder(), 2U);
+    after(5.0);
+    EXPECT_EQ(hands_->holder(), 2U);
+    stick_.is_moving = false;
+    after(2.9);
+    EXPECT_EQ(hands_->holder(), 2U);
+    after(0.2);
+    EXPECT_EQ(hands_->holder(), 0U);
+}
+
+TEST(MotionSense, TellsSlowWorkFromATremble) {
+    MotionSense sense(1.0);
+    EXPECT_FALSE(sense.moved_to({500.0, 0.0, 0.0})) << "the first place is no motion";
+    for (int turn = 0; turn < 100; ++turn)
+        EXPECT_FALSE(sense.moved_to({500.0 + 0.9 * (turn % 2), 0.0, 0.0}));
+    int moves = 0;
+    for (int step = 0; step < 1000; ++step)
+        moves += sense.moved_to({500.0 + 0.01 * step, 0.0, 0.0}) ? 1 : 0;
+    EXPECT_EQ(moves, 9) << "10 mm in ten seconds";
+}
+
+}  // namespace
+}  // namespace onggi::haptics

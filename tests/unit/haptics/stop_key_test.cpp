@@ -1,0 +1,85 @@
+// A pipe stands for the keyboard: the kernel's events come out of either.
+#include "engine/haptics/stop_key.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <linux/input.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+
+#include "engine/jobs/clock.h"
+
+namespace onggi::haptics {
+namespace {
+
+struct Keyboard {
+    Keyboard() { EXPECT_EQ(::pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC), 0); }
+    ~Keyboard() { pull_out(); }
+    void press(int key, int value = 1) const {
+        input_event event{};
+        event.type = EV_KEY;
+        event.code = static_cast<std::uint16_t>(key);
+        event.value = value;
+        EXPECT_EQ(::write(ends[1], &event, sizeof(event)), static_cast<ssize_t>(sizeof(event)));
+    }
+    void pull_out() {
+        if (ends[1] >= 0) ::close(ends[1]);
+        ends[1] = -1;
+    }
+    std::array<int, 2> ends{-1, -1};
+};
+
+TEST(StopKey, HearsPauseAndStopAndNothingElse) {
+    Keyboard keyboard;
+    int presses = 0;
+    StopKey key({keyboard.ends[0]}, [&] { ++presses; });
+    keyboard.press(KEY_A);
+    keyboard.press(KEY_PAUSE, 0);  // let go
+    keyboard.press(KEY_PAUSE, 2);  // held
+    (void)key.round(0);
+    EXPECT_EQ(presses, 0);
+    keyboard.press(KEY_PAUSE);
+    (void)key.round(0);
+    EXPECT_EQ(presses, 1);
+    keyboard.press(KEY_STOP);
+    (void)key.round(0);
+    EXPECT_EQ(presses, 2);
+    (void)key.round(0);  // nothing: comes back after its wait
+    EXPECT_EQ(presses, 2);
+}
+
+TEST(StopKey, SurvivesAKeyboardThatIsPulledOut) {
+    Keyboard gone;
+    Keyboard there;
+    int presses = 0;
+    StopKey key({gone.ends[0], there.ends[0]}, [&] { ++presses; });
+    gone.pull_out();
+    (void)key.round(0);
+    there.press(KEY_PAUSE);
+    (void)key.round(0);
+    EXPECT_EQ(presses, 1);
+}
+
+TEST(StopKey, IsHeardWhileNobodyElseListens) {
+    // This thread is the one that hangs: it only sleeps.
+    Keyboard keyboard;
+    std::atomic<bool> stopped{false};
+    StopKey key({keyboard.ends[0]}, [&] { stopped = true; });
+    jobs::IoThread thread;
+    ASSERT_TRUE(thread.start(key, "onggi-stop-key"));
+    keyboard.press(KEY_PAUSE);
+    const std::int64_t bound_ns = jobs::MonotonicClock::now_ns() + 10'000'000'000;
+    while (!stopped && jobs::MonotonicClock::now_ns() < bound_ns)
+        jobs::MonotonicClock::sleep_until_ns(jobs::MonotonicClock::now_ns() + 1'000'000);
+    thread.stop();
+    EXPECT_TRUE(stopped);
+}
+
+TEST(StopKey, FindsNoneWhereThereIsNoFolder) {
+    EXPECT_TRUE(open_stop_keys("/nowhere/at/all").empty());
+}
+
+}  // namespace
+}  // namespace onggi::haptics

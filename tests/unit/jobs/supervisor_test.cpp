@@ -1,0 +1,119 @@
+// The child of supervise() must not run on into the other tests: each ends it with _exit. A pipe tells the
+// test what became of it.
+#include "engine/jobs/supervisor.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>  // NOLINT: kill is POSIX
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace onggi::jobs {
+namespace {
+
+struct Watched {
+    int code = -1;
+    int crashes = 0;
+    int signal = 0;
+};
+
+template <typename Child>
+Watched watch(Child&& child) {
+    Watched watched;
+    const auto code = supervise([&](int signal) {
+        ++watched.crashes;
+        watched.signal = signal;
+    });
+    if (!code) {
+        child();
+        ::_exit(99);
+    }
+    watched.code = *code;
+    return watched;
+}
+
+TEST(Supervisor, EndsWithItsChildsOwnCode) {
+    for (const int code : {0, 2, 3}) {
+        const Watched watched = watch([&] { ::_exit(code); });
+        EXPECT_EQ(watched.code, code);
+        EXPECT_EQ(watched.crashes, 0);
+    }
+}
+
+TEST(Supervisor, CleansUpAfterAChildThatDiesOnTheSpot) {
+    for (const int signal : {SIGKILL, SIGABRT}) {
+        const Watched watched = watch([&] {
+            ::signal(signal, SIG_DFL);
+            ::kill(::getpid(), signal);
+            for (;;)
+                ::pause();
+        });
+        EXPECT_EQ(watched.code, 1);
+        EXPECT_EQ(watched.crashes, 1);
+        EXPECT_EQ(watched.signal, signal);
+    }
+}
+
+// A child says by a byte that it hears SIGTERM, and ends with 7 when it comes.
+void hear_sigterm(int say) {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGTERM);
+    ::sigprocmask(SIG_BLOCK, &set, nullptr);
+    if (::write(say, "x", 1) != 1) ::_exit(98);
+    int signal = 0;
+    ::sigwait(&set, &signal);
+    ::_exit(signal == SIGTERM ? 7 : 97);
+}
+
+TEST(Supervisor, HandsAnEndOnToItsChild) {
+    std::array<int, 2> ready{};
+    ASSERT_EQ(::pipe(ready.data()), 0);
+    const pid_t helper = ::fork();
+    ASSERT_GE(helper, 0);
+    if (helper == 0) {
+        // A supervisor of its own, so that the test can be the one that ends it.
+        const auto code = supervise([](int) {});
+        if (!code) hear_sigterm(ready[1]);
+        ::_exit(*code);
+    }
+    char byte = 0;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    ::kill(helper, SIGTERM);
+    int status = 0;
+    ASSERT_EQ(::waitpid(helper, &status, 0), helper);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+    ::close(ready[0]);
+    ::close(ready[1]);
+}
+
+TEST(Supervisor, IsMissedByItsChild) {
+    std::array<int, 2> ready{};
+    std::array<int, 2> done{};
+    ASSERT_EQ(::pipe(ready.data()), 0);
+    ASSERT_EQ(::pipe(done.data()), 0);
+    const pid_t helper = ::fork();
+    ASSERT_GE(helper, 0);
+    if (helper == 0) {
+        const auto code = supervise([](int) {});
+        ::close(done[0]);
+        if (!code) hear_sigterm(ready[1]);
+        ::_exit(*code);
+    }
+    ::close(done[1]);
+    char byte = 0;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    ::kill(helper, SIGKILL);
+    int status = 0;
+    ASSERT_EQ(::waitpid(helper, &status, 0), helper);
+    // The pipe closes when the orphan has ended; the suite's time limit stands for it that does not.
+    EXPECT_EQ(::read(done[0], &byte, 1), 0);
+    ::close(ready[0]);
+    ::close(ready[1]);
+    ::close(done[0]);
+}
+
+}  // namespace
+}  // namespace onggi::jobs

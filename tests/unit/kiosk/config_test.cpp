@@ -1,0 +1,121 @@
+#include "game/kiosk/config.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace onggi::kiosk {
+namespace {
+
+TEST(Config, RunsWithoutAnyLine) {
+    const auto config = read_config("", "kiosk.toml");
+    ASSERT_TRUE(config) << config.error().message;
+    const Rules rules = rules_of(*config);
+    EXPECT_EQ(rules.idle_s, 45.0);
+    EXPECT_EQ(rules.countdown_s, 20.0);
+    EXPECT_FALSE(rules.locked);
+    EXPECT_EQ(rules.pin_digits, 0);
+}
+
+TEST(Config, TakesWhatIsWritten) {
+    const auto config = read_config(
+        "[visit]\nidle_s = 60\n[languages]\norder = [\"en\", \"ko\"]\nfirst = \"ko\"\n[staff]\npin = "
+        "\"0472\"\n"
+        "locked = true\n[hours]\nopens = \"09:30\"\ncloses = \"18:00\"\n[gallery]\nfolder = \"/srv/pots\"\n",
+        "kiosk.toml");
+    ASSERT_TRUE(config) << config.error().message;
+    EXPECT_EQ(config->languages.order, (std::vector<std::string>{"en", "ko"}));
+    EXPECT_EQ(config->hours.opens_min, 570);
+    EXPECT_EQ(config->gallery.folder, "/srv/pots");
+    const Rules rules = rules_of(*config);
+    EXPECT_EQ(rules.idle_s, 60.0);
+    EXPECT_EQ(rules.pin, 472);
+    EXPECT_EQ(rules.pin_digits, 4);
+    EXPECT_TRUE(rules.locked);
+}
+
+TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
+    std::ifstream file(std::string(ONGGI_SOURCE_DIR) + "/assets/kiosk.toml");
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    ASSERT_FALSE(text.empty());
+    const auto config = read_config(text, "assets/kiosk.toml");
+    ASSERT_TRUE(config) << config.error().message;
+    const Config plain;
+    EXPECT_EQ(config->visit.idle_s, plain.visit.idle_s);
+    EXPECT_EQ(config->languages.order, plain.languages.order);
+    EXPECT_EQ(config->languages.first, plain.languages.first);
+    EXPECT_EQ(config->gallery.most_pots, plain.gallery.most_pots);
+    EXPECT_EQ(config->hours.opens_min, plain.hours.opens_min);
+    EXPECT_EQ(config->staff.pin, plain.staff.pin);
+    EXPECT_EQ(config->sound.volume, plain.sound.volume);
+}
+
+TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
+    const struct {
+        const char* toml;
+        const char* message;
+    } kCases[] = {
+        {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
+        {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
+        {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
+        {"[visit]\n\nidle = 60\n",
+         "kiosk.toml, line 3: expected one of countdown_s, forgiving, idle_s in [visit], found 'idle'"},
+        {"[vist]\nidle_s = 60\n",
+         "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
+         "[sound], "
+         "[hours] or [staff], found 'vist'"},
+        {"visit = 3\n",
+         "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
+         "[sound], "
+         "[hours] or [staff], found 'visit'"},
+        {"[sound]\nvolume = 2.5\n",
+         "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 2.5"},
+        {"[staff]\npin = \"12\"\n",
+         "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found '12'"},
+        {"[staff]\nlocked = 1\n", "kiosk.toml, line 2: expected true or false for locked, found 1"},
+        {"[hours]\nopens = \"25:00\"\n",
+         "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found '25:00'"},
+        {"[languages]\norder = []\n",
+         "kiosk.toml, line 2: expected 1 to 8 language codes such as [\"ko\", \"en\"], each once for order, "
+         "found a list"},
+        {"[languages]\norder = [\"ko\"]\nfirst = \"en\"\n",
+         "kiosk.toml, line 3: expected one of languages.order for first, found 'en'"},
+    };
+    for (const auto& one : kCases) {
+        const auto refused = read_config(one.toml, "kiosk.toml");
+        ASSERT_FALSE(refused) << one.toml;
+        EXPECT_EQ(refused.error().message, one.message);
+        EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
+    }
+}
+
+TEST(Config, RejectsWhatIsNoToml) {
+    const auto refused = read_config("[visit\nidle_s = 4\n", "kiosk.toml");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message.rfind("kiosk.toml, line 1: expected TOML, found ", 0), 0U)
+        << refused.error().message;
+    EXPECT_EQ(refused.error().message.find('\n'), std::string::npos);
+}
+
+TEST(Config, TakesTheFirstOfTheOrderWhenEnglishIsNotAmongThem) {
+    const auto config = read_config("[languages]\norder = [\"ko\", \"ar\"]\n", "kiosk.toml");
+    ASSERT_TRUE(config) << config.error().message;
+    EXPECT_EQ(config->languages.first, "ko");
+}
+
+TEST(Config, KnowsWhenTheMuseumIsOpen) {
+    Config config;
+    EXPECT_TRUE(is_open(config, 3 * 60)) << "equal times: always";
+    config.hours = {10 * 60, 18 * 60};
+    EXPECT_FALSE(is_open(config, 10 * 60 - 1));
+    EXPECT_TRUE(is_open(config, 10 * 60));
+    EXPECT_FALSE(is_open(config, 18 * 60));
+    config.hours = {18 * 60, 60};
+    EXPECT_TRUE(is_open(config, 30)) << "a night at the museum";
+    EXPECT_FALSE(is_open(config, 12 * 60));
+}
+
+}  // namespace
+}  // namespace onggi::kiosk

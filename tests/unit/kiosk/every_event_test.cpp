@@ -1,0 +1,168 @@
+// Every event, in every state there is a way to: what must hold after any of them.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "tests/unit/kiosk/visitor.h"
+
+namespace onggi::kiosk {
+namespace {
+
+constexpr std::array kValues{-1, 0, 1, 3, 8};  // none, good ones, too large for each list
+
+// Of a state, what decides how it goes on.
+using Key = std::tuple<int, int, int, int, bool, bool, bool>;
+
+Key key_of(const State& state) {
+    return {static_cast<int>(state.screen),
+            static_cast<int>(state.panel),
+            static_cast<int>(state.keeping.outcome),
+            static_cast<int>(state.firing),
+            state.left_over,
+            state.throwing.target.has_value(),
+            state.throwing.warning != Warning::kNone};
+}
+
+Rules staffed() {
+    return {.locked = true, .pin = 1234, .pin_digits = 4};
+}
+
+// All visitors that a walk over every event from attract finds, one a key.
+std::map<Key, Visitor> everywhere() {
+    std::map<Key, Visitor> found;
+    std::vector<Visitor> open{Visitor(staffed())};
+    found.emplace(key_of(open.front().state), open.front());
+    const auto meet = [&](Visitor visitor) {
+        visitor.all.clear();
+        if (found.emplace(key_of(visitor.state), visitor).second) open.push_back(std::move(visitor));
+    };
+    while (!open.empty()) {
+        const Visitor from = std::move(open.back());
+        open.pop_back();
+        for (int kind = 0; kind < kEventKindCount; ++kind) {
+            for (int value = 0; value < 4; ++value) {
+                Visitor next = from;
+                meet(next.does(static_cast<Event::Kind>(kind), value));
+            }
+        }
+        for (int button = 0; button < kButtonCount; ++button) {
+            Visitor next = from;
+            meet(next.presses(static_cast<Button>(button), 1));
+        }
+        Visitor typing = from;
+        for (const int digit : {1, 2, 3, 4})
+            typing.presses(Button::kDigit, digit);
+        meet(typing);
+        for (const double seconds : {0.5, 1.3, 2.7, 6.0, 46.0}) {
+            Visitor waiting = from;
+            meet(waiting.waits(seconds));
+        }
+    }
+    return found;
+}
+
+void expect_whole(const State& state, const std::string& after) {
+    EXPECT_GE(static_cast<int>(state.screen), 0) << after;
+    EXPECT_LT(static_cast<int>(state.screen), kScreenCount) << after;
+    EXPECT_LT(static_cast<int>(state.panel), kPanelCount) << after;
+    EXPECT_GE(state.comfort.language, 0) << after;
+    EXPECT_LT(state.comfort.language, 3) << after;
+    EXPECT_TRUE(state.comfort.text_size >= 1 && state.comfort.text_size <= kMostTextSize) << after;
+    EXPECT_TRUE(state.comfort.volume >= 0 && state.comfort.volume <= kMostVolume) << after;
+    EXPECT_TRUE(state.throwing.tool >= 1 && state.throwing.tool <= kMostTool) << after;
+    EXPECT_TRUE(state.throwing.water >= 1 && state.throwing.water <= kMostWater) << after;
+    EXPECT_TRUE(state.throwing.speed >= 1 && state.throwing.speed <= kMostSpeed) << after;
+    EXPECT_TRUE(state.throwing.steps_done >= 0 && state.throwing.steps_done <= kTeachingSteps) << after;
+    EXPECT_TRUE(!state.throwing.target || (*state.throwing.target >= 0 && *state.throwing.target < 4))
+        << after;
+    EXPECT_TRUE(state.glaze >= 0 && state.glaze < 6) << after;
+    if (state.screen == Screen::kFault) {
+        EXPECT_NE(state.panel, Panel::kIdle) << after;
+        EXPECT_NE(state.panel, Panel::kLanguage) << after;
+    }
+}
+
+class EveryEvent : public testing::Test {
+  protected:
+    const std::map<Key, Visitor> visitors_ = everywhere();
+
+    void for_each_event(const std::function<void(const Visitor&, const Event&, const std::string&)>& look) {
+        for (const auto& [key, visitor] : visitors_) {
+            const std::string place = fmt::format("screen {} panel {}", std::get<0>(key), std::get<1>(key));
+            for (int kind = 0; kind < kEventKindCount; ++kind) {
+                for (const int value : kValues)
+                    look(visitor, {static_cast<Event::Kind>(kind), Button::kNone, value},
+                         fmt::format("{}, event {} value {}", place, kind, value));
+            }
+            for (int button = 0; button < kButtonCount; ++button) {
+                for (const int value : kValues)
+                    look(visitor, Event::pressed(static_cast<Button>(button), value),
+                         fmt::format("{}, button {} value {}", place, button, value));
+            }
+        }
+    }
+};
+
+TEST_F(EveryEvent, ReachesEveryScreenAndEveryPanel) {
+    std::map<int, int> screens;
+    std::map<int, int> panels;
+    for (const auto& [key, visitor] : visitors_) {
+        ++screens[std::get<0>(key)];
+        ++panels[std::get<1>(key)];
+    }
+    EXPECT_EQ(screens.size(), static_cast<std::size_t>(kScreenCount));
+    EXPECT_EQ(panels.size(), static_cast<std::size_t>(kPanelCount));
+    EXPECT_GT(visitors_.size(), 60U);
+}
+
+TEST_F(EveryEvent, LeavesAStateThatIsWhole) {
+    for_each_event([](Visitor visitor, const Event& event, const std::string& after) {
+        visitor.does(event);
+        expect_whole(visitor.state, after);
+    });
+}
+
+TEST_F(EveryEvent, EndsInAttractWhenTheVisitorWalksAway) {
+    for_each_event([](Visitor visitor, const Event& event, const std::string& after) {
+        visitor.does(event);
+        if (visitor.state.screen == Screen::kFault) return;
+        // The staff panel locks first, then the visit is left alone.
+        for (int look = 0; look < 40; ++look) {
+            visitor.now_s += 10.0;
+            visitor.does(Event::Kind::kTick);
+        }
+        EXPECT_EQ(visitor.state.screen, Screen::kAttract) << after;
+        EXPECT_EQ(visitor.state.panel, Panel::kNone) << after;
+        EXPECT_EQ(visitor.state.comfort, Comfort{}) << after;
+    });
+}
+
+TEST_F(EveryEvent, QuitsFromALockedKioskForTheStaffAlone) {
+    for_each_event([](Visitor visitor, const Event& event, const std::string& after) {
+        const bool staff_is_there = visitor.state.panel == Panel::kStaff;
+        visitor.all.clear();
+        visitor.does(event);
+        const bool leaves = visitor.caused(Effect::Kind::kQuit) || visitor.caused(Effect::Kind::kRestart);
+        EXPECT_TRUE(staff_is_there || !leaves) << after;
+    });
+}
+
+TEST_F(EveryEvent, SavesOnceAndOnlyForTheKeepButton) {
+    for_each_event([](Visitor visitor, const Event& event, const std::string& after) {
+        visitor.all.clear();
+        visitor.does(event);
+        if (!visitor.caused(Effect::Kind::kSave)) return;
+        EXPECT_EQ(event.button, Button::kKeep) << after;
+        EXPECT_EQ(visitor.count(Effect::Kind::kSave), 1) << after;
+        EXPECT_EQ(visitor.state.screen, Screen::kKeep) << after;
+    });
+}
+
+}  // namespace
+}  // namespace onggi::kiosk

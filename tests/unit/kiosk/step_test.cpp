@@ -1,0 +1,257 @@
+// The flow of a visit, told as a visitor would.
+#include <gtest/gtest.h>
+
+#include "tests/unit/kiosk/visitor.h"
+
+namespace onggi::kiosk {
+namespace {
+
+TEST(Kiosk, AttractsForEverWhileNobodyIsThere) {
+    Visitor visitor;
+    visitor.waits(3600.0);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+    EXPECT_TRUE(visitor.all.empty());
+}
+
+TEST(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kInput);
+    EXPECT_EQ(visitor.state.screen, Screen::kChoose);
+    EXPECT_EQ(visitor.count(Effect::Kind::kVisitBegan), 1);
+    visitor.presses(Button::kTarget, 2);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(visitor.state.throwing.target, 2);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kFreshClay));
+    visitor.does(Event::Kind::kClayTouched).waits(5.0).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kCutOff));
+    visitor.waits(1.3);
+    EXPECT_EQ(visitor.state.firing, FiringStage::kDry);
+    visitor.waits(1.5);
+    EXPECT_EQ(visitor.state.firing, FiringStage::kFire);
+    visitor.waits(2.4);
+    EXPECT_EQ(visitor.state.screen, Screen::kGlaze);
+    visitor.presses(Button::kGlaze, 4).presses(Button::kTakeGlaze);
+    EXPECT_EQ(visitor.state.screen, Screen::kYourPot);
+    EXPECT_EQ(visitor.state.glaze, 4);
+    visitor.presses(Button::kKeep);
+    EXPECT_EQ(visitor.count(Effect::Kind::kSave), 1);
+    visitor.does(Event::Kind::kSaved, 14);
+    EXPECT_EQ(visitor.state.keeping.outcome, Keeping::Outcome::kKept);
+    EXPECT_EQ(visitor.state.keeping.number, 14);
+    visitor.presses(Button::kFinish);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+    EXPECT_EQ(visitor.count(Effect::Kind::kVisitEnded), 1);
+    EXPECT_EQ(visitor.count(Effect::Kind::kForgetPot), 2);  // before the clay, and after the visitor
+}
+
+TEST(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kClayTouched);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_FALSE(visitor.state.throwing.target.has_value());
+}
+
+TEST(Kiosk, AsksBeforeItStartsAfresh) {
+    Visitor visitor;
+    visitor.starts_to_throw().waits(44.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+    visitor.waits(1.2);
+    EXPECT_EQ(visitor.state.panel, Panel::kIdle);
+    EXPECT_EQ(seconds_left(visitor.state, visitor.rules.countdown_s, visitor.now_s), 20);
+    visitor.waits(19.0);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    visitor.waits(1.2);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+}
+
+TEST(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
+    for (const Event::Kind sign : {Event::Kind::kInput, Event::Kind::kClayTouched}) {
+        Visitor visitor;
+        visitor.starts_to_throw().waits(60.0);
+        ASSERT_EQ(visitor.state.panel, Panel::kIdle);
+        visitor.does(sign).waits(40.0);
+        EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+        EXPECT_EQ(visitor.state.panel, Panel::kNone);
+    }
+}
+
+TEST(Kiosk, TakesNewClayFromTheCountdownWhenAsked) {
+    Visitor visitor;
+    visitor.keeps().waits(50.0).presses(Button::kFresh);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(visitor.last.back().kind, Effect::Kind::kSetSpeed);
+}
+
+TEST(Kiosk, ForgetsEveryWishOfTheVisitorBefore) {
+    Visitor visitor;
+    visitor.starts_to_throw().presses(Button::kLanguages);
+    visitor.presses(Button::kLanguage, 2).presses(Button::kTextMore).presses(Button::kSoundMore);
+    visitor.presses(Button::kReach).presses(Button::kLeftHand).presses(Button::kStill);
+    visitor.presses(Button::kComfortDone);
+    const Comfort wishes{
+        .language = 2, .text_size = 2, .volume = 4, .reach = true, .left_hand = true, .still = true};
+    EXPECT_EQ(visitor.state.comfort, wishes);
+    visitor.all.clear();
+    visitor.waits(70.0);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+    EXPECT_EQ(visitor.state.comfort, Comfort{});
+    EXPECT_EQ(visitor.state.throwing.water, Throwing{}.water);
+    const std::vector<Effect> expected{{Effect::Kind::kVisitEnded, 65},
+                                       {Effect::Kind::kForgetPot, 0},
+                                       {Effect::Kind::kSetVolume, 3},
+                                       {Effect::Kind::kStartDemo, 0}};
+    EXPECT_EQ(visitor.all, expected);
+}
+
+TEST(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
+    Visitor visitor;
+    visitor.starts_to_throw();
+    EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
+    visitor.waits(1.0).does(Event::Kind::kClayTouched);
+    EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
+    visitor.waits(6.1);
+    EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
+    visitor.does(Event::Kind::kClayTouched).does(Event::Kind::kProgress, 1);
+    EXPECT_EQ(visitor.state.throwing.steps_done, 1);
+    EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
+    visitor.does(Event::Kind::kProgress, 3).waits(20.0);
+    EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules)) << "there is nothing left to teach";
+}
+
+TEST(Kiosk, NeverTeachesBackwards) {
+    Visitor visitor;
+    visitor.starts_to_throw().does(Event::Kind::kProgress, 2).does(Event::Kind::kProgress, 1);
+    EXPECT_EQ(visitor.state.throwing.steps_done, 2);
+}
+
+TEST(Kiosk, KeepsTheSettingsWithinTheirSteps) {
+    Visitor visitor;
+    visitor.starts_to_throw();
+    for (int i = 0; i < 9; ++i)
+        visitor.presses(Button::kToolMore).presses(Button::kWaterLess).presses(Button::kSpeedMore);
+    EXPECT_EQ(visitor.state.throwing.tool, kMostTool);
+    EXPECT_EQ(visitor.state.throwing.water, 1);
+    EXPECT_EQ(visitor.state.throwing.speed, kMostSpeed);
+    EXPECT_EQ(visitor.count(Effect::Kind::kSetTool), 2)
+        << "once with the clay, once for the one step there was";
+}
+
+TEST(Kiosk, ForgivesACollapse) {
+    Visitor visitor;
+    visitor.starts_to_throw().does(Event::Kind::kWarned, static_cast<int>(Warning::kThin));
+    EXPECT_EQ(visitor.state.throwing.warning, Warning::kThin);
+    visitor.does(Event::Kind::kCollapsed);
+    EXPECT_EQ(visitor.state.screen, Screen::kFailure);
+    visitor.presses(Button::kBeforeCollapse);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(visitor.state.throwing.warning, Warning::kNone);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kBeforeCollapse));
+    visitor.does(Event::Kind::kCollapsed).presses(Button::kKeepSlump);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring);
+}
+
+TEST(Kiosk, SaysWhatThePotGaveWayBy) {
+    for (const Warning cause : {Warning::kThin, Warning::kWet, Warning::kFast}) {
+        Visitor visitor;
+        visitor.starts_to_throw().does(Event::Kind::kCollapsed, static_cast<int>(cause));
+        EXPECT_EQ(visitor.state.throwing.collapse, cause);
+        visitor.presses(Button::kNewClay);
+        EXPECT_EQ(visitor.state.throwing.collapse, Warning::kNone) << "new clay has not given way";
+    }
+}
+
+TEST(Kiosk, SaysThatTheShelfIsFullAndStaysUsable) {
+    Visitor visitor;
+    visitor.keeps();
+    visitor.presses(Button::kFinish);
+    EXPECT_EQ(visitor.state.screen, Screen::kKeep) << "not before the pot is known to be safe";
+    visitor.does(Event::Kind::kSaveFailed);
+    EXPECT_EQ(visitor.state.keeping.outcome, Keeping::Outcome::kFull);
+    visitor.presses(Button::kAnother);
+    EXPECT_EQ(visitor.state.screen, Screen::kChoose);
+}
+
+TEST(Kiosk, GoesOnWhenAHandControlIsUnplugged) {
+    Visitor visitor;
+    visitor.starts_to_throw().does(Event::Kind::kDeviceLost);
+    EXPECT_TRUE(visitor.state.device_lost);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    visitor.waits(70.0);
+    EXPECT_TRUE(visitor.state.device_lost) << "the next visitor has none either";
+    visitor.does(Event::Kind::kDeviceBack);
+    EXPECT_FALSE(visitor.state.device_lost);
+}
+
+TEST(Kiosk, RestsWhileTheWheelCannotWork) {
+    Visitor visitor;
+    visitor.starts_to_throw().does(Event::Kind::kFault);
+    EXPECT_EQ(visitor.state.screen, Screen::kFault);
+    visitor.does(Event::Kind::kInput).presses(Button::kFree).presses(Button::kLanguages).waits(200.0);
+    EXPECT_EQ(visitor.state.screen, Screen::kFault);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+    visitor.does(Event::Kind::kFaultOver);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+}
+
+TEST(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kLeftOver).does(Event::Kind::kInput);
+    EXPECT_EQ(visitor.state.screen, Screen::kResume);
+    visitor.presses(Button::kResumeGo);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kResume));
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kFreshClay));
+
+    Visitor other;
+    other.does(Event::Kind::kLeftOver).does(Event::Kind::kInput).presses(Button::kResumeFresh);
+    EXPECT_TRUE(other.caused(Effect::Kind::kDropLeftOver));
+    EXPECT_FALSE(other.state.left_over);
+}
+
+TEST(Kiosk, ClosesAsAnyWindowUnlessItIsLocked) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kCloseAsked);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kQuit));
+    Visitor locked(Rules{.locked = true});
+    locked.does(Event::Kind::kCloseAsked);
+    EXPECT_FALSE(locked.caused(Effect::Kind::kQuit));
+}
+
+TEST(Kiosk, OpensTheStaffPanelForTheRightPinOnly) {
+    Visitor visitor(Rules{.locked = true, .pin = 472, .pin_digits = 4});  // 0472
+    visitor.presses(Button::kDigit, 1);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "there is no keypad before the corner was held";
+    visitor.does(Event::Kind::kCornerHeld);
+    EXPECT_EQ(visitor.state.panel, Panel::kPin);
+    for (const int digit : {0, 4, 7, 1})
+        visitor.presses(Button::kDigit, digit);
+    EXPECT_EQ(visitor.state.panel, Panel::kPin);
+    EXPECT_TRUE(visitor.state.staff.was_wrong);
+    for (const int digit : {0, 4, 7, 2})
+        visitor.presses(Button::kDigit, digit);
+    EXPECT_EQ(visitor.state.panel, Panel::kStaff);
+    visitor.presses(Button::kStaffQuit);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kQuit));
+}
+
+TEST(Kiosk, HasNoStaffPanelWithoutAPin) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kCornerHeld);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+}
+
+TEST(Kiosk, LocksTheStaffPanelWhenItIsLeftAlone) {
+    Visitor visitor(Rules{.pin = 1234, .pin_digits = 4});
+    visitor.does(Event::Kind::kCornerHeld);
+    for (const int digit : {1, 2, 3, 4})
+        visitor.presses(Button::kDigit, digit);
+    visitor.waits(100.0).presses(Button::kStaffPage, 2).waits(100.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kStaff);
+    visitor.waits(25.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+}
+
+}  // namespace
+}  // namespace onggi::kiosk

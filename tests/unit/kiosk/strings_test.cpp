@@ -1,0 +1,96 @@
+#include "game/kiosk/strings.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace onggi::kiosk {
+namespace {
+
+const Language& english() {
+    return built_in_languages().front();
+}
+
+Result<Language> read(const std::string& lines) {
+    return Language::read("key\ttext\tspoken\tcheck\n" + lines, "ko", "ko.tsv", &english());
+}
+
+TEST(Strings, HaveEveryKeyInEveryLanguage) {
+    ASSERT_EQ(built_in_languages().size(), 3U);
+    EXPECT_EQ(english().code(), "en");
+    EXPECT_GT(english().words().size(), 100U);
+    for (const Language& language : built_in_languages()) {
+        EXPECT_TRUE(language.missing_keys().empty()) << language.code();
+        EXPECT_EQ(language.words().size(), english().words().size()) << language.code();
+    }
+}
+
+TEST(Strings, NameEachLanguageByItself) {
+    EXPECT_EQ(built_in_languages()[0].shown("name"), "English");
+    EXPECT_EQ(built_in_languages()[1].shown("name"), "한국어");
+    EXPECT_EQ(built_in_languages()[2].shown("name"), "العربية");
+    EXPECT_TRUE(built_in_languages()[2].right_to_left());
+    EXPECT_FALSE(built_in_languages()[1].right_to_left());
+}
+
+TEST(Strings, KeepTheMarksForTheNativeReader) {
+    EXPECT_TRUE(built_in_languages()[2].words().at("attract.touch").needs_native_check);
+    EXPECT_FALSE(built_in_languages()[0].words().at("attract.touch").needs_native_check);
+}
+
+TEST(Strings, SpeakAsWrittenWhereNothingElseIsSaid) {
+    EXPECT_EQ(english().spoken("ctl.up"), "Up");
+    EXPECT_EQ(english().spoken("ctl.undo"), "Undo the last touch");
+}
+
+TEST(Strings, PutTheNumberIn) {
+    EXPECT_EQ(english().shown("keep.no", "14"), "Pot 14 today");
+}
+
+TEST(Strings, FallBackToEnglishAndThenToTheKey) {
+    const auto korean = read("ctl.up\t위로\t\t\n");
+    ASSERT_TRUE(korean) << korean.error().message;
+    EXPECT_EQ(korean->shown("ctl.up"), "위로");
+    EXPECT_EQ(korean->shown("ctl.down"), "Down");
+    EXPECT_EQ(korean->shown("no.such"), "no.such");
+    EXPECT_EQ(korean->missing_keys().size(), english().words().size() - 1);
+}
+
+TEST(Strings, TakeLinesFromWindowsAndNotes) {
+    const auto korean = read("# from the education department\r\nctl.up\t위로\t\t\r\n\r\n");
+    ASSERT_TRUE(korean) << korean.error().message;
+    EXPECT_EQ(korean->shown("ctl.up"), "위로");
+}
+
+TEST(Strings, RejectsWhatIsNoTable) {
+    const auto refused = Language::read("key,text\n", "ko", "ko.tsv");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "ko.tsv, line 1: expected the header key, text, spoken, check between tabs, found 'key,text'");
+    EXPECT_FALSE(Language::read("", "ko", "ko.tsv"));
+}
+
+TEST(Strings, RejectsBrokenLinesWithTheirNumber) {
+    const struct {
+        const char* lines;
+        const char* message;
+    } kCases[] = {
+        {"ctl.up\t위로\n", "ko.tsv, line 2: expected four cells between tabs, found 'ctl.up\\x09위로'"},
+        {"ctl.up\t\t\t\n", "ko.tsv, line 2: expected a key and its text, found 'ctl.up\\x09\\x09\\x09'"},
+        {"ctl.up\tx\t\tmaybe\n", "ko.tsv, line 2: expected native or nothing as check, found 'maybe'"},
+        {"ctl.upp\tx\t\t\n", "ko.tsv, line 2: expected a key that the program knows, found 'ctl.upp'"},
+        {"ctl.up\tx\t\t\nctl.up\ty\t\t\n", "ko.tsv, line 3: expected each key once, found 'ctl.up'"},
+        {"keep.no\tno number\t\t\n",
+         "ko.tsv, line 2: expected {n} as often as in English, found 'no number'"},
+        {"ctl.up\t\xff\t\t\n", "ko.tsv, line 2: expected UTF-8, found '\\xff'"},
+    };
+    for (const auto& one : kCases) {
+        const auto refused = read(one.lines);
+        ASSERT_FALSE(refused) << one.lines;
+        EXPECT_EQ(refused.error().message, one.message);
+        EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
+    }
+}
+
+}  // namespace
+}  // namespace onggi::kiosk

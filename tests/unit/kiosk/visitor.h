@@ -1,0 +1,51 @@
+// A visitor on a virtual clock: does things to the state machine and keeps what came of them.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "game/kiosk/step.h"
+
+namespace onggi::kiosk {
+
+class Visitor {
+  public:
+    explicit Visitor(const Rules& given = {}) : rules(given), state(first_state(given, 0.0)) {}
+
+    Visitor& does(const Event& event) {
+        const std::vector<Effect> effects = step(state, event, now_s, rules);
+        last = effects;
+        all.insert(all.end(), effects.begin(), effects.end());
+        return *this;
+    }
+    Visitor& does(Event::Kind kind, int value = 0) { return does(Event{kind, Button::kNone, value}); }
+    Visitor& presses(Button button, int value = 0) { return does(Event::pressed(button, value)); }
+    // Time passes as it does in the program: a tick a frame, here ten a second.
+    Visitor& waits(double seconds) {
+        const double until_s = now_s + seconds;
+        while (now_s + 0.1 <= until_s + 1e-9) {
+            now_s += 0.1;
+            does(Event::Kind::kTick);
+        }
+        return *this;
+    }
+    [[nodiscard]] bool caused(Effect::Kind kind) const { return count(kind) > 0; }
+    [[nodiscard]] long count(Effect::Kind kind) const {
+        return std::count_if(all.begin(), all.end(),
+                             [&](const Effect& effect) { return effect.kind == kind; });
+    }
+
+    // The short ways to the screens.
+    Visitor& starts_to_throw() { return does(Event::Kind::kInput).presses(Button::kFree); }
+    Visitor& fires() { return starts_to_throw().does(Event::Kind::kClayTouched).presses(Button::kDone); }
+    Visitor& sees_the_pot() { return fires().presses(Button::kSkip).presses(Button::kTakeGlaze); }
+    Visitor& keeps() { return sees_the_pot().presses(Button::kKeep); }
+
+    Rules rules;
+    State state;
+    double now_s = 0.0;
+    std::vector<Effect> last;
+    std::vector<Effect> all;
+};
+
+}  // namespace onggi::kiosk

@@ -1,0 +1,64 @@
+#include "engine/render/relief.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace onggi::render {
+namespace {
+
+Plate plate_of(Relief relief) {
+    Plate plate;
+    plate.key = {.width = 160, .height = 90, .rgba = {}};
+    plate.ambient = plate.key;
+    plate.camera = {
+        .eye_mm = {0.0F, 285.0F, 805.0F}, .target_mm = {0.0F, 82.0F, 0.0F}, .vertical_fov_rad = 0.471F};
+    plate.relief = std::move(relief);
+    return plate;
+}
+
+TEST(Relief, PutsEachCornerAsFarAwayAsItSaysAndWhereThePlateShowsIt) {
+    const Plate plate = plate_of({.columns = 3, .rows = 2, .depth_mm = {500, 900, 1500, 700, 800, 2500}});
+    const ReliefMesh mesh = relief_mesh(plate);
+    ASSERT_EQ(mesh.positions_mm.size(), 5U * 4U) << "a margin of one corner all round";
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const vec3 corner = mesh.positions_mm[static_cast<std::size_t>((row + 1) * 5 + column + 1)];
+            const auto seen = project(plate.camera, 160, 90, dvec3(corner));
+            ASSERT_TRUE(seen);
+            EXPECT_NEAR(seen->pixel.x, 80.0 * column, 1e-2);
+            EXPECT_NEAR(seen->pixel.y, 90.0 * row, 1e-2);
+            EXPECT_NEAR(
+                seen->depth_mm,
+                static_cast<double>(plate.relief.depth_mm[static_cast<std::size_t>(row * 3 + column)]), 1e-2);
+        }
+    }
+}
+
+TEST(Relief, HasAMarginOutsideThePlate) {
+    const Plate plate = plate_of({.columns = 2, .rows = 2, .depth_mm = {900, 900, 900, 900}});
+    const ReliefMesh mesh = relief_mesh(plate);
+    const auto first = project(plate.camera, 160, 90, dvec3(mesh.positions_mm.front()));
+    ASSERT_TRUE(first);
+    EXPECT_NEAR(first->pixel.x, -80.0, 0.1);
+    EXPECT_NEAR(first->pixel.y, -45.0, 0.1);
+}
+
+TEST(Relief, IsFlatWhereNothingIsKnown) {
+    const Plate plate = plate_of({});
+    for (const vec3& corner : relief_mesh(plate).positions_mm) {
+        const auto seen = project(plate.camera, 160, 90, dvec3(corner));
+        ASSERT_TRUE(seen);
+        EXPECT_NEAR(seen->depth_mm, 2.0 * 830.2, 0.5);
+    }
+}
+
+TEST(Relief, IndexesOnlyCornersItHas) {
+    const ReliefMesh mesh =
+        relief_mesh(plate_of({.columns = 4, .rows = 3, .depth_mm = std::vector<float>(12, 800.0F)}));
+    EXPECT_EQ(mesh.indices.size(), 5U * 4U * 6U);
+    EXPECT_LT(*std::max_element(mesh.indices.begin(), mesh.indices.end()), mesh.positions_mm.size());
+}
+
+}  // namespace
+}  // namespace onggi::render

@@ -1,0 +1,89 @@
+#include "game/screens/design.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "engine/ui/path.h"
+#include "game/screens/icons.h"
+
+namespace onggi::screens::design {
+namespace {
+
+struct Pair {
+    const char* name;
+    Colour words;
+    Colour ground;
+    float least;  // 4.5 for words, 3 for signs
+};
+
+TEST(Design, KeepsEveryPairOfColoursApart) {
+    const Colour window = ui::hex(0xf5f9fd);
+    const Pair kPairs[] = {
+        {"ink on hanji", kInk, kHanji, 4.5F},
+        {"ink on porcelain", kInk, kPorcelain, 4.5F},
+        {"ink on a token", kInk, kTokenLo, 4.5F},
+        {"ink on celadon", kInk, kCeladonLo, 4.5F},
+        {"second ink on hanji", kInk2, kHanji, 4.5F},
+        {"second ink on porcelain", kInk2, kPorcelain, 4.5F},
+        {"rust on hanji", kRust, kHanji, 4.5F},
+        {"dots on a token", kDot, kTokenLo, 4.5F},
+        {"slip on night", kSlip, kNight, 4.5F},
+        {"slip on the ledge's top", kSlip, kNightTop, 4.5F},
+        {"slip on the wall", kSlip, kWall, 4.5F},
+        {"slip on a niche", kSlip, kNiche, 4.5F},
+        {"second slip on night", kSlip2, kNight, 4.5F},
+        {"second slip on the wall", kSlip2, kWall, 4.5F},
+        {"third slip on night", kSlip3, kNight, 4.5F},
+        {"slip on an outline token before the window", kSlip, ui::over(kNight.with_alpha(0.82F), window),
+         4.5F},
+        {"slip on the least scrim before the window", kSlip, ui::over(kNight.with_alpha(0.66F), window),
+         4.5F},
+        {"amber on night", kAmber, kNight, 3.0F},
+        {"a niche's edge on the wall", kNicheEdge, kWallDark, 3.0F},
+        {"an outline's core on its halo before the window", kOutline,
+         ui::over(kNight.with_alpha(0.55F), window), 3.0F},
+        {"the hatch beside its lines", kHatch, ui::hex(0xfff1d6), 3.0F},
+    };
+    for (const Pair& pair : kPairs)
+        EXPECT_GE(ui::contrast(pair.words, pair.ground), pair.least) << pair.name;
+}
+
+TEST(Design, HasTargetsOfTwentyMillimetres) {
+    EXPECT_GE(kTokenHeight * kMmPerU, kLeastTargetMm);
+    EXPECT_GE(50.0F * kMmPerU, kLeastTargetMm) << "the ends of a stepper";
+}
+
+TEST(Design, WritesCapitalsOfSevenTenthsOfADegree) {
+    constexpr double kCapShare = 0.719;  // of an em, the smallest of the families: Noto
+    constexpr double kDistanceMm = 600.0;
+    const double cap_mm = double{kLeastTextSize} * double{kMmPerU} * kCapShare;
+    EXPECT_GE(cap_mm, kDistanceMm * 0.012217) << "tan of 0.7 degrees";
+}
+
+TEST(Icons, AreAllDrawnInWordsThatCanBeRead) {
+    for (int icon = 0; icon < kIconCount; ++icon) {
+        const auto paths = icon_paths(static_cast<Icon>(icon));
+        EXPECT_FALSE(paths.empty()) << icon;
+        for (const std::string_view path : paths) {
+            const auto steps = ui::read_path(path);
+            EXPECT_TRUE(steps) << path;
+        }
+    }
+}
+
+TEST(Icons, DrawHandsWithinTheirReach) {
+    for (const HandPose pose : {HandPose::kPress, HandPose::kInside}) {
+        const ui::Rect reach = ghost_hand_reach(pose);
+        ui::Sketch sketch;
+        add_ghost_hand(sketch, pose, {0.0F, 0.0F}, 1.0F, false);
+        for (const ui::SketchItem& item : sketch.items) {
+            const auto steps = ui::read_path(std::get<ui::Shape>(item).path);
+            ASSERT_TRUE(steps);
+            for (const ui::PathStep& step : *steps)
+                EXPECT_TRUE(reach.contains(step.to)) << step.to.x << ' ' << step.to.y;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace onggi::screens::design

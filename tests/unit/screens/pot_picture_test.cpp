@@ -1,0 +1,102 @@
+#include "game/screens/pot_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/unit/screens/sample_views.h"
+
+namespace onggi::screens {
+namespace {
+
+struct Mean {
+    double r = 0.0;
+    double g = 0.0;
+    double b = 0.0;
+    int count = 0;
+};
+
+Mean mean_of(const ui::Painting& painting, int left, int right) {
+    Mean mean;
+    for (int y = 0; y < painting.height; ++y) {
+        for (int x = left; x < right; ++x) {
+            const std::uint8_t* pixel = painting.rgba.data() + (y * painting.width + x) * 4;
+            if (pixel[3] < 255) continue;
+            mean.r += pixel[0], mean.g += pixel[1], mean.b += pixel[2];
+            ++mean.count;
+        }
+    }
+    mean.r /= mean.count, mean.g /= mean.count, mean.b /= mean.count;
+    return mean;
+}
+
+const PotShape& moon_jar() {
+    return sample_exhibits()->at(3).shape;
+}
+
+TEST(PotPicture, IsAsLargeAsThePot) {
+    const PotPicture picture = paint_pot(moon_jar(), finish::glaze_at(1), 1.0F, 0.12F);
+    EXPECT_NEAR(static_cast<float>(picture.painting.width), 2.0F * 151.0F, 8.0F);
+    EXPECT_NEAR(static_cast<float>(picture.painting.height),
+                305.0F * std::cos(0.12F) + 151.0F * std::sin(0.12F) * 2.0F, 10.0F);
+    EXPECT_NEAR(picture.foot_px.x, 0.5F * static_cast<float>(picture.painting.width), 1.0F);
+}
+
+TEST(PotPicture, IsWholeWithNoHoleInItsMiddle) {
+    const PotPicture picture = paint_pot(moon_jar(), finish::glaze_at(1), 1.0F, 0.12F);
+    const int x = picture.painting.width / 2;
+    int first = -1;
+    int last = -1;
+    int covered = 0;
+    for (int y = 0; y < picture.painting.height; ++y) {
+        if (picture.painting.rgba[static_cast<std::size_t>(y * picture.painting.width + x) * 4 + 3] < 200)
+            continue;
+        if (first < 0) first = y;
+        last = y;
+        ++covered;
+    }
+    EXPECT_EQ(covered, last - first + 1);
+    EXPECT_GT(covered, 290);
+}
+
+TEST(PotPicture, IsLitFromTheLeft) {
+    const ui::Painting painting = paint_pot(moon_jar(), finish::glaze_at(5), 1.0F, 0.12F).painting;
+    const Mean left = mean_of(painting, painting.width / 8, 3 * painting.width / 8);
+    const Mean right = mean_of(painting, 5 * painting.width / 8, 7 * painting.width / 8);
+    EXPECT_GT(left.g, right.g + 10.0);
+}
+
+TEST(PotPicture, ShowsSixGlazesThatDiffer) {
+    std::vector<Mean> means;
+    for (int glaze = 0; glaze < finish::kGlazeCount; ++glaze) {
+        const ui::Painting painting = paint_pot(moon_jar(), finish::glaze_at(glaze), 0.5F, 0.12F).painting;
+        means.push_back(mean_of(painting, 0, painting.width));
+        for (int other = 0; other < glaze; ++other) {
+            const Mean& a = means[static_cast<std::size_t>(other)];
+            const Mean& b = means.back();
+            EXPECT_GT(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b), 18.0)
+                << glaze << ' ' << other;
+        }
+    }
+    EXPECT_GT(means[0].g, means[0].r) << "celadon is green";
+    EXPECT_GT(means[1].r, 160.0) << "porcelain is white";
+    EXPECT_LT(means[3].g, 90.0) << "iron is dark";
+    EXPECT_GT(means[5].r, means[5].b + 40.0) << "bare clay is warm";
+}
+
+TEST(PotPicture, IsTheSameEachTime) {
+    EXPECT_EQ(paint_pot(moon_jar(), finish::glaze_at(4), 0.4F, 0.12F).painting.rgba,
+              paint_pot(moon_jar(), finish::glaze_at(4), 0.4F, 0.12F).painting.rgba);
+}
+
+TEST(PotPicture, HollowsAnOutline) {
+    const PotShape shape = hollowed({{40, 0}, {50, 50}, {45, 100}}, 5.0F, 8.0F);
+    ASSERT_GE(shape.inside.size(), 3U);
+    EXPECT_EQ(shape.inside.front(), vec2(40.0F, 100.0F));
+    EXPECT_EQ(shape.inside.back(), vec2(0.0F, 8.0F));
+    EXPECT_TRUE(hollowed({{3, 0}, {3, 50}}, 5.0F, 8.0F).inside.empty()) << "too thin to be hollow";
+}
+
+}  // namespace
+}  // namespace onggi::screens

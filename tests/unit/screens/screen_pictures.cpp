@@ -1,0 +1,38 @@
+// Paints every screen into a folder, to be looked at: screen_pictures FOLDER [LANGUAGE [WIDTH HEIGHT
+// [TEXT]]].
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "engine/asset/image.h"
+#include "engine/files/atomic_file.h"
+#include "game/screens/screens.h"
+#include "tests/unit/screens/flatten.h"
+#include "tests/unit/screens/sample_views.h"
+
+int main(int argc, char** argv) {
+    using namespace onggi;
+    const auto word = [&](int place, const char* fallback) {
+        return std::string(argc > place ? argv[place] : fallback);
+    };
+    const std::filesystem::path folder = word(1, "out/screens");
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    const screens::SampleWish wish{.width_px = std::atoi(word(3, "1280").c_str()),
+                                   .height_px = std::atoi(word(4, "720").c_str()),
+                                   .language = word(2, "en"),
+                                   .text_size = std::atoi(word(5, "1").c_str())};
+    ui::Painter painter;
+    screens::PaintingStore store(painter);
+    for (const screens::SampleView& sample : screens::sample_views(wish)) {
+        const auto composition = screens::compose(*sample.view, painter, store);
+        const auto png = asset::encode_png(screens::flatten(composition, ui::hex(0x8f7c64), true));
+        if (!png) return 1;
+        const auto name = folder / fmt::format("{}-{}-{}x{}-{}.png", sample.name, wish.language,
+                                               wish.width_px, wish.height_px, wish.text_size);
+        if (!files::write_file_atomically(name, *png)) return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,130 @@
+#include "game/screens/stage.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "game/screens/screens.h"
+#include "tests/unit/screens/sample_views.h"
+
+namespace onggi::screens {
+namespace {
+
+class Theatre : public testing::Test {
+  protected:
+    std::shared_ptr<const Composed> composed(const std::string& name) {
+        for (const SampleView& sample : samples_) {
+            if (sample.name == name)
+                return std::make_shared<const Composed>(
+                    Composed{sample.view, compose(*sample.view, painter_, store_)});
+        }
+        return nullptr;
+    }
+    const ui::DrawList& draw(double now_s, int pressed = -1, bool hint = false) {
+        return stage_.draw({.now_s = now_s, .hint = hint, .pressed = pressed});
+    }
+    const std::vector<SampleView> samples_ = sample_views({.width_px = 640, .height_px = 360});
+    ui::Painter painter_;
+    PaintingStore store_{painter_};
+    Stage stage_;
+};
+
+TEST_F(Theatre, ShowsNothingBeforeTheFirstScreen) {
+    EXPECT_TRUE(draw(0.0).runs().empty());
+    EXPECT_FALSE(stage_.covers());
+    EXPECT_EQ(stage_.target_at({10.0F, 10.0F}), -1);
+}
+
+TEST_F(Theatre, UploadsEachPictureOnce) {
+    stage_.take(composed("choose"), 0.0);
+    static_cast<void>(draw(0.0));
+    EXPECT_GT(stage_.uploads().size(), 10U);
+    static_cast<void>(draw(0.1));
+    EXPECT_TRUE(stage_.uploads().empty());
+    EXPECT_TRUE(stage_.covers());
+}
+
+TEST_F(Theatre, FadesFromOneScreenToTheNextInUnderThreeTenths) {
+    stage_.take(composed("choose"), 0.0);
+    const std::uint64_t first = draw(1.0).hash();
+    EXPECT_EQ(draw(2.0).hash(), first) << "a still screen is the same list every frame";
+    stage_.take(composed("throw-0"), 2.0);
+    EXPECT_TRUE(stage_.changes(2.1));
+    const std::uint64_t half_way = draw(2.1).hash();
+    EXPECT_NE(half_way, first);
+    EXPECT_FALSE(stage_.covers()) << "the scene comes through";
+    const std::uint64_t after = draw(2.3).hash();
+    EXPECT_NE(after, half_way);
+    EXPECT_EQ(draw(2.6).hash(), after);
+}
+
+TEST_F(Theatre, ChangesAtOnceWhatIsNoOtherScreen) {
+    stage_.take(composed("glaze-0"), 0.0);
+    static_cast<void>(draw(1.0));
+    stage_.take(composed("glaze-3"), 1.0);
+    EXPECT_FALSE(stage_.changes(1.0));
+}
+
+TEST_F(Theatre, SinksATokenThatIsPressed) {
+    const auto screen = composed("failure");
+    stage_.take(screen, 0.0);
+    const std::uint64_t up = draw(1.0).hash();
+    const std::uint64_t down = draw(1.1, 2).hash();
+    EXPECT_NE(down, up);
+    EXPECT_EQ(draw(1.2).hash(), up);
+}
+
+TEST_F(Theatre, FindsTheTargetUnderAFinger) {
+    const auto screen = composed("failure");
+    stage_.take(screen, 0.0);
+    const Target& last = screen->composition.targets.back();
+    EXPECT_EQ(stage_.target_at(last.rect.centre() * screen->composition.px_per_u),
+              static_cast<int>(screen->composition.targets.size()) - 1);
+    EXPECT_EQ(stage_.target_at({320.0F, 180.0F}), -1);
+}
+
+TEST_F(Theatre, BringsTheGhostAndTakesItAway) {
+    stage_.take(composed("throw-0"), 0.0);
+    const std::size_t without = draw(1.0).vertices().size();
+    for (double now_s = 1.0; now_s < 1.6; now_s += 0.05)
+        static_cast<void>(draw(now_s, -1, true));
+    EXPECT_GT(draw(1.6, -1, true).vertices().size(), without);
+    for (double now_s = 1.6; now_s < 2.0; now_s += 0.05)
+        static_cast<void>(draw(now_s));
+    EXPECT_EQ(draw(2.0).vertices().size(), without);
+}
+
+TEST_F(Theatre, DrawsTheWarningOnThePotWithoutTheAtlas) {
+    stage_.take(composed("warning-thin"), 0.0);
+    const std::size_t without = draw(1.0).vertices().size();
+    Band band;
+    for (int i = 0; i <= 10; ++i) {
+        band.upper.push_back({200.0F + 10.0F * static_cast<float>(i), 100.0F});
+        band.lower.push_back({200.0F + 10.0F * static_cast<float>(i), 130.0F});
+    }
+    EXPECT_GT(stage_.draw({.now_s = 1.1, .band = &band}).vertices().size(), without + 60);
+}
+
+TEST(Composer, ComposesTheNewestWishBesideTheFrame) {
+    Composer composer;
+    ASSERT_TRUE(composer.start());
+    const auto samples = sample_views({.width_px = 640, .height_px = 360});
+    for (const SampleView& sample : samples)
+        composer.ask(sample.view);
+    std::shared_ptr<const Composed> latest;
+    for (int look = 0; look < 2000; ++look) {
+        latest = composer.latest();
+        if (latest && latest->view == samples.back().view) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_TRUE(latest);
+    EXPECT_EQ(latest->view, samples.back().view);
+    EXPECT_FALSE(latest->composition.items.empty());
+}
+
+TEST(Composer, HasItsFonts) {
+    EXPECT_EQ(missing_fonts(), "");
+}
+
+}  // namespace
+}  // namespace onggi::screens

@@ -1,0 +1,107 @@
+// What breaks under a moving picture, broken on purpose: a device that is lost, memory that runs out.
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "game/wheel/live_view.h"
+
+namespace onggi::wheel {
+namespace {
+
+class ABrokenScreen : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto view = LiveView::open({.width = 320, .height = 240, .headless = true, .validation = true});
+        ASSERT_TRUE(view) << view.error().message;
+        view_ = std::move(*view);
+    }
+    PotView pot() const { return {.radii_mm = radii_, .hand = {.position_mm = {72.0, 100.0, 0.0}}}; }
+    std::vector<std::uint8_t> picture() {
+        auto image = view_->read_back();
+        EXPECT_TRUE(image) << (image ? "" : image.error().message);
+        return image ? image->rgba : std::vector<std::uint8_t>();
+    }
+    void draw_well() {
+        const auto drawn = view_->draw(pot());
+        ASSERT_TRUE(drawn) << drawn.error().message;
+        EXPECT_TRUE(*drawn);
+    }
+
+    std::vector<float> radii_ = std::vector<float>(500, 60.0F);
+    std::unique_ptr<LiveView> view_;
+};
+
+TEST_F(ABrokenScreen, ShowsTheSamePictureAfterItsDeviceWasLostWhereverThatIsFound) {
+    draw_well();
+    const std::vector<std::uint8_t> before = picture();
+    int lost = 0;
+    for (const char* call : {"vkQueueSubmit2", "vkWaitSemaphores"}) {
+        view_->device_health().inject({.call = call, .result = VK_ERROR_DEVICE_LOST});
+        const std::clock_t start = std::clock();
+        draw_well();
+        const double took_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        EXPECT_LT(took_s, 2.0) << "of processor time, under the validation layer";
+        EXPECT_EQ(view_->mended(), ++lost) << call;
+        EXPECT_EQ(picture(), before) << call;
+        const std::vector<std::string> remarks = view_->take_remarks();
+        ASSERT_EQ(remarks.size(), 1U);
+        EXPECT_NE(remarks[0].find("VK_ERROR_DEVICE_LOST"), std::string::npos) << remarks[0];
+        EXPECT_EQ(remarks[0].find('\n'), std::string::npos);
+        for (int frame = 0; frame < 60; ++frame)
+            draw_well();
+    }
+}
+
+TEST_F(ABrokenScreen, FindsTheLossWhileItWaitsAndMendsItWithTheNextFrame) {
+    draw_well();
+    view_->device_health().inject({.call = "vkWaitSemaphores", .result = VK_ERROR_DEVICE_LOST});
+    ASSERT_TRUE(view_->wait());
+    draw_well();
+    EXPECT_EQ(view_->mended(), 1);
+}
+
+TEST_F(ABrokenScreen, DropsAStepOfQualityWhenMemoryRunsOut) {
+    draw_well();
+    EXPECT_EQ(view_->quality(), "one software core");
+    view_->device_health().inject({.call = "vkAllocateMemory", .result = VK_ERROR_OUT_OF_DEVICE_MEMORY});
+    const ui::DrawList nothing;
+    const render::Overlay overlay{.list = &nothing, .atlas_side_px = 64};  // an atlas has to be allocated
+    const auto drawn = view_->draw(pot(), 1.0 / 60.0, &overlay);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_TRUE(*drawn);
+    EXPECT_EQ(view_->mended(), 1);
+    EXPECT_EQ(view_->quality(), "one slow software core");
+}
+
+TEST_F(ABrokenScreen, GivesUpOnADeviceThatIsLostAgainAndAgain) {
+    draw_well();
+    const auto lose = [&] {
+        view_->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_DEVICE_LOST});
+        return view_->draw(pot());
+    };
+    for (int time = 0; time < 3; ++time)
+        ASSERT_TRUE(lose()) << time;
+    const auto last = lose();
+    ASSERT_FALSE(last);
+    EXPECT_EQ(last.error().kind, ErrorKind::kSystemLacks);
+    EXPECT_NE(last.error().message.find("VK_ERROR_DEVICE_LOST"), std::string::npos) << last.error().message;
+}
+
+TEST_F(ABrokenScreen, LeavesOtherErrorsAsTheyAre) {
+    draw_well();
+    view_->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_UNKNOWN});
+    EXPECT_FALSE(view_->draw(pot()));
+    EXPECT_EQ(view_->mended(), 0);
+}
+
+TEST_F(ABrokenScreen, MeasuresWhatAFrameTookOnTheDevice) {
+    draw_well();
+    draw_well();
+    EXPECT_GT(view_->frame_stats().device_ms, 0.0);
+    EXPECT_LT(view_->frame_stats().device_ms, 5000.0);
+}
+
+}  // namespace
+}  // namespace onggi::wheel

@@ -1,0 +1,104 @@
+#include "game/wheel/room_model.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "engine/asset/gltf.h"
+#include "game/wheel/workshop_scene.h"
+
+namespace onggi::wheel {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kOurs = fs::path(ONGGI_SOURCE_DIR) / "assets/workshop";
+
+class ARoomModel : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "onggi-room-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    // One upright sheet, `metres` each way.
+    fs::path sheet(const char* node, float metres) {
+        asset::Mesh mesh;
+        mesh.positions_m = {{0, 0, -1}, {metres, 0, -1}, {metres, metres, -1}, {0, metres, -1}};
+        mesh.normals.assign(4, vec3(0.0F, 0.0F, 1.0F));
+        mesh.indices = {0, 1, 2, 0, 2, 3};
+        const auto bytes = asset::encode_glb(
+            {.name = node,
+             .generator = "test",
+             .mesh = mesh,
+             .material = {.name = "clay", .base_colour_linear = {0.4, 0.2, 0.1}, .roughness = 0.7},
+             .extras = {}});
+        EXPECT_TRUE(bytes);
+        const fs::path file = folder_ / "sheet.glb";
+        std::ofstream(file, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+        return file;
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(ARoomModel, OfOurWorkshopHasItsWheelAndItsThings) {
+    const auto room = load_room_model(kOurs / "room.glb");
+    ASSERT_TRUE(room) << room.error().message;
+    EXPECT_TRUE(room->has_wheel);
+    EXPECT_GE(room->parts.size(), 20U);
+}
+
+TEST_F(ARoomModel, IsInMillimetresAndPlainColours) {
+    const auto room = load_room_model(sheet("jar", 1.2F));
+    ASSERT_TRUE(room) << room.error().message;
+    ASSERT_EQ(room->parts.size(), 1U);
+    const StillPart& part = room->parts[0];
+    EXPECT_FALSE(room->has_wheel);
+    EXPECT_EQ(part.mesh->vertices.size(), 4U);
+    EXPECT_NEAR(part.mesh->vertices[2].position_mm.y, 1200.0F, 0.01F);
+    EXPECT_NEAR(part.material.albedo.x, 0.4F, 1e-6F);
+    EXPECT_TRUE(part.casts_shadow);
+}
+
+TEST_F(ARoomModel, ShowsItsWallsFromBothSidesAndLetsThemCastNoShadow) {
+    const auto room = load_room_model(sheet("wall", 3.0F));
+    ASSERT_TRUE(room);
+    const StillPart& wall = room->parts.at(0);
+    EXPECT_EQ(wall.mesh->indices.size(), 12U);
+    EXPECT_EQ(wall.mesh->vertices[4].normal, vec3(0.0F, 0.0F, -1.0F));
+    EXPECT_FALSE(wall.casts_shadow);
+}
+
+TEST_F(ARoomModel, IsSeenFromOurCamerasInOurLightWhereItHasNone) {
+    OpenedScene opened = open_scene(sheet("wall", 3.0F), 1280, 720);
+    EXPECT_EQ(opened.lack, "");
+    const std::vector<float> radii(100, 50.0F);
+    const render::Scene& scene = opened.scene->apply({.radii_mm = radii}, 1280, 720);
+    EXPECT_EQ(scene.plate, nullptr);
+    EXPECT_EQ(scene.camera.eye_mm, vec3(0.0F, 285.0F, 805.0F));
+    EXPECT_TRUE(scene.irradiance);
+    EXPECT_EQ(scene.still_life->parts.size(), 3U) << "the wall, and our wheel and pan";
+}
+
+TEST_F(ARoomModel, RejectsWhatIsNoRoom) {
+    const auto refusal = [](const fs::path& file) {
+        const auto room = load_room_model(file);
+        EXPECT_FALSE(room);
+        return room ? std::string() : room.error().message;
+    };
+    EXPECT_NE(refusal(folder_ / "none.glb").find("no such file"), std::string::npos);
+    std::ofstream(folder_ / "text.glb") << "solid cube";
+    EXPECT_NE(refusal(folder_ / "text.glb").find("text.glb"), std::string::npos);
+    EXPECT_NE(refusal(sheet("jar", 0.1F))
+                  .find("expected a room of 1 to 100 m (glTF counts in metres), found 0.1 m"),
+              std::string::npos);
+    EXPECT_NE(refusal(sheet("hall", 2000.0F)).find("found 2e+03 m"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace onggi::wheel

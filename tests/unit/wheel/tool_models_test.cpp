@@ -1,0 +1,73 @@
+#include "game/wheel/tool_models.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::wheel {
+namespace {
+
+TEST(ToolModels, AreAllThereRightAndLeft) {
+    const auto library = load_tool_models(ONGGI_SOURCE_DIR "/assets/tools");
+    ASSERT_TRUE(library) << library.error().message;
+    ASSERT_EQ((*library)->size(), 2 * kToolModels);
+    for (const render::MoverModel& model : **library) {
+        std::size_t triangles = 0;
+        for (const render::MoverMesh& mesh : model.meshes)
+            triangles += mesh.indices.size() / 3;
+        EXPECT_GT(triangles, 100U);
+        EXPECT_LT(triangles, 5000U) << "more than a software renderer has time for";
+    }
+}
+
+TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
+    const auto library = load_tool_models(ONGGI_SOURCE_DIR "/assets/tools");
+    ASSERT_TRUE(library) << library.error().message;
+    for (const ToolModel tool : {ToolModel::kHandOuter, ToolModel::kHandInner, ToolModel::kRib,
+                                 ToolModel::kSponge, ToolModel::kTrimmer, ToolModel::kStick}) {
+        const render::MoverModel& model = (**library)[library_place(tool, false)];
+        EXPECT_NEAR(model.low_mm.x, 0.0F, 6.0F) << static_cast<std::size_t>(tool);
+        float nearest = 1e9F;
+        for (const render::MoverMesh& mesh : model.meshes) {
+            for (const render::MoverMesh::Vertex& vertex : mesh.vertices)
+                nearest = std::min(nearest, glm::length(vertex.position_mm));
+        }
+        EXPECT_LT(nearest, 8.0F) << static_cast<std::size_t>(tool);
+    }
+}
+
+TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {
+    const auto library = load_tool_models(ONGGI_SOURCE_DIR "/assets/tools");
+    ASSERT_TRUE(library) << library.error().message;
+    for (const render::MoverModel& model : **library) {
+        for (const render::MoverMesh& mesh : model.meshes) {
+            std::size_t against = 0;
+            for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+                const auto corner = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]]; };
+                const vec3 face = glm::cross(corner(1).position_mm - corner(0).position_mm,
+                                             corner(2).position_mm - corner(0).position_mm);
+                if (glm::dot(face, corner(0).normal + corner(1).normal + corner(2).normal) < 0.0F) ++against;
+            }
+            // A sponge is rough, and thinned out: a few of its slivers stand across. None of the rest may.
+            EXPECT_LE(against * 50, mesh.indices.size() / 3) << "more than one in fifty is inside out";
+        }
+    }
+}
+
+TEST(ToolModels, RejectsAFolderWithoutThemAndAFileThatIsNone) {
+    test::TemporaryFolder folder;
+    auto library = load_tool_models(folder.path());
+    ASSERT_FALSE(library);
+    EXPECT_NE(library.error().message.find("hand_outer.glb"), std::string::npos) << library.error().message;
+    std::ofstream(folder.path() / "hand_outer.glb") << "not a model";
+    library = load_tool_models(folder.path());
+    ASSERT_FALSE(library);
+    EXPECT_EQ(library.error().kind, ErrorKind::kBadInput);
+    EXPECT_NE(library.error().message.find("glTF"), std::string::npos) << library.error().message;
+}
+
+}  // namespace
+}  // namespace onggi::wheel

@@ -1,0 +1,176 @@
+#include "game/wheel/tool_pose.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace onggi::wheel {
+namespace {
+
+using clay::StudioTool;
+using clay::studio::Side;
+
+constexpr double kFrameS = 1.0 / 60.0;
+
+// A hand at the right of a wall of radius 70 mm.
+ToolSight outside() {
+    return {.centre_mm = {80.0, 100.0, 0.0}, .radius_mm = 10.0, .side = Side::kOut, .touching = true};
+}
+ToolSight inside(double mouth_radius_mm = 70.0) {
+    return {.centre_mm = {54.0, 100.0, 0.0},
+            .radius_mm = 10.0,
+            .side = Side::kIn,
+            .touching = true,
+            .mouth_radius_mm = mouth_radius_mm,
+            .is_assistant = true};
+}
+ToolPose settled(const ToolSight& sight) {
+    ToolPose pose;
+    pose.follow(sight, 0.0);
+    return pose;
+}
+// Where the model touches the clay, and which way it leads out of it.
+vec3 touch_of(const ShownTool& tool) {
+    return vec3(tool.place[3]);
+}
+vec3 way_out_of(const ShownTool& tool) {
+    return vec3(tool.place[0]);
+}
+
+TEST(ToolPose, TouchesTheWallWhereTheBallDoes) {
+    const ToolPicture out = settled(outside()).picture();
+    ASSERT_EQ(out.tools.size(), 1U);
+    EXPECT_EQ(out.tools[0].model, ToolModel::kHandOuter);
+    EXPECT_LT(glm::distance(touch_of(out.tools[0]), vec3(70.0F, 100.0F, 0.0F)), 0.01F);
+    EXPECT_GT(way_out_of(out.tools[0]).x, 0.99F);
+
+    const ToolPicture in = settled(inside()).picture();
+    ASSERT_EQ(in.tools.size(), 1U);
+    EXPECT_EQ(in.tools[0].model, ToolModel::kHandInner);
+    EXPECT_LT(glm::distance(touch_of(in.tools[0]), vec3(64.0F, 100.0F, 0.0F)), 0.01F);
+    EXPECT_LT(way_out_of(in.tools[0]).x, -0.99F);
+}
+
+TEST(ToolPose, GivesEachSideOfThePotItsOwnHand) {
+    ToolSight left = outside();
+    left.centre_mm.x = -left.centre_mm.x;
+    EXPECT_FALSE(settled(outside()).picture().tools.at(0).left);
+    EXPECT_TRUE(settled(left).picture().tools.at(0).left);
+    EXPECT_TRUE(settled(inside()).picture().tools.at(0).left)
+        << "the left hand presses to the right, from inside";
+}
+
+TEST(ToolPose, NeverStandsBetweenTheVisitorAndWhatIsTouched) {
+    for (int degree = 0; degree < 360; degree += 5) {
+        const double angle = degree * 3.14159265358979 / 180.0;
+        ToolSight sight = outside();
+        sight.centre_mm = {80.0 * std::cos(angle), 100.0, 80.0 * std::sin(angle)};
+        const ToolPicture picture = settled(sight).picture();
+        // The visitor looks along -Z: a tool that leads out of the clay mostly towards +Z would be in the
+        // way.
+        EXPECT_LT(way_out_of(picture.tools.at(0)).z, 0.45F) << degree;
+    }
+}
+
+TEST(ToolPose, FollowsAStepWithinAFewFrames) {
+    ToolPose pose = settled(outside());
+    ToolSight moved = outside();
+    moved.centre_mm.y += 20.0;
+    pose.follow(moved, kFrameS);
+    const float first = touch_of(pose.picture().tools.at(0)).y;
+    EXPECT_GT(first, 110.0F) << "a hand that lags is not where it is felt";
+    EXPECT_LT(first, 120.0F);
+    for (int frame = 0; frame < 4; ++frame)
+        pose.follow(moved, kFrameS);
+    EXPECT_NEAR(touch_of(pose.picture().tools.at(0)).y, 120.0F, 0.2F);
+}
+
+TEST(ToolPose, EasesInTimeAndNotInFrames) {
+    ToolSight moved = outside();
+    moved.wall_lean = 0.5;
+    moved.centre_mm.y += 9.0;
+    ToolPose coarse = settled(outside());
+    ToolPose fine = settled(outside());
+    coarse.follow(moved, 0.1);
+    for (int step = 0; step < 100; ++step)
+        fine.follow(moved, 0.001);
+    const mat4 a = coarse.picture().tools.at(0).place;
+    const mat4 b = fine.picture().tools.at(0).place;
+    for (int column = 0; column < 4; ++column)
+        EXPECT_LT(glm::distance(a[column], b[column]), 1e-3F);
+}
+
+TEST(ToolPose, LeansWithTheWall) {
+    ToolSight sight = outside();
+    sight.wall_lean = 0.4;  // wider above: the wall faces downwards
+    EXPECT_LT(way_out_of(settled(sight).picture().tools.at(0)).y, -0.1F);
+    sight.wall_lean = -0.4;
+    EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, 0.1F);
+    sight.wall_lean = 1e9;
+    EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, -0.55F) << "no wrist bends further";
+}
+
+TEST(ToolPose, HoldsWhatItWorksWith) {
+    ToolSight sight = outside();
+    sight.kind = StudioTool::kRib;
+    const ToolPicture rib = settled(sight).picture();
+    ASSERT_EQ(rib.tools.size(), 2U);
+    EXPECT_EQ(rib.tools[0].model, ToolModel::kRib);
+    EXPECT_EQ(rib.tools[1].model, ToolModel::kHandOuter);
+    EXPECT_GT(touch_of(rib.tools[1]).x, touch_of(rib.tools[0]).x + 10.0F);
+    sight.kind = StudioTool::kSponge;
+    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kSponge);
+    sight.kind = StudioTool::kTrimmer;
+    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kTrimmer);
+}
+
+TEST(ToolPose, ReachesIntoANarrowNeckWithAStick) {
+    EXPECT_EQ(settled(inside(30.0)).picture().tools.at(0).model, ToolModel::kStick);
+    // Between the two bounds it stays as it was.
+    ToolPose pose = settled(inside(30.0));
+    pose.follow(inside(49.0), 1.0);
+    EXPECT_EQ(pose.picture().tools.at(0).model, ToolModel::kStick);
+    pose.follow(inside(60.0), 1.0);
+    EXPECT_EQ(pose.picture().tools.at(0).model, ToolModel::kHandInner);
+}
+
+TEST(ToolPose, ComesAndGoesInsteadOfAppearing) {
+    ToolPose pose;
+    pose.follow(outside(), kFrameS);
+    double away = pose.away_mm();
+    EXPECT_GT(away, 50.0);
+    for (int frame = 0; frame < 60; ++frame) {
+        pose.follow(outside(), kFrameS);
+        EXPECT_LE(pose.away_mm(), away);
+        away = pose.away_mm();
+    }
+    EXPECT_LT(away, 0.5);
+    ToolSight gone = outside();
+    gone.shown = false;
+    pose.follow(gone, kFrameS);
+    EXPECT_FALSE(pose.picture().tools.empty());
+    for (int frame = 0; frame < 60; ++frame)
+        pose.follow(gone, kFrameS);
+    EXPECT_TRUE(pose.picture().tools.empty());
+    EXPECT_TRUE(pose.picture().shadows.empty());
+}
+
+TEST(ToolPose, KeepsItsHandNearTheAxisWhereSidesMeanNothing) {
+    ToolPose pose = settled(outside());
+    ToolSight middle = outside();
+    for (const double x : {10.0, 1.0, -1.0, -10.0, 0.0}) {
+        middle.centre_mm.x = x;
+        pose.follow(middle, kFrameS);
+        EXPECT_FALSE(pose.picture().tools.at(0).left) << x;
+    }
+}
+
+TEST(ToolPose, CastsAShadowWithoutAModelOfIts) {
+    for (const render::Sphere& ball : settled(outside()).picture().shadows) {
+        EXPECT_FALSE(ball.shown);
+        EXPECT_GT(ball.centre_mm.x - ball.radius_mm, 69.0F) << "the stand-in reaches into the clay";
+    }
+}
+
+}  // namespace
+}  // namespace onggi::wheel

@@ -1,0 +1,188 @@
+#include "game/wheel/workshop_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "game/wheel/workshop_scene.h"
+
+namespace onggi::wheel {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kOurs = fs::path(ONGGI_SOURCE_DIR) / "assets/workshop";
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A copy of the workshop's JSON files in which one thing can be spoiled.
+class WorkshopFiles : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "onggi-workshop-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+        for (const char* file : {"cameras.json", "light.json"})
+            fs::copy_file(kOurs / file, folder_ / file);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void put(const char* file, const std::string& text) {
+        std::ofstream(folder_ / file, std::ios::binary) << text;
+    }
+    // The first `before` of the file becomes `after`.
+    void spoil(const char* file, const std::string& before, const std::string& after) {
+        std::string text = text_of(folder_ / file);
+        const std::size_t at = text.find(before);
+        ASSERT_NE(at, std::string::npos) << before;
+        put(file, text.replace(at, before.size(), after));
+    }
+    void expect_refused(const std::string& words) {
+        const auto workshop = load_workshop(folder_);
+        ASSERT_FALSE(workshop) << words;
+        EXPECT_EQ(workshop.error().kind, ErrorKind::kBadInput);
+        EXPECT_NE(workshop.error().message.find(words), std::string::npos) << workshop.error().message;
+        EXPECT_EQ(workshop.error().message.find('\n'), std::string::npos);
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(WorkshopFiles, SayWhereTheCamerasStandAndWhatLightThereIs) {
+    const auto workshop = load_workshop(kOurs);
+    ASSERT_TRUE(workshop) << workshop.error().message;
+    const PlateCamera* camera = workshop->camera_for(View::kThrowing, 1280, 720);
+    ASSERT_NE(camera, nullptr);
+    EXPECT_EQ(camera->name, "throw_16x9");
+    EXPECT_EQ(camera->camera.eye_mm, vec3(0.0F, 285.0F, 805.0F));
+    EXPECT_NEAR(glm::length(workshop->key.towards_light), 1.0F, 1e-6F);
+    EXPECT_GT(workshop->irradiance[0].x, 0.0F);
+}
+
+TEST_F(WorkshopFiles, ChooseTheCameraWhoseShapeIsNearest) {
+    const auto workshop = load_workshop(kOurs);
+    ASSERT_TRUE(workshop);
+    const auto name = [&](int width, int height) {
+        return workshop->camera_for(View::kThrowing, width, height)->name;
+    };
+    EXPECT_EQ(name(3840, 2160), "throw_16x9");
+    EXPECT_EQ(name(2560, 1080), "throw_16x9");
+    EXPECT_EQ(name(1024, 768), "throw_4x3");
+    EXPECT_EQ(name(1280, 1024), "throw_4x3");
+    EXPECT_EQ(name(1080, 1920), "throw_9x16");
+    EXPECT_EQ(workshop->camera_for(View::kLookingIn, 1080, 1920)->name, "look_in_16x9");
+}
+
+TEST_F(WorkshopFiles, BringBothPlatesOfACamera) {
+    const auto workshop = load_workshop(kOurs);
+    ASSERT_TRUE(workshop);
+    const auto plate = load_plate(*workshop, *workshop->camera_for(View::kThrowing, 1024, 768));
+    ASSERT_TRUE(plate) << plate.error().message;
+    const auto brightness = [](const asset::Image& image) {
+        double sum = 0.0;
+        for (const std::uint8_t value : image.rgba)
+            sum += value;
+        return sum / static_cast<double>(image.rgba.size());
+    };
+    EXPECT_GT(brightness((*plate)->key), brightness((*plate)->ambient) + 10.0);
+}
+
+TEST_F(WorkshopFiles, RejectsAMissingFile) {
+    fs::remove(folder_ / "light.json");
+    expect_refused("light.json: no such file");
+    fs::remove(folder_ / "cameras.json");
+    expect_refused("cameras.json: no such file");
+}
+
+TEST_F(WorkshopFiles, RejectsWhatIsNoJson) {
+    for (const char* text : {"", "{", "[1, 2]", "\xFF\xFE", "{\"cameras\": 1} more"}) {
+        put("cameras.json", text);
+        expect_refused("cameras.json: ");
+    }
+    put("cameras.json", std::string(200000, '['));
+    expect_refused("expected a JSON object, found no JSON");
+}
+
+TEST_F(WorkshopFiles, RejectsAMissingOrWrongFieldByItsName) {
+    spoil("cameras.json", "\"vertical_fov_rad\": 0.471, \"size\": [1280", "\"fov\": 0.471, \"size\": [1280");
+    expect_refused("cameras.throw_16x9.vertical_fov_rad: expected a number from 0.02 to 2.6, found nothing");
+    spoil("cameras.json", "\"fov\": 0.471", "\"vertical_fov_rad\": \"wide\"");
+    expect_refused("cameras.throw_16x9.vertical_fov_rad: expected a number from 0.02 to 2.6, found a text");
+    spoil("cameras.json", "\"wide\"", "1e400");
+    expect_refused("cameras.json: ");
+}
+
+TEST_F(WorkshopFiles, RejectsSizesThatNoPlateHas) {
+    for (const char* size : {"[1280]", "[0, 720]", "[1e9, 720]", "[1280.5, 720]", "\"big\""}) {
+        SetUp();
+        spoil("cameras.json", "[1280, 720]", size);
+        expect_refused("cameras.throw_16x9.size: expected");
+        TearDown();
+    }
+    SetUp();
+}
+
+TEST_F(WorkshopFiles, RejectsACameraThatSeesNothing) {
+    spoil("cameras.json", "[0, 285, 805]", "[0, 285, 0]");
+    expect_refused("cameras.throw_16x9: expected a camera that does not look straight up or down");
+}
+
+TEST_F(WorkshopFiles, RejectsANameThatLeadsOutOfTheFolder) {
+    spoil("cameras.json", "\"throw_16x9\": {", "\"throw/../../x\": {");
+    expect_refused("cameras: expected names of at most 64 letters");
+}
+
+TEST_F(WorkshopFiles, RejectsARoomWithoutAThrowingCamera) {
+    put("cameras.json", "{\"cameras\": {}}");
+    expect_refused("cameras: expected one whose name begins with throw, found none");
+}
+
+TEST_F(WorkshopFiles, RejectsLightThatIsNone) {
+    spoil("light.json", "-0.71145", "-7.1145");
+    expect_refused("light.json: key.towards_light: expected a number from -1 to 1, found -7.1145");
+    spoil("light.json", "-7.1145", "-0.1");
+    expect_refused("light.json: key.towards_light: expected a direction of length 1, found length 0.710");
+    spoil("light.json", "-0.1", "-0.71145");
+    spoil("light.json", "0.54065", "-0.54065");
+    expect_refused("key.towards_light: expected a light from above");
+    spoil("light.json", "-0.54065", "0.54065");
+    spoil("light.json", "\"coefficients\": [", "\"coefficients\": [[0, 0, 0],");
+    expect_refused("irradiance_over_pi.coefficients: expected an array of 9, found an array of 10");
+}
+
+TEST_F(WorkshopFiles, RejectsPlatesThatAreMissingDamagedOrOfAnotherSize) {
+    const auto workshop = load_workshop(folder_);
+    ASSERT_TRUE(workshop);
+    const PlateCamera& camera = *workshop->camera_for(View::kThrowing, 1280, 720);
+    const auto refusal = [&] {
+        const auto plate = load_plate(*workshop, camera);
+        return plate ? std::string("none") : plate.error().message;
+    };
+    EXPECT_NE(refusal().find("throw_16x9_key.jpg: no such file"), std::string::npos);
+    fs::create_directory(folder_ / "plates");
+    const fs::path key = folder_ / "plates/throw_16x9_key.jpg";
+    fs::copy_file(kOurs / "plates/throw_4x3_key.jpg", key);
+    EXPECT_NE(refusal().find("expected 1280 x 720 pixels as cameras.json says, found 1024 x 768"),
+              std::string::npos);
+    fs::resize_file(key, 5000);
+    EXPECT_NE(refusal().find("expected a whole JPEG"), std::string::npos);
+}
+
+TEST_F(WorkshopFiles, ThatAreSpoiledLeaveTheSmallStillLifeAndAReason) {
+    put("cameras.json", "{");
+    OpenedScene opened = open_scene(folder_, 640, 480);
+    EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
+    const std::vector<float> radii(100, 50.0F);
+    const render::Scene& scene = opened.scene->apply({.radii_mm = radii}, 640, 480);
+    EXPECT_EQ(scene.plate, nullptr);
+    EXPECT_GE(scene.still_life->parts.size(), 4U);
+}
+
+}  // namespace
+}  // namespace onggi::wheel
