@@ -2,10 +2,10 @@
 // reported. Main thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string_view>
 
 #include "engine/core/result.h"
+#include "game/app/cli_names.h"
 
 namespace onggi::app {
 

@@ -1,5 +1,6 @@
 #include "game/app/devices_command.h"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // `onggi devices`: what there is to hold and feel the clay with.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "game/app/cli_names.h"
 
 namespace onggi::app {
 

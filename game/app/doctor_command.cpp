@@ -1,6 +1,7 @@
 #include "game/app/doctor_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>

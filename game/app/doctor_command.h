@@ -1,7 +1,7 @@
 // `onggi doctor`: what the machine offers, what each lack costs, and how to mend it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "game/app/cli_names.h"
 
 namespace onggi::app {
 

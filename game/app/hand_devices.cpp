@@ -1,6 +1,7 @@
 #include "game/app/hand_devices.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>

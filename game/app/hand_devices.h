@@ -2,7 +2,6 @@
 // as one device; the main thread asks here who is plugged in and who has the tool. Main thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 #include "engine/haptics/hand.h"
 #include "engine/haptics/hands.h"
 #include "engine/haptics/hid/hid_device.h"
+#include "game/app/cli_names.h"
 
 namespace onggi::app {
 

@@ -1,5 +1,6 @@
 #include "game/app/kiosk_command.h"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 // thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "game/app/cli_names.h"
 
 namespace onggi::app {
 

@@ -1,6 +1,7 @@
 #include "game/app/kiosk_sound.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>

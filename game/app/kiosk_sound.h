@@ -2,12 +2,12 @@
 // once a frame.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "engine/sound/sound_output.h"
+#include "game/app/cli_names.h"
 #include "game/haptic/messages.h"
 
 namespace onggi::app {

@@ -1,6 +1,7 @@
 #include "game/app/live_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <optional>

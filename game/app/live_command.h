@@ -1,9 +1,9 @@
 // `onggi live`: a gesture or session in real time, with its picture. Main thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "game/app/cli_names.h"
 #include "game/app/live_loop.h"
 
 namespace onggi::app {

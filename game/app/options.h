@@ -1,11 +1,11 @@
 // Options that several commands have, with their bounds said once. Main thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "game/app/cli_names.h"
 #include "game/clay/studio/pot.h"
 #include "game/wheel/still.h"
 

@@ -1,6 +1,7 @@
 #include "game/app/replay_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <memory>

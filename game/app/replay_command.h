@@ -1,13 +1,13 @@
 // `onggi replay`: simulates a session again and compares it with what was recorded. Main thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "engine/record/session.h"
+#include "game/app/cli_names.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {

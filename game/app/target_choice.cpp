@@ -1,6 +1,7 @@
 #include "game/app/target_choice.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "engine/files/asset_folder.h"
 

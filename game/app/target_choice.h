@@ -1,7 +1,6 @@
 // `throw --target`: a museum's pot to score a thrown one beside. Main thread; blocks.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "game/app/cli_names.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/heritage/score.h"
 

@@ -1,5 +1,6 @@
 #include "game/app/throw_command.h"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <memory>

@@ -1,7 +1,7 @@
 // `onggi throw`: a gesture or session in simulated time, as fast as it can, without a window. Main thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "game/app/cli_names.h"
 
 namespace onggi::app {
 
