@@ -18,6 +18,8 @@ struct PassTime {
 class PassClock {
   public:
     static Result<PassClock> create(const vk::Device& device, bool measures_parts);
+    // From the next frame on.
+    void measure_parts(bool measures) { measures_parts_ = measures; }
 
     // In a command buffer, outside of rendering. enter() ends the part before; inside of rendering too.
     void begin(const vk::Device& device, VkCommandBuffer commands);
@@ -31,6 +33,7 @@ class PassClock {
     vk::Timestamps timestamps_;
     std::vector<const char*> names_;
     bool measures_parts_ = false;
+    bool parts_are_marked_ = false;  // in the frame that was begun last
     bool is_inside_ = false;
 };
 

@@ -218,6 +218,10 @@ Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& t
     return {};
 }
 
+void Renderer::measure_parts(bool measures) {
+    impl_->clock.measure_parts(measures);
+}
+
 Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const Overlay* overlay) {
     auto begun = target.begin();
     if (!begun) return begun.error();

@@ -66,6 +66,9 @@ class Renderer {
     // now (minimised, resizing). An overlay is laid over the scene, or stands instead of it.
     Result<bool> draw(const Scene& scene, vk::FrameTarget& target, const Overlay* overlay = nullptr);
 
+    // FrameStats::parts from the frame after the next on, or not any more.
+    void measure_parts(bool measures);
+
     [[nodiscard]] const FrameStats& stats() const;
     [[nodiscard]] const RendererDesc& desc() const;
 

@@ -11,6 +11,8 @@ constexpr double kFastestRevMin = 300.0;
 constexpr double kHardestPressN = 6.0;
 constexpr double kFastestSlipMmS = 2000.0;
 constexpr double kSlapEndsS = 0.6;
+constexpr double kChimeToneS = 0.4;  // of three
+constexpr double kChimeEndsS = 3.0 * kChimeToneS;
 
 double bounded(double value, double least, double most) {
     return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
@@ -90,11 +92,26 @@ double Synthesiser::slap(double noise) noexcept {
     return loudness * (0.55 * thump + 0.35 * fall * splat);
 }
 
+// Left, right, then both, each a tone of its own: who tests hears which loudspeaker is dead or crossed over.
+Sample Synthesiser::chime() noexcept {
+    if (chime_age_s_ >= kChimeEndsS) return {};
+    const int tone = chime_age_s_ < kChimeToneS ? 0 : chime_age_s_ < 2.0 * kChimeToneS ? 1 : 2;
+    const double share = chime_age_s_ / kChimeToneS - tone;
+    chime_age_s_ += 1.0 / kSampleRateHz;
+    const double hill = 4.0 * share * (1.0 - share);  // silent, and level, at both ends
+    const auto heard =
+        static_cast<float>(0.25 * hill * hill * sine_of_turns(chime_.step(440.0 + 220.0 * tone)));
+    return {.left = tone == 1 ? 0.0F : heard, .right = tone == 0 ? 0.0F : heard};
+}
+
 void Synthesiser::render(const SoundScene& scene, std::span<Sample> block) noexcept {
     const Wanted wanted = wanted_of(scene);
     if (scene.slaps != slaps_ && knows_slaps_) slap_age_s_ = 0.0;
     slaps_ = scene.slaps;
     knows_slaps_ = true;
+    if (scene.chimes != chimes_ && knows_chimes_) chime_age_s_ = 0.0;
+    chimes_ = scene.chimes;
+    knows_chimes_ = true;
     for (Sample& sample : block) {
         rev_min_.towards(wanted.rev_min);
         motor_load_.towards(wanted.motor_load);
@@ -108,8 +125,12 @@ void Synthesiser::render(const SoundScene& scene, std::span<Sample> block) noexc
         const double noise = noise_.next();
         const double middle = motor() + slap(noise);
         const double side = clay(noise);
-        sample.left = static_cast<float>(limited(volume * (middle + side * (1.0 - 0.35 * place))));
-        sample.right = static_cast<float>(limited(volume * (middle + side * (1.0 + 0.35 * place))));
+        const Sample test = chime();
+        const auto out = [&](double wheel, float tone) {
+            return static_cast<float>(limited(volume * (wheel + static_cast<double>(tone))));
+        };
+        sample.left = out(middle + side * (1.0 - 0.35 * place), test.left);
+        sample.right = out(middle + side * (1.0 + 0.35 * place), test.right);
     }
 }
 

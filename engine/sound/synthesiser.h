@@ -33,6 +33,7 @@ class Synthesiser {
     double motor() noexcept;
     double clay(double noise) noexcept;
     double slap(double noise) noexcept;
+    Sample chime() noexcept;
 
     Glide rev_min_{0.06};
     Glide motor_load_{0.08};
@@ -56,6 +57,10 @@ class Synthesiser {
     Glide slap_loudness_{0.001};
     Phase thump_;
     Filter splat_;
+    std::uint32_t chimes_ = 0;
+    bool knows_chimes_ = false;
+    double chime_age_s_ = 1e9;
+    Phase chime_;
 };
 
 }  // namespace onggi::sound

@@ -49,12 +49,14 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
 
 bool HapticWork::tick(const jobs::Period& period) noexcept {
     skipped_periods_ += period.skipped;
+    ++periods_;
     obey_commands();
     put_on_states();
     if (run_is_over()) put_on_fresh_lump();
 
     const haptics::ToolState tool = device_->read(ticks_of_run(), period.dt_s);
     const TickResult result = haptic::tick(state_, tool, parameters_, device_tick(period));
+    force_test_.see(tool.position_mm, result.limited_force_n);
     device_->feel(work_felt(state_, result, parameters_));
     device_->write(result.limited_force_n);
     watchdog_.beat();
@@ -80,6 +82,7 @@ void HapticWork::obey_commands() noexcept {
     while (commands_.try_pop(command)) {
         switch (command) {
             case Command::kFreshLump:
+                force_test_.end();
                 put_on_fresh_lump();
                 break;
             case Command::kRearmForce:
@@ -91,6 +94,9 @@ void HapticWork::obey_commands() noexcept {
                 break;
             case Command::kTakeHold:
                 nobody_is_there_ = false;
+                break;
+            case Command::kTestForce:
+                force_test_.begin(hand_);
                 break;
         }
     }
@@ -137,8 +143,10 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
         hold_to(fits_[hand_]);
         haptics::restart_ramp(state_.safety);
     }
-    const bool alone = nobody_is_there_ || watchdog_.picture_stands_still();
+    // Whoever tests the force is there.
+    const bool alone = (nobody_is_there_ && !force_test_.runs()) || watchdog_.picture_stands_still();
     if (alone && fits_[hand_].has_motors) device.signs.hand_is_there = false;
+    device.test_force_n = force_test_.step(state_.safety, hand_, parameters_.dt_s());
     return device;
 }
 
@@ -208,6 +216,8 @@ void HapticWork::publish(const TickResult& result) noexcept {
     snapshot.run = run_;
     snapshot.states_put = states_put_;
     snapshot.skipped_periods = skipped_periods_;
+    snapshot.periods = periods_;
+    snapshot.force_test = force_test_.report();
     snapshot.safety.silences = silences_;
     snapshots_.publish();
     if (shape_copy_.step(shapes_.writing(), state_, parameters_.dt_s())) shapes_.publish();

@@ -119,6 +119,8 @@ class HapticWork final : public jobs::PeriodicWork {
     std::uint32_t silences_ = 0;
     std::size_t hand_ = 0;
     bool nobody_is_there_ = false;
+    ForceTest force_test_;
+    std::uint64_t periods_ = 0;
 
     std::atomic<bool> stop_asked_{false};
     haptics::Watchdog watchdog_;

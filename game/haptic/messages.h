@@ -8,6 +8,7 @@
 #include "engine/haptics/safety_chain.h"
 #include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
+#include "game/haptic/force_test.h"
 #include "game/haptic/pot_shape.h"
 #include "game/haptic/tick.h"
 
@@ -43,10 +44,12 @@ struct Snapshot {
     std::uint64_t run = 0;              // how many lumps came before this one
     std::uint64_t states_put = 0;       // how many states were put on the wheel
     std::uint64_t skipped_periods = 0;  // since the job started
+    std::uint64_t periods = 0;          // ticked since then, whatever the lump
     haptics::ToolState tool;
     TickResult result;  // forces of both hands, what the device got, sides, where the assist is
     haptics::Fault fault = haptics::Fault::kNone;
     SafetyReport safety;
+    ForceTestReport force_test;
     dvec2 wheel_direction{1.0, 0.0};  // cos and sin of the wheel's angle, counter-clockwise from above
     bool wheel_turning = false;
     double wheel_speed_rad_s = 0.0;
@@ -72,6 +75,7 @@ enum class Command : std::uint8_t {
     kRearmForce,  // take a latched fault back; the force returns through its ramp
     kLetGo,       // nobody is at the wheel: no force until somebody is
     kTakeHold,    // somebody is; the force returns through its ramp
+    kTestForce,   // the staff's test of whichever hand has the tool; a fresh lump ends it
 };
 
 // Haptic thread to whoever records, in order: one a tick.

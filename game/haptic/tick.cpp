@@ -85,11 +85,11 @@ dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const Ha
     const double viscosity =
         is_studio ? parameters.studio.viscosity_c2_n_s_per_mm : parameters.paper.viscosity_c2_n_s_per_mm;
     const DeviceForce force = device_force(forces, velocity_mm_s, viscosity, is_studio, parameters.feel);
-    return haptics::apply_safety_chain(force.wanted_n,
+    return haptics::apply_safety_chain(force.wanted_n + device.test_force_n,
                                        {.position_mm = tool.position_mm,
                                         .dt_s = dt_s,
                                         .velocity_mm_s = velocity_mm_s,
-                                        .driven_force_n = force.driven_n,
+                                        .driven_force_n = force.driven_n + device.test_force_n,
                                         .late = device.late,
                                         .position_is_new = device.signs.position_is_new,
                                         .hand_is_there = device.signs.hand_is_there,

@@ -87,7 +87,8 @@ struct DeviceTick {
     double dt_s = 0.0;       // since the last tick; 0: the fixed step
     std::uint32_t late = 0;  // periods missed since
     haptics::HandSigns signs;
-    bool stop = false;  // somebody wants no force
+    bool stop = false;        // somebody wants no force
+    dvec3 test_force_n{0.0};  // the staff's test, beside the clay's force; a motor is behind it
 };
 
 // What the studio's clay is told when a hand does that.

@@ -86,8 +86,9 @@ Result<void> LiveScreen::open_target() {
 Result<void> LiveScreen::make_renderer() {
     renderer_.reset();
     uploads_.lost();
-    const auto desc =
+    render::RendererDesc desc =
         render::quality_desc(ladder_.step(), target().format(), static_cast<int>(extent().height));
+    desc.measures_parts = measures_parts_;
     auto made = render::Renderer::create(*device_, desc);
     if (!made) return made.error();
     renderer_ = std::move(*made);

@@ -48,6 +48,11 @@ class LiveScreen {
     [[nodiscard]] const vk::Device& device() const { return *device_; }
     [[nodiscard]] const std::vector<std::string>& messages() const { return instance_->messages(); }
     [[nodiscard]] const render::FrameStats& stats() const { return renderer_->stats(); }
+    // Which part of a frame takes how long: FrameStats::parts, at some per cent of a software device's time.
+    void measure_parts(bool measures) {
+        measures_parts_ = measures;
+        renderer_->measure_parts(measures);
+    }
     [[nodiscard]] render::QualityStep quality() const { return ladder_.step(); }
     // The last frame; only where it is unseen.
     Result<std::vector<std::uint8_t>> read_back();
@@ -74,6 +79,7 @@ class LiveScreen {
     render::QualityLadder ladder_;
     bool has_ladder_ = false;
     std::vector<std::string> remarks_;
+    bool measures_parts_ = false;
     int mended_ = 0;
     int good_frames_ = 0;  // since the last time something was mended
     int in_a_row_ = 0;

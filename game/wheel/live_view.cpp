@@ -174,6 +174,9 @@ std::string_view LiveView::quality() const {
 const render::FrameStats& LiveView::frame_stats() const {
     return impl_->screen->stats();
 }
+void LiveView::measure_parts(bool measures) {
+    impl_->screen->measure_parts(measures);
+}
 vk::Health& LiveView::device_health() {
     return impl_->screen->device().health();
 }

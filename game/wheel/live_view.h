@@ -84,6 +84,8 @@ class LiveView {
     [[nodiscard]] std::vector<std::string> take_remarks();
     [[nodiscard]] std::string_view quality() const;  // "one software core"
     [[nodiscard]] const render::FrameStats& frame_stats() const;
+    // Whether frame_stats() names the parts of a frame; costs a software device some per cent.
+    void measure_parts(bool measures);
     // For tests: failures on purpose, and how often something was made anew after one.
     [[nodiscard]] vk::Health& device_health();
     [[nodiscard]] int mended() const;

@@ -56,6 +56,33 @@ TEST(Synthesiser, IsCalm) {
     EXPECT_LT(level_db(heard(softer)), -100.0);
 }
 
+std::vector<double> right_of(const std::vector<Sample>& samples) {
+    std::vector<double> right;
+    for (const Sample& sample : samples)
+        right.push_back(static_cast<double>(sample.right));
+    return right;
+}
+
+TEST(Synthesiser, TestsOneLoudspeakerAfterTheOtherAndThenBothOnce) {
+    Synthesiser synthesiser;
+    played(synthesiser, {.chimes = 3, .volume = 1.0}, 0.5);
+    for (const double sample : left_of(played(synthesiser, {.chimes = 3, .volume = 1.0}, 0.2)))
+        ASSERT_EQ(sample, 0.0) << "what was asked for before it listened is no wish";
+    const SoundScene asked{.chimes = 4, .volume = 1.0};
+    const std::vector<Sample> first = played(synthesiser, asked, 0.4);
+    const std::vector<Sample> second = played(synthesiser, asked, 0.4);
+    const std::vector<Sample> both = played(synthesiser, asked, 0.4);
+    EXPECT_GT(level_db(left_of(first)), -24.0);
+    EXPECT_LT(level_db(right_of(first)), -90.0);
+    EXPECT_LT(level_db(left_of(second)), -60.0);
+    EXPECT_GT(level_db(right_of(second)), -24.0);
+    EXPECT_GT(level_db(left_of(both)), -24.0);
+    EXPECT_GT(level_db(right_of(both)), -24.0);
+    EXPECT_LT(largest_step(left_of(first)), 0.03) << "no click";
+    for (const double sample : left_of(played(synthesiser, asked, 0.2)))
+        ASSERT_EQ(sample, 0.0);
+}
+
 TEST(Synthesiser, RisesWithTheWheel) {
     double last_hz = 0.0;
     for (const double rev_min : {30.0, 60.0, 120.0, 240.0}) {
