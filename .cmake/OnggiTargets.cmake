@@ -11,7 +11,7 @@ function(onggi_library NAME)
 endfunction()
 
 # onggi_test(NAME SOURCES ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ...): one GoogleTest program, one
-# ctest entry. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, window, tools; and
+# ctest entry. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install, window, tools; and
 # picture for what draws with Vulkan outside golden.
 function(onggi_test NAME)
     cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})

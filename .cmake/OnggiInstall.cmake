@@ -1,0 +1,63 @@
+# What `cmake --install` lays down: the program, what it brings along, and what makes a machine a kiosk
+# (assets/install). `--target uninstall` takes it away again.
+
+# Read at installing, when the prefix is known. systemd and PAM look into /etc whatever the prefix is.
+install(CODE [[
+    if(CMAKE_INSTALL_PREFIX MATCHES "^/usr(/local)?$")
+        set(ONGGI_ETC /etc)
+    else()
+        set(ONGGI_ETC ${CMAKE_INSTALL_PREFIX}/etc)
+    endif()
+]])
+install(CODE "set(source ${CMAKE_SOURCE_DIR})\nset(build ${CMAKE_BINARY_DIR})")
+# Folders that are not there yet: an uninstall takes them away again.
+install(CODE [[
+    set(record ${build}/install_folders.txt)
+    set(folders "")
+    if(EXISTS ${record})
+        file(STRINGS ${record} folders)
+    endif()
+    foreach(place bin lib/onggi lib/systemd/system lib/sysusers.d lib/tmpfiles.d lib/udev/rules.d share/onggi)
+        list(APPEND places ${CMAKE_INSTALL_PREFIX}/${place})
+    endforeach()
+    foreach(place IN LISTS places ITEMS ${ONGGI_ETC}/security/limits.d)
+        set(place $ENV{DESTDIR}${place})
+        while(NOT EXISTS ${place})
+            list(APPEND folders ${place})
+            get_filename_component(place ${place} DIRECTORY)
+        endwhile()
+    endforeach()
+    list(REMOVE_DUPLICATES folders)
+    list(JOIN folders "\n" folders)
+    file(WRITE ${record} "${folders}\n")
+]])
+
+install(TARGETS onggi RUNTIME DESTINATION bin)
+# bin/onggi looks into share/onggi: see engine/files/asset_folder.h.
+install(DIRECTORY assets/workshop DESTINATION share/onggi FILES_MATCHING
+    PATTERN "*.json" PATTERN "*.jpg" PATTERN "*.glb" PATTERN "README.md" PATTERN "maker" EXCLUDE)
+install(DIRECTORY assets/heritage DESTINATION share/onggi)
+install(DIRECTORY assets/tools DESTINATION share/onggi FILES_MATCHING PATTERN "*.glb" PATTERN "maker" EXCLUDE)
+install(FILES assets/gestures/attract.csv DESTINATION share/onggi/gestures)
+install(FILES assets/kiosk.toml DESTINATION share/onggi RENAME kiosk-settings.toml)
+
+# Where udev and systemd look, whether the prefix is /usr or /usr/local.
+install(FILES assets/udev/70-onggi.rules assets/install/71-onggi-kiosk.rules DESTINATION lib/udev/rules.d)
+install(FILES assets/install/kiosk.toml DESTINATION share/onggi)
+install(FILES assets/install/sysusers.conf DESTINATION lib/sysusers.d RENAME onggi.conf)
+install(CODE [[
+    set(made ${build}/install)
+    configure_file(${source}/assets/install/onggi-kiosk.service.in ${made}/onggi-kiosk.service @ONLY)
+    configure_file(${source}/assets/install/tmpfiles.conf.in ${made}/onggi.conf @ONLY)
+    configure_file(${source}/assets/install/kiosk.in ${made}/kiosk @ONLY)
+    configure_file(${source}/assets/install/limits.conf ${made}/70-onggi.conf COPYONLY)
+    file(INSTALL ${made}/onggi-kiosk.service DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/systemd/system)
+    file(INSTALL ${made}/onggi.conf DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/tmpfiles.d)
+    file(INSTALL ${made}/kiosk DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/onggi
+        PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    file(INSTALL ${made}/70-onggi.conf DESTINATION ${ONGGI_ETC}/security/limits.d)
+]])
+
+add_custom_target(uninstall
+    COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_BINARY_DIR} -P ${CMAKE_SOURCE_DIR}/.cmake/uninstall.cmake
+    USES_TERMINAL VERBATIM)

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Installs into a folder where something stands already, uses what was installed, uninstalls, and compares.
+# install_and_uninstall.sh BUILD FOLDER
+set -euo pipefail
+build=$1 folder=$2
+fail() { printf '%s\n' "$*"; exit 1; }
+tree() { (cd "$folder/root" && find . -printf '%y %m %p %l\n' | sort && find . -type f -exec sha256sum {} + | sort); }
+
+rm -rf "$folder" "$build/install_folders.txt"
+# A machine that has some of the folders, one of them empty, and files of others beside ours.
+mkdir -p "$folder/root/usr/bin" "$folder/root/usr/lib/udev/rules.d" "$folder/root/usr/lib/systemd/system" \
+    "$folder/root/etc/security/limits.d"
+echo other >"$folder/root/usr/lib/udev/rules.d/60-other.rules"
+echo other >"$folder/root/etc/security/limits.d/other.conf"
+tree >"$folder/before"
+
+export DESTDIR=$folder/root
+cmake --install "$build" --prefix /usr >"$folder/log"
+# A second time, as after an update: the folders are there now, and still ours to take away.
+cmake --install "$build" --prefix /usr >>"$folder/log"
+unset DESTDIR
+root=$folder/root
+for file in usr/bin/onggi usr/lib/onggi/kiosk usr/lib/systemd/system/onggi-kiosk.service usr/lib/sysusers.d/onggi.conf \
+    usr/lib/tmpfiles.d/onggi.conf usr/lib/udev/rules.d/70-onggi.rules usr/lib/udev/rules.d/71-onggi-kiosk.rules \
+    usr/share/onggi/kiosk.toml usr/share/onggi/heritage/targets.csv usr/share/onggi/gestures/attract.csv \
+    usr/share/onggi/tools/stick.glb usr/share/onggi/workshop/room.glb etc/security/limits.d/70-onggi.conf; do
+    [ -s "$root/$file" ] || fail "expected $file, found none"
+done
+cmp assets/udev/70-onggi.rules "$root/usr/lib/udev/rules.d/70-onggi.rules"
+[ -x "$root/usr/lib/onggi/kiosk" ] || fail "expected a starter that can be run"
+sh -n "$root/usr/lib/onggi/kiosk"
+if grep -rn '@[A-Z_]*@' "$root/usr/lib/systemd" "$root/usr/lib/tmpfiles.d" "$root/usr/lib/onggi"; then
+    fail "expected every place filled in"
+fi
+# What was installed finds what it needs where it stands: museum's pots and a workshop, not the source tree's.
+"$root/usr/bin/onggi" --version
+(cd "$folder" && "$root/usr/bin/onggi" throw "$OLDPWD/assets/gestures/touch-still.csv" --clay studio --target nearest \
+    --stats stats.json >/dev/null)
+grep -q '"target"' "$folder/stats.json" || fail "expected a score against a museum's pot"
+
+DESTDIR=$root cmake --build "$build" --target uninstall >>"$folder/log"
+tree >"$folder/after"
+diff "$folder/before" "$folder/after" || fail "expected the folder as it was before"
+echo "installed, used and uninstalled: nothing left behind"
