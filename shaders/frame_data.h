@@ -126,7 +126,7 @@ struct LatheDraw {
     vec4 wet;    // albedo of the body full of water; w soft edge
     vec4 gloss;  // roughness of the dry body; of the wet one; of the film or the glaze; weight of the glaze
     vec4 turn;   // x how far the slip has turned, in widths of its texture; y vertices in a row;
-                 // z mirror of the film, straight on; w rows
+                 // z mirror of the film, straight on; w one over the soft edge
 };
 
 #ifdef __cplusplus

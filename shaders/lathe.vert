@@ -16,16 +16,22 @@ layout(push_constant) uniform DrawBlock {
     LatheDraw draw;
 };
 
-layout(location = 0) out vec3 out_position;
+layout(location = 0) out vec3 out_to_eye;  // mm
 layout(location = 1) out vec4 out_outline;  // xy: the way outwards; z: where its normal lies in the texture;
                                             // w: key light that gets here
 layout(location = 2) out vec2 out_detail;   // where its slip lies in the texture
 layout(location = 3) out vec3 out_ambient;  // diffuse, without the albedo
 layout(location = 4) out vec3 out_mirrored;
 layout(location = 5) out vec3 out_water;  // in the body, on it; how dents lean the wall, as a slope
+// x one over the distance to the eye; y one over the length of view and light together; z what the body's
+// roughness takes of the light; w above 0 where the moving spheres' shadow may fall
+layout(location = 6) out vec4 out_slow;
 #ifdef ONGGI_LOAD
-layout(location = 6) out float out_load;
+layout(location = 7) out float out_load;
 #endif
+
+// No two vertices of a triangle are further apart, not even on a platter.
+const float kLongestMm = 25.0;
 
 void main() {
     int in_row = int(draw.turn.y);
@@ -35,7 +41,7 @@ void main() {
     VertexData vertex = vertices[gl_VertexIndex];
     vec2 outward = vertex.lean.xz;
 
-    out_position = vertex.place.xyz;
+    vec3 position = vertex.place.xyz;
     vec2 profile = row.light.xy;
     vec3 n =
         normalize(vec3(profile.x * outward.x, profile.y - profile.x * vertex.lean.y, profile.x * outward.y));
@@ -43,12 +49,18 @@ void main() {
     float inside = row.light.w;
     // Close to what it stands on, a wall sees less of the sky.
     open *= 1.0 - 0.55 * exp(-row.place.y * 0.07) * (1.0 - n.y) * (1.0 - inside);
-    open *= sky_past_spheres(out_position, n);
+    open *= sky_past_spheres(position, n);
     // Deep inside, what light there is comes down through the mouth, whichever way the wall looks.
     vec3 from = normalize(mix(n, vec3(0.0, 1.0, 0.0), inside * 0.75 * (1.0 - open)));
     vec3 albedo = mix(draw.dry.rgb, draw.wet.rgb, row.water.x);
     out_ambient = sky_diffuse(from) * open_sky_colour(open, albedo);
-    vec3 v = normalize(frame.eye.xyz - out_position);
+    out_to_eye = frame.eye.xyz - position;
+    float nearness = inversesqrt(dot(out_to_eye, out_to_eye));
+    vec3 v = out_to_eye * nearness;
+    float l_v = dot(frame.key_direction.xyz, v);
+    out_slow = vec4(nearness, inversesqrt(max(2.0 + 2.0 * l_v, 1e-4)),
+                    1.0 / (1.0 + 0.288 * (0.85 - 0.5 * row.water.x)),
+                    may_be_past_spheres(position, kLongestMm) ? 1.0 : 0.0);
     float roughness = mix(0.30, 0.20, draw.gloss.w);
     out_mirrored = sky_radiance(reflect(-v, n), roughness) * open;
     out_outline = vec4(outward, row.place.z, vertex.place.w);
@@ -59,5 +71,5 @@ void main() {
 #ifdef ONGGI_LOAD
     out_load = row.water.z;
 #endif
-    gl_Position = frame.view_projection * vec4(out_position, 1.0);
+    gl_Position = frame.view_projection * vec4(position, 1.0);
 }

@@ -22,7 +22,7 @@ void main() {
     float n_l = dot(n, l);
     float n_v = max(dot(n, v), 0.05);
     // Light scatters under skin and in cloth: the edge of the lit side is soft, and warm where it is skin.
-    float lit = soft_cosine(n_l, 0.30);
+    float lit = soft_cosine(n_l, 0.30, 1.0 / 0.30);
     float half_length = inversesqrt(max(2.0 + 2.0 * dot(v, l), 1e-4));
     float roughness = mix(draw.albedo.w, 0.72 - 0.22 * draw.clay.w, albedo.w);
     float gloss = ggx(max((n_v + n_l) * half_length, 0.0), n_v, max(n_l, 0.0), roughness);

@@ -145,7 +145,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     built.lathe.gloss =
         vec4(material.roughness, material.roughness * kWetSmoothing, film_lobe, material.coat);
     built.lathe.turn = vec4(slip_turn(lathe.turn), static_cast<float>(desc.sectors + 1),
-                            0.02F + 0.02F * material.coat, static_cast<float>(built.rows.size()));
+                            0.02F + 0.02F * material.coat, 1.0F / std::max(material.soft_edge, 1e-4F));
     built.lathe_indices =
         static_cast<std::uint32_t>((built.rows.size() - 1) * static_cast<std::size_t>(desc.sectors) * 6);
 }

@@ -53,11 +53,8 @@ Result<void> check_formats(const vk::Device& device) {
         const char* name;
         VkFormatFeatureFlags features;
     };
-    constexpr VkFormatFeatureFlags kFiltered =
-        VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     for (const Need& need :
-         {Need{kNormalsFormat, "R16G16_SNORM", kFiltered},
-          Need{kDepthFormat, "D32_SFLOAT",
+         {Need{kDepthFormat, "D32_SFLOAT",
                VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT}}) {
         VkFormatProperties properties{};
         vkGetPhysicalDeviceFormatProperties(device.physical(), need.format, &properties);
@@ -164,7 +161,7 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     const std::array still_constants{transfer, kStands};
     const std::array mover_constants{transfer, kMoves};
     const std::array picture_formats{desc.colour_format};
-    const std::array layer_formats{desc.colour_format, desc.colour_format, kCoordsFormat};
+    const std::array layer_formats{desc.colour_format, desc.colour_format, kPackedFormat};
     const std::array mask_formats{kMaskFormat};
     const std::span<const VkFormat> still_formats =
         desc.cached ? std::span<const VkFormat>(layer_formats) : std::span<const VkFormat>(picture_formats);
