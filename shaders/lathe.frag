@@ -17,13 +17,15 @@ layout(push_constant) uniform DrawBlock {
     LatheDraw draw;
 };
 
+layout(constant_id = 1) const bool kNearSpheres = true;  // where their shadow may fall
+
 layout(location = 0) in vec3 to_eye;
 layout(location = 1) in vec4 outline;
 layout(location = 2) in vec2 detail_at;
 layout(location = 3) in vec3 ambient;
 layout(location = 4) in vec3 mirrored;
 layout(location = 5) in vec3 water;
-layout(location = 6) in vec4 slow;
+layout(location = 6) in vec3 slow;
 #ifdef ONGGI_LOAD
 layout(location = 7) in float load;
 #endif
@@ -53,7 +55,7 @@ void main() {
     albedo = with_load(albedo, load, detail_at.x * 120.0 + detail_at.y * 67.0);
 #endif
     float seen = outline.w;
-    if (slow.w > 0.0) seen *= past_spheres(frame.eye.xyz - to_eye);
+    if (kNearSpheres) seen *= past_spheres(frame.eye.xyz - to_eye);
 
     // Rough clay throws light back towards its source: Y. Fujii's form of the Oren-Nayar model (2012). Water
     // fills the roughness.

@@ -23,15 +23,12 @@ layout(location = 2) out vec2 out_detail;   // where its slip lies in the textur
 layout(location = 3) out vec3 out_ambient;  // diffuse, without the albedo
 layout(location = 4) out vec3 out_mirrored;
 layout(location = 5) out vec3 out_water;  // in the body, on it; how dents lean the wall, as a slope
-// x one over the distance to the eye; y one over the length of view and light together; z what the body's
-// roughness takes of the light; w above 0 where the moving spheres' shadow may fall
-layout(location = 6) out vec4 out_slow;
+// One over the distance to the eye; one over the length of view and light together; what the body's roughness
+// takes of the light.
+layout(location = 6) out vec3 out_slow;
 #ifdef ONGGI_LOAD
 layout(location = 7) out float out_load;
 #endif
-
-// No two vertices of a triangle are further apart, not even on a platter.
-const float kLongestMm = 25.0;
 
 void main() {
     int in_row = int(draw.turn.y);
@@ -58,9 +55,8 @@ void main() {
     float nearness = inversesqrt(dot(out_to_eye, out_to_eye));
     vec3 v = out_to_eye * nearness;
     float l_v = dot(frame.key_direction.xyz, v);
-    out_slow = vec4(nearness, inversesqrt(max(2.0 + 2.0 * l_v, 1e-4)),
-                    1.0 / (1.0 + 0.288 * (0.85 - 0.5 * row.water.x)),
-                    may_be_past_spheres(position, kLongestMm) ? 1.0 : 0.0);
+    out_slow = vec3(nearness, inversesqrt(max(2.0 + 2.0 * l_v, 1e-4)),
+                    1.0 / (1.0 + 0.288 * (0.85 - 0.5 * row.water.x)));
     float roughness = mix(0.30, 0.20, draw.gloss.w);
     out_mirrored = sky_radiance(reflect(-v, n), roughness) * open;
     out_outline = vec4(outward, row.place.z, vertex.place.w);

@@ -28,43 +28,31 @@ float soft_cosine(float n_l, float width, float one_over_width) {
     return n_l > width ? n_l : width * 0.25 * eased * eased;
 }
 
-// How much of the key light passes the moving spheres on its way to p, 0 to 1.
-float past_spheres(vec3 p) {
-    float seen = 1.0;
-    int count = min(int(frame.counts.x), kSpheres);
-    for (int i = 0; i < count; ++i) {
-        float radius = frame.spheres[i].w;
-        vec3 to = frame.spheres[i].xyz - p;
-        float along = dot(to, frame.key_direction.xyz);
-        float gap = sqrt(max(dot(to, to) - along * along, 0.0)) - radius;
-        float width = max(along * frame.key_direction.w, 0.5);
-        if (along > 0.0) seen *= smoothstep(-width, width, gap);
-    }
-    return seen;
-}
+// All of the spheres, always, unrolled: those that are not there lie far below everything, with a radius that
+// is next to nothing. A loop up to their count would cost more: llvmpipe takes an index for one that differs
+// from pixel to pixel, and fetches what lies there pixel by pixel.
 
-// Whether it may be less than all of it anywhere within `margin` mm of p.
-bool may_be_past_spheres(vec3 p, float margin) {
-    bool may_be = false;
-    int count = min(int(frame.counts.x), kSpheres);
-    for (int i = 0; i < count; ++i) {
-        vec3 to = frame.spheres[i].xyz - p;
-        float along = dot(to, frame.key_direction.xyz);
-        float reach = frame.spheres[i].w + max((along + margin) * frame.key_direction.w, 0.5) + margin;
-        if (along > -margin && dot(to, to) - along * along < reach * reach) may_be = true;
-    }
-    return may_be;
+// How much of the key light passes the moving spheres on its way to p, 0 to 1.
+float past_sphere(vec4 sphere, vec3 p) {
+    vec3 to = sphere.xyz - p;
+    float along = dot(to, frame.key_direction.xyz);
+    float gap = sqrt(max(dot(to, to) - along * along, 0.0)) - sphere.w;
+    float width = max(along * frame.key_direction.w, 0.5);
+    return along > 0.0 ? smoothstep(-width, width, gap) : 1.0;
+}
+float past_spheres(vec3 p) {
+    return past_sphere(frame.spheres[0], p) * past_sphere(frame.spheres[1], p) *
+           past_sphere(frame.spheres[2], p) * past_sphere(frame.spheres[3], p);
 }
 
 // How much of the sky they leave: a sphere of radius r at distance d hides (r/d)^2 of what faces it.
+float sky_past_sphere(vec4 sphere, vec3 p, vec3 n) {
+    vec3 to = sphere.xyz - p;
+    float square = sphere.w * sphere.w;
+    float nearness = inversesqrt(max(dot(to, to), square));
+    return 1.0 - clamp(dot(n, to) * nearness, 0.0, 1.0) * square * nearness * nearness;
+}
 float sky_past_spheres(vec3 p, vec3 n) {
-    float open = 1.0;
-    int count = min(int(frame.counts.x), kSpheres);
-    for (int i = 0; i < count; ++i) {
-        float radius = frame.spheres[i].w;
-        vec3 to = frame.spheres[i].xyz - p;
-        float d2 = max(dot(to, to), radius * radius);
-        open *= 1.0 - clamp(dot(n, to) * inversesqrt(d2), 0.0, 1.0) * radius * radius / d2;
-    }
-    return open;
+    return sky_past_sphere(frame.spheres[0], p, n) * sky_past_sphere(frame.spheres[1], p, n) *
+           sky_past_sphere(frame.spheres[2], p, n) * sky_past_sphere(frame.spheres[3], p, n);
 }

@@ -156,8 +156,8 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     if (auto samplers = create_samplers(device, pipelines); !samplers) return samplers.error();
 
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
-    constexpr std::uint32_t kStands = 0;
-    constexpr std::uint32_t kMoves = 1;
+    constexpr std::uint32_t kStands = 0;  // of the lathe: no sphere is near
+    constexpr std::uint32_t kMoves = 1;   // of the lathe: one may be
     const std::array still_constants{transfer, kStands};
     const std::array mover_constants{transfer, kMoves};
     const std::array picture_formats{desc.colour_format};
@@ -220,7 +220,10 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     lathe.attributes = {};
     lathe.vertex_stride = 0;
     if (desc.inside_out) lathe.cull = VK_CULL_MODE_FRONT_BIT;
-    maker.make(pipelines.lathe, lathe);
+    maker.make(pipelines.lathe_near_spheres, lathe);
+    vk::PipelineDesc plain = lathe;
+    plain.constants = still_constants;
+    maker.make(pipelines.lathe, plain);
 
     vk::PipelineDesc load = lathe;
     load.name = "lathe with its load";

@@ -39,11 +39,12 @@ struct Pipelines {
     std::array<vk::Pipeline, kGlideNeeds> glide_surface;
     vk::Pipeline key_map;
     vk::Pipeline mask;
-    vk::Pipeline shade;  // cached only
-    vk::Pipeline lathe;
-    vk::Pipeline lathe_load;     // the same with its load shown
-    vk::Pipeline lathe_section;  // the faces of a cut
-    vk::Pipeline edges;          // cached only
+    vk::Pipeline shade;               // cached only
+    vk::Pipeline lathe;               // where no moving sphere's shadow falls
+    vk::Pipeline lathe_near_spheres;  // where one may
+    vk::Pipeline lathe_load;          // the same with its load shown
+    vk::Pipeline lathe_section;       // the faces of a cut
+    vk::Pipeline edges;               // cached only
     vk::Pipeline mover;
 };
 

@@ -57,16 +57,21 @@ void frame(benchmark::State& state, const FrameCaseDesc& desc, const Motion& mot
     }
     const auto picture = drawn.read_back();
     if (!picture || picture->rgba.at(0) == 0) fail(state, "the picture is empty");
-    if (const char* f = getenv("TMPDUMP")) { FILE* o = fopen(f, "wb"); fwrite(picture->rgba.data(), 1, picture->rgba.size(), o); fclose(o); }  // TMPDUMP
+    if (const char* f = getenv("TMPDUMP")) {
+        FILE* o = fopen(f, "wb");
+        fwrite(picture->rgba.data(), 1, picture->rgba.size(), o);
+        fclose(o);
+    }  // TMPDUMP
     report(state, wall_ns, least_wall_s, least_processor_s);
     state.counters["rings"] = drawn.stats().rings;
     state.SetLabel(drawn.device_name());
 }
 
 void add(const std::string& name, const FrameCaseDesc& desc, const Motion& motion = {}) {
-    benchmark::RegisterBenchmark(name.c_str(), [desc, motion](benchmark::State& state) {
-        frame(state, desc, motion);
-    })->UseManualTime()->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [desc, motion](benchmark::State& state) { frame(state, desc, motion); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
 }
 
 Motion swaying() {
@@ -85,11 +90,10 @@ Motion gliding() {
 }
 
 Motion dimming() {
-    return {.before =
-                [](FrameCase& drawn, std::int64_t number) {
-                    drawn.scene().set_evening(number / 120 % 2 == 0 ? 1.0 : 0.0);
-                },
-            .counts = [](const FrameCase& drawn) { return drawn.stats().still_life_drawn; }};
+    return {
+        .before = [](FrameCase& drawn,
+                     std::int64_t number) { drawn.scene().set_evening(number / 120 % 2 == 0 ? 1.0 : 0.0); },
+        .counts = [](const FrameCase& drawn) { return drawn.stats().still_life_drawn; }};
 }
 
 // Each part at its quickest.

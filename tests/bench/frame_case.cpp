@@ -26,7 +26,8 @@ double processor_now_s() {
 // Of the wall at a height: a belly, and throwing rings of 0.3 mm.
 double outer_at(double y_mm) {
     const double belly = (y_mm - 70.0) / 52.0;
-    return 32.0 + 24.0 * std::exp(-belly * belly) + 0.3 * std::sin(y_mm * 0.78 + 2.3 * std::sin(y_mm * 0.026));
+    return 32.0 + 24.0 * std::exp(-belly * belly) +
+           0.3 * std::sin(y_mm * 0.78 + 2.3 * std::sin(y_mm * 0.026));
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ class TwoCores {
         picture_core_.pass(work_ns);
         frames_.finish();
         const std::int64_t shown_ns = picture_core_.now_ns();
-        return {.snapshot_ns = shown_ns - ended_ns_.at(tick), .shape_ns = shown_ns - ended_ns_.at(shape_tick)};
+        return {.snapshot_ns = shown_ns - ended_ns_.at(tick),
+                .shape_ns = shown_ns - ended_ns_.at(shape_tick)};
     }
     void wake_late_once(std::int64_t by_ns) { picture_core_.oversleep_once(by_ns); }
     [[nodiscard]] std::int64_t tick_ns() const { return static_cast<std::int64_t>(1e9 / rate_hz_); }
