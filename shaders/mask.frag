@@ -5,6 +5,7 @@
 // in shade, so that a lookup outside finds the border and is right.
 #include "frame.glsl"
 #include "surface.glsl"
+#include "spheres.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec2 out_seen;

@@ -28,31 +28,19 @@ float soft_cosine(float n_l, float width, float one_over_width) {
     return n_l > width ? n_l : width * 0.25 * eased * eased;
 }
 
-// All of the spheres, always, unrolled: those that are not there lie far below everything, with a radius that
-// is next to nothing. A loop up to their count would cost more: llvmpipe takes an index for one that differs
-// from pixel to pixel, and fetches what lies there pixel by pixel.
-
-// How much of the key light passes the moving spheres on its way to p, 0 to 1.
-float past_sphere(vec4 sphere, vec3 p) {
+// How much of the key light passes a moving sphere on its way to p, 0 to 1. `tangent`: of half its width.
+float past_sphere(vec4 sphere, vec3 towards_light, float tangent, vec3 p) {
     vec3 to = sphere.xyz - p;
-    float along = dot(to, frame.key_direction.xyz);
+    float along = dot(to, towards_light);
     float gap = sqrt(max(dot(to, to) - along * along, 0.0)) - sphere.w;
-    float width = max(along * frame.key_direction.w, 0.5);
+    float width = max(along * tangent, 0.5);
     return along > 0.0 ? smoothstep(-width, width, gap) : 1.0;
 }
-float past_spheres(vec3 p) {
-    return past_sphere(frame.spheres[0], p) * past_sphere(frame.spheres[1], p) *
-           past_sphere(frame.spheres[2], p) * past_sphere(frame.spheres[3], p);
-}
 
-// How much of the sky they leave: a sphere of radius r at distance d hides (r/d)^2 of what faces it.
+// How much of the sky it leaves: a sphere of radius r at distance d hides (r/d)^2 of what faces it.
 float sky_past_sphere(vec4 sphere, vec3 p, vec3 n) {
     vec3 to = sphere.xyz - p;
     float square = sphere.w * sphere.w;
     float nearness = inversesqrt(max(dot(to, to), square));
     return 1.0 - clamp(dot(n, to) * nearness, 0.0, 1.0) * square * nearness * nearness;
-}
-float sky_past_spheres(vec3 p, vec3 n) {
-    return sky_past_sphere(frame.spheres[0], p, n) * sky_past_sphere(frame.spheres[1], p, n) *
-           sky_past_sphere(frame.spheres[2], p, n) * sky_past_sphere(frame.spheres[3], p, n);
 }

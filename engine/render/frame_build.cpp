@@ -153,9 +153,11 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
     shaders::FrameData& frame = built.frame;
     const float rise = std::max(key.towards_light.y, 0.05F);
     const float tangent = frame.key_direction.w;
+    constexpr int kIntervals = 28;     // what is left of the steps repeats the last
     constexpr float kFinestMm = 2.0F;  // near the foot a penumbra is as narrow as a texel can show
     for (int i = 0; i < shaders::kShadowSteps; ++i) {
-        const float y_mm = built.profile.height_mm * static_cast<float>(i) / (shaders::kShadowSteps - 1);
+        const float share = static_cast<float>(std::min(i, kIntervals)) / kIntervals;
+        const float y_mm = built.profile.height_mm * share;
         const float t = y_mm / rise;
         frame.shadow_steps[i] =
             vec4(key.towards_light.x * t - frame.lathe_foot.x, key.towards_light.z * t - frame.lathe_foot.y,
