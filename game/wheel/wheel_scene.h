@@ -31,7 +31,7 @@ class WheelScene {
     void drop_plates_of_other_shapes(int width_px, int height_px);
     [[nodiscard]] bool has_plates();
     [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null: there is none
-    void look_at(View view);           // the camera goes there, in about a second
+    void look_at(View view);                                   // the camera goes there, in about a second
     void sway(bool sways);             // slowly from side to side, while nobody throws
     void set_evening(double evening);  // 0 day to 1 evening, in about a second
 

@@ -57,11 +57,9 @@ void frame(benchmark::State& state, const FrameCaseDesc& desc, const Motion& mot
     }
     const auto picture = drawn.read_back();
     if (!picture || picture->rgba.at(0) == 0) fail(state, "the picture is empty");
-    if (const char* f = getenv("TMPDUMP")) {
         FILE* o = fopen(f, "wb");
         fwrite(picture->rgba.data(), 1, picture->rgba.size(), o);
         fclose(o);
-    }  // TMPDUMP
     report(state, wall_ns, least_wall_s, least_processor_s);
     state.counters["rings"] = drawn.stats().rings;
     state.SetLabel(drawn.device_name());
