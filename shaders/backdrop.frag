@@ -3,13 +3,14 @@
 // The wall behind everything.
 #include "frame.glsl"
 #include "noise.glsl"
+#include "packed.glsl"
 #include "tone.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec4 out_colour;
 #ifdef ONGGI_LAYERS
 layout(location = 1) out vec4 out_ambient;
-layout(location = 2) out vec2 out_coords;
+layout(location = 2) out vec4 out_coords;
 #endif
 
 void main() {
@@ -22,6 +23,6 @@ void main() {
     out_colour = colour;
 #ifdef ONGGI_LAYERS
     out_ambient = vec4(colour.rgb, 0.0);
-    out_coords = vec2(0.0);  // the mask's corner, where nothing is in shade
+    out_coords = vec4(0.0);  // the mask's corner, where nothing is in shade
 #endif
 }

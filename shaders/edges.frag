@@ -4,11 +4,12 @@
 // the line's other side, which is its neighbour there. How much is known from the line itself, exactly; two
 // reads. Geometric anti-aliasing after E. Persson, "Geometric Post-process Anti-Aliasing", 2011; here from
 // the mesh's own outline, so that nothing is looked for in the picture.
-#include "frame.glsl"
+#include "frame_data.h"
 
 layout(set = 0, binding = kBindPicture) uniform sampler2D picture;
 
 layout(location = 0) flat in vec4 line;
+layout(location = 1) flat in vec2 per_px;
 layout(location = 0) out vec4 out_colour;
 
 void main() {
@@ -20,7 +21,7 @@ void main() {
     if (other <= 0.0) discard;
     float towards = off > 0.0 ? -1.0 : 1.0;
     vec2 neighbour = level ? vec2(0.0, towards) : vec2(towards, 0.0);
-    vec3 own = texture(picture, gl_FragCoord.xy * frame.picture.zw).rgb;
-    vec3 beyond = texture(picture, (gl_FragCoord.xy + neighbour) * frame.picture.zw).rgb;
+    vec3 own = texture(picture, gl_FragCoord.xy * per_px).rgb;
+    vec3 beyond = texture(picture, (gl_FragCoord.xy + neighbour) * per_px).rgb;
     out_colour = vec4(mix(own, beyond, other), 1.0);
 }

@@ -8,6 +8,7 @@ layout(std430, set = 0, binding = kBindEdges) readonly buffer EdgeBlock {
     EdgeData edges[];
 };
 
+layout(location = 1) flat out vec2 out_per_px;  // one over the picture's size
 layout(location = 0) flat out vec4 out_line;  // a point of it, its slope, 1 if it runs mostly across
 
 void main() {
@@ -22,6 +23,7 @@ void main() {
     vec2 at = (at_end ? edge.to.xy + step : edge.from.xy - step);
     float side = (corner & 2) != 0 ? 0.75 : -0.75;
     at += level ? vec2(0.0, side) : vec2(side, 0.0);
+    out_per_px = frame.picture.zw;
     out_line = vec4(edge.from.xy, level ? along.y / along.x : along.x / along.y, level ? 1.0 : 0.0);
     gl_Position = vec4(at * frame.picture.zw * 2.0 - 1.0, at_end ? edge.to.z : edge.from.z, 1.0);
 }

@@ -21,6 +21,7 @@ ONGGI_CONST int kProfileTexels =
 ONGGI_CONST int kOutlineSamples = 512;  // of the outline, evenly by height: what rays are walked against
 ONGGI_CONST int kPanels = 3;            // soft lights of the sky
 ONGGI_CONST int kSpheres = 4;           // that cast a shadow
+ONGGI_CONST int kShadowSteps = 32;      // of a ray past the lathe to the ground, up its height
 ONGGI_CONST int kMaskTexels = 96;       // the shadow mask, each way
 ONGGI_CONST int kKeyMapTexels = 512;    // the still life's shadow map, each way
 
@@ -63,8 +64,10 @@ struct FrameData {
     vec4 mask_axes;    // xz of u, then xz of v
     vec4 lathe;       // height mm, samples of the outline a mm, samples, radius of the foot mm; all 0 without
     vec4 lathe_foot;  // xz mm where the foot stands
-    vec4 spheres[kSpheres];  // xyz mm; w radius mm
-    vec4 counts;             // x how many of the spheres there are
+    vec4 spheres[kSpheres];  // xyz mm; w radius mm; those that are not there lie far below everything
+    // What the lathe's shadow on the ground is found by, step by step up the light: xz mm from the foot to
+    // where a ray from x = z = 0 is then, the outline's radius there, and one over the penumbra's width.
+    vec4 shadow_steps[kShadowSteps];
     vec4 backdrop_low;
     vec4 backdrop_high;
     vec4 backdrop_glow;   // rgb; w radius
@@ -126,7 +129,7 @@ struct LatheDraw {
     vec4 wet;    // albedo of the body full of water; w soft edge
     vec4 gloss;  // roughness of the dry body; of the wet one; of the film or the glaze; weight of the glaze
     vec4 turn;   // x how far the slip has turned, in widths of its texture; y vertices in a row;
-                 // z mirror of the film, straight on; w rows
+                 // z mirror of the film, straight on; w one over the soft edge
 };
 
 #ifdef __cplusplus

@@ -5,6 +5,7 @@
 #include "frame.glsl"
 #include "sky.glsl"
 #include "surface.glsl"
+#include "spheres.glsl"
 
 layout(std430, set = 0, binding = kBindRows) readonly buffer RowBlock {
     RowData rows[];
@@ -16,15 +17,24 @@ layout(push_constant) uniform DrawBlock {
     LatheDraw draw;
 };
 
-layout(location = 0) out vec3 out_position;
-layout(location = 1) out vec4 out_outline;  // xy: the way outwards; z: where its normal lies in the texture;
-                                            // w: key light that gets here
-layout(location = 2) out vec2 out_detail;   // where its slip lies in the texture
-layout(location = 3) out vec3 out_ambient;  // diffuse, without the albedo
-layout(location = 4) out vec3 out_mirrored;
-layout(location = 5) out vec3 out_water;  // in the body, on it; how dents lean the wall, as a slope
+layout(location = 0) out vec3 out_to_eye;     // mm
+layout(location = 1) out vec4 out_outline;    // xy: the way outwards; z: where its normal lies in the texture;
+                                              // w: key light that gets here
+layout(location = 2) out vec4 out_detail;     // xy: where its slip lies in the texture; z: water on it;
+                                              // w: how dents lean the wall, as a slope
+layout(location = 3) out vec4 out_ambient;    // diffuse, without the albedo; w: the body's roughness to gloss
+layout(location = 4) out vec4 out_mirrored;   // w: the body's roughness to what it throws back
+layout(location = 5) out vec4 out_albedo;     // w: what that roughness takes of the light
+layout(location = 6) out vec2 out_slow;       // one over the distance to the eye; one over the length of view
+                                              // and light together
+layout(location = 7) flat out vec4 out_light_from;  // w: soft edge, as a cosine
+layout(location = 8) flat out vec4 out_radiance;    // w: one over the soft edge
+layout(location = 9) flat out vec4 out_gloss_of;    // streaks; the film's roughness; weight of the glaze; mirror
+                                                    // of the film, straight on
+layout(location = 10) flat out vec4 out_eye;        // w: tangent of half the light's width
+layout(location = 11) flat out vec4 out_spheres[kSpheres];
 #ifdef ONGGI_LOAD
-layout(location = 6) out float out_load;
+layout(location = 15) out vec2 out_load;  // y: along the hatch, mm
 #endif
 
 void main() {
@@ -35,7 +45,7 @@ void main() {
     VertexData vertex = vertices[gl_VertexIndex];
     vec2 outward = vertex.lean.xz;
 
-    out_position = vertex.place.xyz;
+    vec3 position = vertex.place.xyz;
     vec2 profile = row.light.xy;
     vec3 n =
         normalize(vec3(profile.x * outward.x, profile.y - profile.x * vertex.lean.y, profile.x * outward.y));
@@ -43,21 +53,32 @@ void main() {
     float inside = row.light.w;
     // Close to what it stands on, a wall sees less of the sky.
     open *= 1.0 - 0.55 * exp(-row.place.y * 0.07) * (1.0 - n.y) * (1.0 - inside);
-    open *= sky_past_spheres(out_position, n);
+    open *= sky_past_spheres(position, n);
     // Deep inside, what light there is comes down through the mouth, whichever way the wall looks.
     vec3 from = normalize(mix(n, vec3(0.0, 1.0, 0.0), inside * 0.75 * (1.0 - open)));
     vec3 albedo = mix(draw.dry.rgb, draw.wet.rgb, row.water.x);
-    out_ambient = sky_diffuse(from) * open_sky_colour(open, albedo);
-    vec3 v = normalize(frame.eye.xyz - out_position);
-    float roughness = mix(0.30, 0.20, draw.gloss.w);
-    out_mirrored = sky_radiance(reflect(-v, n), roughness) * open;
+    out_to_eye = frame.eye.xyz - position;
+    float nearness = inversesqrt(dot(out_to_eye, out_to_eye));
+    vec3 v = out_to_eye * nearness;
+    float l_v = dot(frame.key_direction.xyz, v);
+    out_slow = vec2(nearness, inversesqrt(max(2.0 + 2.0 * l_v, 1e-4)));
+    float rough = 0.85 - 0.5 * row.water.x;
+    out_ambient = vec4(sky_diffuse(from) * open_sky_colour(open, albedo),
+                       mix(draw.gloss.x, draw.gloss.y, row.water.x));
+    out_mirrored = vec4(sky_radiance(reflect(-v, n), mix(0.30, 0.20, draw.gloss.w)) * open, rough);
+    out_albedo = vec4(albedo, 1.0 / (1.0 + 0.288 * rough));
     out_outline = vec4(outward, row.place.z, vertex.place.w);
     // Two of the texture go round. Up the pot it goes by length along the outline, over the rim and down
     // inside.
-    out_detail = vec2(2.0 * float(sector) / float(in_row - 1), row.place.w / 67.0);
-    out_water = vec3(row.water.xy, vertex.lean.y);
+    vec2 detail_at = vec2(2.0 * float(sector) / float(in_row - 1), row.place.w / 67.0);
+    out_detail = vec4(detail_at.x + draw.turn.x, detail_at.y, row.water.y, vertex.lean.y);
 #ifdef ONGGI_LOAD
-    out_load = row.water.z;
+    out_load = vec2(row.water.z, detail_at.x * 120.0 + detail_at.y * 67.0);
 #endif
-    gl_Position = frame.view_projection * vec4(out_position, 1.0);
+    out_light_from = vec4(frame.key_direction.xyz, draw.wet.w);
+    out_radiance = vec4(frame.key_radiance.rgb, draw.turn.w);
+    out_gloss_of = vec4(draw.dry.w, draw.gloss.zw, draw.turn.z);
+    out_eye = vec4(frame.eye.xyz, frame.key_direction.w);
+    out_spheres = frame.spheres;
+    gl_Position = frame.view_projection * vec4(position, 1.0);
 }

@@ -5,27 +5,23 @@
 // in shade, so that a lookup outside finds the border and is right.
 #include "frame.glsl"
 #include "surface.glsl"
-
-layout(std430, set = 0, binding = kBindOutline) readonly buffer OutlineBlock {
-    float outline[];
-};
+#include "spheres.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec2 out_seen;
 
-float past_lathe(vec3 q) {
-    vec3 l = frame.key_direction.xyz;
-    float height = frame.lathe.x;
+float gap_at(int i, vec2 q) {
+    vec4 at = frame.shadow_steps[i];
+    vec2 from_axis = q + at.xy;
+    return (sqrt(dot(from_axis, from_axis)) - at.z) * at.w;
+}
+
+float past_lathe(vec2 q) {
     float least = 1e3;
-    const int kSteps = 28;
-    for (int i = 0; i <= kSteps; ++i) {
-        float y = height * (float(i) / float(kSteps));
-        float t = y / max(l.y, 0.05);
-        vec2 at = q.xz + l.xz * t;
-        float sample_number = clamp(y * frame.lathe.y, 0.0, frame.lathe.z - 1.0);
-        // Close to the foot the penumbra is as narrow as a texel can show.
-        least = min(least, (length(at - frame.lathe_foot.xy) - outline[int(sample_number)]) /
-                               max(t * frame.key_direction.w, 2.0));
+    for (int i = 0; i < kShadowSteps; i += 4) {
+        vec4 gaps = vec4(gap_at(i, q), gap_at(i + 1, q), gap_at(i + 2, q), gap_at(i + 3, q));
+        vec2 pairs = min(gaps.xy, gaps.zw);
+        least = min(least, min(pairs.x, pairs.y));
     }
     return smoothstep(-1.0, 1.0, least);
 }
@@ -36,7 +32,7 @@ void main() {
     float seen = past_spheres(q);
     float open = sky_past_spheres(q, vec3(0.0, 1.0, 0.0));
     if (frame.lathe.x > 0.0) {
-        seen *= past_lathe(q);
+        seen *= past_lathe(q.xz);
         float from_foot = max(length(q.xz - frame.lathe_foot.xy) - frame.lathe.w, 0.0);
         float shade = 0.55 * exp(-from_foot * 0.09) + 0.27 * exp(-from_foot * 0.024);
         open *= 1.0 - shade * smoothstep(62.0, 18.0, from_foot);

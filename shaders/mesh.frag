@@ -4,6 +4,7 @@
 // together from; without, it is the finished picture (stills, GPUs, tools).
 #include "frame.glsl"
 #include "noise.glsl"
+#include "packed.glsl"
 #include "sky.glsl"
 #include "surface.glsl"
 #include "tone.glsl"
@@ -22,7 +23,7 @@ layout(location = 2) in float open_sky;
 layout(location = 0) out vec4 out_colour;  // finished; of the layers: with the key light
 #ifdef ONGGI_LAYERS
 layout(location = 1) out vec4 out_ambient;  // without it; alpha: how much the foot's shade counts
-layout(location = 2) out vec2 out_coords;   // where to look in the shadow mask
+layout(location = 2) out vec4 out_coords;   // where to look in the shadow mask
 #endif
 
 // The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share
@@ -87,7 +88,7 @@ void main() {
     vec3 body = albedo * (1.0 - metalness);
 
     float seen = past_still_life();
-    float lit = soft_cosine(n_l, 0.14) * seen;
+    float lit = soft_cosine(n_l, 0.14, 1.0 / 0.14) * seen;
     // Rings spread what they mirror along the radius: a fan of leaning normals stands for them.
     bool is_turned = draw.surface.y > 0.0 && metalness > 0.0;
     float gloss = 0.0;
@@ -118,7 +119,7 @@ void main() {
 #ifdef ONGGI_LAYERS
     out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
     out_ambient = vec4(encode(ambient) + dither(), near_foot);
-    out_coords = uv;
+    out_coords = packed16(uv);
 #else
     vec2 mask = texture(shadow_mask, uv).rg;
     vec3 light = (ambient + key_light * mask.r) * mix(1.0, mask.g, near_foot);

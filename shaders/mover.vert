@@ -12,11 +12,13 @@ layout(push_constant) uniform DrawBlock {
 layout(location = 0) in vec3 position_mm;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 wear;  // tone, smear, unused, open sky
-layout(location = 0) out vec3 out_position;
+layout(location = 0) out vec3 out_view;  // towards the eye, unit
 layout(location = 1) out vec3 out_normal;
-layout(location = 2) out vec4 out_albedo;   // w: how much clay lies on it
+layout(location = 2) out vec4 out_albedo;   // w: roughness
 layout(location = 3) out vec3 out_ambient;  // of diffuse and mirrored light together, finished
-layout(location = 4) out float out_key;     // key light that gets here
+layout(location = 4) out vec3 out_key;      // key light that gets here
+layout(location = 5) out vec3 out_mirror;   // what is mirrored of it, straight on
+layout(location = 6) flat out vec3 out_light_from;
 
 void main() {
     vec4 at = vec4(position_mm, 1.0);
@@ -35,11 +37,13 @@ void main() {
     vec3 body = albedo * (1.0 - metalness);
     float open = wear.w;
 
-    out_position = p;
+    out_view = v;
     out_normal = n;
-    out_albedo = vec4(body, smear);
+    out_albedo = vec4(body, roughness);
     out_ambient = body * sky_diffuse(n) * open_sky_colour(open, albedo) +
                   mirror * sky_radiance(reflect(-v, n), roughness) * open;
-    out_key = past_lathe_to_light(p + 2.0 * n) * mix(0.55, 1.0, open);
+    out_key = frame.key_radiance.rgb * (past_lathe_to_light(p + 2.0 * n) * mix(0.55, 1.0, open));
+    out_mirror = mix(vec3(0.04), draw.albedo.rgb, metalness);
+    out_light_from = frame.key_direction.xyz;
     gl_Position = frame.view_projection * vec4(p, 1.0);
 }

@@ -6,6 +6,7 @@
 // picture.
 #include "frame.glsl"
 #include "noise.glsl"
+#include "packed.glsl"
 #include "tone.glsl"
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
@@ -21,7 +22,7 @@ layout(location = 0) in vec2 place;  // 0 to 1 from the top left
 layout(location = 0) out vec4 out_colour;  // as in mesh.frag
 #ifdef ONGGI_LAYERS
 layout(location = 1) out vec4 out_ambient;
-layout(location = 2) out vec2 out_coords;
+layout(location = 2) out vec4 out_coords;
 #endif
 
 void main() {
@@ -47,7 +48,7 @@ void main() {
 #ifdef ONGGI_LAYERS
     out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
     out_ambient = vec4(encode(ambient) + dither(), near_foot);
-    out_coords = uv;
+    out_coords = packed16(uv);
 #else
     vec2 mask = texture(shadow_mask, uv).rg;
     vec3 light = (ambient + key_light * mask.r) * mix(1.0, mask.g, near_foot);

@@ -1,12 +1,25 @@
 // Light to eight bits: a rational curve that never clips, then the transfer function of the screen.
 layout(constant_id = 0) const uint kTransfer = 0;  // 0 exact sRGB (IEC 61966-2-1), 1 square root
 
+// The three fractions n / d with one division.
+vec3 divided(vec3 n, vec3 d) {
+    return n * d.yzx * d.zxy / (d.x * d.y * d.z);
+}
+
+// 0 to 1 to the values of the screen.
+vec3 transferred(vec3 c) {
+    c = min(c, vec3(1.0));
+    if (kTransfer == 1) return sqrt(c);
+    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, lessThanEqual(c, vec3(0.0031308)));
+}
+vec3 untransferred(vec3 v) {
+    if (kTransfer == 1) return v * v;
+    return mix(pow((v + 0.055) / 1.055, vec3(2.4)), v / 12.92, lessThanEqual(v, vec3(0.04045)));
+}
+
 vec3 encode(vec3 light) {
     vec3 c = max(light, vec3(0.0));
-    c = c / (c * 0.8 + 0.35);
-    if (kTransfer == 1) return sqrt(min(c, vec3(1.0)));
-    c = min(c, vec3(1.0));
-    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, lessThanEqual(c, vec3(0.0031308)));
+    return transferred(divided(c, c * 0.8 + 0.35));
 }
 
 // The curve backwards; white, where it is steepest, is light of 1.75.
@@ -16,6 +29,16 @@ vec3 light_of(vec3 c) {
 
 // encode() backwards.
 vec3 decode(vec3 v) {
-    if (kTransfer == 1) return light_of(v * v);
-    return light_of(mix(pow((v + 0.055) / 1.055, vec3(2.4)), v / 12.92, lessThanEqual(v, vec3(0.04045))));
+    return light_of(untransferred(v));
+}
+
+// encode(mix(decode(a), decode(b), share) * left), as one fraction instead of three: of a = A / (1 - .8 A) and b
+// alike, the mixture is (A (1 - share)(1 - .8 B) + B share (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
+vec3 encode_mixed(vec3 a, vec3 b, float share, float left) {
+    vec3 curve_a = untransferred(a);
+    vec3 curve_b = untransferred(b);
+    vec3 under_a = 1.0 - 0.8 * curve_a;
+    vec3 under_b = 1.0 - 0.8 * curve_b;
+    vec3 light = (curve_a * under_b * (1.0 - share) + curve_b * under_a * share) * left;
+    return transferred(divided(light, light * 0.8 + under_a * under_b));
 }

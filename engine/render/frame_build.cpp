@@ -145,9 +145,24 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     built.lathe.gloss =
         vec4(material.roughness, material.roughness * kWetSmoothing, film_lobe, material.coat);
     built.lathe.turn = vec4(slip_turn(lathe.turn), static_cast<float>(desc.sectors + 1),
-                            0.02F + 0.02F * material.coat, static_cast<float>(built.rows.size()));
-    built.lathe_indices =
-        static_cast<std::uint32_t>((built.rows.size() - 1) * static_cast<std::size_t>(desc.sectors) * 6);
+                            0.02F + 0.02F * material.coat, 1.0F / std::max(material.soft_edge, 1e-4F));
+}
+
+// Rays from the ground towards the light, past the outline at evenly spaced heights.
+void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
+    shaders::FrameData& frame = built.frame;
+    const float rise = std::max(key.towards_light.y, 0.05F);
+    const float tangent = frame.key_direction.w;
+    constexpr int kIntervals = 28;     // what is left of the steps repeats the last
+    constexpr float kFinestMm = 2.0F;  // near the foot a penumbra is as narrow as a texel can show
+    for (int i = 0; i < shaders::kShadowSteps; ++i) {
+        const float share = static_cast<float>(std::min(i, kIntervals)) / kIntervals;
+        const float y_mm = built.profile.height_mm * share;
+        const float t = y_mm / rise;
+        frame.shadow_steps[i] =
+            vec4(key.towards_light.x * t - frame.lathe_foot.x, key.towards_light.z * t - frame.lathe_foot.y,
+                 built.samples.outer_mm[built.samples.at(y_mm)], 1.0F / std::max(t * tangent, kFinestMm));
+    }
 }
 
 void build_shade(const Scene& scene, const StillBounds& still, const EdgeView& view, BuiltFrame& built) {
@@ -187,7 +202,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
                  int height_px, BuiltFrame& built) {
     shaders::FrameData& frame = built.frame;
     frame = {};
-    built.lathe_indices = 0;
+    built.faces.clear();
     built.section_first = built.section_count = 0;
     built.shows_load = false;
     built.rows.clear();
@@ -207,7 +222,17 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
         for (std::size_t i = 0; i < sphere_count; ++i)
             if (scene.spheres[i].shown) add_sphere_edges(scene.spheres[i], view, built.edges);
     }
-    frame.counts = vec4(static_cast<float>(sphere_count), 0.0F, 0.0F, 0.0F);
+    for (std::size_t i = sphere_count; i < kMaxSpheres; ++i)
+        frame.spheres[i] = vec4(0.0F, -1e6F, 0.0F, 1e-3F);
+    if (!built.rows.empty()) {
+        const auto grid = std::span<const shaders::VertexData>(built.vertices).first(built.section_first);
+        if (desc.inside_out) {
+            take_all_faces(built.rows.size(), desc.sectors, built.faces);
+        } else {
+            choose_faces(grid, desc.sectors, frame, view, built.faces);
+        }
+        build_shadow_steps(scene.key, built);
+    }
     build_shade(scene, still, view, built);
     const std::vector<Box> moving = moving_boxes(scene);
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
@@ -219,20 +244,6 @@ shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float sc
         .albedo = vec4(material.albedo, material.roughness),
         .surface = vec4(material.metalness, material.groove_pitch_mm, material.groove_tilt, material.grain),
         .pattern = vec4(material.grain_stretch, 0.0F, 0.0F, 0.0F)};
-}
-
-std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors) {
-    std::vector<std::uint16_t> indices;
-    const int in_row = sectors + 1;
-    for (int row = 0; row + 1 < max_rows; ++row) {
-        for (int sector = 0; sector < sectors; ++sector) {
-            const int here = row * in_row + sector;
-            const int above = here + in_row;
-            for (const int index : {here, above, here + 1, here + 1, above, above + 1})
-                indices.push_back(static_cast<std::uint16_t>(index));
-        }
-    }
-    return indices;
 }
 
 std::uint64_t still_hash(const Scene& scene, int width_px, int height_px) {

@@ -30,7 +30,7 @@ Result<void> create_fixed_images(const vk::Device& device, FrameImages& images) 
     constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT;
     return create_all(device, {{images.normals,
                                 {.name = "outline normals",
-                                 .format = kNormalsFormat,
+                                 .format = kPackedFormat,
                                  .extent = {shaders::kProfileTexels, 1},
                                  .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
                                {images.detail,
@@ -92,7 +92,7 @@ Result<void> create_sized_images(const vk::Device& device, const RendererDesc& d
                    .usage = kLayer}},
                  {images.still_coords,
                   {.name = "still life's places in the shadow mask",
-                   .format = kCoordsFormat,
+                   .format = kPackedFormat,
                    .extent = extent,
                    .usage = kLayer}},
                  {images.drawn,

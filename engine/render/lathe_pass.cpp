@@ -8,7 +8,8 @@
 namespace onggi::render {
 
 Result<void> LathePass::create(const FrameContext& frame) {
-    const std::vector<std::uint16_t> indices = lathe_indices(kMaxRings, frame.desc.sectors);
+    const std::size_t most_indices =
+        std::size_t{6} * (kMaxRings - 1) * static_cast<std::size_t>(frame.desc.sectors);
     struct Wish {
         vk::Buffer& into;
         vk::BufferDesc desc;
@@ -33,13 +34,12 @@ Result<void> LathePass::create(const FrameContext& frame) {
                                   .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT}},
                              Wish{indices_,
                                   {.name = "lathe indices",
-                                  .size = indices.size() * sizeof(std::uint16_t),
+                                  .size = most_indices * sizeof(std::uint16_t),
                                   .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT}}}) {
         auto buffer = vk::Buffer::create(frame.device, wish.desc);
         if (!buffer) return buffer.error();
         wish.into = std::move(*buffer);
     }
-    indices_.write(std::as_bytes(std::span(indices)));
 
     const Pipelines& pipelines = frame.pipelines;
     const FrameImages& images = frame.images;
@@ -80,15 +80,16 @@ Result<void> LathePass::upload_slip(const FrameContext& frame) {
 
 void LathePass::upload(FrameContext& frame) const {
     const BuiltFrame& built = frame.built;
-    if (built.lathe_indices == 0) return;
+    if (built.faces.indices.empty()) return;
     frame.write(outline_, std::as_bytes(std::span(built.samples.outer_mm)));
     frame.write(rows_, std::as_bytes(std::span(built.rows)));
     frame.write(vertices_, std::as_bytes(std::span(built.vertices)));
     frame.write(normals_, std::as_bytes(std::span(built.normals)));
+    frame.write(indices_, std::as_bytes(std::span(built.faces.indices)));
 }
 
 void LathePass::record(const FrameContext& frame) const {
-    if (frame.built.lathe_indices == 0) return;
+    if (frame.built.faces.indices.empty()) return;
     const vk::Image& normals = frame.images.normals;
     vk::barrier(frame.commands, normals, vk::state::kDiscard, vk::state::kCopyTarget);
     VkBufferImageCopy region{};
@@ -100,11 +101,22 @@ void LathePass::record(const FrameContext& frame) const {
 }
 
 void LathePass::draw(const FrameContext& frame) const {
-    if (frame.built.lathe_indices == 0) return;
-    frame.bind(frame.built.shows_load ? frame.pipelines.lathe_load : frame.pipelines.lathe);
+    if (frame.built.faces.indices.empty()) return;
+    const LatheFaces& faces = frame.built.faces;
+    const auto all = static_cast<std::uint32_t>(faces.indices.size());
+    const auto draw_faces = [&](const vk::Pipeline& pipeline, std::uint32_t first, std::uint32_t count) {
+        if (count == 0) return;
+        frame.bind(pipeline);
+        vkCmdDrawIndexed(frame.commands, count, 1, first, 0, 0);
+    };
     vkCmdBindIndexBuffer(frame.commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT16);
     frame.push(frame.built.lathe);
-    vkCmdDrawIndexed(frame.commands, frame.built.lathe_indices, 1, 0, 0, 0);
+    if (frame.built.shows_load) {
+        draw_faces(frame.pipelines.lathe_load, 0, all);
+    } else {
+        draw_faces(frame.pipelines.lathe, 0, faces.plain);
+        draw_faces(frame.pipelines.lathe_near_spheres, faces.plain, all - faces.plain);
+    }
     if (frame.built.section_count == 0) return;
     frame.bind(frame.pipelines.lathe_section);
     frame.push(frame.built.section);

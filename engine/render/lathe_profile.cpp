@@ -86,6 +86,16 @@ class Walk {
     std::size_t next_ = 1;
 };
 
+std::array<std::uint8_t, 4> packed_normal(vec2 normal) {
+    const auto sixteen_bits = [](float value) {
+        return static_cast<unsigned>((0.5F + 0.5F * value) * 65535.0F + 0.5F);
+    };
+    const unsigned r = sixteen_bits(normal.x);
+    const unsigned y = sixteen_bits(normal.y);
+    return {static_cast<std::uint8_t>(r >> 8U), static_cast<std::uint8_t>(r & 255U),
+            static_cast<std::uint8_t>(y >> 8U), static_cast<std::uint8_t>(y & 255U)};
+}
+
 // Outwards of a chord walked with the clay on its left hand.
 vec2 outward_of(vec2 chord) {
     const float length = glm::length(chord);
@@ -206,7 +216,7 @@ float texture_place(const LatheProfile& profile, float along_mm) {
 }
 
 void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexels& texels) {
-    texels.fill({0, 32767});
+    texels.fill(packed_normal({0.0F, 1.0F}));
     if (profile.points.size() < 2) return;
     const float texel_mm = profile.length_mm() / (shaders::kProfileTexels - 1);
     // Two rings at least, or the steps between them would show.
@@ -223,7 +233,6 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
     // A chord is an average with hard ends, which lets a groove of its own length through in part; averaged
     // once more over the same length, next to nothing of it is left.
     const auto reach = static_cast<std::size_t>(std::max(0.5F * footprint_mm / texel_mm, 0.0F));
-    const auto pack = [](float value) { return static_cast<std::int16_t>(std::lround(value * 32767.0F)); };
     vec2 sum(0.0F);
     for (std::size_t i = 0; i < std::min(reach, normals.size()); ++i)
         sum += normals[i];
@@ -232,7 +241,7 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
         if (i > reach) sum -= normals[i - reach - 1];
         const float length = glm::length(sum);
         const vec2 normal = length > 1e-4F ? sum / length : normals[i];
-        texels[i] = {pack(normal.x), pack(normal.y)};
+        texels[i] = packed_normal(normal);
     }
 }
 

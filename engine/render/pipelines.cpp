@@ -53,11 +53,8 @@ Result<void> check_formats(const vk::Device& device) {
         const char* name;
         VkFormatFeatureFlags features;
     };
-    constexpr VkFormatFeatureFlags kFiltered =
-        VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     for (const Need& need :
-         {Need{kNormalsFormat, "R16G16_SNORM", kFiltered},
-          Need{kDepthFormat, "D32_SFLOAT",
+         {Need{kDepthFormat, "D32_SFLOAT",
                VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT}}) {
         VkFormatProperties properties{};
         vkGetPhysicalDeviceFormatProperties(device.physical(), need.format, &properties);
@@ -159,12 +156,12 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     if (auto samplers = create_samplers(device, pipelines); !samplers) return samplers.error();
 
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
-    constexpr std::uint32_t kStands = 0;
-    constexpr std::uint32_t kMoves = 1;
+    constexpr std::uint32_t kStands = 0;  // of the lathe: no sphere is near
+    constexpr std::uint32_t kMoves = 1;   // of the lathe: one may be
     const std::array still_constants{transfer, kStands};
     const std::array mover_constants{transfer, kMoves};
     const std::array picture_formats{desc.colour_format};
-    const std::array layer_formats{desc.colour_format, desc.colour_format, kCoordsFormat};
+    const std::array layer_formats{desc.colour_format, desc.colour_format, kPackedFormat};
     const std::array mask_formats{kMaskFormat};
     const std::span<const VkFormat> still_formats =
         desc.cached ? std::span<const VkFormat>(layer_formats) : std::span<const VkFormat>(picture_formats);
@@ -223,7 +220,10 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     lathe.attributes = {};
     lathe.vertex_stride = 0;
     if (desc.inside_out) lathe.cull = VK_CULL_MODE_FRONT_BIT;
-    maker.make(pipelines.lathe, lathe);
+    maker.make(pipelines.lathe_near_spheres, lathe);
+    vk::PipelineDesc plain = lathe;
+    plain.constants = still_constants;
+    maker.make(pipelines.lathe, plain);
 
     vk::PipelineDesc load = lathe;
     load.name = "lathe with its load";

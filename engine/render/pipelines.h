@@ -13,8 +13,8 @@ namespace onggi::render {
 
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkFormat kMaskFormat = VK_FORMAT_R8G8_UNORM;
-constexpr VkFormat kCoordsFormat = VK_FORMAT_R16G16_UNORM;
-constexpr VkFormat kNormalsFormat = VK_FORMAT_R16G16_SNORM;
+// Two numbers of sixteen bits each, as two bytes each: see shaders/packed.glsl.
+constexpr VkFormat kPackedFormat = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr VkFormat kDetailFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
 // What a glide needs: one plate, two, or two in the evening.
@@ -39,11 +39,12 @@ struct Pipelines {
     std::array<vk::Pipeline, kGlideNeeds> glide_surface;
     vk::Pipeline key_map;
     vk::Pipeline mask;
-    vk::Pipeline shade;  // cached only
-    vk::Pipeline lathe;
-    vk::Pipeline lathe_load;     // the same with its load shown
-    vk::Pipeline lathe_section;  // the faces of a cut
-    vk::Pipeline edges;          // cached only
+    vk::Pipeline shade;               // cached only
+    vk::Pipeline lathe;               // where no moving sphere's shadow falls
+    vk::Pipeline lathe_near_spheres;  // where one may
+    vk::Pipeline lathe_load;          // the same with its load shown
+    vk::Pipeline lathe_section;       // the faces of a cut
+    vk::Pipeline edges;               // cached only
     vk::Pipeline mover;
 };
 

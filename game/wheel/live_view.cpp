@@ -7,6 +7,7 @@
 
 #include "engine/window/window.h"
 #include "game/wheel/live_screen.h"
+#include "game/wheel/plate_loader.h"
 #include "game/wheel/workshop_scene.h"
 
 namespace onggi::wheel {
@@ -18,10 +19,15 @@ struct LiveView::Impl {
     std::string workshop_lack;
     bool close_requested = false;
 
+    PlateLoader plates;
+    window::Size plates_for{};  // the shape that was last asked for
+    std::vector<std::string> remarks;
+
     [[nodiscard]] int width() const { return static_cast<int>(screen->extent().width); }
     [[nodiscard]] int height() const { return static_cast<int>(screen->extent().height); }
     Result<void> open(const LiveViewOptions& options);
     Result<bool> draw(const PotView& pot, double dt_s, const render::Overlay* overlay);
+    void follow_shape();
 };
 
 Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
@@ -45,6 +51,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     OpenedScene opened = open_scene(options.workshop, width(), height());
     scene = std::move(opened.scene);
     workshop_lack = std::move(opened.lack);
+    plates_for = {width(), height()};
 
     // Every pipeline is compiled by drawing with it once: a lump with a ball, and one with hands, need all of
     // them.
@@ -70,8 +77,28 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     return screen->wait();
 }
 
+// Another shape of window may want other plates. Until they are read, those that are there show their middle.
+void LiveView::Impl::follow_shape() {
+    if (auto loaded = plates.take()) {
+        for (auto& [camera, plate] : loaded->plates)
+            scene->add_plate(camera, std::move(plate));
+        remarks.insert(remarks.end(), loaded->lacks.begin(), loaded->lacks.end());
+        scene->drop_plates_of_other_shapes(width(), height());
+    }
+    const bool is_same = plates_for.width == width() && plates_for.height == height();
+    if (is_same || plates.busy() || !scene->has_plates()) return;
+    plates_for = {width(), height()};
+    std::vector<PlateCamera> missing;
+    for (const PlateCamera* camera : scene->missing_plates(width(), height()))
+        missing.push_back(*camera);
+    if (missing.empty()) return;
+    if (auto started = plates.load(scene->workshop(), std::move(missing)); !started)
+        remarks.push_back(started.error().message);
+}
+
 Result<bool> LiveView::Impl::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
     if (width() == 0 || height() == 0) return false;
+    follow_shape();
     return screen->draw(scene->apply(pot, width(), height(), dt_s), overlay, dt_s);
 }
 
@@ -166,7 +193,10 @@ const std::string& LiveView::device_name() const {
 }
 
 std::vector<std::string> LiveView::take_remarks() {
-    return impl_->screen->take_remarks();
+    std::vector<std::string> remarks = impl_->screen->take_remarks();
+    remarks.insert(remarks.end(), impl_->remarks.begin(), impl_->remarks.end());
+    impl_->remarks.clear();
+    return remarks;
 }
 std::string_view LiveView::quality() const {
     return render::quality_name(impl_->screen->quality());

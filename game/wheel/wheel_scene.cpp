@@ -1,5 +1,6 @@
 #include "game/wheel/wheel_scene.h"
 
+#include <map>
 #include <utility>
 
 #include "game/wheel/components.h"
@@ -48,6 +49,32 @@ std::vector<const PlateCamera*> WheelScene::missing_plates(int width_px, int hei
 void WheelScene::add_plate(const std::string& camera_name, std::shared_ptr<const render::Plate> plate) {
     registry_.each<PhotographedRoom>(
         [&](ecs::Entity, PhotographedRoom& room) { room.plates[camera_name] = std::move(plate); });
+}
+
+void WheelScene::drop_plates_of_other_shapes(int width_px, int height_px) {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
+        std::map<std::string, std::shared_ptr<const render::Plate>> kept;
+        for (const View view : {View::kThrowing, View::kLookingIn}) {
+            const PlateCamera* camera = room.workshop->camera_for(view, width_px, height_px);
+            const auto found = camera == nullptr ? room.plates.end() : room.plates.find(camera->name);
+            if (found != room.plates.end()) kept.insert(*found);
+        }
+        if (!kept.empty()) room.plates = std::move(kept);
+    });
+}
+
+bool WheelScene::has_plates() {
+    bool has = false;
+    registry_.each<PhotographedRoom>(
+        [&](ecs::Entity, const PhotographedRoom& room) { has = has || !room.plates.empty(); });
+    return has;
+}
+
+std::shared_ptr<const Workshop> WheelScene::workshop() {
+    std::shared_ptr<const Workshop> found;
+    registry_.each<PhotographedRoom>(
+        [&](ecs::Entity, const PhotographedRoom& room) { found = room.workshop; });
+    return found;
 }
 
 void WheelScene::look_at(View view) {

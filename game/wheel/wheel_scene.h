@@ -27,7 +27,11 @@ class WheelScene {
     // Cameras whose plates a picture of this shape wants to show and has not got.
     [[nodiscard]] std::vector<const PlateCamera*> missing_plates(int width_px, int height_px);
     void add_plate(const std::string& camera_name, std::shared_ptr<const render::Plate> plate);
-    void look_at(View view);           // the camera goes there, in about a second
+    // Forgets those that a picture of this shape does not show, as far as it has others to show instead.
+    void drop_plates_of_other_shapes(int width_px, int height_px);
+    [[nodiscard]] bool has_plates();
+    [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null: there is none
+    void look_at(View view);                                   // the camera goes there, in about a second
     void sway(bool sways);             // slowly from side to side, while nobody throws
     void set_evening(double evening);  // 0 day to 1 evening, in about a second
 

@@ -37,12 +37,11 @@ TEST_F(FrameBuild, NeverDrawsMoreRingsThanTheCap) {
 
 TEST_F(FrameBuild, DrawsAStripBetweenEachTwoRows) {
     const BuiltFrame& built = build();
-    EXPECT_EQ(built.lathe_indices, (built.rows.size() - 1) * 64 * 6);
     EXPECT_EQ(built.vertices.size(), built.rows.size() * 65);
-    const auto indices = lathe_indices(kMaxRings, desc_.sectors);
-    ASSERT_LE(built.lathe_indices, indices.size());
-    const auto last = *std::max_element(indices.begin(), indices.begin() + built.lathe_indices);
-    EXPECT_EQ(last, built.rows.size() * 65 - 1);
+    LatheFaces all;
+    take_all_faces(built.rows.size(), 64, all);
+    EXPECT_EQ(all.indices.size(), (built.rows.size() - 1) * 64 * 6);
+    EXPECT_EQ(*std::max_element(all.indices.begin(), all.indices.end()), built.rows.size() * 65 - 1);
 }
 
 TEST_F(FrameBuild, IndexesTheLargestLatheWithSixteenBits) {
@@ -58,9 +57,9 @@ TEST_F(FrameBuild, SmoothsOutlinesOnlyWhereThePictureHasOneSampleAPixel) {
 
 TEST_F(FrameBuild, DrawsNoLatheWhereThereIsNone) {
     scene_.lathe.reset();
-    EXPECT_EQ(build().lathe_indices, 0U);
+    EXPECT_TRUE(build().faces.indices.empty());
     scene_.lathe = Lathe{};
-    EXPECT_EQ(build().lathe_indices, 0U);
+    EXPECT_TRUE(build().faces.indices.empty());
     scene_.spheres.clear();
     EXPECT_TRUE(build().shade.empty());
 }

@@ -110,10 +110,14 @@ TEST(LatheProfile, SamplesBothFacesByHeight) {
     EXPECT_EQ(samples.at(1e9F), LatheSamples::kCount - 1U);
 }
 
+vec2 unpacked(const std::array<std::uint8_t, 4>& texel) {
+    return vec2(256 * texel[0] + texel[1], 256 * texel[2] + texel[3]) * (2.0F / 65535.0F) - 1.0F;
+}
+
 vec2 normal_at(const NormalTexels& texels, float place) {
     const auto& packed =
         texels[static_cast<std::size_t>(std::lround(place * shaders::kProfileTexels - 0.5F))];
-    return vec2(packed[0], packed[1]) / 32767.0F;
+    return unpacked(packed);
 }
 
 TEST(LatheProfile, PointsNormalsOutOfTheClayOnWallsRimAndFloor) {
@@ -153,10 +157,10 @@ TEST(LatheProfile, FadesGroovesFinerThanAPixel) {
     const auto steepest = [&](float footprint_mm) {
         NormalTexels texels{};
         profile_normals(profile, footprint_mm, texels);
-        int most = 0;
+        float most = 0.0F;
         for (std::size_t i = 16; i < shaders::kProfileTexels / 2; ++i)
-            most = std::max(most, std::abs(static_cast<int>(texels[i][1])));
-        return static_cast<float>(most) / 32767.0F;
+            most = std::max(most, std::abs(unpacked(texels[i]).y));
+        return most;
     };
     EXPECT_GT(steepest(0.2F), 0.3F);
     EXPECT_LT(steepest(6.0F), 0.12F);

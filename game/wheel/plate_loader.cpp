@@ -1,0 +1,36 @@
+#include "game/wheel/plate_loader.h"
+
+namespace onggi::wheel {
+
+Result<void> PlateLoader::load(std::shared_ptr<const Workshop> workshop, std::vector<PlateCamera> cameras) {
+    workshop_ = std::move(workshop);
+    cameras_ = std::move(cameras);
+    next_ = 0;
+    loaded_ = {};
+    done_.store(false, std::memory_order_relaxed);
+    return thread_.start(*this, "onggi-plates");
+}
+
+std::optional<PlateLoader::Loaded> PlateLoader::take() {
+    if (!busy() || !done_.load(std::memory_order_acquire)) return std::nullopt;
+    thread_.stop();
+    return std::exchange(loaded_, {});
+}
+
+std::int64_t PlateLoader::round(std::int64_t /*now_ns*/) noexcept {
+    constexpr std::int64_t kUntilStoppedNs = 3'600'000'000'000;
+    if (next_ < cameras_.size()) {
+        const PlateCamera& camera = cameras_[next_++];
+        auto plate = load_plate(*workshop_, camera);
+        if (plate) {
+            loaded_.plates.emplace_back(camera.name, std::move(*plate));
+        } else {
+            loaded_.lacks.push_back(plate.error().message);
+        }
+    }
+    if (next_ < cameras_.size()) return 0;
+    done_.store(true, std::memory_order_release);
+    return kUntilStoppedNs;
+}
+
+}  // namespace onggi::wheel

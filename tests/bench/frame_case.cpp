@@ -1,0 +1,165 @@
+#include "tests/bench/frame_case.h"
+
+#include <time.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "engine/ui/painter.h"
+
+namespace onggi::bench {
+namespace {
+
+constexpr std::size_t kRings = 2000;
+constexpr double kHeightMm = 200.0;
+constexpr double kFloorMm = 10.0;
+constexpr double kWallMm = 5.0;
+constexpr double kFrameS = 1.0 / 60.0;
+
+double processor_now_s() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Of the wall at a height: a belly, and throwing rings of 0.3 mm.
+double outer_at(double y_mm) {
+    const double belly = (y_mm - 70.0) / 52.0;
+    return 32.0 + 24.0 * std::exp(-belly * belly) +
+           0.3 * std::sin(y_mm * 0.78 + 2.3 * std::sin(y_mm * 0.026));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameCase>> FrameCase::open(const FrameCaseDesc& desc) {
+    std::unique_ptr<FrameCase> self(new FrameCase(desc));
+    if (auto created = self->create(); !created) return created.error();
+    // Pipelines are compiled by the first draw with each; hands need half a second to come.
+    constexpr int kFramesToSettle = 60;
+    for (int frame = 0; frame < kFramesToSettle; ++frame) {
+        if (auto drawn = self->frame(); !drawn) return drawn.error();
+    }
+    return self;
+}
+
+FrameCase::~FrameCase() = default;
+
+Result<void> FrameCase::create() {
+    auto instance = vk::Instance::create({});
+    if (!instance) return instance.error();
+    instance_ = std::move(*instance);
+    auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
+    if (!chosen) return chosen.error();
+    auto device = vk::Device::create(*instance_, *chosen, false);
+    if (!device) return device.error();
+    device_ = std::move(*device);
+    auto target = vk::Offscreen::create(
+        *device_, {static_cast<std::uint32_t>(desc_.width), static_cast<std::uint32_t>(desc_.height)});
+    if (!target) return target.error();
+    target_ = std::move(*target);
+    render::RendererDesc desc =
+        render::quality_desc(render::QualityStep::kOneCore, vk::Offscreen::kFormat, desc_.height);
+    desc.measures_parts = desc_.measures_parts;
+    desc.sectors = desc_.sectors.value_or(desc.sectors);
+    desc.max_rings = desc_.max_rings.value_or(desc.max_rings);
+    auto renderer = render::Renderer::create(*device_, desc);
+    if (!renderer) return renderer.error();
+    renderer_ = std::move(*renderer);
+    opened_ = wheel::open_scene({}, desc_.width, desc_.height);
+    if (!opened_.lack.empty()) return system_lacks(opened_.lack);
+
+    for (std::size_t i = 0; i < kRings; ++i) {
+        top_mm_.push_back(static_cast<float>((static_cast<double>(i) + 1.0) * kHeightMm / kRings));
+        film_.push_back(0.7F);
+        liquidity_.push_back(0.6F);
+    }
+    outer_mm_.resize(kRings);
+    inner_mm_.resize(kRings);
+    write_a_line();
+    return {};
+}
+
+// As the throwing screen says what to do next: one line, near the top.
+void FrameCase::write_a_line() {
+    ui::Painter painter;
+    const float px_per_u = static_cast<float>(desc_.height) / 720.0F;
+    ui::Writing writing{.at = {0.0F, 0.0F},
+                        .text = {.words = "Press with both hands and bring the wall up.", .style = {}}};
+    writing.text.style.colour = ui::hex(0xF4ECE0);
+    const ui::TextSize size = painter.measure(writing.text);
+    ui::Sketch sketch{.size = {size.width, size.height}, .px_per_u = px_per_u};
+    sketch.add(writing);
+    const auto painting = std::make_shared<const ui::Painting>(painter.paint(sketch));
+    const auto place = atlas_.place(sketch.hash(), painting);
+    uploads_ = atlas_.take_uploads();
+    if (!place) return;
+    const ui::Rect on_screen{0.5F * (static_cast<float>(desc_.width) - place->width), 40.0F * px_per_u,
+                             place->width, place->height};
+    list_.add_picture(on_screen, *place, 1.0F);
+}
+
+// It shrinks by a hair each frame and grows back.
+void FrameCase::throw_a_little() {
+    const double breath = 0.2 * std::sin(0.1 * static_cast<double>(number_));
+    const double groove_rad_per_mm = 2.0 * std::numbers::pi * desc_.grooves / kHeightMm;
+    for (std::size_t i = 0; i < kRings; ++i) {
+        const double y_mm = (static_cast<double>(i) + 0.5) * kHeightMm / kRings;
+        const double radius_mm = outer_at(y_mm) + 0.25 * std::sin(groove_rad_per_mm * y_mm) + breath;
+        outer_mm_[i] = static_cast<float>(radius_mm);
+        inner_mm_[i] = y_mm < kFloorMm ? 0.0F : static_cast<float>(radius_mm - kWallMm);
+    }
+    ++number_;
+}
+
+wheel::PotView FrameCase::pot() const {
+    constexpr double kHandMm = 10.0;
+    const double angle = 0.2 * static_cast<double>(number_);
+    const double height_mm = 110.0 + 30.0 * std::sin(0.02 * static_cast<double>(number_));
+    const double wall_mm = outer_at(height_mm);
+    return {.radii_mm = outer_mm_,
+            .inner_mm = inner_mm_,
+            .top_mm = top_mm_,
+            .height_mm = kHeightMm,
+            .floor_mm = kFloorMm,
+            .film = film_,
+            .liquidity = liquidity_,
+            .hand = {.position_mm = {wall_mm + kHandMm, height_mm, 0.0},
+                     .radius_mm = kHandMm,
+                     .side = clay::studio::Side::kOut,
+                     .shown = desc_.with_hands,
+                     .touching = true},
+            .second_hand = {.position_mm = {wall_mm - kWallMm - kHandMm, height_mm, 0.0},
+                            .radius_mm = kHandMm,
+                            .side = clay::studio::Side::kIn,
+                            .shown = desc_.with_hands,
+                            .touching = true},
+            .wheel_direction = {std::cos(angle), std::sin(angle)},
+            .wheel_turning = true};
+}
+
+Result<FrameTime> FrameCase::frame() {
+    throw_a_little();
+    const wheel::PotView shown = pot();
+    const double processor_s = processor_now_s();
+    const auto start = std::chrono::steady_clock::now();
+    const render::Scene& scene = opened_.scene->apply(shown, desc_.width, desc_.height, kFrameS);
+    camera_moves_ = scene.glide.has_value();
+    const render::Overlay overlay{
+        .list = &list_, .uploads = uploads_, .atlas_side_px = atlas_.side_px(), .covers = false};
+    const auto drawn = renderer_->draw(scene, *target_, desc_.with_text ? &overlay : nullptr);
+    if (!drawn) return drawn.error();
+    if (!*drawn) return failed("frame: expected one to be drawn, found none");
+    if (auto waited = target_->wait(); !waited) return waited.error();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    uploads_.clear();
+    return FrameTime{.wall_s = wall.count(), .processor_s = processor_now_s() - processor_s};
+}
+
+Result<asset::Image> FrameCase::read_back() {
+    auto pixels = target_->read_back();
+    if (!pixels) return pixels.error();
+    return asset::Image{.width = desc_.width, .height = desc_.height, .rgba = std::move(*pixels)};
+}
+
+}  // namespace onggi::bench

@@ -1,0 +1,78 @@
+// The picture that frames are timed with: the photographed workshop, a hollow pot whose outline changes every
+// frame and turns, a hand outside and one inside, their shadows, a line of text, outlines smoothed; drawn
+// into memory at a fixed step of quality. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/render/quality.h"
+#include "engine/ui/atlas.h"
+#include "engine/ui/draw_list.h"
+#include "engine/vk/offscreen.h"
+#include "game/wheel/workshop_scene.h"
+
+namespace onggi::bench {
+
+struct FrameCaseDesc {
+    int width = 1280;
+    int height = 720;
+    int grooves = 0;  // up the pot, 0.25 mm deep; 150 are a pixel each at 1280x720
+    bool with_hands = true;
+    bool with_text = true;
+    bool measures_parts = false;
+    std::optional<int> sectors{};  // else what one software core gets at this size
+    std::optional<int> max_rings{};
+};
+
+// What one frame took.
+struct FrameTime {
+    double wall_s = 0.0;       // from the scene to a picture that is done
+    double processor_s = 0.0;  // of all threads of the process: less of it depends on who else is at work
+};
+
+class FrameCase {
+  public:
+    static Result<std::unique_ptr<FrameCase>> open(const FrameCaseDesc& desc);
+    ~FrameCase();
+    FrameCase(const FrameCase&) = delete;
+    FrameCase& operator=(const FrameCase&) = delete;
+
+    // Draws the next frame, a sixtieth of a second after the last, and waits for it.
+    Result<FrameTime> frame();
+
+    [[nodiscard]] wheel::WheelScene& scene() { return *opened_.scene; }
+    [[nodiscard]] const render::FrameStats& stats() const { return renderer_->stats(); }
+    [[nodiscard]] bool camera_moves() const { return camera_moves_; }
+    [[nodiscard]] const std::string& device_name() const { return device_->description().name; }
+    [[nodiscard]] Result<asset::Image> read_back();
+
+  private:
+    explicit FrameCase(const FrameCaseDesc& desc) : desc_(desc) {}
+    Result<void> create();
+    void write_a_line();
+    void throw_a_little();
+    [[nodiscard]] wheel::PotView pot() const;
+
+    FrameCaseDesc desc_;
+    std::unique_ptr<vk::Instance> instance_;
+    std::unique_ptr<vk::Device> device_;
+    std::unique_ptr<vk::Offscreen> target_;
+    std::unique_ptr<render::Renderer> renderer_;
+    wheel::OpenedScene opened_;
+    ui::Atlas atlas_{1024};
+    ui::DrawList list_;
+    std::vector<ui::Atlas::Upload> uploads_;
+    std::vector<float> outer_mm_;
+    std::vector<float> inner_mm_;
+    std::vector<float> top_mm_;
+    std::vector<float> film_;
+    std::vector<float> liquidity_;
+    std::int64_t number_ = 0;
+    bool camera_moves_ = false;
+};
+
+}  // namespace onggi::bench

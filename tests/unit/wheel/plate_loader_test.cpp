@@ -1,0 +1,92 @@
+// A window that becomes another shape: the plates of that shape come beside the frame.
+#include "game/wheel/plate_loader.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "game/wheel/workshop_scene.h"
+
+namespace onggi::wheel {
+namespace {
+
+const std::filesystem::path kOurs = std::filesystem::path(ONGGI_SOURCE_DIR) / "assets/workshop";
+
+// Nothing while a long time goes by.
+std::optional<PlateLoader::Loaded> waited_for(PlateLoader& loader) {
+    for (int round = 0; round < 3000; ++round) {
+        if (auto loaded = loader.take()) return loaded;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return std::nullopt;
+}
+
+std::vector<PlateCamera> copies(const std::vector<const PlateCamera*>& cameras) {
+    std::vector<PlateCamera> copied;
+    for (const PlateCamera* camera : cameras)
+        copied.push_back(*camera);
+    return copied;
+}
+
+TEST(PlateLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscape) {
+    OpenedScene opened = open_scene({}, 1280, 720);
+    ASSERT_EQ(opened.lack, "");
+    WheelScene& scene = *opened.scene;
+    ASSERT_TRUE(scene.missing_plates(1280, 720).empty());
+    const auto missing = copies(scene.missing_plates(720, 1280));
+    ASSERT_EQ(missing.size(), 1U);
+    EXPECT_EQ(missing[0].name, "throw_9x16");
+    const std::vector<float> radii(100, 50.0F);
+    const PotView pot{.radii_mm = radii};
+    const auto shown = [&](int width, int height) { return scene.apply(pot, width, height).plate; };
+    const auto landscape = shown(1280, 720);
+    EXPECT_EQ(shown(720, 1280), landscape) << "until then its middle is shown";
+
+    PlateLoader loader;
+    EXPECT_FALSE(loader.busy());
+    EXPECT_FALSE(loader.take());
+    ASSERT_TRUE(loader.load(scene.workshop(), missing));
+    EXPECT_TRUE(loader.busy());
+    auto loaded = waited_for(loader);
+    ASSERT_TRUE(loaded);
+    EXPECT_FALSE(loader.busy());
+    EXPECT_TRUE(loaded->lacks.empty());
+    for (auto& [camera, plate] : loaded->plates)
+        scene.add_plate(camera, std::move(plate));
+    scene.drop_plates_of_other_shapes(720, 1280);
+    const auto portrait = shown(720, 1280);
+    ASSERT_NE(portrait, nullptr);
+    EXPECT_NE(portrait, landscape);
+    EXPECT_GT(portrait->key.height, portrait->key.width);
+    EXPECT_EQ(scene.missing_plates(1280, 720).size(), 1U) << "the landscape's are forgotten";
+    EXPECT_TRUE(scene.missing_plates(720, 1280).empty());
+}
+
+TEST(PlateLoader, SaysWhatItCouldNotReadAndBringsTheRest) {
+    auto workshop = load_workshop(kOurs);
+    ASSERT_TRUE(workshop) << workshop.error().message;
+    const auto shared = std::make_shared<const Workshop>(std::move(*workshop));
+    PlateCamera gone = *shared->camera_for(View::kThrowing, 4, 3);
+    gone.name = "throw_gone";
+    PlateLoader loader;
+    ASSERT_TRUE(loader.load(shared, {gone, *shared->camera_for(View::kThrowing, 4, 3)}));
+    const auto loaded = waited_for(loader);
+    ASSERT_TRUE(loaded);
+    ASSERT_EQ(loaded->plates.size(), 1U);
+    EXPECT_EQ(loaded->plates[0].first, "throw_4x3");
+    ASSERT_EQ(loaded->lacks.size(), 1U);
+    EXPECT_NE(loaded->lacks[0].find("throw_gone_key.jpg"), std::string::npos) << loaded->lacks[0];
+}
+
+TEST(PlateLoader, GoesAwayInTheMiddleOfItsWork) {
+    auto workshop = load_workshop(kOurs);
+    ASSERT_TRUE(workshop);
+    const auto shared = std::make_shared<const Workshop>(std::move(*workshop));
+    PlateLoader loader;
+    ASSERT_TRUE(loader.load(shared, shared->cameras));
+}
+
+}  // namespace
+}  // namespace onggi::wheel
