@@ -80,6 +80,7 @@ class HandsTest : public ::testing::Test {
     Puppet mouse_;
     Puppet pad_;
     Puppet stick_;
+    Puppet pedal_;
     std::unique_ptr<Hands> hands_;
     std::uint64_t tick_ = 0;
 };
@@ -222,9 +223,8 @@ TEST_F(HandsTest, WhoTurnsTheWheelSaysHowFast) {
     EXPECT_EQ(after(1.0).wheel_speed_rev_min, 90.0);
     stick_.tool.wheel_button = true;
     EXPECT_EQ(after(kStep).wheel_speed_rev_min, 150.0);
-    Puppet pedal;
-    pedal.tool = {.wheel_button = true, .wheel_speed_rev_min = 200.0};
-    hands_->add_pedal(std::make_unique<PuppetHand>(pedal));
+    pedal_.tool = {.wheel_button = true, .wheel_speed_rev_min = 200.0};
+    hands_->add_pedal(std::make_unique<PuppetHand>(pedal_));
     EXPECT_EQ(after(kStep).wheel_speed_rev_min, 200.0);
 }
 
@@ -239,10 +239,9 @@ TEST_F(HandsTest, OpensAndClosesAllAndFailsWithTheFirstAlone) {
 }
 
 TEST_F(HandsTest, APedalTurnsTheWheelWhoeverHasTheTool) {
-    Puppet pedal;
-    hands_->add_pedal(std::make_unique<PuppetHand>(pedal));
+    hands_->add_pedal(std::make_unique<PuppetHand>(pedal_));
     EXPECT_FALSE(after(kStep).wheel_button);
-    pedal.tool.wheel_button = true;
+    pedal_.tool.wheel_button = true;
     EXPECT_TRUE(after(kStep).wheel_button);
     EXPECT_EQ(after(kStep).position_mm, mouse_.tool.position_mm);
 }
