@@ -5,6 +5,8 @@
 #include "engine/render/beauty.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
+#include "game/wheel/section_labels.h"
+#include "game/wheel/still_camera.h"
 #include "game/wheel/workshop_scene.h"
 
 namespace onggi::wheel {
@@ -24,54 +26,102 @@ PotView set_view(WheelScene& scene, PotView pot, StillView view) {
 
 }  // namespace
 
-Result<asset::Image> render_still(const PotView& pot, int width, int height, const StillOptions& options) {
+struct StillCamera::Parts {
+    int width = 0;
+    int height = 0;
+    bool beauty = false;
+    std::unique_ptr<vk::Instance> instance;
+    std::unique_ptr<vk::Device> device;
+    std::unique_ptr<vk::Offscreen> target;
+    std::unique_ptr<render::Renderer> renderer;
+    OpenedScene opened;
+
+    Result<std::vector<std::uint8_t>> draw(const render::Scene& scene) {
+        auto drawn = renderer->draw(scene, *target);
+        if (!drawn) return drawn.error();
+        return target->read_back();
+    }
+    [[nodiscard]] Result<void> check_silence() const {
+        const std::vector<std::string>& messages = instance->messages();
+        if (messages.empty()) return {};
+        return failed(fmt::format("Vulkan validation: expected no message, found {}, the first: {}",
+                                  messages.size(), messages.front()));
+    }
+};
+
+StillCamera::StillCamera() : parts_(std::make_unique<Parts>()) {}
+StillCamera::~StillCamera() = default;
+
+Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, const StillOptions& options) {
     constexpr int kLeast = 16;
     constexpr int kMost = 8192;
     if (width < kLeast || height < kLeast || width > kMost || height > kMost) {
         return bad_input(fmt::format("picture size: expected {0} to {1} pixels each way, found {2}x{3}",
                                      kLeast, kMost, width, height));
     }
+    std::unique_ptr<StillCamera> camera(new StillCamera);
+    Parts& parts = *camera->parts_;
+    parts.width = width;
+    parts.height = height;
+    parts.beauty = options.beauty;
     auto instance = vk::Instance::create({.validation = options.validation});
     if (!instance) return instance.error();
-    auto chosen = vk::choose_device(**instance, VK_NULL_HANDLE);
+    parts.instance = std::move(*instance);
+    auto chosen = vk::choose_device(*parts.instance, VK_NULL_HANDLE);
     if (!chosen) return chosen.error();
-    asset::Image image{.width = width, .height = height, .rgba = {}};
-    {
-        auto device = vk::Device::create(**instance, *chosen, false);
-        if (!device) return device.error();
-        auto target = vk::Offscreen::create(
-            **device, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
-        if (!target) return target.error();
-        auto renderer = render::Renderer::create(**device, render::still_desc((*target)->format()));
-        if (!renderer) return renderer.error();
-        const OpenedScene opened = open_scene(options.workshop, width, height);
-        const PotView shown = set_view(*opened.scene, pot, options.view);
-        const render::Scene& seen = opened.scene->apply(shown, width, height);
-        const auto picture = [&](const render::Scene& scene) -> Result<std::vector<std::uint8_t>> {
-            auto drawn = (*renderer)->draw(scene, **target);
-            if (!drawn) return drawn.error();
-            return (*target)->read_back();
-        };
-        if (options.beauty) {
-            render::Accumulation mean(width, height);
-            for (int sample = 0; sample < kBeautySamples; ++sample) {
-                auto pixels = picture(render::beauty_sample(seen, sample, width, height));
-                if (!pixels) return pixels.error();
-                mean.add(*pixels);
-            }
-            image = mean.mean();
-        } else {
-            auto pixels = picture(seen);
+    auto device = vk::Device::create(*parts.instance, *chosen, false);
+    if (!device) return device.error();
+    parts.device = std::move(*device);
+    auto target = vk::Offscreen::create(
+        *parts.device, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
+    if (!target) return target.error();
+    parts.target = std::move(*target);
+    auto renderer = render::Renderer::create(*parts.device, render::still_desc(parts.target->format()));
+    if (!renderer) return renderer.error();
+    parts.renderer = std::move(*renderer);
+    parts.opened = open_scene(options.workshop, width, height);
+    return camera;
+}
+
+Result<asset::Image> StillCamera::take(const PotView& pot, StillView view) {
+    Parts& parts = *parts_;
+    asset::Image image{.width = parts.width, .height = parts.height, .rgba = {}};
+    const PotView shown = set_view(*parts.opened.scene, pot, view);
+    const render::Scene& seen = parts.opened.scene->apply(shown, parts.width, parts.height);
+    if (parts.beauty) {
+        render::Accumulation mean(parts.width, parts.height);
+        for (int sample = 0; sample < kBeautySamples; ++sample) {
+            auto pixels = parts.draw(render::beauty_sample(seen, sample, parts.width, parts.height));
             if (!pixels) return pixels.error();
-            image.rgba = std::move(*pixels);
+            mean.add(*pixels);
         }
+        image = mean.mean();
+    } else {
+        auto pixels = parts.draw(seen);
+        if (!pixels) return pixels.error();
+        image.rgba = std::move(*pixels);
     }
-    // The device is gone: what it was late to complain of has been heard too.
-    const std::vector<std::string>& messages = (*instance)->messages();
-    if (!messages.empty()) {
-        return failed(fmt::format("Vulkan validation: expected no message, found {}, the first: {}",
-                                  messages.size(), messages.front()));
+    if (auto silent = parts.check_silence(); !silent) return silent.error();
+    if (view == StillView::kCutaway) {
+        ui::Painter painter;
+        lay_over(image,
+                 painter.paint(section_labels(shown, seen.camera, parts.width, parts.height, painter)));
     }
+    return image;
+}
+
+Result<void> StillCamera::close() {
+    parts_->renderer.reset();
+    parts_->target.reset();
+    parts_->device.reset();
+    return parts_->check_silence();
+}
+
+Result<asset::Image> render_still(const PotView& pot, int width, int height, const StillOptions& options) {
+    auto camera = StillCamera::create(width, height, options);
+    if (!camera) return camera.error();
+    auto image = (*camera)->take(pot, options.view);
+    if (auto closed = (*camera)->close(); image && !closed) return closed.error();
     return image;
 }
 

@@ -26,6 +26,9 @@ constexpr double kMostToFront = 25.0 * kDegree;
 constexpr double kMostToBack = 60.0 * kDegree;
 constexpr double kMostLean = 30.0 * kDegree;
 constexpr double kFromAbove = 52.0 * kDegree;
+// A hand beside a foot has the wheel under it: from there on it may lean no lower than level.
+constexpr double kWheelClearanceMm = 12.0;
+constexpr double kReachMm = 120.0;
 
 double eased(double from, double to, double dt_s, double time_s) {
     return dt_s <= 0.0 ? to : to + (from - to) * std::exp(-dt_s / time_s);
@@ -120,7 +123,8 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     const double held = std::clamp(round, -kMostToFront, kMostToBack);
     const double yaw = leads_right ? held : kPi - held;
     const double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
-    const double pitch = from_above ? kFromAbove : std::clamp(lean, -kMostLean, kMostLean);
+    const double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
+    const double pitch = from_above ? kFromAbove : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
 
     const double dt = was_known ? dt_s : 0.0;
     const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes anew comes to where it is wanted

@@ -110,6 +110,17 @@ TEST(ToolPose, LeansWithTheWall) {
     EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, -0.55F) << "no wrist bends further";
 }
 
+TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
+    ToolSight sight = outside();
+    sight.kind = StudioTool::kTrimmer;
+    sight.wall_lean = 1.5;  // of a bowl, right above its foot
+    for (const double y_mm : {8.0, 12.0, 20.0, 40.0}) {
+        sight.centre_mm.y = y_mm;
+        const ShownTool tool = settled(sight).picture().tools.at(0);
+        EXPECT_GT(vec3(tool.place * vec4(100.0F, 0.0F, 0.0F, 1.0F)).y, 5.0F) << y_mm;
+    }
+}
+
 TEST(ToolPose, HoldsWhatItWorksWith) {
     ToolSight sight = outside();
     sight.kind = StudioTool::kRib;
