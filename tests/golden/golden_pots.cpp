@@ -111,6 +111,45 @@ StudioShape opened() {
             .film = 0.9};
 }
 
+StudioShape widened() {
+    return {.height_mm = 66.0,
+            .floor_mm = 11.0,
+            .outer_mm = [](double y) { return 64.0 - 5.0 * bump(y, 66.0, 24.0); },
+            .wall_mm = [](double y) { return 14.0 - 0.05 * y; },
+            .film = 0.9};
+}
+
+StudioShape bellied() {
+    return {.height_mm = 150.0,
+            .outer_mm = [](double y) { return 46.0 + 17.0 * bump(y, 84.0, 34.0); },
+            .wall_mm = [](double y) { return 6.5 - 0.008 * y; },
+            .film = 0.9};
+}
+
+StudioShape collared() {
+    return {
+        .height_mm = 168.0,
+        .outer_mm = [](double y) { return 42.0 + 20.0 * bump(y, 66.0, 40.0) - 14.0 * bump(y, 138.0, 26.0); },
+        .wall_mm = [](double y) { return 6.0 + 2.0 * bump(y, 138.0, 26.0); },
+        .film = 0.9};
+}
+
+StudioShape thick_rimmed() {
+    return {.height_mm = 120.0,
+            .outer_mm = [](double y) { return 49.0 + 2.5 * bump(y, 121.0, 6.0); },
+            .wall_mm = [](double y) { return 6.0 + 4.5 * bump(y, 121.0, 6.0); }};
+}
+
+StudioShape trimmed() {
+    return {
+        .height_mm = 84.0,
+        .outer_mm = [](double y) { return y < 9.0 ? 36.0 : 40.0 + 48.0 * std::pow((y - 9.0) / 75.0, 0.6); },
+        .wall_mm = [](double y) { return 7.0 - 0.03 * y; },
+        .rings_mm = 0.12,
+        .liquidity = 0.05,
+        .film = 0.0};
+}
+
 StudioShape rough() {
     StudioShape shape = jar();
     shape.rings_mm = 0.0;

@@ -41,10 +41,15 @@ struct StudioShape {
 [[nodiscard]] StudioShape bowl();
 [[nodiscard]] StudioShape plate();  // 270 mm across
 [[nodiscard]] StudioShape cylinder();
-[[nodiscard]] StudioShape lump();    // solid
-[[nodiscard]] StudioShape cone();    // a lump raised between the hands
-[[nodiscard]] StudioShape opened();  // thick walls and the first hollow
-[[nodiscard]] StudioShape rough();   // 150 grooves of one pixel in a picture of 720
+[[nodiscard]] StudioShape lump();          // solid
+[[nodiscard]] StudioShape cone();          // a lump raised between the hands
+[[nodiscard]] StudioShape opened();        // thick walls and the first hollow
+[[nodiscard]] StudioShape widened();       // the same, its floor wide
+[[nodiscard]] StudioShape bellied();       // a cylinder with a belly
+[[nodiscard]] StudioShape collared();      // a jar, its neck drawn in
+[[nodiscard]] StudioShape thick_rimmed();  // pressed from above
+[[nodiscard]] StudioShape trimmed();       // leather-hard, a foot cut under a bowl
+[[nodiscard]] StudioShape rough();         // 150 grooves of one pixel in a picture of 720
 
 // A thumb's mark at a height and a direction, counter-clockwise from the clay's +X.
 void press_dent(StudioPot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm);

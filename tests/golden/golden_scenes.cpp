@@ -54,6 +54,8 @@ wheel::PotView GoldenScene::pot() const {
                        .film = studio.film,
                        .liquidity = studio.liquidity,
                        .load_index = studio.load,
+                       .wire_shown = wire_height_mm.has_value(),
+                       .wire_height_mm = wire_height_mm.value_or(0.0),
                        .wheel_direction = wheel_direction,
                        .wheel_turning = true,
                        .contacts = contacts,
@@ -62,7 +64,7 @@ wheel::PotView GoldenScene::pot() const {
     pot.hand = {.position_mm = tool_position_mm,
                 .radius_mm = tool_radius_mm,
                 .tool = tool,
-                .side = clay::studio::Side::kOut,
+                .side = side.value_or(clay::studio::Side::kOut),
                 .shown = tool_shown,
                 .touching = contacts > 0};
     if (second_hand_mm) {
@@ -87,6 +89,8 @@ std::uint64_t GoldenScene::hash() const {
                                static_cast<double>(body), static_cast<double>(stage),
                                static_cast<double>(view), static_cast<double>(tool), tool_shown ? 1.0 : 0.0})
         hash.add(value);
+    if (side) hash.add(static_cast<double>(*side));
+    if (wire_height_mm) hash.add(*wire_height_mm);
     return hash.value();
 }
 
@@ -99,7 +103,11 @@ std::string test_name(const GoldenScene& scene) {
 std::vector<GoldenScene> golden_scenes() {
     using clay::ClayBody;
     using clay::Firing;
+    using clay::studio::Side;
     using wheel::StillView;
+    StudioPot uneven_rim = studio_pot(cylinder());
+    lean(uneven_rim, 3.0, 1.0);
+    press_dent(uneven_rim, 158.0, 5.2, 4.0, 20.0);
     StudioPot dented = studio_pot(cylinder());
     press_dent(dented, 90.0, 4.9, 9.0, 15.0);
     StudioPot off_centre = studio_pot(lump());
@@ -172,16 +180,51 @@ std::vector<GoldenScene> golden_scenes() {
          .tool_position_mm = {0.0, 24.0, 12.0},
          .contacts = 90,
          .view = StillView::kLookingIn},
+        {.name = "widening",
+         .studio = studio_pot(widened()),
+         .tool_position_mm = {40.0, 21.0, 10.0},
+         .side = Side::kIn,
+         .contacts = 90,
+         .view = StillView::kLookingIn},
         {.name = "pulling",
          .studio = studio_pot(cylinder()),
          .tool_position_mm = {54.5, 96.0, 4.0},
          .second_hand_mm = dvec3{31.0, 96.0, 2.0},
          .contacts = 90},
+        {.name = "bellying",
+         .studio = studio_pot(bellied()),
+         .tool_position_mm = {45.0, 84.0, 12.0},
+         .side = Side::kIn,
+         .contacts = 90},
+        {.name = "collaring",
+         .studio = studio_pot(collared()),
+         .tool_position_mm = {38.0, 138.0, 10.0},
+         .contacts = 90},
+        {.name = "pressing-the-rim",
+         .studio = studio_pot(thick_rimmed()),
+         .tool_position_mm = {46.0, 128.0, 6.0},
+         .side = Side::kTop,
+         .contacts = 1},
         {.name = "rib",
          .studio = studio_pot(jar()),
          .tool_position_mm = {86.0, 88.0, 24.0},
          .tool = clay::StudioTool::kRib,
          .contacts = 60},
+        {.name = "sponge",
+         .studio = studio_pot(bowl()),
+         .tool_position_mm = {73.0, 40.0, 22.0},
+         .tool = clay::StudioTool::kSponge,
+         .contacts = 60},
+        {.name = "trimming",
+         .studio = studio_pot(trimmed()),
+         .tool_position_mm = {47.0, 10.0, 18.0},
+         .tool = clay::StudioTool::kTrimmer,
+         .contacts = 60},
+        {.name = "wire-at-the-rim", .studio = uneven_rim, .tool_shown = false, .wire_height_mm = 146.0},
+        {.name = "wire-off-the-wheel",
+         .studio = studio_pot(jar()),
+         .tool_shown = false,
+         .wire_height_mm = 1.5},
         {.name = "rough-grooves", .studio = studio_pot(rough()), .tool_shown = false},
         {.name = "dent", .studio = dented, .tool_shown = false},
         {.name = "failure", .studio = failed, .tool_shown = false, .wheel_direction = {0.8, -0.6}},

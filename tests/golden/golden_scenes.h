@@ -24,6 +24,8 @@ struct GoldenScene {
     bool tool_shown = true;
     std::optional<dvec3> second_hand_mm = std::nullopt;
     clay::StudioTool tool = clay::StudioTool::kHand;
+    std::optional<clay::studio::Side> side = std::nullopt;  // of the hand; without: outside
+    std::optional<double> wire_height_mm = std::nullopt;    // drawn through the clay there
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
     clay::ClayBody body = clay::ClayBody::kStoneware;

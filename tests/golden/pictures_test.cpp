@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <memory>
+#include <utility>
+
 #include "engine/vk/physical_device.h"
-#include "game/wheel/still.h"
+#include "game/wheel/still_camera.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/image_gate.h"
 
@@ -25,12 +29,36 @@ support::RenderInfo render_info(const GoldenScene& scene) {
     return {};
 }
 
-class Picture : public testing::TestWithParam<GoldenScene> {};
+// All pictures of one size are taken by one camera: what they have in common is most of the work.
+class Picture : public testing::TestWithParam<GoldenScene> {
+  protected:
+    static void TearDownTestSuite() {
+        for (auto& [size, camera] : cameras()) {
+            const auto closed = camera->close();
+            EXPECT_TRUE(closed) << closed.error().message;
+        }
+        cameras().clear();
+    }
+    static Result<asset::Image> take(const GoldenScene& scene) {
+        auto& camera = cameras()[{scene.width, scene.height}];
+        if (!camera) {
+            auto made = wheel::StillCamera::create(scene.width, scene.height, {.validation = true});
+            if (!made) return made.error();
+            camera = std::move(*made);
+        }
+        return camera->take(scene.pot(), scene.view);
+    }
+
+  private:
+    static std::map<std::pair<int, int>, std::unique_ptr<wheel::StillCamera>>& cameras() {
+        static std::map<std::pair<int, int>, std::unique_ptr<wheel::StillCamera>> all;
+        return all;
+    }
+};
 
 TEST_P(Picture, EqualsTheOneThatWasLookedAt) {
     const GoldenScene& scene = GetParam();
-    const auto image =
-        wheel::render_still(scene.pot(), scene.width, scene.height, {.view = scene.view, .validation = true});
+    const auto image = take(scene);
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_TRUE(support::matches_golden(scene.name, *image, render_info(scene)));
 }
