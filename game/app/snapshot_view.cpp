@@ -42,4 +42,15 @@ wheel::PotView pot_view(const haptic::Snapshot& snapshot) {
     return pot;
 }
 
+haptic::PotShape shrunk(haptic::PotShape shape, double scale) {
+    shape.height_mm *= scale;
+    shape.floor_mm *= scale;
+    for (auto* lengths :
+         {&shape.outer_mm_, &shape.inner_mm_, &shape.top_mm_, &shape.centre_mm_, &shape.dents_mm_}) {
+        for (float& length : *lengths)
+            length = static_cast<float>(static_cast<double>(length) * scale);
+    }
+    return shape;
+}
+
 }  // namespace onggi::app

@@ -43,7 +43,8 @@ Result<std::vector<std::byte>> picture_bytes(const ThrowOutputs& outputs, const 
                                              const haptic::PotShape& shape) {
     haptic::Snapshot snapshot;
     haptic::fill_snapshot(snapshot, state, last, parameters);
-    snapshot.shape = &shape;
+    const haptic::PotShape fired = shrunk(shape, clay::shrunk_scale(snapshot.body, outputs.stage));
+    snapshot.shape = &fired;
     wheel::PotView pot = pot_view(snapshot);
     pot.stage = outputs.stage;
     const auto image = wheel::render_still(pot, outputs.size.width, outputs.size.height,

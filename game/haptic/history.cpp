@@ -46,10 +46,10 @@ void History::add(const TickRecord& record) {
     keep_input(record.tool, record.force_n);
     follow_moves(result);
     if (inputs_.size() % record::kHashInterval == 0) block_hashes_.push_back(now_.hash());
-    const auto ticks_a_checkpoint =
-        static_cast<std::uint64_t>(options_.checkpoint_s * start_.parameters.rate_hz());
-    if (now_.ticks - checkpoints_.back().tick >= std::max<std::uint64_t>(ticks_a_checkpoint, 1))
-        keep_checkpoint();
+    const auto ticks_a_checkpoint = std::clamp<std::uint64_t>(
+        static_cast<std::uint64_t>(options_.checkpoint_s * start_.parameters.rate_hz()), 1,
+        std::max<std::uint64_t>(options_.checkpoint_ticks, 1));
+    if (now_.ticks - checkpoints_.back().tick >= ticks_a_checkpoint) keep_checkpoint();
 }
 
 void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
@@ -111,12 +111,15 @@ std::optional<std::uint64_t> History::before_last_move() const {
     return moves_.back().first_tick;
 }
 
-HapticState History::state_at(std::uint64_t tick) const {
+const History::Checkpoint& History::checkpoint_before(std::uint64_t tick) const {
     assert(tick >= first_tick() && tick <= now_.ticks);
     const auto after = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), tick,
                                         [](std::uint64_t t, const Checkpoint& c) { return t < c.tick; });
-    const Checkpoint& checkpoint = *(after - 1);
-    auto start = start_from_bytes(checkpoint.bytes, start_.parameters.rate_hz());
+    return *(after - 1);
+}
+
+HapticState History::state_at(std::uint64_t tick) const {
+    auto start = start_from_bytes(checkpoint_before(tick).bytes, start_.parameters.rate_hz());
     // Bytes of our own that are refused are a bug, not a state of the world.
     if (!start) throw std::runtime_error(start.error().message);
     HapticState state = std::move(start->state);

@@ -18,7 +18,8 @@
 namespace onggi::haptic {
 
 struct HistoryOptions {
-    double checkpoint_s = 1.0;                         // of simulated time between checkpoints
+    double checkpoint_s = 1.0;                         // of simulated time between checkpoints, at most
+    std::uint64_t checkpoint_ticks = 4000;             // likewise: what is undone is worked out again
     double pause_s = 0.25;                             // a hand off the clay for longer has ended its move
     std::size_t most_bytes = std::size_t{256} << 20U;  // of checkpoints; beyond it they thin out
 };
@@ -51,6 +52,10 @@ class History {
 
     // The state before that tick. Precondition: between the start's ticks and ticks().
     [[nodiscard]] HapticState state_at(std::uint64_t tick) const;
+    // How many ticks that works out again: what it costs, a few microseconds each.
+    [[nodiscard]] std::uint64_t ticks_to_replay(std::uint64_t tick) const {
+        return tick - checkpoint_before(tick).tick;
+    }
     // Where to go back to so that the last move is undone; none where nothing was done.
     [[nodiscard]] std::optional<std::uint64_t> before_last_move() const;
 
@@ -78,6 +83,7 @@ class History {
     void go_back_to(std::uint64_t tick);
     void keep_input(const haptics::ToolState& tool, const dvec3& force_n);
     void keep_checkpoint();
+    [[nodiscard]] const Checkpoint& checkpoint_before(std::uint64_t tick) const;
     void thin_out();
     void follow_moves(const TickResult& result);
     [[nodiscard]] haptics::ToolState tool_at(std::uint64_t tick) const;

@@ -68,6 +68,15 @@ Hand assist_of(const Hand& hand, const Contact& contact, const Rings& rings, dou
     return second;
 }
 
+// What was just put on the wheel is the whole lump from now on.
+void settle_as_lump(Rings& rings, double volume_mm3, studio::Ledger& ledger, studio::LoadSweep& sweep) {
+    rings.find_floor();
+    rings.settle(0, rings.count);
+    ledger = {.lump_mm3 = volume_mm3};
+    sweep = {};
+    studio::restart(sweep, rings);
+}
+
 }  // namespace
 
 StudioClay::StudioClay(const StudioLump& lump)
@@ -126,11 +135,7 @@ void StudioClay::set_wall(double outer, double wall, double floor, double height
         volume += rings_.volume_mm3[at];
         studio::set_liquidity(rings_, i, liquidity);
     }
-    rings_.find_floor();
-    rings_.settle(0, count);
-    ledger_ = {.lump_mm3 = volume};
-    sweep_ = {};
-    studio::restart(sweep_, rings_);
+    settle_as_lump(rings_, volume, ledger_, sweep_);
     hands_ = {};
 }
 
@@ -146,11 +151,7 @@ void StudioClay::set_profile(std::span<const double> outer, std::span<const doub
                                                 (outer[at] - inner[at]) * (outer[at] + inner[at]));
         volume += rings_.volume_mm3[at];
     }
-    rings_.find_floor();
-    rings_.settle(0, count);
-    ledger_ = {.lump_mm3 = volume};
-    sweep_ = {};
-    studio::restart(sweep_, rings_);
+    settle_as_lump(rings_, volume, ledger_, sweep_);
     hands_ = {};
 }
 
