@@ -164,7 +164,10 @@ ToolPicture ToolPose::picture() const {
     if (kind_ == clay::StudioTool::kRib) show(ToolModel::kRib, 0.0);
     if (kind_ == clay::StudioTool::kSponge) show(ToolModel::kSponge, 0.0);
     if (kind_ == clay::StudioTool::kTrimmer) {
+        // Its model's handle hangs 24 degrees below the level; a potter holds it as much above the wheel.
         show(ToolModel::kTrimmer, 0.0);
+        mat4& held = picture.tools.back().place;
+        held = glm::rotate(held, static_cast<float>(48.0 * kDegree), vec3(0.0F, 0.0F, 1.0F));
         cast(kToolBall, 0.0);
         return picture;
     }

@@ -117,7 +117,8 @@ TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
     for (const double y_mm : {8.0, 12.0, 20.0, 40.0}) {
         sight.centre_mm.y = y_mm;
         const ShownTool tool = settled(sight).picture().tools.at(0);
-        EXPECT_GT(vec3(tool.place * vec4(100.0F, 0.0F, 0.0F, 1.0F)).y, 5.0F) << y_mm;
+        const vec4 end_of_handle(125.0F, -64.0F, 72.0F, 1.0F);  // assets/tools/maker/tools.py
+        EXPECT_GT(vec3(tool.place * end_of_handle).y, 5.0F) << y_mm;
     }
 }
 
