@@ -76,10 +76,11 @@ def moon_jar():
     hands.hold(1.5)
     rim = t.between((130.0, 74.0), (166.0, 50.0), (190.0, 50.0))
     mouth = t.between((130.0, 74.0), (165.0, 44.5), (190.0, 44.0))
-    for share in (0.5, 1.0):
+    for share in (0.4, 0.7, 1.0):
         t.shape_outside(hands, t.towards(rim, mouth, share), 140.0, 186.0, 4.0)
     t.fair(hands, "rib", t.between((14.0, 51.0), (50.0, 73.0), (90.0, 84.8), (130.0, 73.0), (166.0, 45.0)),
-           30.0, 145.0, 7.0)
+           30.0, 145.0, 9.0)
+    t.fair(hands, "sponge", mouth, 150.0, 176.0, 3.0)
     return hands
 
 
@@ -105,8 +106,8 @@ def vase():
     hands.wheel = 80.0
     thrown = t.between((20.0, 43.0), (200.0, 43.0))
     belly = t.between((20.0, 43.0), (75.0, 62.0), (130.0, 43.0), (200.0, 43.0))
-    for share in (0.4, 0.8, 1.0):
-        t.shape_inside(hands, t.towards(thrown, belly, share), 26.0, 122.0, 3.4, 195.0)
+    for share in (0.5, 1.0):
+        t.shape_inside(hands, t.towards(thrown, belly, share), 26.0, 122.0, 3.6, 195.0)
     straight = t.between((100.0, 50.0), (200.0, 50.0))
     neck = t.between((90.0, 64.0), (150.0, 31.0), (190.0, 36.0))
     for share in (0.5, 1.0):
