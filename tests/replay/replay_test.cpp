@@ -1,10 +1,15 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "game/app/performance.h"
 #include "game/app/replay_command.h"
 #include "game/app/throw_outputs.h"
+#include "game/haptic/history.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -28,8 +33,10 @@ std::string words_for(const std::optional<Difference>& difference) {
            difference->what;
 }
 
+constexpr std::array kSessions{"vase-100hz.onggi", "touch-still-300hz.onggi", "two-hands-250hz.onggi"};
+
 TEST(StoredSession, ReplaysToTheBitInThisBuild) {
-    for (const char* name : {"vase-100hz.onggi", "touch-still-300hz.onggi"}) {
+    for (const char* name : kSessions) {
         LoadedSession session = loaded(stored(name));
         EXPECT_GT(session.session.tick_count(), 300U);
         EXPECT_TRUE(session.session.is_complete());
@@ -54,12 +61,63 @@ void record_session(Performance& performance, const std::string& place) {
 
 TEST(StoredSession, IsRecordedAgainToTheByte) {
     const TemporaryFolder folder;
-    for (const char* name : {"vase-100hz.onggi", "touch-still-300hz.onggi"}) {
+    for (const char* name : kSessions) {
         auto performance = load_performance({.file = stored(name)});
         ASSERT_TRUE(performance) << performance.error().message;
         record_session(*performance, (folder / name).string());
         EXPECT_TRUE(test::content_of(folder / name) == test::content_of(stored(name))) << name;
     }
+}
+
+// A whole pot of the studio's clay by two hands, wet ones, with every tool there is. The hash stands here and
+// not only in the file, so that a recording made anew without a word is noticed as well.
+TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
+    LoadedSession session = loaded(stored("two-hands-250hz.onggi"));
+    haptic::Start& start = session.start;
+    EXPECT_EQ(session.session.header().clay_model, record::ClayModel::kStudio);
+    record::SessionCursor hands(session.session);
+    bool second_touched = false;
+    double wettest = 0.0;
+    for (std::uint64_t tick = 0; tick < session.session.tick_count(); ++tick) {
+        const haptics::ToolState tool = hands.at(tick);
+        const haptic::TickResult result = haptic::tick(start.state, tool, start.parameters);
+        second_touched = second_touched || (tool.second.present && result.second_forces.contacts > 0);
+        wettest = std::max(wettest, start.state.studio()->film());
+    }
+    const clay::StudioClay& clay = *start.state.studio();
+    EXPECT_TRUE(second_touched);
+    EXPECT_GT(wettest, 0.9);
+    EXPECT_GT(clay.ledger().trimmings_mm3, 1000.0);
+    EXPECT_GT(clay.ledger().slip_mm3, 0.0);
+    EXPECT_TRUE(clay.is_cut_off());
+    EXPECT_EQ(clay.ledger_error_mm3(), 0.0);
+    EXPECT_EQ(fmt::format("{:016x}", start.state.hash()), "c83f317724666d09");
+}
+
+// What is taken back leaves no trace in a session; but whoever takes back and does it again is where he was.
+TEST(StoredSession, EndsTheSameWhenAMoveIsTakenBackAndDoneAgain) {
+    LoadedSession session = loaded(stored("two-hands-250hz.onggi"));
+    haptic::History history(session.start.state, session.start.parameters);
+    record::SessionCursor hands(session.session);
+    std::uint32_t flags = 0;
+    std::uint64_t tick = 0;
+    const auto follow_until = [&](std::uint64_t end) {
+        for (; tick < end; ++tick)
+            history.add({.tick = static_cast<std::uint32_t>(tick),
+                         .flags = std::exchange(flags, 0U),
+                         .tool = hands.at(tick)});
+    };
+    // In the middle of the pull, behind the sponge, and behind the last cut.
+    for (const std::uint64_t moment :
+         {std::uint64_t{1650}, std::uint64_t{3280}, session.session.tick_count()}) {
+        follow_until(moment);
+        tick = history.before_last_move().value();
+        EXPECT_LT(tick, moment);
+        flags = haptic::TickRecord::kStatePut;
+    }
+    follow_until(session.session.tick_count());
+    ASSERT_TRUE(history.is_whole());
+    EXPECT_EQ(history.state().hash(), session.session.blocks().back().state_hash);
 }
 
 // Kernels of other widths have to give the same bits.
