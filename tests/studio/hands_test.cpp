@@ -223,5 +223,27 @@ TEST(Move, TheTrimmerTakesClayToTheTrimmings) {
     EXPECT_EQ(bench.clay.ledger_error_mm3(), 0.0);
 }
 
+TEST(Move, TheTrimmerCutsAFootAndNeverThroughTheWall) {
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
+    bench.wall(45.0, 8.0, 12.0, 100.0, 1000);
+    bench.clay.set_liquidity(0.0);  // leather-hard
+    bench.input.hand.tool = StudioTool::kTrimmer;
+    bench.input.hand.radius_mm = 4.0;
+    // Round the foot, whose clay is solid: a step of three millimetres, and nothing above it.
+    bench.at(60.0, 5.0);
+    bench.move({46.0 - 0.25, 5.0, 0.0}, 2.0);
+    bench.hold(1.0);
+    EXPECT_NEAR(bench.outer_at(5.0), 42.0, 0.05);
+    EXPECT_EQ(bench.outer_at(12.5), 45.0);
+    // Straight through the wall, which stops at the thinnest there is.
+    bench.at(60.0, 60.0);
+    bench.move({38.0, 60.0, 0.0}, 2.0);
+    bench.hold(2.0);
+    EXPECT_NEAR(bench.wall_at(60.0), kThinnestWallMm, 1e-6);
+    EXPECT_NEAR(bench.wall_at(80.0), 8.0, 1e-9);
+    EXPECT_NEAR(bench.clay.height_mm(), 100.0, 1e-4);
+    expect_sound(bench.clay);
+}
+
 }  // namespace
 }  // namespace onggi::clay::studio
