@@ -174,7 +174,7 @@ TEST(History, IsSavedAsASessionThatReplays) {
 #ifdef NDEBUG
 // Five minutes at the kiosk's rate, with a pot of a tenth of the rings and so a tenth of the room for
 // checkpoints. What a visitor waits for is the ticks that are worked out again, some 3.5 us each with all the
-// rings (onggi_bench, undo/4000): 16000 of them are 56 ms.
+// rings (onggi_bench, studio_tick): 16000 of them are 56 ms.
 class FiveMinutes : public testing::Test {
   protected:
     static constexpr double kKioskRateHz = 4000.0;
