@@ -57,9 +57,6 @@ void frame(benchmark::State& state, const FrameCaseDesc& desc, const Motion& mot
     }
     const auto picture = drawn.read_back();
     if (!picture || picture->rgba.at(0) == 0) fail(state, "the picture is empty");
-        FILE* o = fopen(f, "wb");
-        fwrite(picture->rgba.data(), 1, picture->rgba.size(), o);
-        fclose(o);
     report(state, wall_ns, least_wall_s, least_processor_s);
     state.counters["rings"] = drawn.stats().rings;
     state.SetLabel(drawn.device_name());
