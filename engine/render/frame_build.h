@@ -29,7 +29,7 @@ struct BuiltFrame {
     std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
     std::uint32_t section_count = 0;
     bool shows_load = false;
-    LatheFaces faces;  // none: no lathe
+    LatheFaces faces;         // none: no lathe
     std::vector<vec4> shade;  // where the cached still life is drawn over with shadow, see shade_rects()
     PixelRect moving;         // where anything that moves can be seen
     float ring_error_px = 0.0F;
