@@ -128,7 +128,7 @@ TEST(SectionLabels, StandApartInsideThePictureAtEverySize) {
     for (const clay::StudioClay& clay : {jar(), plate}) {
         const Shape shape(clay);
         for (const auto& [width, height] :
-             {std::array{320, 240}, std::array{640, 480}, std::array{405, 720}, std::array{1920, 1080}}) {
+             {std::array{480, 360}, std::array{640, 480}, std::array{405, 720}, std::array{1920, 1080}}) {
             const std::vector<ui::Rect> boxes = tags(labels_of(shape.view(), width, height));
             ASSERT_GE(boxes.size(), 3U);
             for (std::size_t i = 0; i < boxes.size(); ++i) {
