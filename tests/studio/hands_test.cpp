@@ -233,6 +233,8 @@ TEST(Move, TheTrimmerCutsAFootAndNeverThroughTheWall) {
     bench.at(60.0, 5.0);
     bench.move({46.0 - 0.25, 5.0, 0.0}, 2.0);
     bench.hold(1.0);
+    // The tip less the yield depth, and measured: 0.08 mm deeper with this tool, 0.04 mm with one of 10 mm
+    // radius, at any height, water and patience.
     EXPECT_NEAR(bench.outer_at(5.0), 42.0, 0.1);
     EXPECT_EQ(bench.outer_at(12.5), 45.0);
     // Straight through the wall, which stops at the thinnest there is.
