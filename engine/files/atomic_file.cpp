@@ -99,6 +99,11 @@ void AtomicFile::discard() noexcept {
     buffer_.clear();
 }
 
+void AtomicFile::leave() noexcept {
+    beside_.clear();
+    discard();
+}
+
 Error AtomicFile::lost(int error_number, std::string_view doing) {
     discard();
     return error_of_errno(shown_, error_number, doing);

@@ -48,6 +48,9 @@ class AtomicFile {
     // Prepares, and renames into place. Nothing can be written afterwards.
     Result<void> commit();
     void discard() noexcept;
+    // Ends the writing and leaves what was prepared in NAME.part, as a killed program would. For
+    // Beside::kNamed.
+    void leave() noexcept;
 
     // Where the file will be: the destination, with a symbolic link at its end followed.
     [[nodiscard]] const std::filesystem::path& destination() const { return destination_; }

@@ -34,6 +34,8 @@ class Session {
     // False if the file ends before its end marker, as after a crash or a broken copy: it then holds every
     // tick up to the last whole block.
     [[nodiscard]] bool is_complete() const noexcept { return complete_; }
+    // What is wrong behind the last whole block, as one line; empty: nothing, or the file just ends.
+    [[nodiscard]] const std::string& damage() const noexcept { return damage_; }
     [[nodiscard]] std::size_t usable_bytes() const noexcept { return usable_bytes_; }
     [[nodiscard]] std::size_t file_bytes() const noexcept { return bytes_.size(); }
     // force_check() of a tick as recorded. Precondition: tick < tick_count().
@@ -53,12 +55,20 @@ class Session {
     std::uint64_t tick_count_ = 0;
     std::size_t usable_bytes_ = 0;
     bool complete_ = false;
+    std::string damage_;
+};
+
+// What to do about a block that is damaged, as a power cut leaves one behind.
+enum class Damage {
+    kRefuse,
+    kCutThere,  // take the file as one that ends before it; header and start state have to be whole
 };
 
 // The session in `bytes`, the whole of a file; `name` stands for it in messages. Everything is checked before
 // anything is played: magic, version, bounds, every checksum, every record, and that nothing follows the end.
 // Refusals are bad input and name the byte offset. Main thread.
-[[nodiscard]] Result<Session> parse_session(std::string bytes, std::string_view name);
+[[nodiscard]] Result<Session> parse_session(std::string bytes, std::string_view name,
+                                            Damage damage = Damage::kRefuse);
 
 // Walks a session's ticks in order. No allocation, nothing fails: fit for the tick. The session must outlive
 // it.

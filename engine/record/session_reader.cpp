@@ -21,11 +21,15 @@ class SessionReader {
         session_.bytes_ = std::move(bytes);
     }
 
-    Result<Session> read() && {
+    Result<Session> read(Damage damage) && {
         if (auto header = read_header(); !header) return header.error();
         if (auto state = read_start_state(); !state) return state.error();
         while (!session_.complete_ && !cut_) {
-            if (auto block = read_block(); !block) return block.error();
+            auto block = read_block();
+            if (block) continue;
+            if (damage == Damage::kRefuse) return block.error();
+            session_.damage_ = block.error().message;
+            cut_ = true;
         }
         session_.usable_bytes_ = at_;
         return std::move(session_);
@@ -311,8 +315,8 @@ Result<void> SessionReader::check_records(std::size_t from, std::size_t to, std:
     return wrong_at(from, fmt::format("records of {} ticks", tick_count), fmt::format("{}", ticks));
 }
 
-Result<Session> parse_session(std::string bytes, std::string_view name) {
-    return SessionReader(std::move(bytes), name).read();
+Result<Session> parse_session(std::string bytes, std::string_view name, Damage damage) {
+    return SessionReader(std::move(bytes), name).read(damage);
 }
 
 }  // namespace onggi::record

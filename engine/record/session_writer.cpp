@@ -230,6 +230,16 @@ Result<void> SessionWriter::end_block(std::uint64_t state_hash) {
     return file_.beside().empty() ? Result<void>{} : file_.flush();
 }
 
+Result<void> SessionWriter::sync() {
+    return file_.prepare();
+}
+
+Result<void> SessionWriter::leave() {
+    auto synced = file_.prepare();
+    if (synced) file_.leave();
+    return synced;
+}
+
 Result<void> SessionWriter::prepare(std::uint64_t state_hash) {
     if (auto ended = end_block(state_hash); !ended) return ended;
     const auto end = head_bytes({.tag = kEndTag,

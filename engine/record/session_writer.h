@@ -34,6 +34,10 @@ class SessionWriter {
     // After every kHashInterval ticks a block is full, and wants the hash of the state after its last tick.
     [[nodiscard]] bool block_is_full() const { return ticks_in_block_ == kHashInterval; }
     Result<void> end_block(std::uint64_t state_hash);
+    // What was ended of it is on the disk when this returns, and outlives the machine's power.
+    Result<void> sync();
+    // Ends the recording without an end: its whole blocks stay, synced, in `destination`.part.
+    Result<void> leave();
     // Ends the session: `state_hash` is that of the state after the last tick. The file is whole and synced,
     // not yet in its place.
     Result<void> prepare(std::uint64_t state_hash);

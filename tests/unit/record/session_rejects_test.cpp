@@ -201,5 +201,31 @@ TEST(RejectsSession, WithABlockAfterOneThatIsNotFull) {
         << refusal(bytes);
 }
 
+// After a power cut there is none to ask for a better copy.
+TEST(CutsASession, WhereItIsDamagedIfThatIsAskedFor) {
+    const std::string whole = session_bytes(3300);
+    const auto read = parse_session(whole, "s.onggi");
+    ASSERT_TRUE(read);
+    for (std::size_t byte = first_block_at(); byte < whole.size(); byte += 37) {
+        std::string bytes = whole;
+        bytes[byte] ^= 4;
+        const auto cut = parse_session(bytes, "s.onggi", Damage::kCutThere);
+        ASSERT_TRUE(cut) << "byte " << byte;
+        std::size_t blocks = 0;
+        while (blocks < read->blocks().size() &&
+               read->blocks()[blocks].checks_at + read->blocks()[blocks].tick_count * 4 <= byte)
+            ++blocks;
+        ASSERT_EQ(cut->blocks().size(), blocks) << "byte " << byte;
+        EXPECT_FALSE(cut->is_complete());
+        EXPECT_NE(cut->damage().find("s.onggi: byte "), std::string::npos) << cut->damage();
+    }
+    EXPECT_TRUE(parse_session(whole, "s.onggi", Damage::kCutThere)->damage().empty());
+    for (std::size_t byte = 0; byte < first_block_at(); byte += 5) {
+        std::string bytes = whole;
+        bytes[byte] ^= 4;
+        EXPECT_FALSE(parse_session(bytes, "s.onggi", Damage::kCutThere)) << "without its start it is nothing";
+    }
+}
+
 }  // namespace
 }  // namespace onggi::record

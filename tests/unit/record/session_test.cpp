@@ -294,5 +294,21 @@ TEST(SessionWriter, RejectsWhatTheReaderWouldReject) {
     EXPECT_EQ(writer->tick_count(), 1U);
 }
 
+TEST(SessionWriter, LeavesItsWholeBlocksWhereTheRecordingIsLeft) {
+    const test::TemporaryFolder folder;
+    {
+        auto writer = SessionWriter::create(folder / "s.onggi", test_header(), bytes_of(kStartState),
+                                            files::Beside::kNamed);
+        ASSERT_TRUE(writer) << writer.error().message;
+        ASSERT_TRUE(record_ticks(*writer, 2345));
+        ASSERT_TRUE(writer->leave());
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"s.onggi.part"});
+    const auto session = parse_session(test::content_of(folder / "s.onggi.part"), "s.onggi");
+    ASSERT_TRUE(session) << session.error().message;
+    EXPECT_FALSE(session->is_complete());
+    EXPECT_EQ(session->tick_count(), 2000U);
+}
+
 }  // namespace
 }  // namespace onggi::record
