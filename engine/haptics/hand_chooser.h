@@ -14,6 +14,9 @@ struct HandChooserOptions {
     // waits longer until it goes on.
     bool first_yields = false;
     double recording_waits_s = 3.0;
+    // A hand that has gone for so long is not coming back at once: the first, which is always there, has the
+    // tool again, and takes it out of the clay where it was left.
+    double gone_s = 0.5;
 };
 
 // What is known of one hand in this tick.
@@ -26,9 +29,9 @@ class HandChooser {
   public:
     explicit HandChooser(const HandChooserOptions& options = {}) : options_(options) {}
 
-    // The hand that has the tool now: hand 0 at first. A holder that is gone keeps it too, without moving it,
-    // until another hand moves. With several moving at once it is the one named last, so list devices that
-    // push back after those that do not.
+    // The hand that has the tool now: hand 0 at first. A holder that is gone keeps it a moment, without
+    // moving it, unless another hand moves. With several moving at once it is the one named last, so list
+    // devices that push back after those that do not.
     [[nodiscard]] std::size_t choose(std::span<const HandSeen> hands, double dt_s) noexcept {
         const HandSeen& holder = hands[holder_];
         const bool is_at_work = holder.is_here && holder.is_moving;
@@ -43,6 +46,10 @@ class HandChooser {
                 still_s_ = 0.0;
                 break;
             }
+        }
+        if (!hands[holder_].is_here && hands[0].is_here && still_s_ >= options_.gone_s) {
+            holder_ = 0;
+            still_s_ = 0.0;
         }
         return holder_;
     }

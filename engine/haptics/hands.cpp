@@ -48,6 +48,11 @@ void Hands::close() noexcept {
 
 namespace {
 
+bool is_in_workspace(const dvec3& place_mm) noexcept {
+    const auto is_within = [](double coordinate_mm) { return std::abs(coordinate_mm) <= kWorkspaceMm; };
+    return is_within(place_mm.x) && is_within(place_mm.y) && is_within(place_mm.z);
+}
+
 // The wheel turns while anybody wants it to; who came last in the list says how fast.
 void turn_by(ToolState& tool, const ToolState& foot, bool counts) noexcept {
     if (!counts || !foot.wheel_button) return;
@@ -61,14 +66,18 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     dt_s_ = dt_s;
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
         tools_[hand] = hands_[hand]->read(tick, dt_s);
-        seen_[hand] = {.is_here = hands_[hand]->is_here(), .is_moving = hands_[hand]->is_moving()};
+        // Who says nonsense is not here: the gate drops its force, and another may take the tool.
+        seen_[hand] = {.is_here = hands_[hand]->is_here() && is_in_workspace(tools_[hand].position_mm),
+                       .is_moving = hands_[hand]->is_moving()};
     }
     const std::size_t before = holder_;
     holder_ = chooser_.choose(seen_, dt_s);
     if (holder_ != before) {
         shown_holder_.store(holder_, std::memory_order_relaxed);
-        hands_[holder_]->take_over(tool_);
-        approaches_ = knows_a_tool_;
+        // There is no way back from nonsense: the new hand begins where it is.
+        const bool knows_the_way = knows_a_tool_ && is_in_workspace(tool_.position_mm);
+        if (knows_the_way) hands_[holder_]->take_over(tool_);
+        approaches_ = knows_the_way;
         restart_ramp(motors_[holder_].state);
     }
 
@@ -78,8 +87,17 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
         tool.position_mm = held.position_mm;
         turn_by(tool, held, seen_[holder_].is_here);
     }
-    for (const auto& pedal : pedals_)
-        turn_by(tool, pedal->read(tick, dt_s), true);
+    bool lives = false;
+    for (std::size_t hand = 1; hand < hands_.size(); ++hand)
+        lives = lives || (seen_[hand].is_here && seen_[hand].is_moving);
+    for (const auto& pedal : pedals_) {
+        const ToolState foot = pedal->read(tick, dt_s);
+        lives = lives || foot.wheel_button;
+        turn_by(tool, foot, true);
+    }
+    // This thread alone writes it.
+    if (lives)
+        signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 
     if (approaches_) {
         const dvec3 way = tool.position_mm - tool_.position_mm;

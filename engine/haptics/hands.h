@@ -53,12 +53,18 @@ class Hands final : public HapticDevice {
     [[nodiscard]] std::size_t holder() const noexcept {
         return shown_holder_.load(std::memory_order_relaxed);
     }
+    // Any thread: in how many reads so far somebody was seen to do something with a hand besides the first,
+    // or with a pedal.
+    [[nodiscard]] std::uint64_t signs_of_life() const noexcept {
+        return signs_of_life_.load(std::memory_order_relaxed);
+    }
 
   private:
     std::vector<std::unique_ptr<Hand>> hands_;
     std::vector<std::unique_ptr<HapticDevice>> pedals_;
     HandsOptions options_;
     std::atomic<std::size_t> shown_holder_{0};
+    std::atomic<std::uint64_t> signs_of_life_{0};
 
     // Haptic thread only.
     HandChooser chooser_;

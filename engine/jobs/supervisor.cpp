@@ -15,7 +15,7 @@ constexpr int kAfterCrash = 1;
 sigset_t signals_to_hand_on() {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT, SIGCHLD})
         sigaddset(&set, signal);
     return set;
 }
@@ -56,6 +56,7 @@ std::optional<int> supervise(const std::function<void(int signal)>& after_crash)
     int code = kAfterCrash;
     if (WIFEXITED(status)) {
         code = WEXITSTATUS(status);
+        if (code == kAfterCrash) after_crash(0);
     } else if (WIFSIGNALED(status)) {
         after_crash(WTERMSIG(status));
     }

@@ -11,11 +11,13 @@ namespace onggi::jobs {
 
 // Main thread, before any other thread is started and anything is printed: forks. The child gets nothing and
 // goes on as the program. The supervisor stays in here until the child has ended, and gets the exit code to
-// end with: the child's own, or 1 after a crash, once after_crash(signal) has returned.
+// end with: the child's own, or 1 after a crash, once after_crash(signal) has returned. An end with exit code
+// 1 counts as a crash without a signal (0): a library that loses its display ends the program on the spot in
+// this way.
 //
-// SIGINT, SIGTERM and SIGHUP sent to the supervisor are handed on; a terminal's Ctrl-C reaches the child by
-// itself. A child whose supervisor is killed gets SIGTERM. Where no process can be made the program runs
-// unsupervised.
+// SIGINT, SIGTERM, SIGHUP and SIGABRT, a service manager's watchdog, sent to the supervisor are handed on; a
+// terminal's Ctrl-C reaches the child by itself. A child whose supervisor is killed gets SIGTERM. Where no
+// process can be made the program runs unsupervised.
 [[nodiscard]] std::optional<int> supervise(const std::function<void(int signal)>& after_crash);
 
 }  // namespace onggi::jobs

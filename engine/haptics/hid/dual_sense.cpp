@@ -12,6 +12,14 @@ constexpr std::size_t kInputBytes = 64;
 constexpr std::uint8_t kOutputReport = 0x02;
 constexpr std::size_t kOutputBytes = 48;
 
+// By radio: the id, a byte (of an order two) of its own, then the bytes of the report over USB; the checksum
+// last.
+constexpr std::uint8_t kRadioReport = 0x31;
+constexpr std::size_t kRadioBytes = 78;
+constexpr std::size_t kRadioChecksum = 74;
+constexpr std::uint8_t kRadioTag = 0x10;
+static_assert(kRadioBytes <= kMaxReportBytes);
+
 constexpr std::uint8_t kOff = 0x05;
 constexpr std::uint8_t kFeedback = 0x21;
 constexpr std::uint8_t kWeapon = 0x25;
@@ -65,8 +73,28 @@ TriggerEffect by_zone(std::uint8_t mode, const std::array<std::uint8_t, kTrigger
 
 }  // namespace
 
+std::uint32_t radio_checksum(std::uint8_t seed, std::span<const std::uint8_t> bytes) noexcept {
+    std::uint32_t rest = 0xffffffffU;
+    const auto take = [&](std::uint8_t byte) {
+        rest ^= byte;
+        for (int bit = 0; bit < 8; ++bit)
+            rest = (rest >> 1U) ^ ((rest & 1U) != 0 ? 0xedb88320U : 0U);
+    };
+    take(seed);
+    for (const std::uint8_t byte : bytes)
+        take(byte);
+    return ~rest;
+}
+
 std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> report) noexcept {
-    if (report.size() < kInputBytes || report[0] != kInputReport) return std::nullopt;
+    if (report.size() >= kRadioBytes && report[0] == kRadioReport) {
+        const bool is_whole =
+            radio_checksum(kInputSeed, report.first(kRadioChecksum)) == uint32_at(report, kRadioChecksum);
+        if (!is_whole) return std::nullopt;
+        report = report.subspan(1);
+    } else if (report.size() < kInputBytes || report[0] != kInputReport) {
+        return std::nullopt;
+    }
     DualSenseState state;
     state.left_stick = {report[1], report[2]};
     state.right_stick = {report[3], report[4]};
@@ -151,6 +179,19 @@ Report dual_sense_report(const DualSenseOrders& orders) noexcept {
         mark(kValid2, kLightSetUpValid);
         report.bytes[kLightSetUp] = kReleaseLight;
     }
+    return report;
+}
+
+Report by_radio(const Report& over_usb, unsigned sequence) noexcept {
+    Report report;
+    report.size = kRadioBytes;
+    report.bytes[0] = kRadioReport;
+    report.bytes[1] = static_cast<std::uint8_t>((sequence & 0x0fU) << 4U);
+    report.bytes[2] = kRadioTag;
+    std::copy_n(over_usb.bytes.begin() + 1, kOutputBytes - 1, report.bytes.begin() + 3);
+    const std::uint32_t checksum = radio_checksum(kOutputSeed, std::span(report.bytes).first(kRadioChecksum));
+    for (unsigned byte = 0; byte < 4; ++byte)
+        report.bytes[kRadioChecksum + byte] = static_cast<std::uint8_t>(checksum >> (8U * byte));
     return report;
 }
 

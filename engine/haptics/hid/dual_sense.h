@@ -1,7 +1,8 @@
-// Sony DualSense (054c:0ce6) and DualSense Edge (054c:0df2) over USB: what it says, and what it is told.
-// Pure; any thread; no allocation. Bluetooth has other reports with a checksum and is refused
-// (device_kind.h). Source: byte tables worked out in public (SDL's and Linux's drivers, dualsensectl,
-// nondebug/dualsense, Nielk1's trigger effects). Never tried on hardware by this project.
+// Sony DualSense (054c:0ce6) and DualSense Edge (054c:0df2) over USB and Bluetooth: what it says, and what it
+// is told. Pure; any thread; no allocation. By radio the same bytes come one further back, in longer reports
+// with a checksum; a report whose checksum is wrong is none. Source: byte tables worked out in public (SDL's
+// and Linux's drivers, dualsensectl, nondebug/dualsense, Nielk1's trigger effects). Never tried on hardware
+// by this project.
 #pragma once
 
 #include <array>
@@ -63,7 +64,9 @@ struct DualSenseState {
     std::uint8_t charging = 0;  // 0 discharging, 1 charging, 2 full, more: a fault
 };
 
-// Input report 1 over USB: 64 bytes with its id. None: another report or cut short.
+// Input report 1 over USB, 64 bytes with its id; or 0x31 over Bluetooth, 78 with its checksum. None: another
+// report (the short report 1 of a pad by radio that has not been asked for the long one, among them), one
+// that is cut short or does not match its checksum.
 [[nodiscard]] std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> report) noexcept;
 
 constexpr std::size_t kTriggerZones = 10;
@@ -100,5 +103,13 @@ struct DualSenseOrders {
 };
 // Output report 2 over USB: 48 bytes with its id.
 [[nodiscard]] Report dual_sense_report(const DualSenseOrders& orders) noexcept;
+// The same by radio: report 0x31 of 78 bytes, numbered 0 to 15 and round again, with its checksum.
+[[nodiscard]] Report by_radio(const Report& over_usb, unsigned sequence) noexcept;
+
+// What goes before the bytes of a report by radio when its checksum is worked out.
+constexpr std::uint8_t kInputSeed = 0xa1;
+constexpr std::uint8_t kOutputSeed = 0xa2;
+// CRC-32 of Ethernet and zlib (polynomial 0xedb88320, reflected) over the seed and then the bytes.
+[[nodiscard]] std::uint32_t radio_checksum(std::uint8_t seed, std::span<const std::uint8_t> bytes) noexcept;
 
 }  // namespace onggi::haptics::hid

@@ -14,6 +14,8 @@ constexpr std::array<std::uint8_t, 3> kWheelStands{0x00, 0x10, 0x40};
 constexpr std::array<std::uint8_t, 3> kAtEase{0x18, 0x50, 0x08};
 constexpr std::array<std::uint8_t, 3> kStrained{0x60, 0x28, 0x00};
 constexpr std::array<std::uint8_t, 3> kGivingWay{0x80, 0x04, 0x00};
+constexpr std::uint8_t kCalibration = 0x05;  // a feature report
+constexpr std::size_t kCalibrationBytes = 41;
 constexpr double kLightSteps = 8.0;
 constexpr double kSoftestNPerMm = 0.05;
 constexpr double kTouchWidth = 1919.0;
@@ -80,17 +82,27 @@ DeviceCapabilities DualSenseDriver::capabilities() const {
             .has_own_walls = true};
 }
 
-Result<void> DualSenseDriver::start(const HidDeviceInfo& /*device*/, HidPort& port) {
+Result<void> DualSenseDriver::start(const HidDeviceInfo& device, HidPort& port) {
+    is_by_radio_ = device.bus == HidBusType::kBluetooth;
+    if (is_by_radio_) {
+        // By radio it says little until somebody asks for its calibration.
+        std::array<std::uint8_t, kCalibrationBytes> calibration{kCalibration};
+        if (auto asked = port.get_feature(calibration); !asked) return asked.error();
+    }
     state_ = {};
     wheel_turns_ = was_heard_ = false;
     last_sent_.reset();
     last_sent_ns_ = 0;
-    return port.write(dual_sense_report({.right_trigger = trigger_off(),
+    return tell(port, dual_sense_report({.right_trigger = trigger_off(),
                                          .left_trigger = trigger_off(),
                                          .rumble = DualSenseOrders::Rumble{},
                                          .light = kWheelStands,
-                                         .end_start_up_light = true})
-                          .view());
+                                         .end_start_up_light = true}));
+}
+
+Result<void> DualSenseDriver::tell(HidPort& port, const Report& report) {
+    if (!is_by_radio_) return port.write(report.view());
+    return port.write(by_radio(report, sequence_++).view());
 }
 
 void DualSenseDriver::take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept {
@@ -153,16 +165,15 @@ Result<void> DualSenseDriver::send(HidPort& port, const ForceOrder& order, std::
     if (last_sent_ && report == *last_sent_) return {};
     last_sent_ = report;
     last_sent_ns_ = now_ns;
-    return port.write(report.view());
+    return tell(port, report);
 }
 
 void DualSenseDriver::stop(HidPort& port) noexcept {
     // Resistance would stay in the pad for whoever plays next; a failure means it is unplugged, and forgets.
-    (void)port.write(dual_sense_report({.right_trigger = trigger_off(),
+    (void)tell(port, dual_sense_report({.right_trigger = trigger_off(),
                                         .left_trigger = trigger_off(),
                                         .rumble = DualSenseOrders::Rumble{},
-                                        .light = std::array<std::uint8_t, 3>{}})
-                         .view());
+                                        .light = std::array<std::uint8_t, 3>{}}));
 }
 
 }  // namespace onggi::haptics::hid

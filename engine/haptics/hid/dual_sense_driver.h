@@ -1,9 +1,9 @@
-// Driver of the DualSense over USB. I/O thread. The left stick moves the tool (rate control), a finger on the
-// touch pad draws it, tilting the pad while L1 is held leads it. The right trigger presses it inwards and
-// meets the clay's resistance: as stiff as the clay is there, no stronger than a thin wall bears. L2 turns
-// the wheel, the faster the further it is pulled; cross keeps it turning. The pad trembles with the wall that
-// slides by, and its light says how near the clay is to giving way. Never tried on hardware by this project:
-// newtons stand for shares of a trigger's strongest resistance, which its maker does not tell.
+// Driver of the DualSense over USB and Bluetooth. I/O thread. The left stick moves the tool (rate control), a
+// finger on the touch pad draws it, tilting the pad while L1 is held leads it. The right trigger presses it
+// inwards and meets the clay's resistance: as stiff as the clay is there, no stronger than a thin wall bears.
+// L2 turns the wheel, the faster the further it is pulled; cross keeps it turning. The pad trembles with the
+// wall that slides by, and its light says how near the clay is to giving way. Never tried on hardware by this
+// project: newtons stand for shares of a trigger's strongest resistance, which its maker does not tell.
 #pragma once
 
 #include <optional>
@@ -50,6 +50,8 @@ class DualSenseDriver final : public HidDriver {
   private:
     [[nodiscard]] double press_mm() const noexcept;
     void travel(const DualSenseState& now) noexcept;
+    // In the form of the way it is connected.
+    Result<void> tell(HidPort& port, const Report& report);
 
     DualSenseMapping mapping_;
     DualSenseState state_;
@@ -57,6 +59,8 @@ class DualSenseDriver final : public HidDriver {
     bool wheel_turns_ = false;
     std::int64_t heard_ns_ = 0;
     bool was_heard_ = false;
+    bool is_by_radio_ = false;
+    unsigned sequence_ = 0;  // of reports by radio
     std::optional<Report> last_sent_;
     std::int64_t last_sent_ns_ = 0;
 };

@@ -124,16 +124,19 @@ std::string udev_rule(std::uint16_t vendor_id, std::uint16_t product_id) {
         vendor_id, product_id);
 }
 
+std::string bluetooth_rule(std::uint16_t vendor_id, std::uint16_t product_id) {
+    return fmt::format(
+        R"(KERNEL=="hidraw*", KERNELS=="0005:{:04X}:{:04X}.*", MODE="0660", GROUP="plugdev", TAG+="uaccess")",
+        vendor_id, product_id);
+}
+
 void recognise(HidDeviceInfo& device) {
     device.kind = kind_by_number(device);
     device.refusal.clear();
     device.remedy.clear();
     const auto descriptor = ReportDescriptor::parse(device.report_descriptor);
     const bool by_descriptor = device.kind == HidKind::kUnknown || device.kind == HidKind::kForceJoystick;
-    if (device.kind == HidKind::kDualSense && device.bus == HidBusType::kBluetooth) {
-        device.refusal = "expected a USB cable, found Bluetooth";
-        device.remedy = "plug it in with a cable";
-    } else if (by_descriptor && !descriptor) {
+    if (by_descriptor && !descriptor) {
         device.refusal = descriptor.error().message;
     } else if (device.kind == HidKind::kUnknown && is_newer_space_mouse(device, *descriptor)) {
         device.kind = HidKind::kSpaceMouse;
@@ -148,9 +151,11 @@ void recognise(HidDeviceInfo& device) {
         device.refusal = "no driver here knows it";
     } else if (!device.may_open) {
         device.refusal = "may not be opened by this user";
-        device.remedy =
-            fmt::format("put this line into /etc/udev/rules.d/70-onggi.rules and plug it in again: {}",
-                        udev_rule(device.vendor_id, device.product_id));
+        const bool is_by_radio = device.bus == HidBusType::kBluetooth;
+        device.remedy = fmt::format("put this line into /etc/udev/rules.d/70-onggi.rules and {} again: {}",
+                                    is_by_radio ? "connect it" : "plug it in",
+                                    is_by_radio ? bluetooth_rule(device.vendor_id, device.product_id)
+                                                : udev_rule(device.vendor_id, device.product_id));
     }
 }
 

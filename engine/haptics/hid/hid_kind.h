@@ -13,8 +13,7 @@
 namespace onggi::haptics::hid {
 
 // Fills kind, can, refusal and remedy from all else. A device of a known kind is refused when it may not be
-// opened, when it hangs on Bluetooth where only USB is spoken, or when its descriptor lacks what a force
-// needs.
+// opened, or when its descriptor lacks what a force needs.
 void recognise(HidDeviceInfo& device);
 
 [[nodiscard]] std::string_view words_for(HidKind kind);
@@ -32,5 +31,8 @@ struct KnownDevice {
 // a rule, never a whole vendor: a keyboard's keys can be read through its hidraw node.
 // assets/udev/70-onggi.rules holds that of each known device.
 [[nodiscard]] std::string udev_rule(std::uint16_t vendor_id, std::uint16_t product_id);
+// The same for one that is connected by Bluetooth, which has no USB device above its node. Only a DualSense
+// is driven that way.
+[[nodiscard]] std::string bluetooth_rule(std::uint16_t vendor_id, std::uint16_t product_id);
 
 }  // namespace onggi::haptics::hid

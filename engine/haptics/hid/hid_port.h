@@ -17,9 +17,11 @@
 
 namespace onggi::haptics::hid {
 
-constexpr std::size_t kMaxReportBytes = 64;  // of every report that is read or written here; full-speed USB
+constexpr std::size_t kUsbReportBytes = 64;  // the most over full-speed USB
+constexpr std::size_t kMaxReportBytes =
+    78;  // of every report that is read or written here; a DualSense's by radio
 
-// A report of up to 64 bytes, held in place.
+// A report, held in place.
 struct Report {
     std::array<std::uint8_t, kMaxReportBytes> bytes{};
     std::size_t size = 0;

@@ -103,10 +103,10 @@ Result<PidLayout> PidLayout::find(ReportDescriptor descriptor) {
         return lacks("both stick axes in one report");
     for (const PidUsage report : kReports) {
         const ReportPlace place = layout.place(report);
-        if (place.bytes > kMaxReportBytes)
+        if (place.bytes > kUsbReportBytes)
             return bad_input(
                 fmt::format("force feedback (USB PID 1.0): report {}: expected at most {} bytes, found {}",
-                            place.id, kMaxReportBytes, place.bytes));
+                            place.id, kUsbReportBytes, place.bytes));
     }
     return layout;
 }

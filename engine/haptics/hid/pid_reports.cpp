@@ -16,7 +16,7 @@ class Filler {
   public:
     Filler(const PidLayout& layout, PidUsage kind) noexcept : layout_(layout), kind_(kind) {
         const ReportPlace place = layout.place(kind);
-        if (!place || place.bytes > kMaxReportBytes) return;
+        if (!place || place.bytes > kUsbReportBytes) return;
         report_.bytes[0] = place.id;
         report_.size = place.bytes;
     }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace onggi::haptics {
 namespace {
 
@@ -85,6 +87,20 @@ class HandsTest : public ::testing::Test {
     std::uint64_t tick_ = 0;
 };
 
+TEST_F(HandsTest, CountsSignsOfLifeOfEveryHandButTheFirst) {
+    after(0.1);
+    EXPECT_EQ(hands_->signs_of_life(), 0U);
+    mouse_.is_moving = true;
+    after(0.1);
+    EXPECT_EQ(hands_->signs_of_life(), 0U) << "the window tells of the mouse";
+    stick_.is_moving = true;
+    after(0.01);
+    EXPECT_EQ(hands_->signs_of_life(), 10U) << "though the mouse has the tool";
+    stick_.is_here = false;
+    after(0.01);
+    EXPECT_EQ(hands_->signs_of_life(), 10U);
+}
+
 TEST_F(HandsTest, TheFirstHasTheToolUntilAnotherMoves) {
     EXPECT_EQ(after(1.0).position_mm, mouse_.tool.position_mm);
     EXPECT_EQ(hands_->holder(), 0U);
@@ -113,11 +129,47 @@ TEST_F(HandsTest, WhoeverMovesTakesTheToolOfOneThatIsGone) {
     after(1.0);
     stick_.is_here = false;
     stick_.tool.wheel_button = true;
-    EXPECT_EQ(after(1.0).position_mm, stick_.tool.position_mm) << "the tool stays where it was left";
+    EXPECT_EQ(after(0.3).position_mm, stick_.tool.position_mm) << "the tool stays where it was left";
     EXPECT_FALSE(after(kStep).wheel_button) << "and what a gone hand pressed counts for nothing";
     mouse_.is_moving = true;
     after(kStep);
     EXPECT_EQ(hands_->holder(), 0U);
+}
+
+TEST_F(HandsTest, TheToolLeavesTheClayWhenTheHandThatHeldItIsGoneForGood) {
+    stick_.is_moving = true;
+    after(1.0);
+    stick_.is_here = false;
+    after(0.4);
+    EXPECT_EQ(hands_->holder(), 2U) << "a loose plug is back in a moment";
+    after(0.2);
+    EXPECT_EQ(hands_->holder(), 0U) << "nobody has to know that the mouse is to be moved";
+    EXPECT_EQ(after(0.2).position_mm, mouse_.tool.position_mm);
+    stick_.is_here = true;
+    after(kStep);
+    EXPECT_EQ(hands_->holder(), 0U) << "until it is moved";
+}
+
+TEST_F(HandsTest, OneThatSaysNonsenseLosesTheToolAndGetsItBackBySense) {
+    const dvec3 sense_mm = stick_.tool.position_mm;
+    for (const dvec3& nonsense_mm :
+         {dvec3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), dvec3(0.0, 2000.0, 0.0)}) {
+        stick_.is_moving = true;  // and trembles for ever
+        after(1.0);
+        ASSERT_EQ(hands_->holder(), 2U);
+        stick_.tool.position_mm = nonsense_mm;
+        const ToolState said = after(kStep);
+        EXPECT_FALSE(said.position_mm == sense_mm) << "the gate has to see it";
+        EXPECT_FALSE(hands_->signs().hand_is_there);
+        mouse_.is_moving = true;
+        after(kStep);
+        EXPECT_EQ(hands_->holder(), 0U);
+        EXPECT_EQ(after(1.0).position_mm, mouse_.tool.position_mm);
+        mouse_.is_moving = false;
+        stick_.tool.position_mm = sense_mm;
+        after(1.0);
+        EXPECT_EQ(hands_->holder(), 2U);
+    }
 }
 
 TEST_F(HandsTest, AHandThatIsNotHereGetsNothingHoweverItMoves) {

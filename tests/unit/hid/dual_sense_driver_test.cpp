@@ -212,5 +212,27 @@ TEST_F(DualSenseDriverTest, LeavesThePadLooseStillAndDark) {
                          .view()));
 }
 
+TEST(DualSenseDriverByRadio, AsksForTheLongReportsAndTellsInThem) {
+    const auto script = std::make_shared<ScriptedHid>();
+    ScriptedPort port(script);
+    DualSenseDriver driver;
+    const HidDeviceInfo by_radio{.bus = HidBusType::kBluetooth};
+    EXPECT_FALSE(driver.start(by_radio, port)) << "one that does not answer cannot be heard";
+    EXPECT_EQ(script->take_sent(), std::vector<std::string>{"g 05"});
+    script->features[0x05].push_back(std::vector<std::uint8_t>(41, 0));
+    ASSERT_TRUE(driver.start(by_radio, port));
+    const auto begun = script->take_sent();
+    ASSERT_EQ(begun.size(), 2U);
+    EXPECT_EQ(begun[0], "g 05");
+    const auto first = hex(begun[1].substr(2));
+    ASSERT_EQ(first.size(), 78U);
+    EXPECT_EQ(as_hex(std::span(first).first(6)), "31 00 10 0f 04 00");
+    EXPECT_EQ(first[13], 0x05) << "the right trigger is loose";
+    driver.stop(port);
+    const auto last = hex(script->take_sent().at(0).substr(2));
+    EXPECT_EQ(last[1], 0x10) << "the next number";
+    EXPECT_EQ(last.size(), 78U);
+}
+
 }  // namespace
 }  // namespace onggi::haptics::hid

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/hex.h"
 
 namespace onggi::haptics::hid {
@@ -154,9 +156,81 @@ TEST(DualSense, RejectsReportsOfAnotherKind) {
     report.pop_back();
     EXPECT_FALSE(dual_sense_state(report));
     report = resting_report();
-    report[0] = 0x31;  // Bluetooth
+    report[0] = 0x31;  // by radio they are longer
     EXPECT_FALSE(dual_sense_state(report));
     EXPECT_FALSE(dual_sense_state({}));
+}
+
+// What a pad by radio says where one by cable says `report`.
+std::vector<std::uint8_t> radio_report(const std::vector<std::uint8_t>& report) {
+    std::vector<std::uint8_t> bytes(78, 0);
+    bytes[0] = 0x31;
+    bytes[1] = 0x01;
+    std::copy(report.begin() + 1, report.end(), bytes.begin() + 2);
+    const std::uint32_t checksum = radio_checksum(kInputSeed, std::span(bytes).first(74));
+    for (std::size_t byte = 0; byte < 4; ++byte)
+        bytes[74 + byte] = static_cast<std::uint8_t>(checksum >> (8 * byte));
+    return bytes;
+}
+
+TEST(DualSenseByRadio, HasTheChecksumOfZlibAndOfACapture) {
+    // "123456789", and what was captured of a DualShock 4, whose scheme is the same: seed 53, then 08 02 and
+    // 42 zeros.
+    const auto nine = hex("32 33 34 35 36 37 38 39");
+    EXPECT_EQ(radio_checksum('1', nine), 0xcbf43926U);
+    std::vector<std::uint8_t> captured(44, 0);
+    captured[0] = 0x08;
+    captured[1] = 0x02;
+    EXPECT_EQ(radio_checksum(0x53, captured), 0x23a2efe0U);
+}
+
+TEST(DualSenseByRadio, IsToldTheBytesOfTheVectors) {
+    const Report nothing = by_radio(dual_sense_report({}), 0);
+    ASSERT_EQ(nothing.size, 78U);
+    EXPECT_EQ(as_hex(nothing.view().first(4)), "31 00 10 00");
+    EXPECT_EQ(as_hex(nothing.view().last(4)), "b5 01 15 23");
+    const TriggerEffect effect = trigger_resistance(from_zone(3, 5));
+    const Report both = by_radio(dual_sense_report({.right_trigger = effect, .left_trigger = effect}), 1);
+    EXPECT_EQ(as_hex(both.view().first(13 + 11)),
+              "31 10 10 0c 00 00 00 00 00 00 00 00 00 21 f8 03 00 48 92 24 00 00 00 00");
+    EXPECT_EQ(as_hex(both.view().last(4)), "40 8c a6 e2");
+    EXPECT_EQ(by_radio(dual_sense_report({}), 17).bytes[1], 0x10) << "numbers go round";
+}
+
+TEST(DualSenseByRadio, SaysTheSameAsByCable) {
+    auto report = resting_report();
+    report[1] = 0x12;
+    report[6] = 0xfe;
+    report[16] = 0x6b;
+    report[28] = 0x84;
+    report[33] = 0x05;
+    report[34] = 0x23;
+    report[53] = 0x29;
+    const auto cable = dual_sense_state(report);
+    const auto radio = dual_sense_state(radio_report(report));
+    ASSERT_TRUE(cable);
+    ASSERT_TRUE(radio);
+    EXPECT_EQ(radio->left_stick, cable->left_stick);
+    EXPECT_EQ(radio->right_trigger, 0xfe);
+    EXPECT_EQ(radio->gyro, cable->gyro);
+    EXPECT_EQ(radio->sensor_time, 0x84U);
+    EXPECT_TRUE(radio->touches[0].touching);
+    EXPECT_EQ(radio->touches[0].x, cable->touches[0].x);
+    EXPECT_EQ(radio->battery_percent, 90);
+    EXPECT_EQ(radio->charging, 2);
+}
+
+TEST(DualSenseByRadio, RejectsWhatDoesNotMatchItsChecksum) {
+    const auto whole = radio_report(resting_report());
+    ASSERT_TRUE(dual_sense_state(whole));
+    for (std::size_t byte = 0; byte < whole.size(); ++byte) {
+        auto broken = whole;
+        broken[byte] ^= 0x10;
+        EXPECT_FALSE(dual_sense_state(broken)) << byte;
+    }
+    EXPECT_FALSE(dual_sense_state(std::span(whole).first(77)));
+    EXPECT_FALSE(dual_sense_state(hex("01 80 80 80 80 08 00 00 00 00")))
+        << "the short report before it is asked";
 }
 
 }  // namespace

@@ -64,8 +64,12 @@ TEST(HidKind, SaysWhyADeviceIsRefusedAndWhatMendsIt) {
               "MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"");
     HidDeviceInfo pad = device(0x054c, 0x0ce6);
     pad.bus = HidBusType::kBluetooth;
-    EXPECT_EQ(recognised(pad).refusal, "expected a USB cable, found Bluetooth");
-    EXPECT_EQ(recognised(pad).remedy, "plug it in with a cable");
+    EXPECT_EQ(recognised(pad).refusal, "");
+    pad.may_open = false;
+    EXPECT_EQ(recognised(pad).remedy,
+              "put this line into /etc/udev/rules.d/70-onggi.rules and connect it again: "
+              "KERNEL==\"hidraw*\", KERNELS==\"0005:054C:0CE6.*\", MODE=\"0660\", GROUP=\"plugdev\", "
+              "TAG+=\"uaccess\"");
     HidDeviceInfo broken = device(0x1209, 0xffb0);
     broken.report_descriptor = testing::hex("05 0f 26 ff");
     EXPECT_EQ(recognised(broken).kind, HidKind::kForceJoystick);
@@ -83,12 +87,19 @@ TEST(UdevRules, OpenEveryKnownDeviceAndNoWholeVendor) {
     for (std::string line; std::getline(file, line);) {
         if (line.starts_with("KERNEL==\"hidraw*\"")) rules.push_back(line);
     }
-    EXPECT_EQ(rules.size(), known_devices().size());
+    const auto has = [&](const std::string& rule) {
+        return std::find(rules.begin(), rules.end(), rule) != rules.end();
+    };
+    std::size_t by_radio = 0;
     for (const KnownDevice& known : known_devices()) {
-        EXPECT_NE(std::find(rules.begin(), rules.end(), udev_rule(known.vendor_id, known.product_id)),
-                  rules.end())
+        EXPECT_TRUE(has(udev_rule(known.vendor_id, known.product_id)))
             << udev_rule(known.vendor_id, known.product_id);
+        if (known.kind != HidKind::kDualSense) continue;
+        ++by_radio;
+        EXPECT_TRUE(has(bluetooth_rule(known.vendor_id, known.product_id)))
+            << bluetooth_rule(known.vendor_id, known.product_id);
     }
+    EXPECT_EQ(rules.size(), known_devices().size() + by_radio);
 }
 
 }  // namespace

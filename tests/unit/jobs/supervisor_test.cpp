@@ -55,6 +55,47 @@ TEST(Supervisor, CleansUpAfterAChildThatDiesOnTheSpot) {
     }
 }
 
+TEST(Supervisor, CleansUpAfterALibraryThatEndedTheProgram) {
+    const Watched watched = watch([] { ::_exit(1); });
+    EXPECT_EQ(watched.code, 1);
+    EXPECT_EQ(watched.crashes, 1);
+    EXPECT_EQ(watched.signal, 0);
+}
+
+// A service manager's watchdog sends SIGABRT to everybody at once.
+TEST(Supervisor, OutlivesTheWatchdogThatKillsItsChild) {
+    std::array<int, 2> cleaned{};
+    ASSERT_EQ(::pipe(cleaned.data()), 0);
+    std::array<int, 2> ready{};
+    ASSERT_EQ(::pipe(ready.data()), 0);
+    const pid_t helper = ::fork();
+    ASSERT_GE(helper, 0);
+    if (helper == 0) {
+        ::signal(SIGABRT, SIG_DFL);
+        const auto code = supervise([&](int signal) {
+            const char byte = signal == SIGABRT ? 'a' : '?';
+            if (::write(cleaned[1], &byte, 1) != 1) ::_exit(98);
+        });
+        if (!code) {
+            if (::write(ready[1], "x", 1) != 1) ::_exit(98);
+            for (;;)
+                ::pause();
+        }
+        ::_exit(*code);
+    }
+    char byte = 0;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    ::kill(helper, SIGABRT);
+    ASSERT_EQ(::read(cleaned[0], &byte, 1), 1);
+    EXPECT_EQ(byte, 'a');
+    int status = 0;
+    ASSERT_EQ(::waitpid(helper, &status, 0), helper);
+    ASSERT_TRUE(WIFEXITED(status)) << "the supervisor was killed with its child";
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    for (const int end : {cleaned[0], cleaned[1], ready[0], ready[1]})
+        ::close(end);
+}
+
 // A child says by a byte that it hears SIGTERM, and ends with 7 when it comes.
 void hear_sigterm(int say) {
     sigset_t set;
