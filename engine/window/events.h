@@ -28,6 +28,7 @@ enum class Key {
     kR,
     kS,
     kU,
+    kV,
     kW,
     kX,
     kF11,

@@ -80,6 +80,8 @@ Key key_of(int code) {
             return Key::kS;
         case GLFW_KEY_U:
             return Key::kU;
+        case GLFW_KEY_V:
+            return Key::kV;
         case GLFW_KEY_W:
             return Key::kW;
         case GLFW_KEY_X:

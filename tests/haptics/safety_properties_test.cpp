@@ -1,13 +1,12 @@
 // The safety properties of a kiosk's loop, one by one. Each test shows the property, and that it is gone when
 // the mechanism behind it is taken away: the stages of the chain are data, so a chain without one is a list
-// without one. Where else each is proved is the table of safety_table_test.cpp.
+// without one. The thirteenth is in quiet_tick_test.cpp. Where else each is proved is the table of
+// safety_table_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -324,18 +323,6 @@ TEST(SafetyProperty12, ADeviceThatGoesAndComesBackBeginsFromNothing) {
     Loop silent;
     silent.run(3010);
     EXPECT_GT(silent.force_n(), 0.3);
-}
-
-TEST(SafetyProperty13, TheTickAsksTheSystemForNothing) {
-    // What it would take is a clock, a lock or a file: none of their headers can be reached from the tick's
-    // files.
-    for (const char* file : {"tick.cpp", "tick.h", "device_force.cpp", "device_force.h"}) {
-        std::ifstream in(std::string(ONGGI_SOURCE_DIR "/game/haptic/") + file);
-        const std::string text{std::istreambuf_iterator<char>(in), {}};
-        ASSERT_FALSE(text.empty()) << file;
-        for (const char* header : {"<mutex>", "<chrono>", "<fstream>", "<iostream>", "<thread>", "throw "})
-            EXPECT_EQ(text.find(header), std::string::npos) << file << ' ' << header;
-    }
 }
 
 TEST(SafetyProperty14, NobodyThereNoForce) {

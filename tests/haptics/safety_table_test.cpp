@@ -51,6 +51,8 @@ constexpr Proof kProvedElsewhere[] = {
      "RampsTheForceUpAgainAfterAReplug"},
     {13, "no allocation", "unit/haptic/allocation_test.cpp",
      "AllocatesNothingWhileItTicksPublishesRecordsRestartsAndObeys"},
+    {13, "no system call, clock, lock, exception or page fault", "haptics/quiet_tick_test.cpp",
+     "TheTickOfTheStudiosClayAsksTheSystemForNothing"},
     {14, "dead-man", "unit/haptics/safety_stages_test.cpp", "LetsGoWithinFiveMillisecondsOfAMissingHand"},
     {14, "stop key while the picture hangs", "unit/haptics/stop_key_test.cpp",
      "IsHeardWhileNobodyElseListens"},
