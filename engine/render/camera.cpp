@@ -29,8 +29,8 @@ mat4 view_projection(const Camera& camera, int width_px, int height_px) {
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
     mat4 projection = glm::perspective(camera.vertical_fov_rad, aspect, camera.near_mm, camera.far_mm);
     projection[1][1] *= -1.0F;  // Vulkan's y points down
-    projection[2][0] -= camera.shift.x;
-    projection[2][1] -= camera.shift.y;
+    projection[2][0] -= camera.shift.x + camera.lens_shift.x;
+    projection[2][1] -= camera.shift.y + camera.lens_shift.y;
     return projection * glm::lookAt(camera.eye_mm, camera.target_mm, vec3(0.0F, 1.0F, 0.0F));
 }
 
@@ -38,8 +38,9 @@ Ray ray_through(const Camera& camera, int width_px, int height_px, dvec2 pixel) 
     const Frame frame = frame_of(camera);
     const double half_height = half_height_of(camera);
     const double half_width = half_height * width_px / height_px;
-    const double x = (2.0 * pixel.x / width_px - 1.0) * half_width;
-    const double y = (1.0 - 2.0 * pixel.y / height_px) * half_height;
+    const dvec2 lens(camera.lens_shift);
+    const double x = (2.0 * pixel.x / width_px - 1.0 - lens.x) * half_width;
+    const double y = (1.0 - 2.0 * pixel.y / height_px + lens.y) * half_height;
     return {dvec3(camera.eye_mm), glm::normalize(frame.forward + x * frame.right + y * frame.up)};
 }
 
@@ -64,7 +65,8 @@ std::optional<Projected> project(const Camera& camera, int width_px, int height_
     const double half_width = half_height * width_px / height_px;
     const double x = glm::dot(from_eye, frame.right) / half_width;
     const double y = glm::dot(from_eye, frame.up) / half_height;
-    return Projected{{(x + 1.0) * 0.5 * width_px, (1.0 - y) * 0.5 * height_px}, depth};
+    const dvec2 lens(camera.lens_shift);
+    return Projected{{(1.0 + lens.x + x) * 0.5 * width_px, (1.0 + lens.y - y) * 0.5 * height_px}, depth};
 }
 
 namespace {
@@ -86,10 +88,22 @@ Camera plate_camera(const Camera& of_plate, int plate_width_px, int plate_height
     return camera;
 }
 
-vec4 plate_window(int plate_width_px, int plate_height_px, int width_px, int height_px) {
-    const double scale = plate_scale(plate_width_px, plate_height_px, width_px, height_px);
+vec4 plate_window(const Camera& of_plate, int plate_width_px, int plate_height_px, const Camera& shown,
+                  int width_px, int height_px) {
+    const double scale =
+        plate_scale(plate_width_px, plate_height_px, width_px, height_px) *
+        half_height_of(plate_camera(of_plate, plate_width_px, plate_height_px, width_px, height_px)) /
+        half_height_of(shown);
     const dvec2 pixel(1.0 / (scale * plate_width_px), 1.0 / (scale * plate_height_px));
-    return vec4(vec2(pixel), vec2(0.5 - 0.5 * width_px * pixel.x, 0.5 - 0.5 * height_px * pixel.y));
+    const dvec2 middle = 0.5 * dvec2(width_px, height_px) * (dvec2(1.0) + dvec2(shown.lens_shift));
+    return vec4(vec2(pixel), vec2(0.5 - middle.x * pixel.x, 0.5 - middle.y * pixel.y));
+}
+
+Camera zoomed(const Camera& camera, double factor) {
+    Camera nearer = camera;
+    if (factor != 1.0)
+        nearer.vertical_fov_rad = static_cast<float>(2.0 * std::atan(half_height_of(camera) / factor));
+    return nearer;
 }
 
 double pixels_per_mm(const Camera& camera, int height_px) {

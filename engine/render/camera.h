@@ -15,6 +15,9 @@ struct Camera {
     float near_mm = 50.0F;
     float far_mm = 6000.0F;
     vec2 shift{0.0F};  // of the whole picture, in halves of it: fractions of a pixel, for a mean of many
+    // Where the way the camera looks meets the picture, in halves of it from its middle, x right and y down:
+    // a lens that is shifted, as an architect's. It moves everything on the picture and tilts nothing.
+    vec2 lens_shift{0.0F};
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
@@ -47,8 +50,13 @@ struct Projected {
 [[nodiscard]] Camera plate_camera(const Camera& of_plate, int plate_width_px, int plate_height_px,
                                   int width_px, int height_px);
 
-// pixel * xy + zw of such a picture is the place in the plate, 0 to 1 from its top left corner.
-[[nodiscard]] vec4 plate_window(int plate_width_px, int plate_height_px, int width_px, int height_px);
+// pixel * xy + zw of a picture is the place in the plate, 0 to 1 from its top left corner. `shown` stands
+// where the plate was taken and looks the same way; it may be narrower or wider than plate_camera()'s, and
+// shifted.
+[[nodiscard]] vec4 plate_window(const Camera& of_plate, int plate_width_px, int plate_height_px,
+                                const Camera& shown, int width_px, int height_px);
+// The camera nearer by that factor, as a zoom lens is.
+[[nodiscard]] Camera zoomed(const Camera& camera, double factor);
 
 // How many pixels one mm spans at the camera's target.
 [[nodiscard]] double pixels_per_mm(const Camera& camera, int height_px);

@@ -72,7 +72,8 @@ void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::Fr
     const auto projection_of = [](const Plate& plate) {
         return view_projection(plate.camera, plate.key.width, plate.key.height);
     };
-    frame.plate_window = plate_window(scene.plate->key.width, scene.plate->key.height, width_px, height_px);
+    frame.plate_window = plate_window(scene.plate->camera, scene.plate->key.width, scene.plate->key.height,
+                                      scene.camera, width_px, height_px);
     frame.plate_from = projection_of(*scene.plate);
     frame.plate_to = scene.glide ? projection_of(*scene.glide->towards) : frame.plate_from;
     frame.glide = vec4(scene.glide ? scene.glide->share : 0.0F, 0.0F, 0.0F, 0.0F);

@@ -108,17 +108,11 @@ bool is_whole(const Plate& plate) {
                                                           static_cast<std::size_t>(relief.rows)));
 }
 
-// Which slots a plate takes.
-struct Slots {
-    int key;
-    int ambient;
-    int depth;
-};
-constexpr Slots kFrom{shaders::kBindPlateKey, shaders::kBindPlateAmbient, shaders::kBindFromDepth};
-constexpr Slots kTo{shaders::kBindNextKey, shaders::kBindNextAmbient, shaders::kBindToDepth};
+constexpr PlateSlots kFrom{shaders::kBindPlateKey, shaders::kBindPlateAmbient, shaders::kBindFromDepth};
+constexpr PlateSlots kTo{shaders::kBindNextKey, shaders::kBindNextAmbient, shaders::kBindToDepth};
 
-void bind_plate(const FrameContext& frame, const Slots& slots, const vk::Image& key, const vk::Image& ambient,
-                const vk::Image& depth) {
+void bind_plate(const FrameContext& frame, const PlateSlots& slots, const vk::Image& key,
+                const vk::Image& ambient, const vk::Image& depth) {
     const auto bind = [&](int binding, const vk::Image& image, const vk::Sampler& sampler) {
         vk::write_image(frame.device, frame.set(), static_cast<std::uint32_t>(binding), image.view(),
                         sampler.get());
@@ -128,13 +122,25 @@ void bind_plate(const FrameContext& frame, const Slots& slots, const vk::Image& 
     bind(slots.depth, depth, frame.pipelines.exact);
 }
 
+void bind_nothing(const FrameContext& frame, const PlateSlots& slots) {
+    const vk::Image& any = frame.images.mask;
+    bind_plate(frame, slots, any, any, any);
+}
+
 }  // namespace
 
 void PlatePass::bind_placeholders(const FrameContext& frame) {
     // See StillPass::bind_placeholders.
-    const vk::Image& any = frame.images.mask;
-    for (const Slots& slots : {kFrom, kTo})
-        bind_plate(frame, slots, any, any, any);
+    for (const PlateSlots& slots : {kFrom, kTo})
+        bind_nothing(frame, slots);
+}
+
+// No slot keeps an image that is gone: lavapipe counts references in whatever is bound, drawn from or not.
+void PlatePass::let_go(const FrameContext& frame, const PlateSlots& slots,
+                       std::shared_ptr<const Plate>& bound) const {
+    if (!bound || find(bound) != nullptr) return;
+    bind_nothing(frame, slots);
+    bound = nullptr;
 }
 
 Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::shared_ptr<const Plate> plate) {
@@ -185,11 +191,13 @@ Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
         return resident->plate == scene.plate || resident->plate == to ||
                std::find(at_hand.begin(), at_hand.end(), resident->plate) != at_hand.end();
     };
+    const bool changed = scene.plate != from_;
     residents_.erase(std::partition(residents_.begin(), residents_.end(), is_wanted), residents_.end());
+    let_go(frame, kFrom, from_);
+    let_go(frame, kTo, to_);
     for (const auto& plate : scene.plates_at_hand) {
         if (auto there = resident(frame, plate); !there) return there.error();
     }
-    const bool changed = scene.plate != from_;
     if (changed && scene.plate) {
         auto there = resident(frame, scene.plate);
         if (!there) return there.error();

@@ -9,6 +9,13 @@
 
 namespace onggi::render {
 
+// Where in the frame's set a plate is bound.
+struct PlateSlots {
+    int key;
+    int ambient;
+    int depth;
+};
+
 class PlatePass {
   public:
     // Binds something to every slot that a shader might read before there is a plate.
@@ -33,6 +40,8 @@ class PlatePass {
     };
     static Result<Resident> upload(const FrameContext& frame, std::shared_ptr<const Plate> plate);
     Result<const Resident*> resident(const FrameContext& frame, const std::shared_ptr<const Plate>& plate);
+    void let_go(const FrameContext& frame, const PlateSlots& slots,
+                std::shared_ptr<const Plate>& bound) const;
     [[nodiscard]] const Resident* find(const std::shared_ptr<const Plate>& plate) const;
 
     std::vector<std::unique_ptr<Resident>> residents_;

@@ -29,7 +29,8 @@ CameraPose pose_of(const render::Camera& camera) {
             .out_mm = std::hypot(eye.x, eye.z),
             .up_mm = eye.y,
             .target_mm = dvec3(camera.target_mm),
-            .vertical_fov_rad = static_cast<double>(camera.vertical_fov_rad)};
+            .vertical_fov_rad = static_cast<double>(camera.vertical_fov_rad),
+            .lens_shift = dvec2(camera.lens_shift)};
 }
 
 render::Camera camera_at(const CameraPose& pose) {
@@ -40,12 +41,13 @@ render::Camera camera_at(const CameraPose& pose) {
             .target_mm = vec3(pose.target_mm),
             .vertical_fov_rad = static_cast<float>(pose.vertical_fov_rad),
             .near_mm = static_cast<float>(0.2 * distance),
-            .far_mm = static_cast<float>(20.0 * distance)};
+            .far_mm = static_cast<float>(20.0 * distance),
+            .lens_shift = vec2(pose.lens_shift)};
 }
 
 CameraMotion::Numbers CameraMotion::values_of(const CameraPose& pose) {
-    return {pose.azimuth_rad, pose.out_mm,      pose.up_mm,           pose.target_mm.x,
-            pose.target_mm.y, pose.target_mm.z, pose.vertical_fov_rad};
+    return {pose.azimuth_rad, pose.out_mm,           pose.up_mm,        pose.target_mm.x, pose.target_mm.y,
+            pose.target_mm.z, pose.vertical_fov_rad, pose.lens_shift.x, pose.lens_shift.y};
 }
 
 void CameraMotion::jump_to(const CameraPose& pose) {
@@ -70,12 +72,14 @@ CameraPose CameraMotion::pose() const {
             .out_mm = now_[1].value,
             .up_mm = now_[2].value,
             .target_mm = {now_[3].value, now_[4].value, now_[5].value},
-            .vertical_fov_rad = now_[6].value};
+            .vertical_fov_rad = now_[6].value,
+            .lens_shift = {now_[7].value, now_[8].value}};
 }
 
 bool CameraMotion::at_rest() const {
     for (std::size_t i = 0; i < kNumbers; ++i) {
-        const double near = i == 0 || i == kNumbers - 1 ? kRestRad : kRestMm;
+        const bool is_length = i >= 1 && i <= 5;  // the others are angles, and shares of the picture
+        const double near = is_length ? kRestMm : kRestRad;
         if (std::abs(now_[i].value - goal_[i]) > near || std::abs(now_[i].speed) > near * kRatePerS)
             return false;
     }

@@ -18,6 +18,14 @@ struct Settling {
 // After dt_s seconds; exact for any step. After 5 / rate_per_s about 96 % of the way is done.
 [[nodiscard]] Settling settled(const Settling& now, double goal, double rate_per_s, double dt_s);
 
+// Where in the picture the plate's own picture is put: the design of a screen leaves it more or less room.
+struct Framing {
+    dvec2 shift{0.0};   // of the picture, in halves of it, x right and y down
+    double zoom = 1.0;  // of the plate about its middle, before it is shifted
+
+    friend bool operator==(const Framing&, const Framing&) = default;
+};
+
 // A camera about the wheel's axis. It turns about it rather than cutting through the pot.
 struct CameraPose {
     double azimuth_rad = 0.0;  // 0 looks along -Z
@@ -25,6 +33,7 @@ struct CameraPose {
     double up_mm = 300.0;      // over the wheel head
     dvec3 target_mm{0.0};
     double vertical_fov_rad = 0.5;
+    dvec2 lens_shift{0.0};  // as render::Camera's
 
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
@@ -43,7 +52,7 @@ class CameraMotion {
     [[nodiscard]] bool at_rest() const;
 
   private:
-    static constexpr std::size_t kNumbers = 7;
+    static constexpr std::size_t kNumbers = 9;
     using Numbers = std::array<double, kNumbers>;
     static Numbers values_of(const CameraPose& pose);
 

@@ -80,6 +80,8 @@ struct CameraRig {
 struct PhotographedRoom {
     std::shared_ptr<const Workshop> workshop;
     View view = View::kThrowing;
+    Framing framing{};
+    bool jumps = false;  // with the next frame it is where it is wanted
     std::map<std::string, std::shared_ptr<const render::Plate>> plates{};  // by their camera's name
     bool sways = false;  // while nobody throws: a few degrees to either side, slowly
     CameraMotion motion{};

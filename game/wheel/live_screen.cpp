@@ -63,8 +63,10 @@ Result<void> LiveScreen::open_device() {
     device_->replace_spirv(shaders_.replacements());
 #endif
     if (!has_ladder_) {
-        ladder_ = render::QualityLadder(
-            render::quality_range(device_class(device_->description()), options_.draw_threads));
+        render::QualityRange range =
+            render::quality_range(device_class(device_->description()), options_.draw_threads);
+        if (options_.lowest_quality) range.first = range.highest = range.lowest;
+        ladder_ = render::QualityLadder(range);
         has_ladder_ = true;
     }
     return {};

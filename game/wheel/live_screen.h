@@ -26,7 +26,8 @@ namespace onggi::wheel {
 struct LiveScreenOptions {
     window::Size size{1280, 720};  // of an unseen target
     bool validation = false;
-    int draw_threads = 1;  // that a software device may use
+    bool lowest_quality = false;  // and never more
+    int draw_threads = 1;         // that a software device may use
 };
 
 class LiveScreen {

@@ -17,6 +17,7 @@ struct LiveView::Impl {
     std::unique_ptr<LiveScreen> screen;  // gone before the window
     std::unique_ptr<WheelScene> scene;
     std::string workshop_lack;
+    std::vector<window::Event> fed;
     bool close_requested = false;
 
     PlateLoader plates;
@@ -44,11 +45,13 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     }
     auto made = LiveScreen::open(*window, {.size = {options.width, options.height},
                                            .validation = options.validation,
+                                           .lowest_quality = options.plain,
                                            .draw_threads = options.draw_threads});
     if (!made) return made.error();
     screen = std::move(*made);
 
-    OpenedScene opened = open_scene(options.workshop, width(), height());
+    OpenedScene opened = options.plain ? OpenedScene{std::make_unique<WheelScene>(), {}}
+                                       : open_scene(options.workshop, width(), height());
     scene = std::move(opened.scene);
     workshop_lack = std::move(opened.lack);
     plates_for = {width(), height()};
@@ -113,6 +116,8 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const LiveViewOptions& options)
 
 std::vector<window::Event> LiveView::poll_events() {
     std::vector<window::Event> events = impl_->window->poll_events();
+    events.insert(events.end(), impl_->fed.begin(), impl_->fed.end());
+    impl_->fed.clear();
     for (const window::Event& event : events) {
         if (const auto* resized = std::get_if<window::ResizeEvent>(&event)) {
             impl_->screen->resize({resized->width, resized->height});
@@ -120,6 +125,10 @@ std::vector<window::Event> LiveView::poll_events() {
         if (std::holds_alternative<window::CloseEvent>(event)) impl_->close_requested = true;
     }
     return events;
+}
+
+void LiveView::feed(const window::Event& event) {
+    impl_->fed.push_back(event);
 }
 
 std::vector<window::Gamepad> LiveView::gamepads() const {
@@ -156,6 +165,12 @@ Result<bool> LiveView::draw(const PotView& pot, double dt_s, const render::Overl
 void LiveView::look_at(View view) {
     impl_->scene->look_at(view);
 }
+void LiveView::set_framing(const Framing& framing) {
+    impl_->scene->set_framing(framing);
+}
+void LiveView::jump() {
+    impl_->scene->jump();
+}
 void LiveView::sway(bool sways) {
     impl_->scene->sway(sways);
 }
@@ -175,6 +190,11 @@ std::optional<dvec2> LiveView::project(const dvec3& place_mm) const {
     const auto seen =
         render::project(impl_->scene->camera_now(width(), height()), width(), height(), place_mm);
     return seen ? std::optional<dvec2>(seen->pixel) : std::nullopt;
+}
+
+std::optional<dvec2> LiveView::project_framed(View view, const Framing& framing,
+                                              const dvec3& place_mm) const {
+    return impl_->scene->project_framed(view, framing, width(), height(), place_mm);
 }
 
 dvec3 LiveView::towards_eye(const dvec3& place_mm) const {

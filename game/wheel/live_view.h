@@ -16,6 +16,7 @@
 #include "engine/vk/health.h"
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
+#include "game/wheel/camera_motion.h"
 #include "game/wheel/pot_view.h"
 #include "game/wheel/workshop_files.h"
 
@@ -27,6 +28,7 @@ struct LiveViewOptions {
     bool headless = false;  // draw into memory; no display needed
     bool full_screen = false;
     bool validation = false;
+    bool plain = false;    // no photographed room, no modelled tools, the lowest quality for good
     int draw_threads = 1;  // that a software Vulkan device may use: where the quality ladder begins
     std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
     std::string title = "Onggi";
@@ -41,8 +43,10 @@ class LiveView {
     LiveView(const LiveView&) = delete;
     LiveView& operator=(const LiveView&) = delete;
 
-    // What happened in the window since the last call; empty when headless. Call before draw.
+    // What happened in the window since the last call; when headless, what was fed. Call before draw.
     [[nodiscard]] std::vector<window::Event> poll_events();
+    // A person at a window that nobody sees, for tests: poll_events() gives it next.
+    void feed(const window::Event& event);
     // The gamepads of the window system, as they are since then; none when headless.
     [[nodiscard]] std::vector<window::Gamepad> gamepads() const;
     [[nodiscard]] bool close_requested() const;
@@ -61,8 +65,11 @@ class LiveView {
     // The camera goes to another view; it sways slowly while nobody throws; day becomes evening, 0 to 1. Each
     // takes about a second, and needs the photographed room; without it only the evening is seen.
     void look_at(View view);
+    void set_framing(const Framing& framing);
     void sway(bool sways);
     void set_evening(double evening);
+    // The next frame shows the camera where it is wanted: for while something else covers the scene.
+    void jump();
 
     // Until the last frame has left the device: what a frame took is known only then.
     Result<void> wait();
@@ -73,6 +80,9 @@ class LiveView {
 
     // Where a place on the wheel is seen, pixels; nothing behind the eye.
     [[nodiscard]] std::optional<dvec2> project(const dvec3& place_mm) const;
+    // Where it would be seen from a view framed so; nothing without the photographed room.
+    [[nodiscard]] std::optional<dvec2> project_framed(View view, const Framing& framing,
+                                                      const dvec3& place_mm) const;
     // The way from that place to the eye, unit length.
     [[nodiscard]] dvec3 towards_eye(const dvec3& place_mm) const;
 

@@ -10,11 +10,18 @@ constexpr double kSwayRad = 0.021;     // a little over a degree
 constexpr double kSwayZoom = 0.045;    // nearer by that, so that nothing from outside the plate comes in
 constexpr double kSwayRadPerS = 0.21;  // half a minute there and back
 
-render::Camera framed(const render::Plate& plate, int width_px, int height_px) {
-    return render::plate_camera(plate.camera, plate.key.width, plate.key.height, width_px, height_px);
+render::Camera framed(const render::Plate& plate, const Framing& framing, int width_px, int height_px) {
+    return framed(render::plate_camera(plate.camera, plate.key.width, plate.key.height, width_px, height_px),
+                  framing);
 }
 
 }  // namespace
+
+render::Camera framed(const render::Camera& camera, const Framing& framing) {
+    render::Camera shown = render::zoomed(camera, framing.zoom);
+    shown.lens_shift = vec2(framing.shift);
+    return shown;
+}
 
 void receive_wheel(ecs::Registry& registry, FrameContext& context) {
     registry.each<Wheel>([&](ecs::Entity, Wheel& wheel) {
@@ -27,7 +34,8 @@ void move_camera(ecs::Registry& registry, FrameContext& context) {
     registry.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
         const ShownPlate goal = shown_plate(room, context.width_px, context.height_px);
         if (goal.camera == nullptr) return;
-        const CameraPose pose = pose_of(framed(*goal.plate, context.width_px, context.height_px));
+        const CameraPose pose =
+            pose_of(framed(*goal.plate, room.framing, context.width_px, context.height_px));
         const bool is_same_size = context.width_px == room.width_px && context.height_px == room.height_px;
         const bool is_known = room.plates.contains(room.from) && room.plates.contains(room.to);
         if (!is_known || !is_same_size) {
@@ -41,7 +49,7 @@ void move_camera(ecs::Registry& registry, FrameContext& context) {
         } else if (room.from == room.to) {
             room.to = goal.camera->name;
         }
-        if (context.dt_s > 0.0) {
+        if (context.dt_s > 0.0 && !room.jumps) {
             room.motion.go_to(pose);
             room.motion.advance(context.dt_s);
         } else {
@@ -51,6 +59,8 @@ void move_camera(ecs::Registry& registry, FrameContext& context) {
 
         constexpr double kSwayRatePerS = 1.5;
         room.sway_share = settled(room.sway_share, room.sways ? 1.0 : 0.0, kSwayRatePerS, context.dt_s);
+        if (room.jumps) room.sway_share = {.value = room.sways ? 1.0 : 0.0};
+        room.jumps = false;
         if (!room.sways && room.sway_share.value < 1e-3) room.sway_share = {};
         room.sway_s = room.sway_share.value > 0.0 || room.sways ? room.sway_s + context.dt_s : 0.0;
     });
@@ -80,8 +90,10 @@ void extract_camera(ecs::Registry& registry, FrameContext& context) {
             const PlateCamera* place =
                 room.workshop->camera_for(room.view, context.width_px, context.height_px);
             if (place == nullptr) return;
-            context.scene.camera = render::plate_camera(place->camera, place->width_px, place->height_px,
-                                                        context.width_px, context.height_px);
+            context.scene.camera =
+                framed(render::plate_camera(place->camera, place->width_px, place->height_px,
+                                            context.width_px, context.height_px),
+                       room.framing);
             return;
         }
         for (const auto& [name, plate] : room.plates)
@@ -93,15 +105,16 @@ void extract_camera(ecs::Registry& registry, FrameContext& context) {
         const CameraPose pose = room.motion.pose();
         const double sway = room.sway_share.value * std::sin(room.sway_s * kSwayRadPerS);
         if (room.from == room.to && room.motion.at_rest() && room.sway_share.value == 0.0) {
-            context.scene.camera = framed(*from->second, context.width_px, context.height_px);
+            context.scene.camera = framed(*from->second, room.framing, context.width_px, context.height_px);
             return;
         }
         CameraPose swayed = pose;
         swayed.azimuth_rad += kSwayRad * sway;
         swayed.vertical_fov_rad *= 1.0 - kSwayZoom * room.sway_share.value;
         context.scene.camera = camera_at(swayed);
-        const auto pose_from = pose_of(framed(*from->second, context.width_px, context.height_px));
-        const auto pose_to = pose_of(framed(*to->second, context.width_px, context.height_px));
+        const auto pose_from =
+            pose_of(framed(*from->second, room.framing, context.width_px, context.height_px));
+        const auto pose_to = pose_of(framed(*to->second, room.framing, context.width_px, context.height_px));
         context.scene.glide = render::Glide{
             .towards = to->second, .share = static_cast<float>(share_between(pose_from, pose_to, pose))};
     });

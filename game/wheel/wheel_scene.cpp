@@ -81,6 +81,14 @@ void WheelScene::look_at(View view) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.view = view; });
 }
 
+void WheelScene::set_framing(const Framing& framing) {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.framing = framing; });
+}
+
+void WheelScene::jump() {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.jumps = true; });
+}
+
 void WheelScene::sway(bool sways) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.sways = sways; });
 }
@@ -108,6 +116,20 @@ const render::Camera& WheelScene::camera_now(int width_px, int height_px) {
     context_.height_px = height_px;
     extract_camera(registry_, context_);
     return context_.scene.camera;
+}
+
+std::optional<dvec2> WheelScene::project_framed(View view, const Framing& framing, int width_px,
+                                                int height_px, const dvec3& place_mm) {
+    std::optional<dvec2> pixel;
+    registry_.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
+        const PlateCamera* taken = room.workshop->camera_for(view, width_px, height_px);
+        if (taken == nullptr) return;
+        const render::Camera camera = framed(
+            render::plate_camera(taken->camera, taken->width_px, taken->height_px, width_px, height_px),
+            framing);
+        if (const auto seen = render::project(camera, width_px, height_px, place_mm)) pixel = seen->pixel;
+    });
+    return pixel;
 }
 
 std::optional<dvec3> WheelScene::tool_target_mm(double x_px, double y_px, int width_px, int height_px) {

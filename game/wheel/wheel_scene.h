@@ -32,7 +32,9 @@ class WheelScene {
     [[nodiscard]] bool has_plates();
     [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null: there is none
     void look_at(View view);                                   // the camera goes there, in about a second
-    void sway(bool sways);             // slowly from side to side, while nobody throws
+    void set_framing(const Framing& framing);                  // likewise
+    void jump();            // with the next frame the camera is where it is wanted: nobody sees it now
+    void sway(bool sways);  // slowly from side to side, while nobody throws
     void set_evening(double evening);  // 0 day to 1 evening, in about a second
 
     // Runs every system for a picture of this size, dt_s after the one before (0: a still, in which nothing
@@ -45,6 +47,10 @@ class WheelScene {
     // Where a pointer at this pixel puts the tool, mm; see LiveView::tool_target_mm.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px, int width_px, int height_px);
 
+    // Where the camera of a view would show a place if the picture were framed so, pixels; nothing without a
+    // photographed room, or behind the eye.
+    [[nodiscard]] std::optional<dvec2> project_framed(View view, const Framing& framing, int width_px,
+                                                      int height_px, const dvec3& place_mm);
     // The camera of a picture of this size.
     [[nodiscard]] const render::Camera& camera_now(int width_px, int height_px);
 

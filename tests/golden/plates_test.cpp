@@ -1,0 +1,84 @@
+// Photographs that come and go while the camera is on its way: a window that changes its shape drops those of
+// the other shape, and nothing of them may stay behind on the device.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/render/renderer.h"
+#include "engine/vk/offscreen.h"
+
+namespace onggi::golden {
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 90;
+
+render::Camera camera() {
+    return {.eye_mm = {0.0F, 285.0F, 805.0F}, .target_mm = {0.0F, 82.0F, 0.0F}, .vertical_fov_rad = 0.471F};
+}
+
+// All of one grey, and as far away everywhere.
+std::shared_ptr<const render::Plate> grey_plate(std::uint8_t level) {
+    render::Plate plate;
+    plate.camera = camera();
+    plate.key = {.width = kWidth, .height = kHeight, .rgba = {}};
+    plate.key.rgba.assign(std::size_t{4} * kWidth * kHeight, level);
+    plate.ambient = plate.key;
+    plate.relief = {.columns = 2, .rows = 2, .depth_mm = {900.0F, 900.0F, 900.0F, 900.0F}};
+    return std::make_shared<const render::Plate>(std::move(plate));
+}
+
+class Plates : public testing::Test {
+  protected:
+    void SetUp() override {
+        instance_ = vk::Instance::create({.validation = true}).value();
+        device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(), false)
+                      .value();
+        renderer_ =
+            render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, kHeight))
+                .value();
+        target_ = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
+    }
+    // The level in the picture's middle of a camera that stands at one plate, or is on its way to another.
+    int drawn(const std::shared_ptr<const render::Plate>& plate,
+              const std::shared_ptr<const render::Plate>& towards) {
+        render::Scene scene;
+        scene.camera = camera();
+        scene.plate = plate;
+        scene.plates_at_hand = {plate};
+        if (towards) {
+            scene.plates_at_hand.push_back(towards);
+            scene.glide = render::Glide{.towards = towards, .share = 1.0F};
+        }
+        const auto shown = renderer_->draw(scene, *target_);
+        EXPECT_TRUE(shown && *shown) << (shown ? "" : shown.error().message);
+        const std::vector<std::uint8_t> pixels = target_->read_back().value();
+        return pixels[std::size_t{4} * (kHeight / 2 * kWidth + kWidth / 2)];
+    }
+
+    std::unique_ptr<vk::Instance> instance_;
+    std::unique_ptr<vk::Device> device_;
+    std::unique_ptr<render::Renderer> renderer_;
+    std::unique_ptr<vk::Offscreen> target_;
+};
+
+TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
+    const auto here = grey_plate(60);
+    const auto there = grey_plate(200);
+    const int first = drawn(here, there);
+    const int before = drawn(here, nullptr);
+    EXPECT_GT(first, before + 60);
+    // What was freed is something else now.
+    const auto other = grey_plate(120);
+    const int meanwhile = drawn(other, nullptr);
+    EXPECT_GT(meanwhile, before + 30);
+    EXPECT_LT(meanwhile, first - 30);
+    EXPECT_EQ(drawn(here, there), first);
+    for (const std::string& message : instance_->messages())
+        ADD_FAILURE() << message;
+}
+
+}  // namespace
+}  // namespace onggi::golden
