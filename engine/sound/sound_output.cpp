@@ -33,8 +33,10 @@ void SoundWork::look_for_a_player(std::int64_t now_ns) {
 bool SoundWork::fill(const SoundScene& now) {
     const auto wanted = player_->blocks_wanted();
     if (!wanted) return false;
+    if (const auto& newest = line.latest(); newest != said_) speaker_.say(said_ = newest);
     for (std::size_t block = 0; block < *wanted; ++block) {
         synthesiser_.render(now, block_);
+        speaker_.mix(block_, now.volume);
         if (!player_->play(block_)) return false;
         ++status_.blocks;
     }

@@ -18,6 +18,7 @@
 #include "engine/jobs/mailbox.h"
 #include "engine/sound/sound_player.h"
 #include "engine/sound/sound_scene.h"
+#include "engine/sound/spoken_line.h"
 #include "engine/sound/synthesiser.h"
 
 namespace onggi::sound {
@@ -38,7 +39,9 @@ class SoundWork final : public jobs::IoWork {
     // Fades out, which takes up to 150 ms.
     void finish() noexcept override;
 
-    jobs::Mailbox<SoundScene> scene;    // main thread to I/O thread
+    jobs::Mailbox<SoundScene> scene;  // main thread to I/O thread
+    // Likewise: what is to be spoken now, from its beginning; null ends it.
+    jobs::Mailbox<std::shared_ptr<const SpokenLine>> line;
     jobs::Mailbox<SoundStatus> status;  // I/O thread to main thread
 
   private:
@@ -50,6 +53,8 @@ class SoundWork final : public jobs::IoWork {
     std::unique_ptr<SoundPlace> place_;
     std::unique_ptr<SoundPlayer> player_;
     Synthesiser synthesiser_;
+    Speaker speaker_;
+    std::shared_ptr<const SpokenLine> said_;
     SoundStatus status_;
     std::array<Sample, kBlockFrames> block_{};
     std::int64_t next_look_ns_ = 0;
@@ -67,6 +72,8 @@ class SoundOutput {
     Result<void> open();
     void close() noexcept { thread_.stop(); }
     void play(const SoundScene& scene) noexcept { work_.scene.put(scene); }
+    // Speaks it over everything else, once; null: stops speaking.
+    void say(const std::shared_ptr<const SpokenLine>& line) noexcept { work_.line.put(line); }
     [[nodiscard]] const SoundStatus& status() noexcept { return work_.status.latest(); }
 
   private:
