@@ -66,6 +66,17 @@ std::optional<Rect> Atlas::place(std::uint64_t key, const std::shared_ptr<const 
     return rect;
 }
 
+std::optional<Rect> Atlas::replace(std::uint64_t key, const std::shared_ptr<const Painting>& painting) {
+    for (const Half& half : halves_) {
+        const auto found = half.places.find(key);
+        if (found == half.places.end()) continue;
+        const Rect& rect = found->second;
+        uploads_.push_back({static_cast<int>(rect.x), static_cast<int>(rect.y), painting});
+        return rect;
+    }
+    return place(key, painting);
+}
+
 std::vector<Atlas::Upload> Atlas::take_uploads() {
     return std::exchange(uploads_, {});
 }

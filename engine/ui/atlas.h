@@ -32,6 +32,11 @@ class Atlas {
     [[nodiscard]] std::optional<Rect> place(std::uint64_t key,
                                             const std::shared_ptr<const Painting>& painting);
 
+    // Another painting of the same size in the place of the one with this key; as place() where there is
+    // none.
+    [[nodiscard]] std::optional<Rect> replace(std::uint64_t key,
+                                              const std::shared_ptr<const Painting>& painting);
+
     // What is to be copied into the texture before it is drawn from; it is taken away.
     [[nodiscard]] std::vector<Upload> take_uploads();
     // How often a half has been emptied.

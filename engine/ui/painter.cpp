@@ -31,6 +31,8 @@ std::string key_of(const Text& text) {
 
 constexpr std::size_t kMostRemembered = 4096;
 
+thread_local std::uint64_t work_done = 0;
+
 }  // namespace
 
 struct Painter::Impl {
@@ -47,6 +49,7 @@ Painter::~Painter() = default;
 TextSize Painter::measure(const Text& text) {
     std::string key = key_of(text);
     if (const auto found = impl_->sizes.find(key); found != impl_->sizes.end()) return found->second;
+    ++work_done;
     const TextSize size = size_of(lay_out(impl_->context.get(), text, 1.0F, 0.0F).get(), text);
     if (impl_->sizes.size() >= kMostRemembered) impl_->sizes.clear();
     impl_->sizes.emplace(std::move(key), size);
@@ -81,6 +84,7 @@ void Painter::Impl::write(cairo_t* cairo, const Writing& writing, float px_per_u
 }
 
 Painting Painter::paint(const Sketch& sketch) {
+    ++work_done;
     const auto pixels = [&](float u) {
         return std::max(1, static_cast<int>(std::ceil(u * sketch.px_per_u - 1e-3F)));
     };
@@ -106,6 +110,10 @@ Painting Painter::paint(const Sketch& sketch) {
     }
     if (sketch.fade) fade(cairo.get(), *sketch.fade);
     return read(surface.get());
+}
+
+std::uint64_t Painter::work_of_this_thread() {
+    return work_done;
 }
 
 std::vector<std::string> Painter::missing_families(std::span<const std::string> families) const {

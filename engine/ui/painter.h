@@ -3,6 +3,7 @@
 // beside the frame, because a first label costs tens of ms and later ones up to thirty.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,10 @@ class Painter {
     // Remembered, so that asking again costs a look-up.
     [[nodiscard]] TextSize measure(const Text& text);
     [[nodiscard]] Painting paint(const Sketch& sketch);
+
+    // How many texts and pictures the calling thread has laid out or painted so far, with whatever painter: a
+    // frame may have none of them.
+    [[nodiscard]] static std::uint64_t work_of_this_thread();
 
     // Those of `families` that this machine has not. A missing one is replaced by the nearest there is.
     [[nodiscard]] std::vector<std::string> missing_families(std::span<const std::string> families) const;

@@ -47,7 +47,9 @@ class PathReader {
         skip_spaces();
         const char* const begin = words_.data() + at_;
         const auto [end, error] = std::from_chars(begin, words_.data() + words_.size(), value);
-        if (error != std::errc() || !std::isfinite(value)) return false;
+        // No drawing is that large, and arcs square what they are given.
+        constexpr float kMost = 1e6F;
+        if (error != std::errc() || !(std::abs(value) <= kMost)) return false;
         at_ += static_cast<std::size_t>(end - begin);
         return true;
     }
@@ -126,7 +128,8 @@ class PathReader {
             return wrong("seven numbers");
         }
         radius = glm::abs(radius);
-        if (radius.x == 0.0F || radius.y == 0.0F || to == here_) {
+        constexpr float kLeast = 1e-4F;  // what is shorter is a point, or a straight line
+        if (radius.x < kLeast || radius.y < kLeast || glm::length(to - here_) < kLeast) {
             line_to(to);
             return {};
         }

@@ -44,6 +44,9 @@ Context create_context(PangoFontMap* fonts) {
     // At 72 dots an inch one point is one pixel.
     pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts), 72.0);
     Context context(pango_font_map_create_context(fonts));
+    // Letters stand where their widths put them, not on whole pixels: a line that was measured at one size
+    // would be wider at another, and lose its last word to a line that nobody sees.
+    pango_context_set_round_glyph_positions(context.get(), FALSE);
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);

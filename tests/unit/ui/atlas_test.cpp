@@ -54,6 +54,19 @@ TEST(Atlas, EmptiesTheOlderHalfWhenBothAreFull) {
     EXPECT_EQ(atlas.take_uploads().size(), 4U) << "what was overwritten before it was copied is not copied";
 }
 
+TEST(Atlas, ReplacesAPaintingWhereItLies) {
+    Atlas atlas(256);
+    const auto first = atlas.replace(1, painting(50, 20));
+    ASSERT_TRUE(first);
+    static_cast<void>(atlas.take_uploads());
+    const auto newer = painting(50, 20);
+    EXPECT_EQ(atlas.replace(1, newer), first);
+    const auto uploads = atlas.take_uploads();
+    ASSERT_EQ(uploads.size(), 1U);
+    EXPECT_EQ(uploads.front().painting, newer);
+    EXPECT_EQ(static_cast<float>(uploads.front().x), first->x);
+}
+
 TEST(Atlas, RefusesWhatIsLargerThanAHalf) {
     Atlas atlas(256);
     EXPECT_FALSE(atlas.place(1, painting(257, 10)));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace onggi::ui {
@@ -42,9 +43,19 @@ TEST(Path, WalksAHalfCircleInTwoQuarters) {
     EXPECT_EQ((*steps)[2].to, vec2(10.0F, 0.0F));
 }
 
+TEST(Path, StaysFiniteWhereAnArcIsNextToNothing) {
+    for (const char* words : {"M0 0 A1e-30 1e30 7 1 1 3 3", "M0 0 a1e-30 1e-30 0 0 1 1e-20 0",
+                              "M0 0 a5 5 0 0 1 1e-30 0", "M1e6 -1e6 A1e6 0.001 45 1 0 -1e6 1e6"}) {
+        const auto steps = read_path(words);
+        if (!steps) continue;  // too large for a drawing
+        for (const PathStep& step : *steps)
+            EXPECT_TRUE(std::isfinite(step.to.x) && std::isfinite(step.second_control.y)) << words;
+    }
+}
+
 TEST(Path, RejectsWhatItCannotRead) {
     for (const char* words : {"L1 2", "M1", "M1 x", "M0 0 C1 2 3 4 5", "M0 0 S1 2 3 4", "M0 0 A1 1 0 0",
-                              "12 3", "M0 0 Z 4 4", "M1e99 0"}) {
+                              "12 3", "M0 0 Z 4 4", "M1e99 0", "M2e6 0"}) {
         const auto refused = read_path(words);
         ASSERT_FALSE(refused) << words;
         EXPECT_EQ(refused.error().message.rfind("path, letter ", 0), 0U) << refused.error().message;
