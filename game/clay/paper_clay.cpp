@@ -189,6 +189,8 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
     if (sums.contacts == 0) return forces;
 
     forces.contacts = sums.contacts;
+    forces.contact_low_mm = sums.first_contact * stack.element_height_mm;
+    forces.contact_high_mm = (sums.last_contact + 1) * stack.element_height_mm;
     if (tool.wheel_turning) {
         forces.first_touched = sums.first_contact;
         forces.touched_count = sums.last_contact - sums.first_contact + 1;

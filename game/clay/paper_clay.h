@@ -67,6 +67,8 @@ struct ContactForces {
     int first_touched = 0;                  // the elements Eq. (2) changed lie in
     int touched_count = 0;                  // [first_touched, first_touched + touched_count); 0: none did
     double local_stiffness_n_per_mm = 0.0;  // how much F_s grows with the depth at most; for devices
+    double contact_low_mm = 0.0;            // the elements in contact lie between these heights; for pictures
+    double contact_high_mm = 0.0;
 
     [[nodiscard]] dvec3 total_n() const;  // F, Eq. (3)
 };

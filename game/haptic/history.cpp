@@ -32,6 +32,7 @@ void History::begin_anew() {
     checkpoints_.clear();
     checkpoint_bytes_ = 0;
     moves_.clear();
+    ++lineage_;
     whole_ = true;
     keep_checkpoint();
 }
@@ -40,10 +41,17 @@ void History::add(const TickRecord& record) {
     if ((record.flags & TickRecord::kFreshLump) != 0) begin_anew();
     if ((record.flags & TickRecord::kStatePut) != 0) go_back_to(record.tick);
     whole_ = whole_ && record.tick == now_.ticks;
-    if (!whole_) return;
+    if (whole_) follow_tick(record.tool, &record.force_n);
+}
 
-    const TickResult result = tick(now_, record.tool, start_.parameters);
-    keep_input(record.tool, record.force_n);
+void History::add_played(const haptics::ToolState& tool) {
+    if (whole_) follow_tick(tool, nullptr);
+}
+
+// Where no force was recorded, the one worked out here is the same by every bit.
+void History::follow_tick(const haptics::ToolState& tool, const dvec3* force_n) {
+    const TickResult result = tick(now_, tool, start_.parameters);
+    keep_input(tool, force_n != nullptr ? *force_n : result.forces.total_n());
     follow_moves(result);
     if (inputs_.size() % record::kHashInterval == 0) block_hashes_.push_back(now_.hash());
     const auto ticks_a_checkpoint = std::clamp<std::uint64_t>(
@@ -134,6 +142,7 @@ void History::go_back_to(std::uint64_t tick) {
         return;
     }
     now_ = state_at(tick);
+    ++lineage_;
     inputs_.resize(static_cast<std::size_t>(tick - first_tick()));
     settings_.resize(inputs_.empty() ? 0 : inputs_.back().settings + std::size_t{1});
     second_positions_mm_.resize(inputs_.empty() ? 0 : inputs_.back().second + std::size_t{1});
@@ -147,16 +156,28 @@ void History::go_back_to(std::uint64_t tick) {
     if (!moves_.empty()) moves_.back().end_tick = std::min(moves_.back().end_tick, tick);
 }
 
-Result<void> History::save(const std::filesystem::path& place) const {
-    auto writer = record::SessionWriter::create(place, session_header(start_),
-                                                start_state_bytes(start_.state, start_.parameters));
-    if (!writer) return writer.error();
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        if (auto added = writer->add_tick(tool_at(first_tick() + i), inputs_[i].force_check); !added)
+Result<record::SessionWriter> History::begin_session(const std::filesystem::path& place,
+                                                     files::Beside beside) const {
+    return record::SessionWriter::create(place, session_header(start_),
+                                         start_state_bytes(start_.state, start_.parameters), beside);
+}
+
+Result<void> History::write_on(record::SessionWriter& writer, std::size_t most_ticks) const {
+    const auto from = static_cast<std::size_t>(writer.tick_count());
+    const std::size_t until = from + std::min(most_ticks, inputs_.size() - from);
+    for (std::size_t i = from; i < until; ++i) {
+        if (auto added = writer.add_tick(tool_at(first_tick() + i), inputs_[i].force_check); !added)
             return added;
-        if (!writer->block_is_full()) continue;
-        if (auto ended = writer->end_block(block_hashes_[i / record::kHashInterval]); !ended) return ended;
+        if (!writer.block_is_full()) continue;
+        if (auto ended = writer.end_block(block_hashes_[i / record::kHashInterval]); !ended) return ended;
     }
+    return {};
+}
+
+Result<void> History::save(const std::filesystem::path& place) const {
+    auto writer = begin_session(place, files::Beside::kNameless);
+    if (!writer) return writer.error();
+    if (auto written = write_on(*writer, inputs_.size()); !written) return written;
     if (auto ready = writer->prepare(now_.hash()); !ready) return ready;
     return writer->commit();
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/record/session_writer.h"
 #include "game/haptic/messages.h"
 #include "game/haptic/start_state.h"
 
@@ -19,7 +20,7 @@ namespace onggi::haptic {
 
 struct HistoryOptions {
     double checkpoint_s = 1.0;                         // of simulated time between checkpoints, at most
-    std::uint64_t checkpoint_ticks = 4000;             // likewise: what is undone is worked out again
+    std::uint64_t checkpoint_ticks = 3000;             // likewise: what is undone is worked out again
     double pause_s = 0.25;                             // a hand off the clay for longer has ended its move
     std::size_t most_bytes = std::size_t{256} << 20U;  // of checkpoints; beyond it they thin out
 };
@@ -41,6 +42,8 @@ class History {
     // The next record of the loop that began with that start. One that says kFreshLump begins anew; one that
     // says kStatePut goes back to its tick first, so what was put has to come from state_at().
     void add(const TickRecord& record);
+    // One tick more that is played back from a session which began with the same start.
+    void add_played(const haptics::ToolState& tool);
 
     // False once a record was missing: then the clay here is not the one on the wheel, until a fresh lump.
     [[nodiscard]] bool is_whole() const { return whole_; }
@@ -49,6 +52,9 @@ class History {
     // Ticks since the lump was fresh.
     [[nodiscard]] std::uint64_t ticks() const { return now_.ticks; }
     [[nodiscard]] std::span<const Move> moves() const { return moves_; }
+
+    // Those that the start had behind it.
+    [[nodiscard]] std::uint64_t first_tick() const { return start_.state.ticks; }
 
     // The state before that tick. Precondition: between the start's ticks and ticks().
     [[nodiscard]] HapticState state_at(std::uint64_t tick) const;
@@ -61,6 +67,15 @@ class History {
 
     // All up to now as a session, written at once: no tick is worked out again.
     [[nodiscard]] Result<void> save(const std::filesystem::path& place) const;
+    // The same while it goes on: a session that begins as this history does, for write_on() to fill.
+    [[nodiscard]] Result<record::SessionWriter> begin_session(const std::filesystem::path& place,
+                                                              files::Beside beside) const;
+    // Adds what was done since the writer's last tick, at most so many ticks. Precondition: lineage() is what
+    // it was at begin_session().
+    [[nodiscard]] Result<void> write_on(record::SessionWriter& writer, std::size_t most_ticks) const;
+    // How often the clay did not just go on: a fresh lump, a state put back. What was written of a history
+    // before is no part of it any more.
+    [[nodiscard]] std::uint64_t lineage() const { return lineage_; }
 
     // For a display and for tests.
     [[nodiscard]] std::size_t checkpoint_count() const { return checkpoints_.size(); }
@@ -85,9 +100,9 @@ class History {
     void keep_checkpoint();
     [[nodiscard]] const Checkpoint& checkpoint_before(std::uint64_t tick) const;
     void thin_out();
+    void follow_tick(const haptics::ToolState& tool, const dvec3* force_n);
     void follow_moves(const TickResult& result);
     [[nodiscard]] haptics::ToolState tool_at(std::uint64_t tick) const;
-    [[nodiscard]] std::uint64_t first_tick() const { return start_.state.ticks; }
 
     Start start_;
     HistoryOptions options_;
@@ -99,6 +114,7 @@ class History {
     std::vector<Checkpoint> checkpoints_;      // ascending; the first is the start
     std::size_t checkpoint_bytes_ = 0;
     std::vector<Move> moves_;
+    std::uint64_t lineage_ = 0;
     bool whole_ = true;
 };
 

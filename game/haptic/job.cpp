@@ -197,6 +197,7 @@ void HapticWork::put_on_states() noexcept {
 void HapticWork::keep_record(const TickResult& result) noexcept {
     TickRecord record;
     record.tick = static_cast<std::uint32_t>(state_.ticks - 1);
+    record.run = static_cast<std::uint32_t>(run_);
     if (lump_is_fresh_) record.flags |= TickRecord::kFreshLump;
     if (state_was_put_) record.flags |= TickRecord::kStatePut;
     if (result.hash_due) record.flags |= TickRecord::kHashDue;

@@ -87,6 +87,7 @@ struct TickRecord {
 
     std::uint32_t tick = 0;  // since the lump was fresh; 4e9 of them are five days at 10 kHz
     std::uint32_t flags = 0;
+    std::uint32_t run = 0;    // how many lumps came before this one
     haptics::ToolState tool;  // as the clay was told
     dvec3 force_n{0.0};       // F of Eq. (3), before the safety chain
 };

@@ -20,6 +20,10 @@ double softened_strength_n_mm2(const Rings& rings, int i) {
     return su * (1.0 - 0.5 * beyond) / kKpaPerNMm2;
 }
 
+double top_of(const Rings& rings, int i) {
+    return rings.bottom_mm(i) + rings.height_mm[Rings::at(i)];
+}
+
 double length_of(const dvec3& v) {
     return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
@@ -58,6 +62,8 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
     const double r1 = hand.radius_mm;
     const double bearing = parameters.bearing_factor_nc * su * std::numbers::pi * 2.0;
     const dvec2 e = hand.direction;
+    felt.forces.contact_low_mm = rings.bottom_mm(i);
+    felt.forces.contact_high_mm = top_of(rings, i);
 
     dvec3 normal{0.0};
     double lever_mm = 0.0;
@@ -75,8 +81,16 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
         const dvec2 direction = pushed_direction(contact, hand);
         normal += dvec3(e.x * direction.x, direction.y, e.y * direction.x) * size;
         lever_mm = hand.side == Side::kIn ? std::max(rings.inner_mm[at], 1.0) : rings.outer_mm[at];
-        for (int k = 0; k < contact.range.size(); ++k)
-            felt.forces.contacts += contact.depth_mm[Rings::at(k)] > 0.0 ? 1 : 0;
+        int first = contact.range.size();
+        int last = 0;
+        for (int k = 0; k < contact.range.size(); ++k) {
+            if (!(contact.depth_mm[Rings::at(k)] > 0.0)) continue;
+            ++felt.forces.contacts;
+            first = std::min(first, k);
+            last = k;
+        }
+        felt.forces.contact_low_mm = rings.bottom_mm(contact.range.first + first);
+        felt.forces.contact_high_mm = top_of(rings, contact.range.first + last);
     }
     if (contact.floor_depth_mm > 0.0) {
         normal.y += bearing * r1 * contact.floor_depth_mm;
