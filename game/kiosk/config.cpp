@@ -127,11 +127,14 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"gallery.most_pots", whole(config.gallery.most_pots, 1, 100000, "a whole number, 1 to 100000")},
         {"gallery.least_free_mb", number(config.gallery.least_free_mb, 1.0, 1e6, "1 to 1000000")},
         {"sound.volume", whole(config.sound.volume, 0, kMostVolume, "a whole number, 0 to 5")},
+        {"sound.remember_staff", yes_or_no(config.sound.remember_staff)},
         {"sound.captions", yes_or_no(config.sound.captions)},
+        {"sound.spoken_folder", words(config.sound.spoken_folder, "a folder", anything)},
         {"hours.opens", time_of_day(config.hours.opens_min)},
         {"hours.closes", time_of_day(config.hours.closes_min)},
         {"staff.pin", words(config.staff.pin, "4 to 8 digits between quotes, or nothing", is_pin)},
         {"staff.locked", yes_or_no(config.staff.locked)},
+        {"staff.closes_after_s", number(config.staff.closes_after_s, 10.0, 600.0, "10 to 600")},
         {"staff.name", words(config.staff.name, "a name", something)},
         {"staff.statistics_folder", words(config.staff.statistics_folder, "a folder", anything)},
     };
@@ -168,7 +171,8 @@ Result<Config> read_config(std::string_view toml_text, const std::string& file) 
     const toml::parse_result parsed = toml::parse(toml_text);
     if (!parsed) {
         const toml::parse_error& error = parsed.error();
-        return at(file, error.source(), fmt::format("expected TOML, found {}", error.description()));
+        return at(file, error.source(),
+                  fmt::format("expected TOML, found {}", shown_path(error.description())));
     }
     Config config;
     const std::map<std::string, Setting> settings = settings_of(config);
@@ -225,6 +229,7 @@ Rules rules_of(const Config& config) {
     rules.default_volume = config.sound.volume;
     rules.default_text_size = config.screen.text_always_large ? 2 : 1;
     rules.locked = config.staff.locked;
+    rules.staff_locks_s = config.staff.closes_after_s;
     rules.pin_digits = static_cast<int>(config.staff.pin.size());
     std::from_chars(config.staff.pin.data(), config.staff.pin.data() + config.staff.pin.size(), rules.pin);
     return rules;

@@ -38,8 +38,10 @@ struct Config {
         double least_free_mb = 200.0;  // of disk; below it nothing is saved
     } gallery;
     struct {
-        int volume = 3;  // 0 to 5
+        int volume = 3;               // 0 to 5
+        bool remember_staff = false;  // what the staff set counts after a restart too
         bool captions = false;
+        std::string spoken_folder;  // of LANGUAGE/KEY.wav; empty: spoken/ beside the program's other assets
     } sound;
     struct {
         int opens_min = 0;  // minutes after midnight; equal: always open
@@ -48,6 +50,7 @@ struct Config {
     struct {
         std::string pin;  // 4 to 8 digits; empty: no staff panel
         bool locked = false;
+        double closes_after_s = 120.0;  // without a touch
         std::string name = "wheel";     // of this unit, for the staff panel
         std::string statistics_folder;  // empty: statistics/ in the gallery
     } staff;

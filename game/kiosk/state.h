@@ -32,11 +32,13 @@ struct Comfort {
     int volume = 3;     // 0 to 5
     bool reach = false;
     bool left_hand = false;
-    bool still = false;  // less motion
+    bool still = false;   // less motion
+    bool forces = false;  // arrows, numbers and plots of what the hand feels
 
     friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
+constexpr int kShelfShown = 3;     // choices, with the largest text
 constexpr int kTeachingSteps = 3;  // press, open, raise
 constexpr int kMostTool = 3;
 constexpr int kMostWater = 5;
@@ -52,6 +54,7 @@ struct Throwing {
     int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
     double progress_s = 0.0;      // when the pot last came on, or the visit began
     double touched_s = -1.0;      // when the clay was last touched; before the first touch: -1
+    bool looks_in = false;        // the camera, from above into the pot
     int tool = 2;
     int water = 3;
     int speed = 3;
@@ -65,12 +68,28 @@ struct Keeping {
     int number = 0;  // of the day, when kept
 };
 
+// The pages of the staff's panel.
+enum class StaffPage { kHealth, kVisits, kGallery, kDevices };
+constexpr int kStaffPageCount = 4;
+
+// What the staff is asked again before it is done.
+enum class StaffQuestion { kNone, kDeletePot, kRestart, kQuit };
+
 struct Staff {
     int typed = 0;  // digits of the PIN, so far
     int digits = 0;
     bool was_wrong = false;
-    int page = 0;
+    StaffPage page = StaffPage::kHealth;
+    int first_line = 0;  // of the page's list, at the top
+    StaffQuestion question = StaffQuestion::kNone;
+    int pot = 0;          // that is asked about
     double used_s = 0.0;  // locks again a while after
+};
+
+// Whoever tries one PIN after another waits longer each time. It outlives panels and visits.
+struct PinGuard {
+    int wrong = 0;         // in a row
+    double opens_s = 0.0;  // no digit counts before
 };
 
 struct State {
@@ -82,13 +101,17 @@ struct State {
     double visit_s = 0.0;  // when this visit began
     Comfort comfort;
     Throwing throwing;
+    int shelf_first = 0;  // choose, where only kShelfShown fit: the first of them; 0 is throwing as one likes
     FiringStage firing = FiringStage::kCut;
     int glaze = 0;
     Keeping keeping;
     Staff staff;
+    PinGuard pin_guard;
+    int house_volume = 3;      // what every visit begins with: the configuration's, or what the staff set
     bool device_lost = false;  // a hand control that was there is gone
     double device_s = 0.0;
-    bool left_over = false;  // an interrupted pot waits to be offered
+    bool force_rests = false;  // a fault took the hand's force away; the clay goes on
+    bool left_over = false;    // an interrupted pot waits to be offered
 };
 
 // One word for each, for titles and logs: "attract".
@@ -97,5 +120,8 @@ struct State {
 
 // Whole seconds left of the idle panel's countdown.
 [[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);
+
+// Whole seconds until a digit of the PIN counts again; 0: it does.
+[[nodiscard]] int pin_seconds_left(const State& state, double now_s);
 
 }  // namespace onggi::kiosk

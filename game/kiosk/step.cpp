@@ -26,10 +26,14 @@ int seconds_left(const State& state, double countdown_s, double now_s) {
 State first_state(const Rules& rules, double now_s) {
     State state;
     state.comfort.language = rules.default_language;
-    state.comfort.volume = rules.default_volume;
+    state.comfort.volume = state.house_volume = rules.default_volume;
     state.comfort.text_size = rules.default_text_size;
     state.screen_s = state.panel_s = state.input_s = state.visit_s = now_s;
     return state;
+}
+
+int pin_seconds_left(const State& state, double now_s) {
+    return std::max(0, static_cast<int>(std::ceil(state.pin_guard.opens_s - now_s - 1e-9)));
 }
 
 bool shows_hint(const State& state, double now_s, const Rules& rules) {
@@ -41,6 +45,7 @@ bool shows_hint(const State& state, double now_s, const Rules& rules) {
 }
 
 void Turn::show(Screen screen) {
+    if (screen == Screen::kChoose) state.shelf_first = 0;
     state.screen = screen;
     state.screen_s = now_s;
 }
@@ -70,22 +75,23 @@ void Turn::put_on_clay(std::optional<int> target) {
     state.throwing = Throwing{.target = target, .progress_s = now_s, .warning_s = now_s};
     add(Effect::Kind::kForgetPot);
     add(Effect::Kind::kFreshClay, target ? *target : -1);
-    add(Effect::Kind::kSetTool, state.throwing.tool);
-    add(Effect::Kind::kSetWater, state.throwing.water);
-    add(Effect::Kind::kSetSpeed, state.throwing.speed);
 }
 
 void Turn::end_visit() {
     if (state.screen != Screen::kAttract && state.screen != Screen::kFault) {
         add(Effect::Kind::kVisitEnded, static_cast<int>(now_s - state.visit_s));
     }
-    const bool device_lost = state.device_lost;
-    const double device_s = state.device_s;
+    const State before = state;
     state = first_state(rules, now_s);
-    state.device_lost = device_lost;
-    state.device_s = device_s;
+    // What is the kiosk's and not the visitor's.
+    state.device_lost = before.device_lost;
+    state.device_s = before.device_s;
+    state.pin_guard = before.pin_guard;
+    state.comfort.volume = state.house_volume = before.house_volume;
+    state.force_rests = before.force_rests;
+    state.left_over = before.left_over;  // until somebody has decided
     add(Effect::Kind::kForgetPot);
-    add(Effect::Kind::kSetVolume, rules.default_volume);
+    add(Effect::Kind::kSetVolume, state.house_volume);
     add(Effect::Kind::kStartDemo);
 }
 
@@ -150,6 +156,11 @@ void press(Turn& turn, const Event& event) {
     }
     if (event.button == Button::kLanguages && state.screen != Screen::kFault) {
         turn.lay_over(Panel::kLanguage);
+        return;
+    }
+    // In attract it begins a visit, as any key does.
+    if (event.button == Button::kForces && state.screen != Screen::kAttract) {
+        state.comfort.forces = !state.comfort.forces;
         return;
     }
     press_screen(turn, event);
@@ -219,10 +230,22 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             state.device_lost = event.kind == Event::Kind::kDeviceLost;
             state.device_s = now_s;
             break;
+        case Event::Kind::kForceRests:
+        case Event::Kind::kForceBack:
+            state.force_rests = event.kind == Event::Kind::kForceRests;
+            break;
         case Event::Kind::kFault:
             if (state.screen != Screen::kFault) {
+                // The staff looks into it: what they have before them stays.
+                const bool is_staffs = state.panel == Panel::kPin || state.panel == Panel::kStaff;
+                const Panel panel = is_staffs ? state.panel : Panel::kNone;
+                const Staff staff = state.staff;
                 turn.end_visit();
                 turn.show(Screen::kFault);
+                if (is_staffs) {
+                    turn.lay_over(panel);
+                    state.staff = staff;
+                }
             }
             break;
         case Event::Kind::kFaultOver:

@@ -18,6 +18,8 @@ enum class Button {
     kBack,
     kFree,
     kTarget,  // value: which
+    kShelfBefore,
+    kShelfNext,
     kNewClay,
     kUndo,
     kToolLess,
@@ -31,6 +33,7 @@ enum class Button {
     kHandDown,
     kHandIn,
     kHandOut,
+    kLookIn,  // from above into the pot, or from the front again
     kBeforeCollapse,
     kKeepSlump,
     kSkip,
@@ -50,6 +53,7 @@ enum class Button {
     kReach,
     kLeftHand,
     kStill,
+    kForces,
     kComfortDone,
     kResumeGo,
     kResumeFresh,
@@ -57,11 +61,14 @@ enum class Button {
     kPinClear,
     kPinClose,
     kStaffPage,  // value: which
+    kStaffList,  // value: the line at the top
     kStaffForceTest,
     kStaffSoundTest,
-    kStaffDeletePot,  // value: which of the gallery's
+    kStaffDeletePot,  // value: which of the gallery's; asks first, as do the next two
     kStaffRestart,
     kStaffQuit,
+    kStaffYes,
+    kStaffNo,
     kStaffClose,
 };
 constexpr int kButtonCount = static_cast<int>(Button::kStaffClose) + 1;
@@ -79,6 +86,8 @@ struct Event {
         kSaveFailed,   // disk full, no permission: the visitor hears of the shelf, the staff of the reason
         kDeviceLost,
         kDeviceBack,
+        kForceRests,  // by a fault of the hand's; throwing goes on
+        kForceBack,
         kFault,  // the wheel cannot work
         kFaultOver,
         kLeftOver,    // an interrupted pot was found
@@ -99,22 +108,19 @@ struct Effect {
         kFreshClay,       // value: target, -1 none
         kUndo,            // the last touch
         kBeforeCollapse,  // back to 2 s before it began
-        kSetTool,         // value: 1 to kMostTool
-        kSetWater,
-        kSetSpeed,
-        kMoveHand,  // value: a Button of the pad
-        kCutOff,    // the clay is a pot now: stop the wheel, take its profile
-        kSetGlaze,  // value: which
+        kMoveHand,        // value: a Button of the pad
+        kCutOff,          // the clay is a pot now: stop the wheel, take its profile
         kSave,
         kForgetPot,  // nothing of the visit before may be seen again
         kResume,
         kDropLeftOver,
-        kSetVolume,
+        kSetVolume,   // value: 0 to kMostVolume
+        kKeepVolume,  // the same, by the staff: for all visits to come
         kVisitBegan,  // for the measured use: no person, only counts
         kVisitEnded,  // value: dwell in whole seconds
         kTestForce,
         kTestSound,
-        kDeletePot,
+        kDeletePot,  // value: which
         kRestart,
         kQuit,
     };
@@ -142,6 +148,9 @@ struct Rules {
     bool locked = false;  // no way out but the staff's
     int pin = 0;          // of pin_digits; 0 digits: the staff panel cannot be opened
     int pin_digits = 0;
+    int pin_tries = 3;         // wrong ones in a row; from the last of them on each wrong one costs a wait
+    double pin_wait_s = 15.0;  // doubles with each
+    double pin_longest_wait_s = 900.0;
 };
 
 std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules);

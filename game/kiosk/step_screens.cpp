@@ -5,12 +5,9 @@
 namespace onggi::kiosk {
 namespace {
 
-// One more or one less, within bounds; says so only when it changed.
-void change(Turn& turn, int& value, int by, int least, int most, Effect::Kind effect) {
-    const int changed = std::clamp(value + by, least, most);
-    if (changed == value) return;
-    value = changed;
-    turn.add(effect, value);
+// One more or one less, within bounds.
+void change(int& value, int by, int most) {
+    value = std::clamp(value + by, 1, most);
 }
 
 void finish_throwing(Turn& turn) {
@@ -22,14 +19,17 @@ void finish_throwing(Turn& turn) {
 
 void show_glazes(Turn& turn) {
     turn.state.glaze = std::clamp(turn.state.glaze, 0, turn.rules.glaze_count - 1);
-    turn.add(Effect::Kind::kSetGlaze, turn.state.glaze);
     turn.show(Screen::kGlaze);
 }
 
 void press_choose(Turn& turn, const Event& event) {
     const bool is_target =
         event.button == Button::kTarget && event.value >= 0 && event.value < turn.rules.target_count;
-    if (event.button == Button::kBack) {
+    if (event.button == Button::kShelfBefore || event.button == Button::kShelfNext) {
+        const int by = event.button == Button::kShelfNext ? kShelfShown - 1 : 1 - kShelfShown;
+        int& first = turn.state.shelf_first;
+        first = std::clamp(first + by, 0, std::max(0, turn.rules.target_count + 1 - kShelfShown));
+    } else if (event.button == Button::kBack) {
         turn.end_visit();
     } else if (event.button == Button::kFree || is_target) {
         turn.show(Screen::kThrow);
@@ -51,24 +51,24 @@ void press_throw(Turn& turn, const Event& event) {
             break;
         case Button::kToolLess:
         case Button::kToolMore:
-            change(turn, throwing.tool, event.button == Button::kToolMore ? 1 : -1, 1, kMostTool,
-                   Effect::Kind::kSetTool);
+            change(throwing.tool, event.button == Button::kToolMore ? 1 : -1, kMostTool);
             break;
         case Button::kWaterLess:
         case Button::kWaterMore:
-            change(turn, throwing.water, event.button == Button::kWaterMore ? 1 : -1, 1, kMostWater,
-                   Effect::Kind::kSetWater);
+            change(throwing.water, event.button == Button::kWaterMore ? 1 : -1, kMostWater);
             break;
         case Button::kSpeedLess:
         case Button::kSpeedMore:
-            change(turn, throwing.speed, event.button == Button::kSpeedMore ? 1 : -1, 1, kMostSpeed,
-                   Effect::Kind::kSetSpeed);
+            change(throwing.speed, event.button == Button::kSpeedMore ? 1 : -1, kMostSpeed);
             break;
         case Button::kHandUp:
         case Button::kHandDown:
         case Button::kHandIn:
         case Button::kHandOut:
             turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
+            break;
+        case Button::kLookIn:
+            throwing.looks_in = !throwing.looks_in;
             break;
         case Button::kDone:
             finish_throwing(turn);
@@ -95,7 +95,6 @@ void press_failure(Turn& turn, const Event& event) {
 void press_glaze(Turn& turn, const Event& event) {
     if (event.button == Button::kGlaze && event.value >= 0 && event.value < turn.rules.glaze_count) {
         turn.state.glaze = event.value;
-        turn.add(Effect::Kind::kSetGlaze, event.value);
     } else if (event.button == Button::kTakeGlaze) {
         turn.show(Screen::kYourPot);
     }
@@ -135,6 +134,13 @@ void press_resume(Turn& turn, const Event& event) {
 }
 
 }  // namespace
+
+void Turn::change_volume(int by) {
+    const int changed = std::clamp(state.comfort.volume + by, 0, kMostVolume);
+    if (changed == state.comfort.volume) return;
+    state.comfort.volume = changed;
+    add(Effect::Kind::kSetVolume, changed);
+}
 
 void pass_firing(Turn& turn) {
     const double passed_s = turn.now_s - turn.state.screen_s;
@@ -188,6 +194,10 @@ void press_idle(Turn& turn, const Event& event) {
         return;
     }
     turn.lay_over(Panel::kNone);
+    if (turn.state.screen == Screen::kResume) {
+        press_resume(turn, Event::pressed(Button::kResumeFresh));
+        return;
+    }
     turn.show(Screen::kThrow);
     turn.put_on_clay(std::nullopt);
 }
@@ -200,13 +210,11 @@ void press_language(Turn& turn, const Event& event) {
             break;
         case Button::kTextLess:
         case Button::kTextMore:
-            comfort.text_size = std::clamp(comfort.text_size + (event.button == Button::kTextMore ? 1 : -1),
-                                           1, kMostTextSize);
+            change(comfort.text_size, event.button == Button::kTextMore ? 1 : -1, kMostTextSize);
             break;
         case Button::kSoundLess:
         case Button::kSoundMore:
-            change(turn, comfort.volume, event.button == Button::kSoundMore ? 1 : -1, 0, kMostVolume,
-                   Effect::Kind::kSetVolume);
+            turn.change_volume(event.button == Button::kSoundMore ? 1 : -1);
             break;
         case Button::kReach:
             comfort.reach = !comfort.reach;
@@ -226,48 +234,6 @@ void press_language(Turn& turn, const Event& event) {
             }
             break;
         default:
-            break;
-    }
-}
-
-void press_staff(Turn& turn, const Event& event) {
-    Staff& staff = turn.state.staff;
-    if (event.button == Button::kPinClose || event.button == Button::kStaffClose) {
-        turn.leave_staff();
-        return;
-    }
-    if (turn.state.panel == Panel::kPin) {
-        if (event.button == Button::kPinClear) staff = {.used_s = turn.now_s};
-        if (event.button != Button::kDigit || event.value < 0 || event.value > 9) return;
-        staff.typed = staff.typed * 10 + event.value;
-        staff.was_wrong = false;
-        if (++staff.digits < turn.rules.pin_digits) return;
-        const bool right = staff.typed == turn.rules.pin;
-        staff = {.was_wrong = !right, .used_s = turn.now_s};
-        if (right) turn.lay_over(Panel::kStaff);
-        return;
-    }
-    switch (event.button) {
-        case Button::kStaffPage:
-            staff.page = event.value;
-            break;
-        case Button::kStaffForceTest:
-            turn.add(Effect::Kind::kTestForce);
-            break;
-        case Button::kStaffSoundTest:
-            turn.add(Effect::Kind::kTestSound);
-            break;
-        case Button::kStaffDeletePot:
-            turn.add(Effect::Kind::kDeletePot, event.value);
-            break;
-        case Button::kStaffRestart:
-            turn.add(Effect::Kind::kRestart);
-            break;
-        case Button::kStaffQuit:
-            turn.add(Effect::Kind::kQuit);
-            break;
-        default:
-            press_language(turn, event);  // volume and language are set here too
             break;
     }
 }

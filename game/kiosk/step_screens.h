@@ -22,6 +22,8 @@ struct Turn {
     void begin_visit(Screen screen);
     // A fresh lump and the settings that go with it.
     void put_on_clay(std::optional<int> target);
+    // A step louder or softer, where there is one.
+    void change_volume(int by);
     // Attract again, with nothing left of the visitor.
     void end_visit();
 };
@@ -29,6 +31,7 @@ struct Turn {
 void press_screen(Turn& turn, const Event& event);
 void press_idle(Turn& turn, const Event& event);
 void press_language(Turn& turn, const Event& event);
+// PIN and panel; in step_staff.cpp.
 void press_staff(Turn& turn, const Event& event);
 // Cutting, drying and firing go on by themselves.
 void pass_firing(Turn& turn);

@@ -82,11 +82,55 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
          "found a list"},
         {"[languages]\norder = [\"ko\"]\nfirst = \"en\"\n",
          "kiosk.toml, line 3: expected one of languages.order for first, found 'en'"},
+        {"[languages]\norder = [\"ko\", \"ko\"]\n",
+         "kiosk.toml, line 2: expected 1 to 8 language codes such as [\"ko\", \"en\"], each once for order, "
+         "found a list"},
+        {"[languages]\nfirst = \"english language\"\n",
+         "kiosk.toml, line 2: expected a language code such as \"ko\" for first, found 'english language'"},
+        {"[screen]\ndistance_mm = 60\n",
+         "kiosk.toml, line 2: expected 200 to 5000 for distance_mm, found 60"},
+        {"[screen]\ndiagonal_inch = \"24\"\n",
+         "kiosk.toml, line 2: expected 7 to 120 for diagonal_inch, found '24'"},
+        {"[screen]\nfull_screen = yes\n", "kiosk.toml, line 2: expected TOML, found "},
+        {"[staff]\nlocked = tru\n", "kiosk.toml, line 2: expected TOML, found "},
+        {"[sound]\nvolume = 6\n", "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 6"},
+        {"[sound]\nvolume = 99999999999999999999\n", "kiosk.toml, line 2: expected TOML, found "},
+        {"[staff]\npin = 1234\n",
+         "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found 1234"},
+        {"[staff]\npin = \"12a4\"\n",
+         "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found '12a4'"},
+        {"[staff]\ncloses_after_s = 5\n",
+         "kiosk.toml, line 2: expected 10 to 600 for closes_after_s, found 5"},
+        {"[staff]\nname = \"\"\n", "kiosk.toml, line 2: expected a name for name, found ''"},
+        {"[gallery]\nmost_pots = 0\n",
+         "kiosk.toml, line 2: expected a whole number, 1 to 100000 for most_pots, found 0"},
+        {"[gallery]\nfolder = [\"out\"]\n", "kiosk.toml, line 2: expected a folder for folder, found a list"},
+        {"[hours]\nopens = 09:30:00\n",
+         "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found a date or a time"},
+        {"[haptics]\nrate_hz = 20000\n",
+         "kiosk.toml, line 2: expected 100 to 10000 for rate_hz, found 20000"},
+        {"[visit]\nidle_s = 60\nidle_s = 70\n", "kiosk.toml, line 3: expected TOML, found "},
+        {"[visit]\nidle_s = 60\n[visit]\ncountdown_s = 30\n", "kiosk.toml, line 3: expected TOML, found "},
+        {"[visit.idle_s]\nseconds = 60\n",
+         "kiosk.toml, line 1: expected 10 to 600 for idle_s, found a table"},
+        {"staff.lock = true\n",
+         "kiosk.toml, line 1: expected one of closes_after_s, locked, name, pin, statistics_folder in "
+         "[staff], "
+         "found 'lock'"},
+        {"[staff]\nname = \"\xff\"\n", "kiosk.toml, line 2: expected TOML, found "},
     };
     for (const auto& one : kCases) {
         const auto refused = read_config(one.toml, "kiosk.toml");
         ASSERT_FALSE(refused) << one.toml;
-        EXPECT_EQ(refused.error().message, one.message);
+        // What the library says of a text that is no TOML is its own affair, but not where, nor in how many
+        // lines.
+        const std::string_view message = refused.error().message;
+        if (std::string_view(one.message).ends_with("found ")) {
+            EXPECT_TRUE(message.starts_with(one.message)) << message;
+        } else {
+            EXPECT_EQ(message, one.message);
+        }
+        EXPECT_EQ(message.find('\n'), std::string_view::npos) << message;
         EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
     }
 }

@@ -139,7 +139,7 @@ TEST_F(EveryEvent, EndsInAttractWhenTheVisitorWalksAway) {
         }
         EXPECT_EQ(visitor.state.screen, Screen::kAttract) << after;
         EXPECT_EQ(visitor.state.panel, Panel::kNone) << after;
-        EXPECT_EQ(visitor.state.comfort, Comfort{}) << after;
+        EXPECT_EQ(visitor.state.comfort, Comfort{.volume = visitor.state.house_volume}) << after;
     });
 }
 

@@ -1,0 +1,93 @@
+#include "game/kiosk/spoken.h"
+
+#include <array>
+
+namespace onggi::kiosk {
+namespace {
+
+std::string_view warning_key(Warning warning) {
+    switch (warning) {
+        case Warning::kThin:
+            return "warn.thin";
+        case Warning::kWet:
+            return "warn.wet";
+        case Warning::kFast:
+            return "warn.fast";
+        case Warning::kNone:
+            break;
+    }
+    return {};
+}
+
+std::string_view throwing_key(const State& state) {
+    if (state.device_lost) return "dev.lost";
+    if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
+    constexpr std::array<std::string_view, kTeachingSteps + 1> kSteps{"step.press", "step.open", "step.raise",
+                                                                      "step.own"};
+    return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];
+}
+
+std::string_view keeping_key(const Keeping& keeping) {
+    switch (keeping.outcome) {
+        case Keeping::Outcome::kKept:
+            return "keep.title";
+        case Keeping::Outcome::kFull:
+            return "keep.fail";
+        case Keeping::Outcome::kSaving:
+            break;
+    }
+    return {};
+}
+
+std::string_view firing_key(FiringStage stage) {
+    switch (stage) {
+        case FiringStage::kCut:
+            return "fin.cut";
+        case FiringStage::kDry:
+            return "fin.dry";
+        case FiringStage::kFire:
+            break;
+    }
+    return "fin.fire";
+}
+
+}  // namespace
+
+std::string_view spoken_key(const State& state) {
+    switch (state.panel) {
+        case Panel::kIdle:
+            return "idle.title";
+        case Panel::kLanguage:
+            return "lang.title";
+        case Panel::kPin:
+        case Panel::kStaff:
+            return {};
+        case Panel::kNone:
+            break;
+    }
+    switch (state.screen) {
+        case Screen::kAttract:
+            return "attract.touch";
+        case Screen::kChoose:
+            return "choose.title";
+        case Screen::kThrow:
+            return throwing_key(state);
+        case Screen::kFailure:
+            return "fail.title";
+        case Screen::kFiring:
+            return firing_key(state.firing);
+        case Screen::kGlaze:
+            return "glz.title";
+        case Screen::kYourPot:
+            return "your.title";
+        case Screen::kKeep:
+            return keeping_key(state.keeping);
+        case Screen::kResume:
+            return "resume.title";
+        case Screen::kFault:
+            return "fault.title";
+    }
+    return {};
+}
+
+}  // namespace onggi::kiosk

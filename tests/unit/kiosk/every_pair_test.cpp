@@ -1,0 +1,319 @@
+// Every place of a visit times everything that can happen there: where it leads. A place is a screen with
+// what lies over it. What a line below does not name stays where it is; what no line names at all - a new
+// screen, event or button - fails.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/unit/kiosk/visitor.h"
+
+namespace onggi::kiosk {
+namespace {
+
+// Sets of places that rules may name. "attract-left": an interrupted pot waits; "saving": not kept yet.
+const std::map<std::string, std::string> kSets{
+    {"visit", "choose throw failure firing glaze your-pot saving keep resume"},
+    {"left-alone", "choose throw failure glaze your-pot saving keep resume"},  // firing goes on by itself
+    {"any", "attract attract-left choose throw failure firing glaze your-pot saving keep resume fault"}};
+// Over which of them each panel may lie.
+const std::map<std::string, std::string> kPanels{{"", "any"},
+                                                 {"+language", "attract attract-left visit"},
+                                                 {"+idle", "left-alone"},
+                                                 {"+pin", "any"},
+                                                 {"+staff", "any"}};
+
+struct Happening {
+    std::string name;
+    Event event;
+    double after_s;
+    // FROM -> TO, parted by commas; `same` is the screen of FROM; no panel: none lies over it.
+    std::string rules;
+};
+
+const std::string kClosesStaff =
+    "visit+pin -> same, visit+staff -> same, fault+pin -> fault, fault+staff -> fault, attract+pin -> "
+    "attract, "
+    "attract+staff -> attract, attract-left+pin -> attract-left, attract-left+staff -> attract-left";
+
+std::vector<Happening> events() {
+    using Kind = Event::Kind;
+    const auto at_once = [](const char* name, Kind kind, int value, const char* rules) {
+        return Happening{name, {kind, Button::kNone, value}, 0.0, rules};
+    };
+    const auto tick = [](const char* name, double after_s, const std::string& rules) {
+        return Happening{name, {Kind::kTick, Button::kNone, 0}, after_s, rules};
+    };
+    const std::string leaves =
+        "left-alone -> same+idle, firing -> glaze+idle, left-alone+language -> same+idle, "
+        "firing+language -> glaze+idle, attract+language -> attract, attract-left+language -> attract-left, "
+        "left-alone+idle -> attract, resume+idle -> attract-left";
+    return {
+        tick("a frame", 0.0, ""),
+        tick("21 s", 21.0,
+             "firing -> glaze, firing+language -> glaze+language, left-alone+idle -> attract, "
+             "resume+idle -> attract-left"),
+        tick("46 s", 46.0, leaves),
+        tick("130 s", 130.0, leaves + ", " + kClosesStaff),
+        at_once("input", Kind::kInput, 0,
+                "attract -> choose, attract-left -> resume, left-alone+idle -> same"),
+        at_once("clay touched", Kind::kClayTouched, 0,
+                "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
+                "throw+idle -> same, failure+idle -> same, glaze+idle -> same, your-pot+idle -> same, "
+                "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
+        at_once("progress", Kind::kProgress, 2, ""),
+        at_once("warned", Kind::kWarned, 1, ""),
+        at_once("collapsed", Kind::kCollapsed, 1,
+                "throw -> failure, throw+language -> failure, throw+idle -> failure+idle, "
+                "throw+pin -> failure+pin, throw+staff -> failure+staff"),
+        at_once("saved", Kind::kSaved, 5,
+                "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
+                "saving+pin -> keep+pin, saving+staff -> keep+staff"),
+        at_once("save failed", Kind::kSaveFailed, 0,
+                "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
+                "saving+pin -> keep+pin, saving+staff -> keep+staff"),
+        at_once("device lost", Kind::kDeviceLost, 0, ""),
+        at_once("device back", Kind::kDeviceBack, 0, ""),
+        at_once("force rests", Kind::kForceRests, 0, ""),
+        at_once("force back", Kind::kForceBack, 0, ""),
+        at_once("fault", Kind::kFault, 0,
+                "any -> fault, attract+language -> fault, attract-left+language -> fault, "
+                "visit+language -> fault, left-alone+idle -> fault, any+pin -> fault+pin, "
+                "any+staff -> fault+staff"),
+        at_once("fault over", Kind::kFaultOver, 0,
+                "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
+        at_once("left over", Kind::kLeftOver, 0,
+                "attract -> attract-left, attract+language -> attract-left+language, "
+                "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
+        at_once("corner held", Kind::kCornerHeld, 0,
+                "any -> same+pin, attract+language -> same+pin, attract-left+language -> same+pin, "
+                "visit+language -> same+pin, left-alone+idle -> same+pin"),
+        at_once("close asked", Kind::kCloseAsked, 0, ""),
+    };
+}
+
+// In the order of Button; a button without a line here has no expectation.
+std::vector<Happening> buttons() {
+    const std::string any = "attract -> choose, attract-left -> resume, left-alone+idle -> same";
+    const std::string opens =
+        "attract -> same+language, attract-left -> same+language, visit -> same+language, "
+        "left-alone+idle -> same, ";
+    const std::string done =
+        "attract+language -> choose, attract-left+language -> resume, visit+language -> same";
+    const std::vector<std::pair<Button, std::string>> rules{
+        {Button::kNone, any},
+        {Button::kBegin, any},
+        {Button::kLanguages, opens + done},
+        {Button::kBack, any + ", choose -> attract, throw -> choose"},
+        {Button::kFree, any + ", choose -> throw"},
+        {Button::kTarget, any + ", choose -> throw"},
+        {Button::kShelfBefore, any},
+        {Button::kShelfNext, any},
+        {Button::kNewClay, any + ", failure -> throw"},
+        {Button::kUndo, any},
+        {Button::kToolLess, any},
+        {Button::kToolMore, any},
+        {Button::kWaterLess, any},
+        {Button::kWaterMore, any},
+        {Button::kSpeedLess, any},
+        {Button::kSpeedMore, any},
+        {Button::kDone, any + ", throw -> firing"},
+        {Button::kHandUp, any},
+        {Button::kHandDown, any},
+        {Button::kHandIn, any},
+        {Button::kHandOut, any},
+        {Button::kLookIn, any},
+        {Button::kBeforeCollapse, any + ", failure -> throw"},
+        {Button::kKeepSlump, any + ", failure -> firing"},
+        {Button::kSkip, any + ", firing -> glaze"},
+        {Button::kGlaze, any},
+        {Button::kTakeGlaze, any + ", glaze -> your-pot"},
+        {Button::kOtherGlaze, any + ", your-pot -> glaze"},
+        {Button::kKeep, any + ", your-pot -> saving"},
+        {Button::kAnother, any + ", keep -> choose"},
+        {Button::kFinish, any + ", keep -> attract"},
+        {Button::kStay, any},
+        {Button::kFresh, "attract -> choose, attract-left -> resume, left-alone+idle -> throw"},
+        {Button::kLanguage, any},
+        {Button::kTextLess, any},
+        {Button::kTextMore, any},
+        {Button::kSoundLess, any},
+        {Button::kSoundMore, any},
+        {Button::kReach, any},
+        {Button::kLeftHand, any},
+        {Button::kStill, any},
+        {Button::kForces, any},
+        {Button::kComfortDone, any + ", " + done},
+        {Button::kResumeGo, any + ", resume -> throw"},
+        {Button::kResumeFresh, any + ", resume -> throw"},
+        {Button::kDigit, any},
+        {Button::kPinClear, any},
+        {Button::kPinClose, any + ", " + kClosesStaff},
+        {Button::kStaffPage, any},
+        {Button::kStaffList, any},
+        {Button::kStaffForceTest, any},
+        {Button::kStaffSoundTest, any},
+        {Button::kStaffDeletePot, any},
+        {Button::kStaffRestart, any},
+        {Button::kStaffQuit, any},
+        {Button::kStaffYes, any},
+        {Button::kStaffNo, any},
+        {Button::kStaffClose, any + ", " + kClosesStaff},
+    };
+    std::vector<Happening> all;
+    for (const auto& [button, text] : rules)
+        all.push_back(
+            {fmt::format("button {}", static_cast<int>(button)), Event::pressed(button, 1), 0.0, text});
+    return all;
+}
+
+std::vector<std::string> expanded(const std::string& set) {
+    std::istringstream words(set);
+    std::vector<std::string> all;
+    for (std::string word; words >> word;) {
+        const auto found = kSets.find(word);
+        if (found == kSets.end()) {
+            all.push_back(word);
+            continue;
+        }
+        const auto inner = expanded(found->second);
+        all.insert(all.end(), inner.begin(), inner.end());
+    }
+    return all;
+}
+
+std::pair<std::string, std::string> parted(const std::string& place) {
+    const std::size_t plus = std::min(place.find('+'), place.size());
+    return {place.substr(0, plus), place.substr(plus)};
+}
+
+std::string name_of_place(const State& state) {
+    std::string name(name_of(state.screen));
+    if (state.screen == Screen::kAttract && state.left_over) name = "attract-left";
+    if (state.screen == Screen::kKeep && state.keeping.outcome == Keeping::Outcome::kSaving) name = "saving";
+    return state.panel == Panel::kNone ? name : name + "+" + std::string(name_of(state.panel));
+}
+
+Visitor at_screen(const std::string& name) {
+    Visitor visitor(Rules{.locked = true, .pin = 1234, .pin_digits = 4});
+    if (name == "attract") return visitor;
+    if (name == "attract-left") return visitor.does(Event::Kind::kLeftOver);
+    if (name == "choose") return visitor.does(Event::Kind::kInput);
+    if (name == "throw") return visitor.starts_to_throw();
+    if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
+    if (name == "firing") return visitor.fires();
+    if (name == "glaze") return visitor.fires().presses(Button::kSkip);
+    if (name == "your-pot") return visitor.sees_the_pot();
+    if (name == "saving") return visitor.keeps();
+    if (name == "keep") return visitor.keeps().does(Event::Kind::kSaved, 1);
+    if (name == "resume") return visitor.does(Event::Kind::kLeftOver).does(Event::Kind::kInput);
+    if (name == "fault") return visitor.does(Event::Kind::kFault);
+    ADD_FAILURE() << "no way is known to " << name;
+    return visitor;
+}
+
+Visitor at_place(const std::string& name) {
+    const auto [screen, panel] = parted(name);
+    Visitor visitor = at_screen(screen);
+    if (panel == "+language") visitor.presses(Button::kLanguages);
+    if (panel == "+idle") {
+        visitor.now_s += 46.0;
+        visitor.does(Event::Kind::kTick);
+    }
+    if (panel == "+pin" || panel == "+staff") visitor.does(Event::Kind::kCornerHeld);
+    if (panel == "+staff") {
+        for (const int digit : {1, 2, 3, 4})
+            visitor.presses(Button::kDigit, digit);
+    }
+    visitor.all.clear();
+    return visitor;
+}
+
+std::vector<std::string> all_places() {
+    std::vector<std::string> places;
+    for (const auto& [panel, screens] : kPanels) {
+        for (const std::string& screen : expanded(screens))
+            places.push_back(screen + panel);
+    }
+    return places;
+}
+
+// Where each place leads that the rules name.
+std::map<std::string, std::string> leads(const Happening& happening) {
+    std::map<std::string, std::string> next;
+    std::istringstream rules(happening.rules);
+    for (std::string rule; std::getline(rules, rule, ',');) {
+        std::istringstream words(rule);
+        std::string from;
+        std::string arrow;
+        std::string to;
+        words >> from >> arrow >> to;
+        EXPECT_EQ(arrow, "->") << happening.name << ": " << rule;
+        const auto [set, panel] = parted(from);
+        for (const std::string& screen : expanded(set)) {
+            const auto [to_screen, to_panel] = parted(to);
+            next[screen + panel] = (to_screen == "same" ? screen : to_screen) + to_panel;
+        }
+    }
+    return next;
+}
+
+TEST(EveryPair, KnowsAWayToEveryPlace) {
+    std::set<int> screens;
+    std::set<int> panels;
+    for (const std::string& place : all_places()) {
+        const Visitor visitor = at_place(place);
+        EXPECT_EQ(name_of_place(visitor.state), place);
+        screens.insert(static_cast<int>(visitor.state.screen));
+        panels.insert(static_cast<int>(visitor.state.panel));
+    }
+    EXPECT_EQ(screens.size(), static_cast<std::size_t>(kScreenCount)) << "a screen without expectation";
+    EXPECT_EQ(panels.size(), static_cast<std::size_t>(kPanelCount)) << "a panel without expectation";
+}
+
+TEST(EveryPair, ExpectsSomethingOfEveryEventAndEveryButton) {
+    std::set<int> kinds{static_cast<int>(Event::Kind::kPressed)};  // of which the buttons are
+    for (const Happening& happening : events())
+        kinds.insert(static_cast<int>(happening.event.kind));
+    EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kEventKindCount)) << "an event without expectation";
+    const std::vector<Happening> all = buttons();
+    ASSERT_EQ(all.size(), static_cast<std::size_t>(kButtonCount)) << "a button without expectation";
+    for (std::size_t i = 0; i < all.size(); ++i)
+        EXPECT_EQ(static_cast<std::size_t>(all[i].event.button), i);
+}
+
+TEST(EveryPair, LeadsWhereItShould) {
+    std::vector<Happening> all = events();
+    for (Happening& button : buttons())
+        all.push_back(std::move(button));
+    const std::vector<std::string> places = all_places();
+    const std::set<std::string> known(places.begin(), places.end());
+    int pairs = 0;
+    for (const Happening& happening : all) {
+        const auto next = leads(happening);
+        for (const auto& [from, to] : next) {
+            EXPECT_TRUE(known.contains(from)) << happening.name << " names " << from;
+            EXPECT_TRUE(known.contains(to)) << happening.name << " names " << to;
+        }
+        for (const std::string& place : places) {
+            Visitor visitor = at_place(place);
+            visitor.now_s += happening.after_s;
+            visitor.does(happening.event);
+            const auto found = next.find(place);
+            EXPECT_EQ(name_of_place(visitor.state), found == next.end() ? place : found->second)
+                << happening.name << " at " << place;
+            ++pairs;
+        }
+    }
+    EXPECT_EQ(pairs, static_cast<int>(all.size() * places.size()));
+    EXPECT_GT(pairs, 3500);
+}
+
+}  // namespace
+}  // namespace onggi::kiosk
