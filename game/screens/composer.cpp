@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "game/screens/screens.h"
 
@@ -10,6 +12,10 @@ namespace onggi::screens {
 namespace {
 
 constexpr std::int64_t kLookEveryNs = 4'000'000;
+constexpr std::int64_t kTurnEveryNs = 40'000'000;  // 25 pictures a second of a turning pot
+constexpr double kTurnS = 9.0;
+constexpr double kViewS = 4.0;
+constexpr int kViews = 4;
 
 }  // namespace
 
@@ -17,19 +23,48 @@ Result<void> Composer::start() {
     return thread_.start(*this, "screens");
 }
 
-std::int64_t Composer::round(std::int64_t) noexcept {
+double TurnTable::pass(double dt_s, bool still, bool held) {
+    if (!held) turned_s_ += dt_s;
+    const double turn = still ? std::floor(turned_s_ / kViewS) / kViews : turned_s_ / kTurnS;
+    return turn - std::floor(turn);
+}
+
+std::int64_t Composer::turn_pots(std::int64_t now_ns) {
+    const std::int64_t passed_ns = now_ns - turned_ns_;
+    if (turning_.empty() || passed_ns < kTurnEveryNs) return kLookEveryNs;
+    turned_ns_ = now_ns;
+    const double dt_s = std::min(0.1, static_cast<double>(passed_ns) * 1e-9);
+    const double turn = table_.pass(dt_s, shown_->state.comfort.still, held_.load(std::memory_order_relaxed));
+    if (turn == shown_turn_) return kLookEveryNs;
+    shown_turn_ = turn;
+    auto pots = std::make_shared<TurnedPots>();
+    for (const auto& [key, pot] : turning_)
+        pots->push_back({key, pot->at(turn)});
+    turned_.put(std::move(pots));
+    return kLookEveryNs;
+}
+
+std::int64_t Composer::round(std::int64_t now_ns) noexcept {
     const std::shared_ptr<const View> wish = wishes_.latest();
-    if (!wish || wish == shown_) return kLookEveryNs;
+    if (!wish || wish == shown_) return turn_pots(now_ns);
     if (!painter_) {
         painter_ = std::make_unique<ui::Painter>();
         store_ = std::make_unique<PaintingStore>(*painter_);
     }
     shown_ = wish;
-    done_.put(std::make_shared<const Composed>(Composed{wish, compose(*wish, *painter_, *store_)}));
+    const auto composed =
+        std::make_shared<const Composed>(Composed{wish, compose(*wish, *painter_, *store_)});
+    turning_.clear();
+    for (const Item& item : composed->composition.items) {
+        if (item.turning) turning_.emplace_back(item.key, item.turning);
+    }
+    shown_turn_ = -1.0;
+    done_.put(composed);
     return 0;
 }
 
 void Composer::finish() noexcept {
+    turning_.clear();
     store_.reset();
     painter_.reset();
 }

@@ -11,6 +11,7 @@
 #include "engine/ui/geometry.h"
 #include "engine/ui/painting.h"
 #include "game/kiosk/step.h"
+#include "game/screens/turning_pot.h"
 
 namespace onggi::screens {
 
@@ -31,6 +32,7 @@ struct Item {
     Role role = Role::kStill;
     vec2 way{0.0F};  // of a hint: how far it goes in a loop
     bool is_words = false;
+    std::shared_ptr<const TurningPot> turning;  // its painting is how it begins
 };
 
 struct Target {
@@ -50,7 +52,27 @@ struct Writing {
     ui::Rect within;  // the box it must not leave
     int unknown_glyphs = 0;
     bool too_wide = false;
+    bool over = false;    // laid over other words, which it hides
     bool on_pot = false;  // allowed to stand over a pot's box: cards do
+};
+
+// The three forces of a touch, as in Fig. 6 of the paper, and their sum, Eq. (3).
+enum class Force { kStiffness, kViscosity, kFriction, kTotal };
+constexpr std::size_t kForceCount = 4;
+
+// What the stage shows forces with, besides its arrows: a name for the head of each, digits for the numbers
+// that change from frame to frame, and where in the panel they go.
+struct ForceParts {
+    std::array<Item, kForceCount> names;  // only their size and painting count
+    std::array<Item, 10> digits;
+    Item point;
+    bool has_panel = false;
+    // Of each number, its right end and the middle of its height.
+    std::array<vec2, kForceCount> value_at{};
+    vec2 full_at{0.0F};  // what the height of the force's plot stands for
+    vec2 rate_at{0.0F};
+    ui::Rect force_plot;
+    ui::Rect rate_plot;
 };
 
 struct Composition {
@@ -61,7 +83,8 @@ struct Composition {
     std::vector<Item> items;
     std::vector<Target> targets;
     std::vector<Writing> writings;
-    std::vector<ui::Rect> pots;  // no words in these
+    std::vector<ui::Rect> pots;                // no words in these
+    std::shared_ptr<const ForceParts> forces;  // where forces may be shown
 };
 
 }  // namespace onggi::screens

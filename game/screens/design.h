@@ -43,6 +43,11 @@ inline constexpr Colour kShelf = hex(0x70573f);
 inline constexpr Colour kShelfEdge = hex(0x7d5c3a);
 inline constexpr Colour kRule = hex(0xd3c3a8);
 
+// The paper's colours of Fig. 6; their sum is black there and black with a pale edge here.
+inline constexpr Colour kStiffness = hex(0xf79a4b);
+inline constexpr Colour kViscosity = hex(0x7fbcf5);
+inline constexpr Colour kFriction = hex(0x8fd67a);
+
 inline constexpr float kMargin = 32.0F;
 inline constexpr float kTokenHeight = 66.0F;
 inline constexpr float kStepperWidth = 164.0F;
@@ -50,6 +55,8 @@ inline constexpr float kLeastTextSize = 26.0F;
 // A 24 inch panel of 1080 lines, on which u was chosen.
 inline constexpr float kMmPerU = 0.4151F;
 inline constexpr float kLeastTargetMm = 20.0F;
+// Height of a capital in ems, of the lowest of the families: Noto Sans and Serif.
+inline constexpr double kCapitalShare = 0.719;
 
 // Families in the order in which they are asked; Arabic has its own first, so that its digits and marks
 // match.

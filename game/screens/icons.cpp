@@ -44,6 +44,11 @@ std::vector<Stroke> strokes_of(Icon icon) {
             return {{"M14 42 C8 26 20 22 22 10 H42 C44 22 56 26 50 42 Z", kClayFill},
                     {"M4 51 H60"},
                     {"M4 46 V56 M60 46 V56"}};
+        case Icon::kLookIn:
+            return {{"M14 14 C21 4 43 4 50 14 C43 24 21 24 14 14 Z"},
+                    {"M28 14 a4 4 0 1 1 8 0 a4 4 0 1 1 -8 0 Z"},
+                    {"M8 37 C10 53 22 60 32 60 C42 60 54 53 56 37"},
+                    {"M8 36 a24 8 0 1 1 48 0 a24 8 0 1 1 -48 0 Z", kClayFill}};
         case Icon::kUp:
             return {{"M32 52 V14 M15 30 L32 12 L49 30"}};
         case Icon::kDown:

@@ -27,6 +27,7 @@ enum class Icon {
     kLow,
     kStill,
     kCheck,
+    kLookIn,
     kStepPress,  // sections of the clay
     kStepOpen,
     kStepRaise,

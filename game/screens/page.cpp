@@ -4,18 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "game/screens/legibility.h"
+
 namespace onggi::screens {
 namespace {
 
 using ui::Colour;
 using ui::Fill;
 using ui::Rect;
-
-Shape shape_of(int width_px, int height_px) {
-    const float aspect = static_cast<float>(width_px) / static_cast<float>(std::max(1, height_px));
-    if (aspect < 1.0F) return Shape::kTall;
-    return aspect < 1.5F ? Shape::kSquare : Shape::kWide;
-}
 
 }  // namespace
 
@@ -24,14 +20,12 @@ Page::Page(const View& view, ui::Painter& painter, PaintingStore& store)
       painter_(painter),
       store_(store),
       shape_(shape_of(view.width_px, view.height_px)) {
-    // The designs are 720 u high, 720 wide when tall, and 768 high at 4:3.
-    const float short_side = shape_ == Shape::kSquare ? 768.0F : 720.0F;
-    const auto px = static_cast<float>(shape_ == Shape::kTall ? view.width_px : view.height_px);
-    composition_.px_per_u = px / short_side;
+    composition_.px_per_u = px_per_u_of(view.width_px, view.height_px);
     composition_.mm_per_u = composition_.px_per_u / static_cast<float>(view.px_per_mm);
     composition_.bounds = {0.0F, 0.0F, static_cast<float>(view.width_px) / composition_.px_per_u,
                            static_cast<float>(view.height_px) / composition_.px_per_u};
-    text_scale_ = 0.5F + 0.5F * static_cast<float>(view.state.comfort.text_size);
+    text_scale_ = (0.5F + 0.5F * static_cast<float>(view.state.comfort.text_size)) *
+                  legible_scale(double{composition_.mm_per_u}, view.distance_mm);
 }
 
 const kiosk::Language& Page::language(int place) const {
@@ -40,8 +34,8 @@ const kiosk::Language& Page::language(int place) const {
     return all[static_cast<std::size_t>(std::clamp(wanted, 0, static_cast<int>(all.size()) - 1))];
 }
 
-std::string Page::digits(std::string_view number) const {
-    if (!view_.own_digits || language().code() != "ar") return std::string(number);
+std::string Page::digits(std::string_view number, int place) const {
+    if (!view_.own_digits || language(place).code() != "ar") return std::string(number);
     std::string own;
     for (const char letter : number) {
         if (letter >= '0' && letter <= '9') {
@@ -56,10 +50,10 @@ std::string Page::digits(std::string_view number) const {
     return own;
 }
 
-std::string Page::measure(std::string_view number, std::string_view unit_key) const {
+std::string Page::measure(std::string_view number, std::string_view unit_key, int place) const {
     // Number and unit stay in this order and on one line, also inside Arabic: U+00A0 between them. The number
     // is fenced off as left-to-right (U+2066 to U+2069), so that "91 x 154" does not turn round.
-    return "\u2066" + digits(number) + "\u2069\u00a0" + t(unit_key);
+    return "\u2066" + digits(number, place) + "\u2069\u00a0" + language(place).shown(unit_key);
 }
 
 Rect Page::mirrored(const Rect& rect) const {
@@ -127,6 +121,12 @@ float Page::words_width(const Words& words) {
     return painter_.measure({.words = words.text, .style = style(words)}).width;
 }
 
+ui::TextSize Page::words_size(Words words, float scale, float width) {
+    words.size *= scale;
+    words.line *= scale;
+    return painter_.measure({.words = words.text, .style = style(words), .width = width});
+}
+
 float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     Words words = wanted;
     const float least = words.least_size > 0.0F ? words.least_size : design::kLeastTextSize;
@@ -171,6 +171,27 @@ float Page::fixed_words(const Rect& rect, const Words& wanted) {
     return height;
 }
 
+Item Page::loose_words(const Words& words, float least_width, bool on_chip) {
+    const ui::Text text{.words = words.text, .style = style(words)};
+    const ui::TextSize size = painter_.measure(text);
+    const float air = on_chip ? 12.0F : 2.0F;
+    const float width = std::max(size.width, least_width) + 2.0F * air;
+    ui::Sketch sketch;
+    sketch.size = {width, size.height + (on_chip ? 4.0F : 0.0F)};
+    sketch.px_per_u = composition_.px_per_u;
+    if (on_chip) {
+        sketch.add(ui::Box{{0.0F, 0.0F, sketch.size.x, sketch.size.y},
+                           12.0F,
+                           ui::Fill::flat(design::kNight.with_alpha(0.86F))});
+    }
+    sketch.add(
+        ui::Writing{.at = {air, on_chip ? 2.0F : 0.0F}, .text = text, .box_width = width - 2.0F * air});
+    Item item;
+    item.rect = {0.0F, 0.0F, sketch.size.x, sketch.size.y};
+    item.painting = store_.get(sketch, item.key);
+    return item;
+}
+
 int Page::english() const {
     const auto& all = *view_.languages;
     for (std::size_t place = 0; place < all.size(); ++place) {
@@ -185,18 +206,37 @@ int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::str
     return static_cast<int>(composition_.targets.size()) - 1;
 }
 
+// Above the ring, or below it where there is no room.
+void Page::name_ring(const Rect& ring, const std::string& name) {
+    constexpr float kEdge = 24.0F;
+    const float high = 20.0F + 32.0F * text_scale_;
+    const float most = width() - 2.0F * kEdge;
+    const float wide =
+        std::min(most, words_width({.text = name, .size = 26.0F}) * text_scale_ * 1.02F + 44.0F);
+    const float x = std::clamp(ring.centre().x - 0.5F * wide, kEdge, width() - kEdge - wide);
+    const float above = ring.y - 8.0F - high;
+    const float y = above >= 8.0F ? above : std::min(ring.bottom() + 8.0F, height() - high - 8.0F);
+    ui::Sketch sketch;
+    sketch.add(ui::Box{{0.0F, 0.0F, wide, high}, 24.0F, Fill::flat(design::kNight.with_alpha(0.94F))});
+    sprite({x, y, wide, high}, std::move(sketch));
+    words({x + 18.0F, y + 8.0F, wide - 36.0F, high - 12.0F},
+          {.text = name, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre}, true);
+    composition_.writings.back().over = true;
+}
+
 Composition Page::take() {
     // The ring on what keyboard or switch would press now, and its name beside it.
     const int focus = view_.focus;
     if (focus >= 0 && focus < static_cast<int>(composition_.targets.size())) {
         const Target target = composition_.targets[static_cast<std::size_t>(focus)];
         ui::Sketch sketch;
-        const Rect ring = target.rect.grown(17.0F);
+        const Rect ring = target.rect.grown(14.0F);
         const Rect body{0.0F, 0.0F, ring.width, ring.height};
         const float radius = std::min(48.0F, 0.5F * ring.height);
         sketch.add(ui::Frame{body, radius, 4.0F, design::kNight});
         sketch.add(ui::Frame{body.grown(-4.0F), radius - 4.0F, 5.0F, ui::hex(0xfff7e6)});
         sprite(ring, std::move(sketch));
+        name_ring(ring, target.name);
     }
     return std::move(composition_);
 }

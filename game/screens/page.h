@@ -11,6 +11,8 @@
 #include "game/screens/composition.h"
 #include "game/screens/design.h"
 #include "game/screens/icons.h"
+#include "game/screens/layout.h"
+#include "game/screens/turning_pot.h"
 #include "game/screens/view.h"
 
 namespace onggi::screens {
@@ -18,11 +20,18 @@ namespace onggi::screens {
 // Paintings by the hash of their sketch, kept while they are used.
 class PaintingStore {
   public:
-    explicit PaintingStore(ui::Painter& painter) : painter_(painter) {}
+    // kNothing: every painting is empty, and only places and words count.
+    enum class Paints { kAll, kNothing };
+
+    explicit PaintingStore(ui::Painter& painter, Paints paints = Paints::kAll)
+        : painter_(painter),
+          paints_(paints) {}
     std::shared_ptr<const ui::Painting> get(const ui::Sketch& sketch, std::uint64_t& key);
     // A painting that is made otherwise: pots.
     std::shared_ptr<const PotPicture> pot(const PotShape& shape, const finish::GlazeMaterial& glaze,
                                           float px_per_mm, float elevation_rad);
+    std::shared_ptr<const TurningPot> turning(const PotShape& shape, const finish::GlazeMaterial& glaze,
+                                              float px_per_mm, float elevation_rad, std::uint64_t& key);
     // What was not asked for during the last few compositions goes.
     void forget_unused();
 
@@ -33,11 +42,11 @@ class PaintingStore {
         int unused = 0;
     };
     ui::Painter& painter_;
+    Paints paints_;
     std::unordered_map<std::uint64_t, Kept<ui::Painting>> paintings_;
     std::unordered_map<std::uint64_t, Kept<PotPicture>> pots_;
+    std::unordered_map<std::uint64_t, Kept<TurningPot>> turning_;
 };
-
-enum class Shape { kWide, kTall, kSquare };  // 16:9, 9:16, 4:3
 
 struct Words {
     std::string text;
@@ -72,9 +81,10 @@ class Page {
         return language().shown(key, n);
     }
     // In the digits of the language; an Arabic decimal sign too.
-    [[nodiscard]] std::string digits(std::string_view number) const;
+    [[nodiscard]] std::string digits(std::string_view number, int place = -1) const;
     // "305 mm", as a left-to-right piece inside whatever line.
-    [[nodiscard]] std::string measure(std::string_view number, std::string_view unit_key) const;
+    [[nodiscard]] std::string measure(std::string_view number, std::string_view unit_key,
+                                      int place = -1) const;
 
     // The rect mirrored when the screen is (ledge: also by left hand).
     [[nodiscard]] ui::Rect mirrored(const ui::Rect& rect) const;
@@ -86,12 +96,17 @@ class Page {
     void across(const ui::Rect& rect, const ui::Colour& left, const ui::Colour& right);
     void sprite(const ui::Rect& rect, ui::Sketch sketch, int target = -1, Role role = Role::kStill,
                 vec2 way = vec2(0.0F));
+    // One line that the stage places itself: at least so wide, on a dark chip or on nothing.
+    [[nodiscard]] Item loose_words(const Words& words, float least_width, bool on_chip);
+    void keep_forces(std::shared_ptr<const ForceParts> parts) { composition_.forces = std::move(parts); }
     void picture(const ui::Rect& rect, std::shared_ptr<const ui::Painting> painting, std::uint64_t key);
 
     // Words in a box that is already where it should be. Wraps; shrinks to its least size before it would
     // leave the box. Gives the height it took.
     float words(const ui::Rect& rect, const Words& words, bool on_pot = false);
     [[nodiscard]] float words_width(const Words& words);
+    // As they would wrap in that width, so many times as large.
+    [[nodiscard]] ui::TextSize words_size(Words words, float scale, float width);
     // Words that keep their size whatever the visitor's: numbers on cards, the staff's panel.
     float fixed_words(const ui::Rect& rect, const Words& words);
 
@@ -108,6 +123,9 @@ class Page {
     int card_niche(const ui::Rect& rect, bool chosen, kiosk::Button button, int value,
                    const std::string& name);
     void languages_token();
+    void look_in_token();
+    // Dark where the photographed room ends, and a soft edge to it.
+    void scene_ends();
     // A language by its own name, in its own letters.
     void language_token(const ui::Rect& rect, int place, bool chosen);
     void toggle(const ui::Rect& rect, Icon icon, bool on, kiosk::Button button, const std::string& name);
@@ -125,13 +143,20 @@ class Page {
     // A pot standing at a place at so many px a mm of the design; gives the rect it covers.
     ui::Rect pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
                  float brightness = 1.0F);
+    // As pot(), and it turns.
+    ui::Rect turning_pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float u_per_mm,
+                         vec2 foot);
     void ledge(float y);
 
     void keep_clear(const ui::Rect& pot) { composition_.pots.push_back(pot); }
     [[nodiscard]] Composition take();
 
   private:
+    // The shadow of a pot, and the rect that its picture covers.
+    ui::Rect stand(const PotShape& shape, float u_per_mm, vec2 foot);
+    [[nodiscard]] ui::Rect languages_place() const;
     [[nodiscard]] ui::TextStyle style(const Words& words) const;
+    void name_ring(const ui::Rect& ring, const std::string& name);
     int add_target(const ui::Rect& rect, kiosk::Button button, int value, std::string name, bool repeats);
     void token_body(ui::Sketch& sketch, const ui::Rect& rect, Look look, bool pressed) const;
 

@@ -65,15 +65,19 @@ void Page::pot_shadow(float centre_x, float y, float radius, float height) {
     sprite(rect, std::move(sketch));
 }
 
-Rect Page::pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
-               float brightness) {
+Rect Page::stand(const PotShape& shape, float u_per_mm, vec2 foot) {
     const float px_per_u = composition_.px_per_u;
-    const auto picture = store_.pot(shape, glaze, u_per_mm * px_per_u, kMuseumElevationRad);
+    const PotExtent extent = pot_extent(shape, u_per_mm * px_per_u, kMuseumElevationRad);
     const float foot_radius = shape.outside.empty() ? 0.0F : shape.outside.front().x * u_per_mm;
     pot_shadow(foot.x + 0.18F * foot_radius, foot.y, 1.9F * foot_radius + 6.0F, 5.0F + 0.09F * foot_radius);
-    const Rect rect{foot.x - picture->foot_px.x / px_per_u, foot.y - picture->foot_px.y / px_per_u,
-                    static_cast<float>(picture->painting.width) / px_per_u,
-                    static_cast<float>(picture->painting.height) / px_per_u};
+    return {foot.x - extent.foot_px.x / px_per_u, foot.y - extent.foot_px.y / px_per_u,
+            static_cast<float>(extent.width_px) / px_per_u, static_cast<float>(extent.height_px) / px_per_u};
+}
+
+Rect Page::pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
+               float brightness) {
+    const Rect rect = stand(shape, u_per_mm, foot);
+    const auto picture = store_.pot(shape, glaze, u_per_mm * composition_.px_per_u, kMuseumElevationRad);
     ui::Sketch sketch;
     ui::Picture item;
     // The store keeps the picture; the sketch only borrows its pixels.
@@ -85,6 +89,35 @@ Rect Page::pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float 
     sketch.add(item);
     sprite(rect, std::move(sketch));
     return rect;
+}
+
+Rect Page::turning_pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot) {
+    const Rect rect = stand(shape, u_per_mm, foot);
+    std::uint64_t key = 0;
+    auto turning = store_.turning(shape, glaze, u_per_mm * composition_.px_per_u, kMuseumElevationRad, key);
+    if (!turning) return rect;
+    picture(rect, turning->at(0.0), key);
+    composition_.items.back().turning = std::move(turning);
+    return rect;
+}
+
+void Page::scene_ends() {
+    const vec3 edges = view_.scene_edges_px / composition_.px_per_u;
+    constexpr float kSoft = 110.0F;
+    const Colour night = design::kNight;
+    const Colour clear = design::kNight.with_alpha(0.0F);
+    if (edges.y > 1.0F) {
+        down({0.0F, 0.0F, width(), edges.y}, night, night);
+        down({0.0F, edges.y, width(), kSoft}, night, clear);
+    }
+    if (edges.x > 1.0F) {
+        across({0.0F, 0.0F, edges.x, height()}, night, night);
+        across({edges.x, 0.0F, kSoft, height()}, night, clear);
+    }
+    if (edges.z < width() - 1.0F) {
+        across({edges.z, 0.0F, width() - edges.z, height()}, night, night);
+        across({edges.z - kSoft, 0.0F, kSoft, height()}, clear, night);
+    }
 }
 
 void Page::ledge(float y) {

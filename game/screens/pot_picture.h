@@ -25,6 +25,17 @@ struct PotShape {
 // A wall of this thickness inside an outline that is only known from without.
 [[nodiscard]] PotShape hollowed(std::vector<vec2> outside, float wall_mm, float floor_mm);
 
+// A fresh lump of one kilogram: about as wide as it is high.
+[[nodiscard]] const PotShape& fresh_lump();
+
+// How large its picture is, pixels, and where in it the middle of the foot stands.
+struct PotExtent {
+    int width_px = 0;
+    int height_px = 0;
+    vec2 foot_px{0.0F};
+};
+[[nodiscard]] PotExtent pot_extent(const PotShape& shape, float px_per_mm, float elevation_rad);
+
 struct PotPicture {
     ui::Painting painting;
     // Where the middle of the foot stands, pixels from the top left.

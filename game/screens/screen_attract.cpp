@@ -14,6 +14,7 @@ using ui::Rect;
 
 constexpr ui::Colour kClear = design::kNight.with_alpha(0.0F);
 
+// What waits for the next visitor is large already, whatever the one before wished: it keeps its size.
 // "Touch to begin" in every language at equal size, in the configuration's order.
 void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) {
     const int count = static_cast<int>(page.view().languages->size());
@@ -28,7 +29,7 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
                                        : align,
                           .language = place,
                           .least_size = 40.0F};
-        const float used = page.words(rect, words);
+        const float used = page.fixed_words(rect, words);
         rect.y += used + gap;
         rect.height -= used + gap;
     }
@@ -37,62 +38,78 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
              {design::kAmber, design::kAmber, design::kAmber, design::kAmber});
     rect.y += 40.0F;
     for (int place = 0; place < std::min(2, count); ++place) {
-        const float used =
-            page.words({rect.x, rect.y, rect.width, 84.0F},
-                       {.text = page.language(place).shown("attract.line"),
-                        .size = 28.0F,
-                        .line = 40.0F,
-                        .colour = design::kSlip3,
-                        .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
-                        .language = place});
+        const float used = page.fixed_words(
+            {rect.x, rect.y, rect.width, 84.0F},
+            {.text = page.language(place).shown("attract.line"),
+             .size = 28.0F,
+             .line = 40.0F,
+             .colour = design::kSlip3,
+             .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
+             .language = place});
         rect.y += used;
     }
 }
 
-void heritage_label(Page& page, const Exhibit& exhibit, float y) {
-    const auto both = [&](const std::string& key) {
-        std::string text = page.language(0).shown(key);
-        if (page.view().languages->size() > 1) text += " \u00b7 " + page.language(1).shown(key);
-        return text;
-    };
-    const Rect rect{0.5F * page.width() - 350.0F, y, 700.0F, 40.0F};
-    page.words(rect, {.text = both(exhibit.name_key),
-                      .size = 30.0F,
-                      .line = 40.0F,
-                      .bold = true,
-                      .align = ui::Align::kCentre,
-                      .language = 0});
-    page.words(
-        {rect.x, y + 40.0F, rect.width, 36.0F},
-        {.text = fmt::format("{} \u00b7 {} \u00b7 {:.0f} mm", page.language(0).shown(exhibit.museum_key),
-                             page.language(0).shown(exhibit.date_key), exhibit.height_mm),
-         .size = 26.0F,
-         .line = 36.0F,
-         .colour = design::kSlip2,
-         .align = ui::Align::kCentre,
-         .language = 0});
+// What it is, when and where from, and how high, in one language.
+void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int language) {
+    const kiosk::Language& tongue = page.language(language);
+    const float name =
+        page.fixed_words({rect.x, rect.y, rect.width, 38.0F}, {.text = tongue.shown(exhibit.name_key),
+                                                               .size = 30.0F,
+                                                               .line = 38.0F,
+                                                               .bold = true,
+                                                               .align = ui::Align::kCentre,
+                                                               .language = language});
+    const std::string text =
+        fmt::format("{}\n{} \u00b7 {}", tongue.shown(exhibit.museum_key), tongue.shown(exhibit.date_key),
+                    page.measure(fmt::format("{:.0f}", exhibit.height_mm), "unit.mm", language));
+    page.fixed_words({rect.x, rect.y + name, rect.width, rect.height - name}, {.text = text,
+                                                                               .size = 26.0F,
+                                                                               .line = 32.0F,
+                                                                               .colour = design::kSlip2,
+                                                                               .align = ui::Align::kCentre,
+                                                                               .language = language});
+}
+
+// In every language side by side, as far as there is room; in a narrow picture one after the other.
+void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
+    constexpr float kHigh = 104.0F;
+    constexpr float kGap = 16.0F;
+    const int count = static_cast<int>(page.view().languages->size());
+    if (page.shape() != Shape::kWide) {
+        heritage_label(page, exhibit, {40.0F, y, page.width() - 80.0F, kHigh},
+                       page.view().attract_turn % count);
+        return;
+    }
+    const int columns = std::min(count, 3);
+    const float wide =
+        (page.width() - 64.0F - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    for (int i = 0; i < columns; ++i) {
+        const float x = 32.0F + (wide + kGap) * static_cast<float>(i);
+        heritage_label(page, exhibit, {x, y, wide, kHigh}, i);
+    }
 }
 
 void attract_heritage(Page& page, const Exhibit& exhibit) {
     const float width = page.width();
     const float height = page.height();
     const bool wide = page.shape() == Shape::kWide;
-    const float shelf_y = wide ? 580.0F : page.shape() == Shape::kSquare ? 460.0F : 790.0F;
+    const float shelf_y = wide ? 556.0F : page.shape() == Shape::kSquare ? 428.0F : 780.0F;
     const vec2 foot(wide ? 0.64F * width : 0.5F * width, shelf_y + 8.0F);
     page.museum({foot.x, 0.42F * height}, {0.46F * width, 0.62F * height}, 0.26F);
     page.shelf(shelf_y, 40.0F);
     page.down({0.0F, shelf_y + 40.0F, width, height - shelf_y - 40.0F}, ui::hex(0x1a120c), ui::hex(0x241a13));
-    const float most = wide ? 480.0F : page.shape() == Shape::kSquare ? 350.0F : 560.0F;
+    const float most = wide ? 460.0F : page.shape() == Shape::kSquare ? 340.0F : 560.0F;
     const float scale = std::min(1.58F, most / static_cast<float>(exhibit.height_mm));
-    page.keep_clear(page.pot(exhibit.shape, finish::glaze_at(exhibit.glaze), scale, foot));
+    page.keep_clear(page.turning_pot(exhibit.shape, finish::glaze_at(exhibit.glaze), scale, foot));
     if (wide) {
-        begin_lines(page, {64.0F, 100.0F, 330.0F, 440.0F}, 50.0F, ui::Align::kStart, 26.0F);
+        begin_lines(page, {64.0F, 80.0F, 330.0F, 440.0F}, 50.0F, ui::Align::kStart, 22.0F);
     } else {
         const bool tall = page.shape() == Shape::kTall;
         begin_lines(page, {50.0F, tall ? 960.0F : 592.0F, width - 100.0F, tall ? 250.0F : 172.0F},
                     tall ? 50.0F : 40.0F, ui::Align::kCentre, 0.0F);
     }
-    heritage_label(page, exhibit, wide ? 630.0F : page.shape() == Shape::kSquare ? 504.0F : 850.0F);
+    heritage_labels(page, exhibit, shelf_y + 48.0F);
 }
 
 }  // namespace
@@ -107,6 +124,7 @@ void draw_attract(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
+    page.scene_ends();
     if (page.shape() == Shape::kWide) {
         page.across({0.0F, 0.0F, 0.24F * width, height}, night(0.94F), night(0.88F));
         page.across({0.24F * width, 0.0F, 0.18F * width, height}, night(0.88F), night(0.45F));
@@ -143,48 +161,41 @@ std::string size_of(const Page& page, const Exhibit& exhibit) {
     return page.measure(whole(exhibit.height_mm) + " \u00d7 " + whole(exhibit.diameter_mm), "unit.mm");
 }
 
-// A lump of one kilogram: about as wide as it is high.
-const PotShape& lump() {
-    static const PotShape shape{.outside = {{62.0F, 0.0F},
-                                            {67.0F, 8.0F},
-                                            {68.0F, 24.0F},
-                                            {66.0F, 42.0F},
-                                            {60.0F, 62.0F},
-                                            {50.0F, 80.0F},
-                                            {34.0F, 92.0F},
-                                            {16.0F, 98.0F},
-                                            {0.5F, 99.0F}},
-                                .inside = {}};
-    return shape;
-}
-
 void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     const bool free = choice.exhibit == nullptr;
     page.card_target(card, free, free ? kiosk::Button::kFree : kiosk::Button::kTarget, free ? 0 : index - 1,
                      choice.name);
-    const Rect inner{card.x + 11.0F, card.y + 14.0F, card.width - 22.0F, card.height - 24.0F};
-    float y = inner.y;
-    // On a narrow card the size takes two lines.
-    const float size_width =
-        page.words_width({.text = choice.size, .size = 26.0F, .line = 34.0F, .bold = true});
-    const float size_room = choice.size.empty() ? 0.0F : size_width > inner.width ? 74.0F : 40.0F;
-    const auto line = [&](const std::string& text, float size, float height, bool bold,
-                          const ui::Colour& colour) {
-        if (text.empty()) return;
-        const float room = inner.bottom() - size_room - y;
-        y += page.words({inner.x, y, inner.width, std::max(room, height)},
-                        {.text = text, .size = size, .line = height, .bold = bold, .colour = colour}, true);
-    };
-    line(choice.name, 28.0F, 34.0F, true, design::kInk);
-    y += 2.0F;
-    line(choice.second, 26.0F, 32.0F, false, free ? design::kInk : design::kInk2);
-    line(choice.third, 26.0F, 32.0F, false, design::kInk2);
+    const Rect inner{card.x + 11.0F, card.y + 11.0F, card.width - 22.0F, card.height - 18.0F};
+    std::vector<Words> lines{
+        {.text = choice.name, .size = 28.0F, .line = 34.0F, .bold = true, .colour = design::kInk},
+        {.text = choice.second, .colour = free ? design::kInk : design::kInk2},
+        {.text = choice.third, .colour = design::kInk2}};
     if (choice.exhibit != nullptr && choice.exhibit->half_size)
-        line(page.t("choose.half"), 26.0F, 32.0F, false, design::kInk2);
-    if (!choice.size.empty()) {
-        page.words({inner.x, inner.bottom() - size_room + 4.0F, inner.width, size_room - 2.0F},
-                   {.text = choice.size, .size = 26.0F, .line = 34.0F, .bold = true, .colour = design::kInk},
-                   true);
+        lines.push_back({.text = page.t("choose.half"), .colour = design::kInk2});
+    lines.push_back({.text = choice.size, .line = 34.0F, .bold = true, .colour = design::kInk});
+    std::erase_if(lines, [](const Words& words) { return words.text.empty(); });
+    // All of them as large as the whole card bears, not the first at the cost of the last.
+    float scale = page.text_scale();
+    float size_room = 0.0F;
+    for (;; scale = std::max(1.0F, 0.96F * scale)) {
+        float room = 8.0F;
+        bool is_too_wide = false;
+        for (const Words& words : lines) {
+            const ui::TextSize size = page.words_size(words, scale, inner.width);
+            room += size.height;
+            is_too_wide = is_too_wide || size.too_wide;
+            size_room = size.height;
+        }
+        if (scale <= 1.0F || (room <= inner.height && !is_too_wide)) break;
+    }
+    float y = inner.y;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Words words = lines[i];
+        words.size *= scale;
+        words.line *= scale;
+        const bool is_size = choice.exhibit != nullptr && i + 1 == lines.size();
+        const float top = is_size ? inner.bottom() - size_room : y;
+        y += page.fixed_words({inner.x, top, inner.width, inner.bottom() - top + 2.0F}, words);
     }
 }
 
@@ -210,28 +221,37 @@ void draw_choose(Page& page) {
                                                                       .least_size = 40.0F});
     page.languages_token();
 
-    const auto count = static_cast<int>(choices.size());
+    // With the largest text a few of them, and a way to the others.
+    const bool is_paged = page.text_scale() > 1.9F && static_cast<int>(choices.size()) > kiosk::kShelfShown;
+    const int first = is_paged ? std::clamp(view.state.shelf_first, 0,
+                                            static_cast<int>(choices.size()) - kiosk::kShelfShown)
+                               : 0;
+    const int count = is_paged ? kiosk::kShelfShown : static_cast<int>(choices.size());
+    const auto choice_at = [&](int i) -> const Choice& {
+        return choices[static_cast<std::size_t>(first + i)];
+    };
     const float scale = tall ? 0.52F : square ? 0.60F : 0.76F;
     const auto pot = [&](const Choice& choice, vec2 foot) {
         const bool free = choice.exhibit == nullptr;
         const Rect rect =
-            page.pot(free ? lump() : choice.exhibit->shape,
+            page.pot(free ? fresh_lump() : choice.exhibit->shape,
                      free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
         page.keep_clear(rect);
     };
     if (tall) {
         const float top = 116.0F;
-        const float step = std::min(206.0F, (height - top - 100.0F) / static_cast<float>(count));
+        const float step =
+            std::min(is_paged ? 350.0F : 212.0F, (height - top - 100.0F) / static_cast<float>(count));
         for (int i = 0; i < count; ++i) {
             const float y = top + step * static_cast<float>(i);
             const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
             page.down(shelf, design::kShelf, design::kShelfEdge);
-            pot(choices[static_cast<std::size_t>(i)], {shelf.centre().x, shelf.y + 5.0F});
-            draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F, step - 14.0F}),
-                      choices[static_cast<std::size_t>(i)], i);
+            pot(choice_at(i), {shelf.centre().x, shelf.y + 5.0F});
+            draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F, step - 14.0F}), choice_at(i),
+                      first + i);
         }
     } else {
-        const float shelf_y = square ? 330.0F : 340.0F;
+        const float shelf_y = square ? 306.0F : 340.0F;
         const float card_top = shelf_y + 40.0F;
         const float card_height = height - card_top - 84.0F;
         const float gap = 10.0F;
@@ -241,13 +261,20 @@ void draw_choose(Page& page) {
         for (int i = 0; i < count; ++i) {
             const Rect card = page.mirrored(
                 {24.0F + static_cast<float>(i) * (card_width + gap), card_top, card_width, card_height});
-            pot(choices[static_cast<std::size_t>(i)], {card.centre().x, shelf_y + 9.0F});
-            draw_card(page, card, choices[static_cast<std::size_t>(i)], i);
+            pot(choice_at(i), {card.centre().x, shelf_y + 9.0F});
+            draw_card(page, card, choice_at(i), first + i);
         }
     }
     const float foot_y = height - 77.0F;
     page.token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}), Look::kOutline, kiosk::Button::kBack,
                page.t("ctl.back"), 0, page.right_to_left() ? Icon::kRight : Icon::kLeft);
+    if (is_paged) {
+        const bool rtl = page.right_to_left();
+        page.token(page.mirrored({222.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfBefore,
+                   page.t("choose.before"), 0, rtl ? Icon::kRight : Icon::kLeft, false);
+        page.token(page.mirrored({322.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfNext,
+                   page.t("choose.next"), 0, rtl ? Icon::kLeft : Icon::kRight, false);
+    }
     // The scale, drawn and in words.
     const float bar = 100.0F * scale;
     const Rect bar_rect = page.mirrored({width - 32.0F - bar, foot_y + 22.0F, bar, 14.0F});

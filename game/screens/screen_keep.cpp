@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "game/screens/screens.h"
 
@@ -88,6 +89,49 @@ void near_words(Page& page, const Rect& rect, const Exhibit& exhibit) {
     page.words(rect, {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
 }
 
+// Dark on light, with the quiet zone that cameras need.
+void phone_card(Page& page, const Rect& card) {
+    const PhoneCode& code = *page.view().phone;
+    page.card(card, design::kPorcelain, design::kPorcelain);
+    const bool beside = card.width > 1.3F * card.height;  // words beside the code
+    const float side = 232.0F;
+    const Rect place =
+        beside ? page.mirrored({page.mirrored(card).x + 30.0F, card.centre().y - 0.5F * side, side, side})
+               : Rect{card.centre().x - 0.5F * side, card.y + 30.0F, side, side};
+    // Whole pixels a module, so that edges are sharp.
+    const float px = std::max(1.0F, std::floor(side * page.px_per_u() / static_cast<float>(code.side)));
+    const float module = px / page.px_per_u();
+    const float whole = module * static_cast<float>(code.side);
+    std::string path;
+    for (int row = 0; row < code.side; ++row) {
+        for (int column = 0; column < code.side; ++column) {
+            if (!code.dark[static_cast<std::size_t>(row * code.side + column)]) continue;
+            path +=
+                fmt::format("M{:.4f} {:.4f} h{:.4f} v{:.4f} h-{:.4f} Z ", module * static_cast<float>(column),
+                            module * static_cast<float>(row), module, module, module);
+        }
+    }
+    ui::Sketch sketch;
+    sketch.add(ui::Shape{.path = path, .fill = ui::hex(0x000000)});
+    page.sprite({place.centre().x - 0.5F * whole, place.centre().y - 0.5F * whole, whole, whole},
+                std::move(sketch));
+    const Rect text = beside ? page.mirrored({page.mirrored(card).x + 30.0F + side + 24.0F, card.y + 50.0F,
+                                              card.width - side - 84.0F, card.height - 80.0F})
+                             : Rect{card.x + 16.0F, place.bottom() + 26.0F, card.width - 32.0F,
+                                    card.bottom() - place.bottom() - 34.0F};
+    const auto align = beside ? ui::Align::kStart : ui::Align::kCentre;
+    const float head =
+        page.words({text.x, text.y, text.width, 0.5F * text.height}, {.text = page.t("keep.qr"),
+                                                                      .size = 28.0F,
+                                                                      .line = 36.0F,
+                                                                      .bold = true,
+                                                                      .colour = design::kInk,
+                                                                      .align = align});
+    page.words(
+        {text.x, text.y + head + 2.0F, text.width, text.height - head - 2.0F},
+        {.text = page.t("keep.qr2"), .size = 26.0F, .line = 34.0F, .colour = design::kInk2, .align = align});
+}
+
 }  // namespace
 
 void draw_your_pot(Page& page) {
@@ -123,8 +167,8 @@ void draw_your_pot(Page& page) {
     scale = std::min(scale, 2.2F);
     const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
     const float own_x = 62.0F + 0.5F * own_box;
-    page.keep_clear(
-        page.pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale, {mirrored_x(own_x), foot_y}));
+    page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
+                                     {mirrored_x(own_x), foot_y}));
     height_bracket(page, mirrored_x(42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
     const float names_y = shelf_y + 40.0F;
     const Rect own_name =
@@ -136,8 +180,8 @@ void draw_your_pot(Page& page) {
                           .align = ui::Align::kCentre});
     if (relative != nullptr) {
         const float x = 62.0F + own_box + 14.0F + 0.5F * other_box;
-        page.keep_clear(
-            page.pot(relative->shape, finish::glaze_at(relative->glaze), scale, {mirrored_x(x), foot_y}));
+        page.keep_clear(page.turning_pot(relative->shape, finish::glaze_at(relative->glaze), scale,
+                                         {mirrored_x(x), foot_y}));
         const float name_width = std::min(other_box + 40.0F, 400.0F);
         page.words(page.mirrored({x - 0.5F * name_width, names_y, name_width, 106.0F}),
                    {.text = page.t(relative->name_key) + " \u00b7 " +
@@ -173,7 +217,8 @@ void draw_keep(Page& page) {
     const bool square = page.shape() == Shape::kSquare;
     const float shelf_y = tall ? 560.0F : square ? 548.0F : 508.0F;
     const float foot_y = shelf_y + 12.0F;
-    const bool has_phone = view.saves_phone;
+    const bool has_phone =
+        view.phone != nullptr && view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
     const float pot_x = !has_phone ? 0.5F * width : tall ? 0.5F * width : square ? 310.0F : 420.0F;
     const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
     page.museum({mirrored_x(pot_x), 0.44F * height}, {0.46F * width, 0.6F * height}, 0.32F);
@@ -198,8 +243,8 @@ void draw_keep(Page& page) {
     if (view.pot) {
         const float scale = std::min({2.2F, 330.0F / (2.0F * view.pot->shape.radius_mm()),
                                       (foot_y - 150.0F) / (view.pot->shape.height_mm() * 1.12F)});
-        page.keep_clear(page.pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
-                                 {mirrored_x(pot_x), foot_y}));
+        page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
+                                         {mirrored_x(pot_x), foot_y}));
     }
     const bool full = view.state.keeping.outcome == kiosk::Keeping::Outcome::kFull;
     const bool kept = view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
@@ -227,6 +272,11 @@ void draw_keep(Page& page) {
                           .line = 40.0F,
                           .colour = design::kSlip3,
                           .align = tall ? ui::Align::kCentre : ui::Align::kStart});
+    }
+    if (has_phone) {
+        phone_card(page, tall     ? Rect{110.0F, 600.0F, 500.0F, 318.0F}
+                         : square ? page.mirrored({612.0F, 124.0F, 380.0F, 392.0F})
+                                  : page.mirrored({844.0F, 104.0F, 404.0F, 392.0F}));
     }
     if (view.state.keeping.outcome == kiosk::Keeping::Outcome::kSaving) return;
     if (tall) {

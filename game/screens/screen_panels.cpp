@@ -169,14 +169,19 @@ void draw_resume(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.shape() == Shape::kTall;
-    veil(page, 0.90F, 0.95F);
-    page.words({60.0F, tall ? 420.0F : 0.36F * height, width - 120.0F, 170.0F},
-               {.text = page.t("resume.title"),
-                .size = 50.0F,
-                .line = 68.0F,
-                .title = true,
-                .align = ui::Align::kCentre,
-                .least_size = 40.0F});
+    // The clay as it was left, waiting on a shelf: by its kind, for it is put on the wheel only when it is
+    // wanted.
+    page.museum({0.5F * width, 0.45F * height}, {0.5F * width, 0.55F * height}, 0.18F);
+    const float shelf_y = tall ? 820.0F : height - 206.0F;
+    page.shelf(shelf_y, 30.0F);
+    page.keep_clear(
+        page.pot(fresh_lump(), finish::wet_clay(), tall ? 2.2F : 1.6F, {0.5F * width, shelf_y + 9.0F}));
+    page.words({60.0F, tall ? 250.0F : 70.0F, width - 120.0F, 160.0F}, {.text = page.t("resume.title"),
+                                                                        .size = 50.0F,
+                                                                        .line = 68.0F,
+                                                                        .title = true,
+                                                                        .align = ui::Align::kCentre,
+                                                                        .least_size = 40.0F});
     const float y = height - (tall ? 330.0F : 150.0F);
     const float button = std::min(330.0F, 0.5F * width - 60.0F);
     page.token(page.mirrored({0.5F * width - 14.0F - button, y, button, 84.0F}), Look::kOutline,

@@ -1,6 +1,9 @@
 // The staff's keypad and panel: plain, in English, values with ok, warn or fault as words. Not mirrored.
+#include <algorithm>
 #include <array>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "game/screens/screens.h"
 
@@ -13,10 +16,17 @@ using ui::Rect;
 constexpr ui::Colour kGround = ui::hex(0x202326);
 constexpr ui::Colour kKey = ui::hex(0x2b3034);
 constexpr ui::Colour kPale = ui::hex(0xeceff1);
+constexpr ui::Colour kDim = ui::hex(0xb4bec6);
+constexpr ui::Colour kBar = ui::hex(0x30363b);
+constexpr ui::Colour kOk = ui::hex(0x9fd8a8);
+constexpr ui::Colour kWarn = ui::hex(0xffcf7a);
+constexpr ui::Colour kFault = ui::hex(0xffa49a);
 
+// A little beyond the edges: what rises into place leaves no strip open.
 void ground(Page& page) {
-    page.covers();
-    page.box({0.0F, 0.0F, page.width(), page.height()}, {kGround, kGround, kGround, kGround});
+    constexpr float kBeyond = 16.0F;
+    page.box({0.0F, -kBeyond, page.width(), page.height() + 2.0F * kBeyond},
+             {kGround, kGround, kGround, kGround});
 }
 
 void key(Page& page, const Rect& rect, Button button, int value, const std::string& name,
@@ -37,15 +47,139 @@ void key(Page& page, const Rect& rect, Button button, int value, const std::stri
                       .language = page.english()});
 }
 
+Words plain(const std::string& text, const Page& page, const ui::Colour& colour = kPale) {
+    return {.text = text, .size = 26.0F, .line = 34.0F, .colour = colour, .language = page.english()};
+}
+
+void title_bar(Page& page) {
+    page.box({0.0F, 0.0F, page.width(), 62.0F}, {kBar, kBar, kBar, kBar});
+    Words title = plain("Staff panel", page);
+    title.bold = true;
+    page.fixed_words({24.0F, 13.0F, 0.4F * page.width(), 40.0F}, title);
+    Words name = plain(page.view().staff_title, page);
+    name.align = ui::Align::kEnd;
+    page.fixed_words({0.4F * page.width(), 13.0F, 0.6F * page.width() - 24.0F, 40.0F}, name);
+}
+
+// Before what cannot be taken back: nothing else can be pressed meanwhile.
+void draw_question(Page& page) {
+    const kiosk::Staff& staff = page.view().state.staff;
+    std::string question = "Quit the program?";
+    std::string yes = "Quit";
+    if (staff.question == kiosk::StaffQuestion::kRestart) {
+        question = "Restart the program?";
+        yes = "Restart";
+    } else if (staff.question == kiosk::StaffQuestion::kDeletePot) {
+        question = fmt::format("Delete {}? It cannot be brought back.", page.view().staff_pot);
+        yes = "Delete";
+    }
+    const float width = std::min(680.0F, page.width() - 48.0F);
+    const Rect box{0.5F * (page.width() - width), 0.5F * page.height() - 130.0F, width, 230.0F};
+    page.box(box, {kBar, kBar, kBar, kBar});
+    Words words = plain(question, page);
+    words.align = ui::Align::kCentre;
+    page.fixed_words({box.x + 24.0F, box.y + 28.0F, width - 48.0F, 76.0F}, words);
+    const float half = 0.5F * (width - 72.0F);
+    key(page, {box.x + 24.0F, box.bottom() - 96.0F, half, 72.0F}, Button::kStaffNo, 0, "No", true);
+    key(page, {box.right() - 24.0F - half, box.bottom() - 96.0F, half, 72.0F}, Button::kStaffYes, 0, yes);
+}
+
+// The last seconds' frames as bars: what lay between two of them, and in front of it what the device took.
+void draw_plot(Page& page, const Rect& rect, const FramePlot& plot) {
+    constexpr float kMostMs = 50.0F;
+    const Rect field{rect.x, rect.y + 34.0F, rect.width, rect.height - 34.0F};
+    ui::Sketch sketch;
+    sketch.add(ui::Box{{0.0F, 0.0F, field.width, field.height}, 0.0F, ui::Fill::flat(ui::hex(0x16191b))});
+    const float step = field.width / static_cast<float>(std::max<std::size_t>(1, plot.frame_ms.size()));
+    const auto bar = [&](std::size_t i, float ms, const ui::Colour& colour) {
+        const float height = std::min(ms / kMostMs, 1.0F) * field.height;
+        if (height <= 0.0F) return;
+        sketch.add(ui::Box{{static_cast<float>(i) * step, field.height - height, 0.8F * step, height},
+                           0.0F,
+                           ui::Fill::flat(colour)});
+    };
+    constexpr float kSlowMs = 25.0F;
+    for (std::size_t i = 0; i < plot.frame_ms.size(); ++i) {
+        bar(i, plot.frame_ms[i], plot.frame_ms[i] > kSlowMs ? kWarn : ui::hex(0x6f8796));
+        if (i < plot.device_ms.size()) bar(i, plot.device_ms[i], kOk);
+    }
+    constexpr float kRefreshMs = 1000.0F / 60.0F;
+    for (const float ms : {kRefreshMs, 2.0F * kRefreshMs})
+        sketch.add(ui::Box{{0.0F, field.height * (1.0F - ms / kMostMs), field.width, 1.5F},
+                           0.0F,
+                           ui::Fill::flat(kPale.with_alpha(0.55F))});
+    page.sprite(field, std::move(sketch));
+    page.fixed_words({rect.x, rect.y - 4.0F, rect.width, 36.0F},
+                     plain("Frames of 10 s; green: drawing; lines: 17 and 33 ms", page, kDim));
+}
+
+// The page's lines from the first that is wanted; gives how many were shown.
+int draw_lines(Page& page, const Rect& rect) {
+    const std::vector<StaffLine>& lines = page.view().staff_lines;
+    const int first = std::min(page.view().state.staff.first_line, static_cast<int>(lines.size()));
+    constexpr float kStep = 40.0F;
+    constexpr float kKeyHeight = 50.0F;
+    const float name_width = 0.28F * rect.width;
+    const float status_width = 84.0F;
+    float y = rect.y;
+    int shown = 0;
+    for (auto line = lines.begin() + first; line != lines.end(); ++line, ++shown) {
+        const bool has_key = line->pot >= 0;
+        const float value_width = rect.width - name_width - 12.0F -
+                                  (has_key                ? 132.0F
+                                   : line->status.empty() ? 0.0F
+                                                          : status_width);
+        const Words name = plain(line->name, page, kDim);
+        const Words value = plain(line->value, page);
+        const float words_height = std::max(page.words_size(name, 1.0F, name_width).height,
+                                            page.words_size(value, 1.0F, value_width).height);
+        const float height =
+            has_key ? kKeyHeight + 10.0F : std::max(kStep, words_height + kStep - value.line);
+        if (y + height > rect.bottom() + 4.0F) break;
+        page.fixed_words({rect.x, y, name_width, words_height}, name);
+        page.fixed_words({rect.x + name_width + 12.0F, y, value_width, words_height}, value);
+        if (has_key) {
+            key(page, {rect.right() - 120.0F, y - 8.0F, 120.0F, kKeyHeight}, Button::kStaffDeletePot,
+                line->pot, "Delete");
+        } else if (!line->status.empty()) {
+            Words status = plain(line->status, page,
+                                 line->status == "ok"     ? kOk
+                                 : line->status == "warn" ? kWarn
+                                                          : kFault);
+            status.bold = true;
+            status.align = ui::Align::kEnd;
+            page.fixed_words({rect.right() - status_width, y, status_width, 38.0F}, status);
+        }
+        y += height;
+    }
+    return shown;
+}
+
+struct Action {
+    Button button;
+    const char* name;
+};
+constexpr std::array kActions{Action{Button::kStaffForceTest, "Test the force"},
+                              Action{Button::kStaffSoundTest, "Test the sound"},
+                              Action{Button::kSoundLess, "Sound less"},
+                              Action{Button::kSoundMore, "Sound more"},
+                              Action{Button::kStaffRestart, "Restart the program"},
+                              Action{Button::kStaffQuit, "Quit"},
+                              Action{Button::kStaffClose, "Close the panel"}};
+
 }  // namespace
 
 void draw_pin(Page& page) {
     const kiosk::Staff& staff = page.view().state.staff;
+    const int wait_s = page.view().seconds_left;
+    page.covers();
     ground(page);
     const float middle = 0.5F * page.width();
     const int english = page.english();
     page.fixed_words({middle - 300.0F, 40.0F, 600.0F, 46.0F},
-                     {.text = staff.was_wrong ? "That was not the PIN" : "Staff PIN",
+                     {.text = wait_s > 0        ? fmt::format("Not the PIN. Try again in {} s", wait_s)
+                              : staff.was_wrong ? "That was not the PIN"
+                                                : "Staff PIN",
                       .size = 30.0F,
                       .line = 40.0F,
                       .colour = kPale,
@@ -77,78 +211,59 @@ void draw_pin(Page& page) {
 
 void draw_staff(Page& page) {
     const View& view = page.view();
+    const kiosk::Staff& staff = view.state.staff;
     const float width = page.width();
+    // On the page of health the wheel is drawn underneath all the same: its frames are what is measured.
+    if (staff.page != kiosk::StaffPage::kHealth) page.covers();
     ground(page);
-    const int english = page.english();
-    const ui::Colour bar = ui::hex(0x30363b);
-    page.box({0.0F, 0.0F, width, 62.0F}, {bar, bar, bar, bar});
-    page.fixed_words({24.0F, 12.0F, 0.4F * width, 40.0F}, {.text = "Staff panel",
-                                                           .size = 28.0F,
-                                                           .line = 38.0F,
-                                                           .bold = true,
-                                                           .colour = kPale,
-                                                           .language = english});
-    page.fixed_words({0.4F * width, 14.0F, 0.6F * width - 24.0F, 38.0F}, {.text = view.staff_title,
-                                                                          .size = 26.0F,
-                                                                          .line = 36.0F,
-                                                                          .colour = kPale,
-                                                                          .align = ui::Align::kEnd,
-                                                                          .language = english});
-    constexpr std::array kPages{"Health", "Gallery", "Devices"};
-    for (int i = 0; i < static_cast<int>(kPages.size()); ++i) {
-        key(page, {24.0F + static_cast<float>(i) * 172.0F, 74.0F, 160.0F, 60.0F}, Button::kStaffPage, i,
-            kPages[static_cast<std::size_t>(i)], i == view.state.staff.page);
+    title_bar(page);
+    if (staff.question != kiosk::StaffQuestion::kNone) {
+        draw_question(page);
+        return;
+    }
+    constexpr std::array<const char*, kiosk::kStaffPageCount> kPages{"Health", "Visits", "Gallery",
+                                                                     "Devices"};
+    for (int i = 0; i < kiosk::kStaffPageCount; ++i) {
+        key(page, {24.0F + static_cast<float>(i) * 168.0F, 74.0F, 156.0F, 60.0F}, Button::kStaffPage, i,
+            kPages[static_cast<std::size_t>(i)], i == static_cast<int>(staff.page));
     }
     const bool tall = page.shape() == Shape::kTall;
-    const float list_width = tall ? width - 48.0F : width - 420.0F;
-    float y = 152.0F;
-    const float bottom = page.height() - (tall ? 500.0F : 20.0F);
-    for (const StaffLine& line : view.staff_lines) {
-        if (y + 42.0F > bottom) break;
-        const bool has_delete = line.pot >= 0;
-        page.fixed_words(
-            {24.0F, y, 0.34F * list_width, 38.0F},
-            {.text = line.name, .size = 26.0F, .line = 36.0F, .colour = kPale, .language = english});
-        page.fixed_words(
-            {24.0F + 0.35F * list_width, y, 0.47F * list_width, 38.0F},
-            {.text = line.value, .size = 26.0F, .line = 36.0F, .colour = kPale, .language = english});
-        if (has_delete) {
-            key(page, {24.0F + list_width - 120.0F, y - 8.0F, 120.0F, 50.0F}, Button::kStaffDeletePot,
-                line.pot, "Delete");
-            y += 60.0F;
-            continue;
-        }
-        const ui::Colour colour = line.status == "ok"     ? ui::hex(0x9fd8a8)
-                                  : line.status == "warn" ? ui::hex(0xffcf7a)
-                                                          : ui::hex(0xffa49a);
-        page.fixed_words({24.0F + 0.84F * list_width, y, 0.16F * list_width, 38.0F}, {.text = line.status,
-                                                                                      .size = 26.0F,
-                                                                                      .line = 36.0F,
-                                                                                      .bold = true,
-                                                                                      .colour = colour,
-                                                                                      .language = english});
-        y += 42.0F;
+    const float side = page.shape() == Shape::kSquare ? 290.0F : 320.0F;
+    const float actions_top = tall ? page.height() - 400.0F : 152.0F;
+    Rect list{24.0F, 152.0F, tall ? width - 48.0F : width - side - 72.0F, 0.0F};
+    list.height = (tall ? actions_top - 16.0F : page.height() - 12.0F) - list.y;
+    if (!view.staff_notice.empty()) {
+        constexpr float kNoticeHeight = 76.0F;
+        list.height -= kNoticeHeight + 8.0F;
+        page.fixed_words({list.x, list.bottom() + 8.0F, list.width, kNoticeHeight},
+                         plain(view.staff_notice, page, kWarn));
     }
-    struct Action {
-        Button button;
-        const char* name;
-    };
-    constexpr std::array kActions{Action{Button::kStaffForceTest, "Test the force"},
-                                  Action{Button::kStaffSoundTest, "Test the sound"},
-                                  Action{Button::kSoundLess, "Sound less"},
-                                  Action{Button::kSoundMore, "Sound more"},
-                                  Action{Button::kStaffRestart, "Restart the program"},
-                                  Action{Button::kStaffQuit, "Quit"},
-                                  Action{Button::kStaffClose, "Close the panel"}};
-    for (std::size_t i = 0; i < kActions.size(); ++i) {
+    Rect lines = list;
+    if (!view.staff_plot.frame_ms.empty()) {
+        constexpr float kPlotHeight = 130.0F;
+        draw_plot(page, {list.x, list.y, list.width, kPlotHeight}, view.staff_plot);
+        lines = {list.x, list.y + kPlotHeight + 12.0F, list.width, list.height - kPlotHeight - 12.0F};
+    }
+    const int shown = draw_lines(page, lines);
+
+    // One place each, whatever is shown; two columns under the list where the screen is tall.
+    const auto place = [&](std::size_t i) {
         const float step = 76.0F;
-        const Rect rect =
-            tall
-                ? Rect{24.0F + (i % 2 == 0 ? 0.0F : 0.5F * width - 12.0F),
-                       page.height() - 480.0F + static_cast<float>(i / 2) * step, 0.5F * width - 36.0F, 64.0F}
-                : Rect{width - 24.0F - 350.0F, 152.0F + static_cast<float>(i) * step, 350.0F, 64.0F};
-        key(page, rect, kActions[i].button, 0, kActions[i].name, kActions[i].button == Button::kStaffClose);
-    }
+        if (!tall) return Rect{width - 24.0F - side, actions_top + static_cast<float>(i) * step, side, 64.0F};
+        return Rect{24.0F + (i % 2 == 0 ? 0.0F : 0.5F * width - 12.0F),
+                    actions_top + static_cast<float>(i / 2) * step, 0.5F * width - 36.0F, 64.0F};
+    };
+    for (std::size_t i = 0; i < kActions.size(); ++i)
+        key(page, place(i), kActions[i].button, 0, kActions[i].name,
+            kActions[i].button == Button::kStaffClose);
+    const int first = std::min(staff.first_line, static_cast<int>(view.staff_lines.size()));
+    const int behind = first + std::max(1, shown);
+    const Rect turn = tall ? place(kActions.size()) : Rect{width - 24.0F - side, 74.0F, side, 60.0F};
+    const float half = 0.5F * turn.width - 6.0F;
+    const Rect back{turn.x, turn.y, half, turn.height};
+    const Rect on{turn.right() - half, turn.y, half, turn.height};
+    if (first > 0) key(page, back, Button::kStaffList, std::max(0, first - std::max(1, shown)), "Back");
+    if (behind < static_cast<int>(view.staff_lines.size())) key(page, on, Button::kStaffList, behind, "More");
 }
 
 }  // namespace onggi::screens

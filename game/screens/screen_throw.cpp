@@ -14,15 +14,34 @@ using kiosk::Button;
 using ui::Rect;
 
 float ledge_y(const Page& page) {
+    return screens::ledge_y(page.shape(), page.height(), page.view().state.comfort);
+}
+
+// What larger text has made the ledge higher by, for the caption's row and for the labels below the tokens.
+struct Growth {
+    float caption = 0.0F;
+    float labels = 0.0F;
+};
+Growth growth(const Page& page) {
+    const float all = ledge_growth(page.view().state.comfort);
+    if (page.shape() == Shape::kWide) return {all, all};
+    return {0.45F * all, 0.55F * all};
+}
+
+// Where pot, tool and hands are to be seen: no words there but on cards.
+Rect pot_box(const Page& page) {
+    if (page.view().state.comfort.reach)
+        return {0.38F * page.width(), 0.42F * page.height(), 0.2F * page.width(),
+                ledge_y(page) - 0.42F * page.height()};
     switch (page.shape()) {
         case Shape::kTall:
-            return 900.0F;
+            return {90.0F, 240.0F, 550.0F, ledge_y(page) - 260.0F};
         case Shape::kSquare:
-            return 558.0F;
+            return {260.0F, 114.0F, 510.0F, ledge_y(page) - 124.0F};
         case Shape::kWide:
             break;
     }
-    return 574.0F;
+    return {340.0F, 56.0F, 600.0F, ledge_y(page) - 70.0F};
 }
 
 constexpr std::array kStepIcons{Icon::kStepPress, Icon::kStepOpen, Icon::kStepRaise};
@@ -63,15 +82,15 @@ void teaching(Page& page) {
     const auto align = page.view().state.comfort.left_hand ? ui::Align::kEnd : ui::Align::kStart;
     if (page.shape() == Shape::kWide) {
         steps(page, 32.0F, y + 16.0F, done);
-        page.words(page.on_ledge({34.0F, y + 94.0F, 306.0F, 36.0F}),
+        page.words(page.on_ledge({34.0F, y + 94.0F, 296.0F, 36.0F + growth(page).caption}),
                    {.text = text, .size = 27.0F, .line = 34.0F, .bold = true, .align = align});
         return;
     }
     const bool tall = page.shape() == Shape::kTall;
     steps(page, 32.0F, y + (tall ? 24.0F : 16.0F), done);
-    page.words(
-        page.on_ledge({282.0F, y + (tall ? 40.0F : 28.0F), page.width() - 314.0F, tall ? 70.0F : 44.0F}),
-        {.text = text, .size = tall ? 32.0F : 30.0F, .line = 42.0F, .bold = true, .align = align});
+    page.words(page.on_ledge({282.0F, y + (tall ? 30.0F : 28.0F), page.width() - 314.0F,
+                              (tall ? 84.0F : 44.0F) + growth(page).caption}),
+               {.text = text, .size = tall ? 32.0F : 30.0F, .line = 42.0F, .bold = true, .align = align});
 }
 
 // The wall's section with its thinnest place.
@@ -102,35 +121,40 @@ void gauge(Page& page, const Rect& rect) {
 void controls(Page& page) {
     const kiosk::Throwing& throwing = page.view().state.throwing;
     const bool reversed = page.right_to_left();
+    const float label_height = 36.0F + growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
+    constexpr float kBelow = 8.0F;  // the ring goes round a control and not through its label
     const auto stepper = [&](const Rect& place, Icon icon, int dots, int on, Button less, Button more,
                              const char* key) {
         const Rect rect = page.on_ledge(place);
         page.stepper(rect, icon, dots, on, less, more, page.t(key), reversed);
-        page.label({rect.x - 6.0F, rect.bottom() + 4.0F, rect.width + 12.0F, 36.0F}, page.t(key));
+        page.label({rect.x - 6.0F, rect.bottom() + kBelow, rect.width + 12.0F, label_height}, page.t(key));
     };
     const auto round = [&](const Rect& place, Icon icon, Button button, const char* key, float label_width) {
         const Rect rect = page.on_ledge(place);
         page.token(rect, Look::kToken, button, page.t(key), 0, icon, false);
-        page.label({rect.centre().x - 0.5F * label_width, rect.bottom() + 4.0F, label_width, 36.0F},
-                   page.t(key));
+        constexpr float kEdge = 14.0F;
+        const float x =
+            std::clamp(rect.centre().x - 0.5F * label_width, kEdge, page.width() - kEdge - label_width);
+        page.label({x, rect.bottom() + kBelow, label_width, label_height}, page.t(key));
     };
     const float width = page.width();
     if (page.shape() == Shape::kTall) {
-        const float y = 1016.0F;
+        const float y = ledge_y(page) + 116.0F + growth(page).caption;
+        const float second_row = 132.0F + 0.5F * growth(page).labels;
         stepper({32.0F, y, 164.0F, 66.0F}, Icon::kTool, kiosk::kMostTool, throwing.tool, Button::kToolLess,
                 Button::kToolMore, "ctl.tool");
         stepper({278.0F, y, 164.0F, 66.0F}, Icon::kWater, kiosk::kMostWater, throwing.water,
                 Button::kWaterLess, Button::kWaterMore, "ctl.water");
         stepper({width - 196.0F, y, 164.0F, 66.0F}, Icon::kSpeed, kiosk::kMostSpeed, throwing.speed,
                 Button::kSpeedLess, Button::kSpeedMore, "ctl.speed");
-        round({32.0F, y + 132.0F, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 136.0F);
-        round({184.0F, y + 132.0F, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 136.0F);
-        page.token(page.on_ledge({width - 312.0F, y + 132.0F, 280.0F, 80.0F}), Look::kPrimary, Button::kDone,
-                   page.t("ctl.done"), 0, Icon::kDone);
+        round({32.0F, y + second_row, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 136.0F);
+        round({184.0F, y + second_row, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 136.0F);
+        page.token(page.on_ledge({width - 312.0F, y + second_row, 280.0F, 80.0F}), Look::kPrimary,
+                   Button::kDone, page.t("ctl.done"), 0, Icon::kDone);
         return;
     }
     const bool square = page.shape() == Shape::kSquare;
-    const float y = square ? 650.0F : 596.0F;
+    const float y = ledge_y(page) + (square ? 92.0F + growth(page).caption : 22.0F);
     const float gap = square ? 8.0F : 12.0F;
     const float done_width = square ? 132.0F : 156.0F;
     float x = width - (square ? 20.0F : 32.0F) - done_width;
@@ -147,7 +171,7 @@ void controls(Page& page) {
     const float between = square ? 30.0F : 34.0F;
     x -= 70.0F + between - 8.0F;
     round({x, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
-    x -= 70.0F + between - 6.0F;
+    x -= 106.0F;  // so that the two labels stay apart
     round({x, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
 }
 
@@ -229,12 +253,15 @@ void warning_card(Page& page) {
     const bool square = page.shape() == Shape::kSquare;
     const bool low = view.state.comfort.reach && page.shape() == Shape::kWide;
     const float width = page.width();
-    const Rect card = tall ? Rect{60.0F, 104.0F, 600.0F, 128.0F}
-                           : page.mirrored({width - (square ? 360.0F : 408.0F), low ? 372.0F : 112.0F,
-                                            square ? 336.0F : 376.0F, 156.0F});
+    // Brought low, it stands across from the hand's keys.
+    const Rect card =
+        tall  ? Rect{60.0F, 104.0F, 600.0F, 128.0F}
+        : low ? page.mirrored({32.0F, 290.0F, 376.0F, 156.0F})
+              : page.mirrored({width - (square ? 360.0F : 408.0F), 112.0F, square ? 336.0F : 376.0F, 156.0F});
     if (view.warning_at_px) {
-        const vec2 from = tall ? vec2(0.5F * width, card.bottom())
-                               : vec2(page.right_to_left() ? card.right() : card.x, card.bottom() - 28.0F);
+        const vec2 from =
+            tall ? vec2(0.5F * width, card.bottom())
+                 : vec2(page.right_to_left() != low ? card.right() : card.x, card.bottom() - 28.0F);
         const vec2 to = *view.warning_at_px / page.px_per_u();
         const vec2 corner = glm::min(from, to) - 6.0F;
         const vec2 size = glm::abs(to - from) + 12.0F;
@@ -259,7 +286,12 @@ void warning_card(Page& page) {
 
 // The button way for every drag.
 void hand_pad(Page& page) {
-    const Rect pad = page.mirrored({page.width() - 32.0F - 264.0F, 372.0F - 86.0F, 264.0F, 252.0F});
+    // Right above the ledge, where it is not further up than who sits can reach.
+    const float above = page.shape() == Shape::kWide     ? 288.0F
+                        : page.shape() == Shape::kSquare ? 262.0F
+                                                         : 272.0F;
+    const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
+    const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_y(page) - above, 264.0F, 252.0F});
     const bool out_is_right = !page.view().state.comfort.left_hand;
     page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,
                Icon::kUp, false, true);
@@ -273,29 +305,17 @@ void hand_pad(Page& page) {
                page.t("ctl.down"), 0, Icon::kDown, false, true);
 }
 
+// As wide as its words, up to that; where they need more lines than it has room for, it grows down.
 void chip(Page& page, const Rect& rect, const std::string& text) {
+    const Words words{.text = text, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre};
+    const float wide = std::min(rect.width, page.words_width(words) * page.text_scale() + 44.0F);
+    const float least = page.words_size(words, 1.0F, wide - 36.0F).height + 16.0F;
+    const Rect body{rect.centre().x - 0.5F * wide, rect.y, wide, std::max(rect.height, least)};
     ui::Sketch sketch;
-    const float wide =
-        std::min(rect.width, page.words_width({.text = text, .size = 26.0F}) * page.text_scale() + 44.0F);
-    const Rect body{rect.centre().x - 0.5F * wide, rect.y, wide, rect.height};
     sketch.add(ui::Box{
         {0.0F, 0.0F, body.width, body.height}, 24.0F, ui::Fill::flat(design::kNight.with_alpha(0.86F))});
     page.sprite(body, std::move(sketch));
-    page.words({body.x + 18.0F, body.y + 8.0F, body.width - 36.0F, body.height - 14.0F},
-               {.text = text, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre}, true);
-}
-
-const char* why_of(kiosk::Warning collapse) {
-    switch (collapse) {
-        case kiosk::Warning::kWet:
-            return "fail.why.wet";
-        case kiosk::Warning::kFast:
-            return "fail.why.fast";
-        case kiosk::Warning::kThin:
-        case kiosk::Warning::kNone:
-            break;
-    }
-    return "fail.why";
+    page.words({body.x + 18.0F, body.y + 8.0F, body.width - 36.0F, body.height - 14.0F}, words, true);
 }
 
 }  // namespace
@@ -312,6 +332,8 @@ void add_path(ui::Sketch& sketch, const std::string& dots, const std::string& he
 void draw_throw(Page& page) {
     const View& view = page.view();
     const float y = ledge_y(page);
+    page.keep_clear(pot_box(page));
+    page.scene_ends();
     outline(page);
     if (view.hint) hint(page);
     const bool warned = view.state.throwing.warning != kiosk::Warning::kNone;
@@ -324,56 +346,28 @@ void draw_throw(Page& page) {
         teaching(page);
     }
     controls(page);
-    if (view.state.comfort.reach && page.shape() == Shape::kWide) hand_pad(page);
+    if (view.state.comfort.reach) hand_pad(page);
     page.languages_token();
+    add_forces(page);
+    if (view.can_look_in) page.look_in_token();
     const float middle = 0.5F * page.width();
-    if (view.state.device_lost) {
+    if (view.state.device_lost || view.state.force_rests) {
         const bool tall = page.shape() == Shape::kTall;
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
-        chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F}, page.t("dev.lost"));
+        chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
+             page.t(view.state.device_lost ? "dev.lost" : "dev.rest"));
     } else if (!view.heard.empty()) {
-        chip(page, {middle - 200.0F, y - 58.0F, 400.0F, 48.0F}, page.t(view.heard));
+        // Where hand pad and caption have no room beside each other, the caption stands across from the pad.
+        const bool beside = page.shape() == Shape::kTall && view.state.comfort.reach;
+        chip(page,
+             beside ? page.mirrored({24.0F, y - 58.0F, 390.0F, 48.0F})
+                    : Rect{middle - 200.0F, y - 58.0F, 400.0F, 48.0F},
+             page.t(view.heard));
     }
     if (view.state.throwing.target && !view.outline_px.empty() && view.hint && !warned) {
-        const float width = page.shape() == Shape::kWide ? 300.0F : 260.0F;
-        chip(page,
-             page.mirrored({24.0F, 28.0F, width,
-                            page.text_scale() > 1.0F || page.shape() != Shape::kWide ? 84.0F : 84.0F}),
-             page.t("out.target"));
+        const float width = page.shape() == Shape::kWide ? 300.0F : 420.0F;
+        chip(page, page.mirrored({24.0F, 28.0F, width, 84.0F}), page.t("out.target"));
     }
-}
-
-void draw_failure(Page& page) {
-    const float width = page.width();
-    const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
-    page.down({0.0F, 0.0F, width, 128.0F}, night(0.93F), night(0.88F));
-    page.down({0.0F, 128.0F, width, 92.0F}, night(0.88F), night(0.0F));
-    const float title = page.words({60.0F, 18.0F, width - 120.0F, 76.0F}, {.text = page.t("fail.title"),
-                                                                           .size = 50.0F,
-                                                                           .line = 66.0F,
-                                                                           .title = true,
-                                                                           .align = ui::Align::kCentre,
-                                                                           .least_size = 40.0F});
-    page.words({60.0F, 20.0F + title, width - 120.0F, 132.0F - 20.0F - title},
-               {.text = page.t(why_of(page.view().state.throwing.collapse)),
-                .size = 30.0F,
-                .line = 40.0F,
-                .colour = design::kSlip3,
-                .align = ui::Align::kCentre});
-    const float y = ledge_y(page);
-    page.ledge(y);
-    const auto place = [&](int i) {
-        if (page.shape() == Shape::kTall) {
-            return Rect{60.0F, y + 240.0F - 100.0F * static_cast<float>(i), width - 120.0F, 84.0F};
-        }
-        const float gap = 24.0F;
-        const float button = std::min(290.0F, (width - 64.0F - 2.0F * gap) / 3.0F);
-        const float left = 0.5F * (width - 3.0F * button - 2.0F * gap);
-        return page.mirrored({left + static_cast<float>(i) * (button + gap), y + 36.0F, button, 80.0F});
-    };
-    page.token(place(0), Look::kOutline, Button::kKeepSlump, page.t("fail.keep"));
-    page.token(place(1), Look::kToken, Button::kNewClay, page.t("ctl.again"), 0, Icon::kAgain);
-    page.token(place(2), Look::kPrimary, Button::kBeforeCollapse, page.t("fail.undo"), 0, Icon::kUndo);
 }
 
 }  // namespace onggi::screens

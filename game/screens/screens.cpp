@@ -33,6 +33,11 @@ void draw_screen(Page& page) {
 
 Composition compose(const View& view, ui::Painter& painter, PaintingStore& store) {
     Page page(view, painter, store);
+    if (view.only_forces) {
+        add_forces(page);
+        store.forget_unused();
+        return page.take();
+    }
     switch (view.state.panel) {
         case kiosk::Panel::kNone:
             draw_screen(page);

@@ -23,6 +23,9 @@ void draw_language(Page& page);
 void draw_pin(Page& page);
 void draw_staff(Page& page);
 
+// What forces are shown with, and the panel where the visitor asked for it.
+void add_forces(Page& page);
+
 // Shared by several: dots with a head, cream over dark, within the rect's own coordinates.
 void add_path(ui::Sketch& sketch, const std::string& dots, const std::string& head);
 

@@ -40,6 +40,8 @@ void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
         since_s_ = now_s;
     }
     now_ = std::move(composed);
+    // Pots of screens that are gone.
+    if (turning_.size() > 16) turning_.clear();
 }
 
 bool Stage::changes(double now_s) const {
@@ -60,10 +62,34 @@ int Stage::target_at(vec2 px) const {
 bool Stage::all_placed(const Composed& composed) {
     const std::uint64_t generation = atlas_.generation();
     for (const Item& item : composed.composition.items) {
-        if (item.painting) static_cast<void>(atlas_.place(item.key, item.painting));
+        if (item.painting) static_cast<void>(place_of(item));
         if (item.pressed_painting) static_cast<void>(atlas_.place(item.pressed_key, item.pressed_painting));
     }
+    if (composed.composition.forces) {
+        for (const Item& item : composed.composition.forces->digits)
+            static_cast<void>(atlas_.place(item.key, item.painting));
+        for (const Item& item : composed.composition.forces->names)
+            static_cast<void>(atlas_.place(item.key, item.painting));
+        const Item& point = composed.composition.forces->point;
+        static_cast<void>(atlas_.place(point.key, point.painting));
+    }
     return atlas_.generation() == generation;
+}
+
+std::optional<ui::Rect> Stage::place_of(const Item& item) {
+    std::shared_ptr<const ui::Painting> newest;
+    if (item.turning && turned_) {
+        for (const Turned& turned : *turned_) {
+            if (turned.key == item.key) newest = turned.painting;
+        }
+    }
+    if (!newest) return atlas_.place(item.key, item.painting);
+    Turning& turning = turning_[item.key];
+    const auto key = [&] { return (item.key ^ 0x7475726eU) * 2U + (turning.second ? 1U : 0U); };
+    if (turning.shown == newest) return atlas_.place(key(), newest);
+    turning.shown = newest;
+    turning.second = !turning.second;
+    return atlas_.replace(key(), newest);
 }
 
 const ui::DrawList& Stage::draw(const StageFrame& frame) {
@@ -111,6 +137,14 @@ void Stage::add(const Composed& composed, const StageFrame& frame, float alpha, 
     const float scale = composition.px_per_u;
     const bool is_now = &composed == now_.get();
     if (is_now && frame.band != nullptr && alpha >= 1.0F) add_band(*frame.band, frame, scale);
+    const bool shows_forces =
+        is_now && frame.forces != nullptr && composition.forces != nullptr && alpha >= 1.0F;
+    const ForcePainter force_painter{
+        .list = list_,
+        .px_per_u = scale,
+        .bounds_px = composition.bounds.scaled(scale),
+        .place = [&](const Item& item) { return atlas_.place(item.key, item.painting); }};
+    if (shows_forces) draw_touches(*frame.forces, *composition.forces, force_painter);
     // Where a ghost is in its loop: there, a rest, and again from the start.
     const double in_loop = std::fmod(std::max(0.0, frame.now_s - hint_s_), kLoopS);
     const double moved = std::clamp(in_loop / (kLoopS - kRestS), 0.0, 1.0);
@@ -133,13 +167,15 @@ void Stage::add(const Composed& composed, const StageFrame& frame, float alpha, 
         }
         const bool has_pressed = pressed && item.pressed_painting != nullptr;
         const auto& painting = has_pressed ? item.pressed_painting : item.painting;
-        const auto place = atlas_.place(has_pressed ? item.pressed_key : item.key, painting);
+        const auto place = has_pressed ? atlas_.place(item.pressed_key, painting) : place_of(item);
         if (!place) continue;
         if (pressed && !has_pressed) shift.y += 4.0F;
         // On whole pixels, as it was painted.
         const vec2 at = glm::round((vec2(item.rect.x, item.rect.y) + shift) * scale);
         list_.add_picture({at.x, at.y, place->width, place->height}, *place, item_alpha);
     }
+    if (shows_forces && composition.forces->has_panel)
+        draw_force_panel(*frame.forces, *composition.forces, force_painter);
 }
 
 void Stage::add_band(const Band& band, const StageFrame& frame, float u_px) {

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "engine/ui/atlas.h"
 #include "engine/ui/draw_list.h"
 #include "game/screens/composer.h"
+#include "game/screens/forces.h"
 
 namespace onggi::screens {
 
@@ -23,6 +27,7 @@ struct StageFrame {
     bool hint = false;  // whether the ghosts are to be seen
     int pressed = -1;   // target that a finger holds down
     const Band* band = nullptr;
+    const ForceFrame* forces = nullptr;
     bool dims = false;  // outside opening hours
 };
 
@@ -32,6 +37,8 @@ class Stage {
 
     // Takes a newer composition, if it is newer.
     void take(std::shared_ptr<const Composed> composed, double now_s);
+    // The pots that turn, as they stand now; what is not on the stage is left out.
+    void turn(std::shared_ptr<const TurnedPots> pots) { turned_ = std::move(pots); }
     // All of this frame. Good until the next call.
     const ui::DrawList& draw(const StageFrame& frame);
 
@@ -49,11 +56,19 @@ class Stage {
   private:
     void add(const Composed& composed, const StageFrame& frame, float alpha, float rise_u);
     void add_band(const Band& band, const StageFrame& frame, float u_px);
+    [[nodiscard]] std::optional<ui::Rect> place_of(const Item& item);
     [[nodiscard]] bool all_placed(const Composed& composed);
 
     ui::Atlas atlas_;
     std::vector<ui::Atlas::Upload> uploads_;
     ui::DrawList list_;
+    // Of a pot that turns: two places take turns, so that no picture is changed that a frame is drawn from.
+    struct Turning {
+        std::shared_ptr<const ui::Painting> shown;
+        bool second = false;
+    };
+    std::unordered_map<std::uint64_t, Turning> turning_;
+    std::shared_ptr<const TurnedPots> turned_;
     std::shared_ptr<const Composed> now_;
     std::shared_ptr<const Composed> before_;  // fading out
     double since_s_ = 0.0;

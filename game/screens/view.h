@@ -41,6 +41,12 @@ struct ShelfPot {
     int glaze = 0;
 };
 
+// A square code for a phone's camera: QR modules, rows from the top, without the quiet zone.
+struct PhoneCode {
+    int side = 0;
+    std::vector<bool> dark;
+};
+
 // A line of the staff's panel.
 struct StaffLine {
     std::string name;
@@ -51,24 +57,37 @@ struct StaffLine {
     friend bool operator==(const StaffLine&, const StaffLine&) = default;
 };
 
+// Times of the frames of some seconds, each the worst of its share of them; the oldest first. ms.
+struct FramePlot {
+    std::vector<float> frame_ms;   // from one frame to the next
+    std::vector<float> device_ms;  // that the graphics device took; 0: not measured
+
+    friend bool operator==(const FramePlot&, const FramePlot&) = default;
+};
+
 struct View {
     kiosk::State state;
     int width_px = 1280;
     int height_px = 720;
-    double px_per_mm = 3.613;  // of the panel
+    double px_per_mm = 3.613;    // of the panel
+    double distance_mm = 600.0;  // from the visitor's eyes
     bool own_digits = true;
     bool hint = true;
-    int seconds_left = 0;
+    int seconds_left = 0;  // of the countdown, or until a PIN may be tried again
     // In the order of the configuration; at least one.
     std::shared_ptr<const std::vector<kiosk::Language>> languages;
     std::shared_ptr<const std::vector<Exhibit>> exhibits;
     std::shared_ptr<const FiredPot> pot;
     std::shared_ptr<const std::vector<ShelfPot>> shelf;
+    int attract_turn = 0;      // how many of them have been shown
     int attract_exhibit = -1;  // shown turning, instead of the throwing; -1: none
     // The target's outline over the scene, pixels: left side and right side from below, then the rim.
     std::vector<std::vector<vec2>> outline_px;
-    vec2 hint_at_px{0.0F};              // where the hand works now
-    vec2 second_hint_at_px{0.0F};       // and the one inside
+    vec2 hint_at_px{0.0F};         // where the hand works now
+    vec2 second_hint_at_px{0.0F};  // and the one inside
+    // Where the photographed room ends to the left, above and to the right.
+    vec3 scene_edges_px{0.0F, 0.0F, 1e6F};
+    bool can_look_in = false;           // there is a view from above into the pot
     double thinnest_mm = 0.0;           // of the wall, for the warning
     std::optional<vec2> warning_at_px;  // its place on the pot's edge, for the leader
     int focus = -1;                     // target with the ring; -1: none
@@ -76,8 +95,12 @@ struct View {
     std::string heard;                  // key of a caption for sound; empty: none
     std::string staff_title;
     std::vector<StaffLine> staff_lines;
-    bool closed = false;       // outside the opening hours: attract is dim
-    bool saves_phone = false;  // there is a way to take the pot home by phone
+    std::string staff_pot;                   // that the staff is asked about
+    std::string staff_notice;                // what came of a test
+    FramePlot staff_plot;                    // empty: none on this page
+    bool only_forces = false;                // nothing but them, over a picture that plays by itself
+    bool closed = false;                     // outside the opening hours: attract is dim
+    std::shared_ptr<const PhoneCode> phone;  // the way to take the pot home by phone; null: there is none
 };
 
 }  // namespace onggi::screens

@@ -96,6 +96,82 @@ std::shared_ptr<const std::vector<Exhibit>> sample_exhibits() {
     return all;
 }
 
+namespace {
+
+void add_staff_views(const View& base, std::vector<SampleView>& all) {
+    using kiosk::StaffPage;
+    const auto add = [&](const std::string& name, StaffPage page, const auto& change) {
+        View view = base;
+        view.state.panel = kiosk::Panel::kStaff;
+        view.state.staff.page = page;
+        view.staff_title = "Wheel 2, by the window";
+        change(view);
+        all.push_back({name, std::make_shared<const View>(std::move(view))});
+    };
+    // The longest that each line may become.
+    const std::vector<StaffLine> health{
+        {"Force tick", "3,994 of 4,000 Hz", "ok", -1},
+        {"Missed ticks", "1204513", "warn", -1},
+        {"Late ticks", "0", "ok", -1},
+        {"Force", "the tool's position was not a finite number", "fault", -1},
+        {"Frame", "16.7 ms, at most 118 in 10 s", "ok", -1},
+        {"Drawing", "12.4 ms: overlay's pictures 0.3, plates 4.1, lathe 5.0, movers 1.2, overlay 1.8", "",
+         -1},
+        {"Picture", "two or more software cores", "", -1},
+        {"Temperature", "this machine tells none", "", -1},
+        {"Disk free", "152343 MB, 200 needed", "ok", -1},
+        {"Running", "214 h 32 min, started 12 times today", "", -1},
+        {"Smallest text", "0.76\u00b0 at 600 mm", "ok", -1},
+        {"Sound", "none: expected a sound device, found none that opens", "warn", -1}};
+    add("staff-health", StaffPage::kHealth, [&](View& view) {
+        view.staff_lines = health;
+        for (int i = 0; i < 100; ++i) {
+            view.staff_plot.frame_ms.push_back(i % 37 == 5 ? 46.0F : 17.0F + static_cast<float>(i % 3));
+            view.staff_plot.device_ms.push_back(9.0F + static_cast<float>(i % 5));
+        }
+    });
+    add("staff-health-on", StaffPage::kHealth, [&](View& view) {
+        view.staff_lines = health;
+        view.state.staff.first_line = 6;
+        view.staff_notice =
+            "Force: ok. 3Dconnexion SpaceMouse Compact: 0.59 N of 0.60, moved 3.0 up, 3.0 right, 2.9 mm near";
+    });
+    add("staff-visits", StaffPage::kVisits, [](View& view) {
+        view.staff_lines = {{"Today", "142 begun, 131 ended, 104 thrown, 71 kept, 2 min 12 s each", "", -1}};
+        for (int hour = 9; hour < 19; ++hour)
+            view.staff_lines.push_back({std::to_string(hour) + "\u2013" + std::to_string(hour + 1) + " h",
+                                        "14 begun, 13 ended, 10 thrown, 7 kept, 2 min 2 s each", "", -1});
+    });
+    const auto pots = [](View& view) {
+        for (int pot = 24; pot > 0; --pot)
+            view.staff_lines.push_back({"Pot", "2026-11-22/pot-" + std::to_string(100 + pot), "", pot});
+    };
+    add("staff-gallery", StaffPage::kGallery, pots);
+    add("staff-gallery-on", StaffPage::kGallery, [&](View& view) {
+        pots(view);
+        view.state.staff.first_line = 8;
+        view.staff_notice = "Sound: left, right, both, by Built-in Audio Analogue Stereo";
+    });
+    add("staff-devices", StaffPage::kDevices, [](View& view) {
+        view.staff_lines = {
+            {"Has the tool", "touch, mouse", "", -1},
+            {"Microsoft SideWinder Force Feedback 2", "moves the tool; pushes, 2 axes, 3.0 N", "ok", -1},
+            {"VEC Footpedal", "turns the wheel", "ok", -1},
+            {"DualSense", "/dev/hidraw4: expected permission to open it, found none", "warn", -1}};
+    });
+    const auto asks = [&](const std::string& name, kiosk::StaffQuestion question) {
+        add(name, StaffPage::kGallery, [&](View& view) {
+            view.state.staff.question = question;
+            view.staff_pot = "2026-11-22/pot-124";
+        });
+    };
+    asks("staff-asks-delete", kiosk::StaffQuestion::kDeletePot);
+    asks("staff-asks-restart", kiosk::StaffQuestion::kRestart);
+    asks("staff-asks-quit", kiosk::StaffQuestion::kQuit);
+}
+
+}  // namespace
+
 std::vector<SampleView> sample_views(const SampleWish& wish) {
     View base;
     base.width_px = wish.width_px;
@@ -115,6 +191,7 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
                                                          .nearest = 3});
     base.shelf = std::make_shared<const std::vector<ShelfPot>>(
         std::vector<ShelfPot>{{jar(), 3}, {sample_exhibits()->at(0).shape, 4}, {jar(), 2}, {jar(), 5}});
+    base.can_look_in = true;
     add_scene(base);
 
     std::vector<SampleView> all;
@@ -129,6 +206,7 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
     add("attract", Screen::kAttract, nothing);
     add("attract-heritage", Screen::kAttract, [](View& view) { view.attract_exhibit = 3; });
     add("choose", Screen::kChoose, nothing);
+    add("choose-next", Screen::kChoose, [](View& view) { view.state.shelf_first = 2; });
     for (int step = 0; step < 4; ++step) {
         add("throw-" + std::to_string(step), Screen::kThrow, [&](View& view) {
             view.state.throwing.steps_done = step;
@@ -141,8 +219,33 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.heard = "cap.wheel";
     });
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
+    add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
+    add("throw-reach-left", Screen::kThrow, [](View& view) {
+        view.state.comfort.reach = view.state.comfort.left_hand = true;
+        view.state.throwing.target = 3;
+    });
+    add("throw-look-in", Screen::kThrow, [](View& view) {
+        view.state.throwing.looks_in = true;
+        view.state.throwing.steps_done = 1;
+        view.outline_px.clear();
+    });
+    add("warning-reach", Screen::kThrow, [](View& view) {
+        view.state.comfort.reach = true;
+        view.state.throwing.warning = kiosk::Warning::kThin;
+        view.thinnest_mm = 2.1;
+    });
+    add("warning-left", Screen::kThrow, [](View& view) {
+        view.state.comfort.left_hand = true;
+        view.state.throwing.warning = kiosk::Warning::kThin;
+        view.thinnest_mm = 2.1;
+    });
     add("throw-unplugged", Screen::kThrow, [](View& view) {
         view.state.device_lost = true;
+        view.outline_px.clear();
+    });
+    add("throw-force-rests", Screen::kThrow, [](View& view) {
+        view.state.force_rests = true;
+        view.state.comfort.forces = true;
         view.outline_px.clear();
     });
     for (const auto& [name, warning] :
@@ -169,6 +272,13 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.pot = std::make_shared<const FiredPot>(pot);
     });
     add("keep", Screen::kKeep, [](View& view) { view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14}; });
+    add("keep-phone", Screen::kKeep, [](View& view) {
+        view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14};
+        PhoneCode code{.side = 25, .dark = {}};
+        for (int i = 0; i < code.side * code.side; ++i)
+            code.dark.push_back((i * 7 + i / code.side * 3) % 5 < 2);
+        view.phone = std::make_shared<const PhoneCode>(std::move(code));
+    });
     add("keep-saving", Screen::kKeep, nothing);
     add("keep-full", Screen::kKeep, [](View& view) {
         view.state.keeping = {kiosk::Keeping::Outcome::kFull, 0};
@@ -187,13 +297,12 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.state.panel = kiosk::Panel::kPin;
         view.state.staff.digits = 2;
     });
-    add("staff", Screen::kThrow, [](View& view) {
-        view.state.panel = kiosk::Panel::kStaff;
-        view.staff_title = "onggi 0.1 \u00b7 wheel-2";
-        view.staff_lines = {{"Force tick", "4000 Hz", "ok", -1},
-                            {"Gallery disk", "2.1 GB free", "warn", -1},
-                            {"Pot 14", "168 mm, celadon", "", 14}};
+    add("pin-waits", Screen::kAttract, [](View& view) {
+        view.state.panel = kiosk::Panel::kPin;
+        view.state.staff.was_wrong = true;
+        view.seconds_left = 900;
     });
+    add_staff_views(base, all);
     return all;
 }
 

@@ -1,5 +1,5 @@
-// Paints every screen into a folder, to be looked at: screen_pictures FOLDER [LANGUAGE [WIDTH HEIGHT
-// [TEXT]]].
+// Paints every screen into a folder, to be looked at: screen_pictures FOLDER [LANGUAGE [WIDTH HEIGHT [TEXT
+// [NAME]]]]; with a NAME only those that begin so.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     ui::Painter painter;
     screens::PaintingStore store(painter);
     for (const screens::SampleView& sample : screens::sample_views(wish)) {
+        if (!sample.name.starts_with(word(6, ""))) continue;
         const auto composition = screens::compose(*sample.view, painter, store);
         const auto png = asset::encode_png(screens::flatten(composition, ui::hex(0x8f7c64), true));
         if (!png) return 1;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
 #include <thread>
 
 #include "game/screens/screens.h"
@@ -120,6 +123,74 @@ TEST(Composer, ComposesTheNewestWishBesideTheFrame) {
     ASSERT_TRUE(latest);
     EXPECT_EQ(latest->view, samples.back().view);
     EXPECT_FALSE(latest->composition.items.empty());
+}
+
+// A frame waits for no letter: all of them are painted beside it.
+TEST(Composer, LeavesTheFrameNothingToPaint) {
+    const auto samples = sample_views({.width_px = 320, .height_px = 180});
+    Composer composer;
+    Stage stage;
+    ASSERT_TRUE(composer.start());
+    const std::uint64_t before = ui::Painter::work_of_this_thread();
+    int shown = 0;
+    double now_s = 0.0;
+    for (const SampleView& sample : samples) {
+        composer.ask(sample.view);
+        for (int look = 0; look < 4000; ++look) {
+            now_s += 0.016;
+            stage.take(composer.latest(), now_s);
+            stage.turn(composer.turned());
+            static_cast<void>(stage.draw({.now_s = now_s, .hint = true}));
+            if (stage.shown() != nullptr && stage.shown()->view == sample.view) break;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        if (stage.shown() != nullptr && stage.shown()->view == sample.view) ++shown;
+    }
+    EXPECT_EQ(shown, static_cast<int>(samples.size()));
+    EXPECT_EQ(ui::Painter::work_of_this_thread(), before);
+}
+
+TEST_F(Theatre, TurnsAPotInTwoPlacesByTurns) {
+    const auto screen = composed("your-pot");
+    stage_.take(screen, 0.0);
+    const auto& items = screen->composition.items;
+    const auto pot =
+        std::find_if(items.begin(), items.end(), [](const Item& item) { return item.turning != nullptr; });
+    ASSERT_NE(pot, items.end());
+    const std::uint64_t still = draw(1.0).hash();
+    const auto turned = [&](double turn) {
+        return std::make_shared<const TurnedPots>(TurnedPots{{pot->key, pot->turning->at(turn)}});
+    };
+    stage_.turn(turned(0.1));
+    const std::uint64_t first = draw(1.1).hash();
+    EXPECT_EQ(stage_.uploads().size(), 1U);
+    stage_.turn(turned(0.2));
+    const std::uint64_t second = draw(1.2).hash();
+    EXPECT_EQ(stage_.uploads().size(), 1U);
+    EXPECT_EQ((std::set<std::uint64_t>{still, first, second}).size(), 3U);
+    EXPECT_EQ(draw(1.25).hash(), second);
+    EXPECT_TRUE(stage_.uploads().empty()) << "only what is new";
+    stage_.turn(turned(0.3));
+    EXPECT_EQ(draw(1.3).hash(), first) << "the first place again";
+}
+
+TEST(TurnTable, TurnsOnceInNineSecondsAndStopsUnderAFinger) {
+    TurnTable table;
+    double turn = 0.0;
+    for (int i = 0; i < 45; ++i)
+        turn = table.pass(0.1, false, false);
+    EXPECT_NEAR(turn, 0.5, 1e-9);
+    EXPECT_EQ(table.pass(1.0, false, true), turn);
+}
+
+TEST(TurnTable, ShowsFourStillViewsToWhoWantsLessMotion) {
+    TurnTable table;
+    std::map<double, int> views;
+    for (int i = 0; i < 159; ++i)
+        ++views[table.pass(0.1, true, false)];
+    ASSERT_EQ(views.size(), 4U);
+    for (const auto& [view, times] : views)
+        EXPECT_NEAR(times, 40, 1) << view;
 }
 
 TEST(Composer, HasItsFonts) {

@@ -1,0 +1,117 @@
+#include "game/screens/pot_shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::screens {
+namespace {
+
+const vec3 kKey = glm::normalize(vec3(-0.62F, 0.50F, 0.60F));
+const vec3 kFill = glm::normalize(vec3(0.85F, 0.15F, 0.50F));
+constexpr vec3 kKeyLight{1.02F, 0.97F, 0.88F};
+
+float hashed(int x, int y) {
+    auto n = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U;
+    n = (n ^ (n >> 13U)) * 1274126177U;
+    return static_cast<float>((n ^ (n >> 16U)) & 0xffffU) / 65535.0F;
+}
+
+// Smooth noise of two numbers, 0 to 1.
+float noise(float x, float y) {
+    const float fx = std::floor(x);
+    const float fy = std::floor(y);
+    const int ix = static_cast<int>(fx);
+    const int iy = static_cast<int>(fy);
+    const float u = glm::smoothstep(0.0F, 1.0F, x - fx);
+    const float v = glm::smoothstep(0.0F, 1.0F, y - fy);
+    return glm::mix(glm::mix(hashed(ix, iy), hashed(ix + 1, iy), u),
+                    glm::mix(hashed(ix, iy + 1), hashed(ix + 1, iy + 1), u), v);
+}
+
+// The fingers' rings: finer than the outline, so they are drawn into the normal and the colour.
+float finger_ring(const PotSurface& at) {
+    return std::sin(at.height_mm * 1.05F + 1.3F * noise(at.height_mm * 0.11F, 2.0F)) * 0.5F +
+           (noise(at.height_mm * 0.8F, at.angle * 0.6F) - 0.5F);
+}
+
+}  // namespace
+
+PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad)
+    : glaze_(glaze),
+      height_mm_(height_mm),
+      to_eye_(0.0F, std::sin(elevation_rad), std::cos(elevation_rad)) {}
+
+PotLight PotShading::light(const PotSurface& at) const {
+    const vec3 normal = glm::normalize(at.normal + vec3(0.0F, 0.045F * finger_ring(at), 0.0F));
+    const float facing = glm::dot(normal, kKey);
+    const float key = glm::clamp((facing + 0.25F) / 1.25F, 0.0F, 1.0F);
+    const float sky = 0.5F + 0.5F * normal.y;
+    const float fill = glm::clamp(glm::dot(normal, kFill), 0.0F, 1.0F);
+    // The shelf sends warm light back up, and closes off the foot from the sky.
+    const float shelf = glm::clamp(-normal.y, 0.0F, 1.0F) * 0.18F;
+    const float closed = 1.0F - 0.55F * std::exp(-at.height_mm / (0.08F * height_mm_ + 2.0F));
+    const float open = at.inside ? depth_light(at) : closed;
+    const vec3 light = kKeyLight * (key * key) + vec3(0.30F, 0.29F, 0.28F) * sky +
+                       vec3(0.16F, 0.14F, 0.12F) * fill + vec3(0.9F, 0.65F, 0.42F) * shelf;
+    const float coat = is_foot(at) ? 0.0F : glaze_.clear_coat;
+    if (coat > 0.0F) {
+        const float cosine = glm::clamp(glm::dot(normal, to_eye_), 0.0F, 1.0F);
+        const float f0 =
+            (glaze_.ior - 1.0F) * (glaze_.ior - 1.0F) / ((glaze_.ior + 1.0F) * (glaze_.ior + 1.0F));
+        const float fresnel = coat * (f0 + (1.0F - f0) * std::pow(1.0F - cosine, 5.0F));
+        return {light * (open * (1.0F - fresnel)),
+                reflected(glm::reflect(-to_eye_, normal)) * (fresnel * open)};
+    }
+    const vec3 half = glm::normalize(kKey + to_eye_);
+    const float dull = 0.03F * std::pow(glm::clamp(glm::dot(normal, half), 0.0F, 1.0F), 12.0F);
+    return {light * open, vec3(dull * open)};
+}
+
+vec3 PotShading::colour(const PotSurface& at) const {
+    if (is_foot(at)) return glaze_.body;
+    const float ring = finger_ring(at);
+    float thick =
+        0.5F + 0.5F * noise(at.height_mm * 0.05F, at.angle * 1.5F + 7.0F) - glaze_.breaks * 0.20F * ring;
+    // Glaze draws back from a rim.
+    thick -= glaze_.breaks * 0.9F * std::exp(-(height_mm_ - at.height_mm) / 2.2F);
+    if (glaze_.brushed > 0.0F) {
+        const float streak = noise(at.height_mm * 1.15F, at.angle * 0.9F + 0.04F * at.height_mm) * 0.62F +
+                             noise(at.height_mm * 3.1F, at.angle * 0.5F) * 0.38F;
+        thick = glm::mix(thick, glm::smoothstep(0.30F, 0.58F, streak), glaze_.brushed);
+    }
+    if (glaze_.runs > 0.0F) {
+        const float drop =
+            noise(at.angle * 9.0F, 1.0F) * 0.6F + noise(at.angle * 23.0F, at.height_mm * 0.03F) * 0.4F;
+        const float high = at.height_mm / height_mm_;
+        thick += glaze_.runs * (drop - 0.5F) * 0.9F + glaze_.runs * (high - 0.55F) * 0.5F;
+    }
+    thick = glm::clamp(thick, 0.0F, 1.0F);
+    const float grain = 0.97F + 0.06F * noise(at.height_mm * 2.3F, at.angle * 31.0F);
+    return glm::mix(glaze_.thin_colour, glaze_.colour, thick) * grain;
+}
+
+// Less light the deeper inside.
+float PotShading::depth_light(const PotSurface& at) const {
+    return 0.22F + 0.78F * std::exp(-(height_mm_ - at.height_mm) / (0.22F * height_mm_ + 4.0F));
+}
+
+// A tall window with one bar on the left, a pale room elsewhere.
+vec3 PotShading::reflected(const vec3& direction) const {
+    const float softness = 0.02F + 0.35F * glaze_.coat_roughness;
+    const auto within = [&](float value, float low, float high) {
+        return glm::smoothstep(low - softness, low + softness, value) *
+               (1.0F - glm::smoothstep(high - softness, high + softness, value));
+    };
+    const float side = std::atan2(direction.x, std::max(0.05F, direction.z));
+    const float up = direction.y;
+    const float bar = 1.0F - 0.7F * within(side, -0.93F, -0.87F);
+    const float window = within(side, -1.28F, -0.55F) * within(up, 0.05F, 0.80F) * bar;
+    return vec3(0.10F, 0.09F, 0.08F) * (1.0F + up) + vec3(4.2F, 4.3F, 4.4F) * window;
+}
+
+vec3 encoded_pot_light(const vec3& light) {
+    const vec3 mapped = light * (1.0F + light / 6.0F) / (1.0F + 0.55F * light);
+    return glm::clamp(glm::pow(glm::max(mapped, vec3(0.0F)), vec3(1.0F / 2.2F)), vec3(0.0F), vec3(1.0F));
+}
+
+}  // namespace onggi::screens

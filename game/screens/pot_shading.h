@@ -1,0 +1,48 @@
+// What a finished pot looks like at one place of its surface, for pictures that a processor paints: glaze and
+// clay, and the window light they stand in. Any thread; pure. mm, rad; linear light.
+#pragma once
+
+#include "engine/math/math.h"
+#include "game/finish/glaze.h"
+
+namespace onggi::screens {
+
+// One sample of the surface.
+struct PotSurface {
+    float height_mm = 0.0F;
+    float angle = 0.0F;  // about the axis, of the pot itself; 0 was in front when it came out of the kiln
+    vec3 normal{0.0F, 0.0F, 1.0F};  // as it stands: x right, y up, z to the eye
+    bool inside = false;
+};
+
+// The light of a place is its own colour times `factor`, and `gloss` besides.
+struct PotLight {
+    vec3 factor{1.0F};
+    vec3 gloss{0.0F};
+};
+
+class PotShading {
+  public:
+    PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad);
+
+    // What stays where it is while the pot turns.
+    [[nodiscard]] PotLight light(const PotSurface& at) const;
+    // What turns with it.
+    [[nodiscard]] vec3 colour(const PotSurface& at) const;
+
+  private:
+    [[nodiscard]] bool is_foot(const PotSurface& at) const {
+        return !at.inside && at.height_mm < glaze_.foot_bare_mm;
+    }
+    [[nodiscard]] float depth_light(const PotSurface& at) const;
+    [[nodiscard]] vec3 reflected(const vec3& direction) const;
+
+    const finish::GlazeMaterial& glaze_;
+    float height_mm_;
+    vec3 to_eye_;
+};
+
+// A soft shoulder for the highlights, then sRGB, nearly: 0 to 1.
+[[nodiscard]] vec3 encoded_pot_light(const vec3& light);
+
+}  // namespace onggi::screens

@@ -1,0 +1,61 @@
+// The pot has sunk: it stays in sight, turning, and there are three ways on.
+#include <algorithm>
+
+#include "game/screens/screens.h"
+
+namespace onggi::screens {
+namespace {
+
+using kiosk::Button;
+using ui::Rect;
+
+const char* why_of(kiosk::Warning collapse) {
+    switch (collapse) {
+        case kiosk::Warning::kWet:
+            return "fail.why.wet";
+        case kiosk::Warning::kFast:
+            return "fail.why.fast";
+        case kiosk::Warning::kThin:
+        case kiosk::Warning::kNone:
+            break;
+    }
+    return "fail.why";
+}
+
+}  // namespace
+
+void draw_failure(Page& page) {
+    const float width = page.width();
+    const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
+    page.scene_ends();
+    page.down({0.0F, 0.0F, width, 128.0F}, night(0.93F), night(0.88F));
+    page.down({0.0F, 128.0F, width, 92.0F}, night(0.88F), night(0.0F));
+    const float title = page.words({60.0F, 18.0F, width - 120.0F, 76.0F}, {.text = page.t("fail.title"),
+                                                                           .size = 50.0F,
+                                                                           .line = 66.0F,
+                                                                           .title = true,
+                                                                           .align = ui::Align::kCentre,
+                                                                           .least_size = 40.0F});
+    page.words({60.0F, 20.0F + title, width - 120.0F, 132.0F - 20.0F - title},
+               {.text = page.t(why_of(page.view().state.throwing.collapse)),
+                .size = 30.0F,
+                .line = 40.0F,
+                .colour = design::kSlip3,
+                .align = ui::Align::kCentre});
+    const float y = ledge_y(page.shape(), page.height(), page.view().state.comfort);
+    page.ledge(y);
+    const auto place = [&](int i) {
+        if (page.shape() == Shape::kTall) {
+            return Rect{60.0F, y + 240.0F - 100.0F * static_cast<float>(i), width - 120.0F, 84.0F};
+        }
+        const float gap = 24.0F;
+        const float button = std::min(290.0F, (width - 64.0F - 2.0F * gap) / 3.0F);
+        const float left = 0.5F * (width - 3.0F * button - 2.0F * gap);
+        return page.mirrored({left + static_cast<float>(i) * (button + gap), y + 36.0F, button, 80.0F});
+    };
+    page.token(place(0), Look::kOutline, Button::kKeepSlump, page.t("fail.keep"));
+    page.token(place(1), Look::kToken, Button::kNewClay, page.t("ctl.again"), 0, Icon::kAgain);
+    page.token(place(2), Look::kPrimary, Button::kBeforeCollapse, page.t("fail.undo"), 0, Icon::kUndo);
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,133 @@
+#include "game/screens/turning_pot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "game/screens/pot_samples.h"
+
+namespace onggi::screens {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr int kColumns = 512;  // of the colours, round the pot; a power of two
+constexpr int kRows = 320;     // and up it
+// The colours of a pot that was painted to be seen from one side do not meet at its back: they are mixed over
+// this share of the way round.
+constexpr float kSeam = 0.12F;
+
+// encoded_pot_light(), channel by channel, from a table: pixels are painted by the hundred thousand.
+class Encoding {
+  public:
+    Encoding() {
+        for (std::size_t i = 0; i < table_.size(); ++i) {
+            const vec3 light(kMost * static_cast<float>(i) / static_cast<float>(table_.size() - 1));
+            table_[i] = 255.0F * encoded_pot_light(light * light / kMost).x;
+        }
+    }
+    // Finer in the dark, as eyes are: the table goes by the root of the light.
+    [[nodiscard]] float operator()(float light) const {
+        const float root = std::sqrt(std::clamp(light, 0.0F, kMost) / kMost);
+        return table_[static_cast<std::size_t>(root * static_cast<float>(table_.size() - 1) + 0.5F)];
+    }
+
+  private:
+    static constexpr float kMost = 8.0F;
+    std::array<float, 4096> table_{};
+};
+
+}  // namespace
+
+TurningPot::TurningPot(const PotShape& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+                       float elevation_rad) {
+    const PotSamples samples = sample_pot(shape, px_per_mm, elevation_rad);
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
+    width_ = samples.width / kSamplesAcross;
+    height_ = samples.height / kSamplesAcross;
+    foot_px_ = samples.foot_px;
+    fill_colours(shape, glaze, elevation_rad);
+    const float row_per_mm = static_cast<float>(kRows - 1) / std::max(1.0F, shape.height_mm());
+    constexpr int kSamples = kSamplesAcross * kSamplesAcross;
+    for (int y = 0; y < height_; ++y) {
+        for (int x = 0; x < width_; ++x) {
+            Pixel pixel;
+            int count = 0;
+            bool inside = false;
+            for (int k = 0; k < kSamples; ++k) {
+                const std::size_t at = static_cast<std::size_t>(y * kSamplesAcross + k / kSamplesAcross) *
+                                           static_cast<std::size_t>(samples.width) +
+                                       static_cast<std::size_t>(x * kSamplesAcross + k % kSamplesAcross);
+                if (samples.covered[at] == 0) continue;
+                const PotSurface& surface = samples.surface[at];
+                // Colours are of the first sample's side: where the rim runs through a pixel, both are near.
+                if (count == 0) inside = surface.inside;
+                const PotLight light = shading.light(surface);
+                pixel.factor += light.factor;
+                pixel.gloss += light.gloss;
+                ++count;
+                const bool is_foot = !inside && surface.height_mm < glaze.foot_bare_mm;
+                pixel.row =
+                    is_foot ? static_cast<float>(kRows)
+                            : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
+                pixel.column = (surface.angle + kPi) / (2.0F * kPi) * kColumns;
+            }
+            if (count == 0) continue;
+            pixel.factor /= static_cast<float>(count);
+            pixel.gloss /= static_cast<float>(count);
+            pixel.cover = static_cast<float>(count) / kSamples;
+            pixel.place = 4U * static_cast<std::uint32_t>(y * width_ + x);
+            pixels_.push_back(pixel);
+        }
+    }
+}
+
+void TurningPot::fill_colours(const PotShape& shape, const finish::GlazeMaterial& glaze,
+                              float elevation_rad) {
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
+    colours_.resize(static_cast<std::size_t>(kRows + 1) * kColumns, glaze.body);
+    for (int row = 0; row < kRows; ++row) {
+        PotSurface at;
+        at.inside = true;  // glazed down to the foot; the foot has a row of its own
+        at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
+        for (int column = 0; column < kColumns; ++column) {
+            const float share = (static_cast<float>(column) + 0.5F) / kColumns;
+            at.angle = 2.0F * kPi * share - kPi;
+            vec3 colour = shading.colour(at);
+            if (share < kSeam) {
+                // From what would come next on the far side of the seam.
+                at.angle += 2.0F * kPi;
+                colour = glm::mix(shading.colour(at), colour, glm::smoothstep(0.0F, kSeam, share));
+            }
+            colours_[static_cast<std::size_t>(row * kColumns + column)] = colour;
+        }
+    }
+}
+
+std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {
+    static const Encoding encode;
+    auto painting = std::make_shared<ui::Painting>();
+    painting->width = width_;
+    painting->height = height_;
+    painting->rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
+    const auto shift = static_cast<float>(turn - std::floor(turn)) * kColumns;
+    for (const Pixel& pixel : pixels_) {
+        // Between two columns, so that it turns smoothly; rows are finer than pixels.
+        const float along = pixel.column + shift;
+        const auto whole = static_cast<std::uint32_t>(along);
+        const float share = along - static_cast<float>(whole);
+        const auto row = static_cast<std::size_t>(pixel.row + 0.5F) * kColumns;
+        const vec3& first = colours_[row + (whole & (kColumns - 1U))];
+        const vec3& second = colours_[row + ((whole + 1U) & (kColumns - 1U))];
+        std::uint8_t* const to = painting->rgba.data() + pixel.place;
+        for (int channel = 0; channel < 3; ++channel) {
+            const float own = first[channel] + share * (second[channel] - first[channel]);
+            const float light = own * pixel.factor[channel] + pixel.gloss[channel];
+            to[channel] = static_cast<std::uint8_t>(encode(light) * pixel.cover + 0.5F);
+        }
+        to[3] = static_cast<std::uint8_t>(255.0F * pixel.cover + 0.5F);
+    }
+    return painting;
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,43 @@
+// A picture of a finished pot that turns: what stays where it is - light, gloss, outline - is worked out
+// once, and each picture then costs one look at the pot's own colours a pixel. Any one thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "game/screens/pot_picture.h"
+
+namespace onggi::screens {
+
+class TurningPot {
+  public:
+    // As paint_pot(); about as slow.
+    TurningPot(const PotShape& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+               float elevation_rad);
+
+    [[nodiscard]] vec2 foot_px() const { return foot_px_; }
+    [[nodiscard]] int width_px() const { return width_; }
+    [[nodiscard]] int height_px() const { return height_; }
+    // turn: how far it has turned, 0 to 1 and round again.
+    [[nodiscard]] std::shared_ptr<const ui::Painting> at(double turn) const;
+
+  private:
+    // A pixel of the picture that shows some of the pot.
+    struct Pixel {
+        std::uint32_t place = 0;  // of its first byte
+        float row = 0.0F;         // of the colours, from the foot up
+        float column = 0.0F;      // of them, before it turns
+        vec3 factor{0.0F};
+        vec3 gloss{0.0F};
+        float cover = 1.0F;  // share of the pixel
+    };
+    void fill_colours(const PotShape& shape, const finish::GlazeMaterial& glaze, float elevation_rad);
+
+    int width_ = 0;
+    int height_ = 0;
+    vec2 foot_px_{0.0F};
+    std::vector<Pixel> pixels_;
+    std::vector<vec3> colours_;  // rows from the foot up, then the foot's own
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,15 @@
+// What an audit asks of a composed screen, one rule a function; each fails the test that calls it. See
+// audit_test.cpp.
+#pragma once
+
+#include "game/screens/composition.h"
+#include "tests/unit/screens/sample_views.h"
+
+namespace onggi::screens {
+
+// All that can be asked of places and words alone.
+void audit_layout(const SampleView& sample, const Composition& screen);
+// Words against what is painted behind them.
+void audit_contrast(const SampleView& sample, const Composition& screen);
+
+}  // namespace onggi::screens

@@ -1,0 +1,80 @@
+// A pot that turns: as it was painted when it stands, and its colours going round while its light stays.
+#include "game/screens/turning_pot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "tests/unit/screens/sample_views.h"
+
+namespace onggi::screens {
+namespace {
+
+const PotShape& bowl() {
+    return sample_exhibits()->at(0).shape;
+}
+
+// The mean difference of two pictures of one size, in levels, where both show pot.
+double difference(const ui::Painting& a, const ui::Painting& b) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t at = 0; at < a.rgba.size(); at += 4) {
+        if (a.rgba[at + 3] < 255 || b.rgba[at + 3] < 255) continue;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            sum += std::abs(int{a.rgba[at + channel]} - int{b.rgba[at + channel]});
+        count += 3;
+    }
+    return count == 0 ? 255.0 : sum / count;
+}
+
+TEST(TurningPot, StandsAsItIsPainted) {
+    for (int glaze = 0; glaze < finish::kGlazeCount; ++glaze) {
+        const PotPicture still = paint_pot(bowl(), finish::glaze_at(glaze), 1.4F, 0.12F);
+        const TurningPot turning(bowl(), finish::glaze_at(glaze), 1.4F, 0.12F);
+        const auto painting = turning.at(0.0);
+        ASSERT_EQ(painting->width, still.painting.width);
+        ASSERT_EQ(painting->height, still.painting.height);
+        EXPECT_EQ(turning.foot_px(), still.foot_px);
+        EXPECT_LT(difference(*painting, still.painting), 8.0) << finish::glaze_at(glaze).id;
+    }
+}
+
+TEST(TurningPot, ComesBackAfterAWholeTurn) {
+    const TurningPot turning(bowl(), finish::glaze_at(4), 1.0F, 0.12F);
+    EXPECT_EQ(turning.at(0.25)->rgba, turning.at(1.25)->rgba);
+    EXPECT_EQ(turning.at(0.0)->rgba, turning.at(3.0)->rgba);
+}
+
+TEST(TurningPot, MovesALittleInALittleTimeAndHasNoSeam) {
+    const TurningPot turning(bowl(), finish::glaze_at(2), 1.0F, 0.12F);
+    constexpr int kSteps = 72;
+    const double quarter = difference(*turning.at(0.0), *turning.at(0.25));
+    EXPECT_GT(quarter, 1.5);
+    for (int step = 0; step < kSteps; ++step) {
+        const double moved = difference(*turning.at(static_cast<double>(step) / kSteps),
+                                        *turning.at(static_cast<double>(step + 1) / kSteps));
+        EXPECT_LT(moved, 0.75 * quarter) << step;
+    }
+}
+
+TEST(TurningPot, KeepsItsLightWhereTheWindowIs) {
+    const TurningPot turning(bowl(), finish::glaze_at(5), 1.0F, 0.12F);
+    for (const double turn : {0.0, 0.3, 0.6}) {
+        const auto painting = turning.at(turn);
+        double left = 0.0;
+        double right = 0.0;
+        for (int y = 0; y < painting->height; ++y) {
+            for (int x = 0; x < painting->width; ++x) {
+                const std::size_t at =
+                    4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(painting->width) +
+                         static_cast<std::size_t>(x));
+                (x < painting->width / 2 ? left : right) += painting->rgba[at + 1];
+            }
+        }
+        EXPECT_GT(left, 1.05 * right);
+    }
+}
+
+}  // namespace
+}  // namespace onggi::screens
