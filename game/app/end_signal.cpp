@@ -20,9 +20,11 @@ void note(int /*signal*/) {
 void note_end_signals(bool locked) {
     struct sigaction action {};
     action.sa_handler = &note;
-    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGTERM, SIGHUP})
         sigaction(signal, &action, nullptr);
+    action.sa_flags |= static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
     if (!locked) return;
     // A visitor's keyboard is no way out; the system's own request (SIGTERM) stays one.
     action.sa_handler = SIG_IGN;

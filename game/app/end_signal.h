@@ -5,8 +5,9 @@
 
 namespace onggi::app {
 
-// From now on SIGINT, SIGTERM and SIGHUP are noted instead of ending the program on the spot. A second one
-// does end it: nobody waits for a loop that hangs.
+// From now on SIGINT, SIGTERM and SIGHUP are noted instead of ending the program on the spot. A second Ctrl-C
+// does end it: nobody waits for a loop that hangs. A second SIGTERM is no more than the first: a service
+// manager sends one to every process, and the supervisor hands its own on.
 // A locked kiosk takes no notice of SIGINT, which a keyboard can send.
 void note_end_signals(bool locked = false);
 

@@ -62,6 +62,14 @@ Result<haptics::HidDeviceInfo> find(const std::string& word) {
                                     driven.empty() ? "no device that is driven here" : driven));
 }
 
+// In a few words: what a person who never saw it wants to know.
+std::string ability_of(const haptics::DeviceCapabilities& device, bool is_pedal) {
+    if (is_pedal) return "turns the wheel";
+    if (device.force_axes == 0) return "moves the tool";
+    return fmt::format("moves the tool; pushes, {} {}, {:.1f} N", device.force_axes,
+                       device.force_axes == 1 ? "axis" : "axes", device.peak_force_n);
+}
+
 }  // namespace
 
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first) {
@@ -87,7 +95,8 @@ CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::
 HandDevices::Watched HandDevices::watch(haptics::HidDevice& device) {
     return {.kind = device.kind(),
             .word = std::string(haptics::hid::words_for(device.kind())),
-            .status = [&device]() -> const haptics::hid::HidStatus& { return device.status(); }};
+            .status = [&device]() -> const haptics::hid::HidStatus& { return device.status(); },
+            .ability = ability_of(device.capabilities(), device.kind() == HidKind::kVecPedal)};
 }
 
 void HandDevices::add(HidKind kind, const std::string& only,
@@ -101,7 +110,8 @@ void HandDevices::add_inverse(std::vector<std::unique_ptr<haptics::Hand>>& hands
     auto device = std::make_unique<haptics::InverseDevice>();
     haptics::InverseDevice& watched = *device;
     tools_.push_back({.word = "Haply Inverse3",
-                      .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); }});
+                      .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); },
+                      .ability = ability_of(watched.capabilities(), false)});
     hands.push_back(std::move(device));
 }
 
@@ -172,19 +182,28 @@ std::string HandDevices::holder() const {
     return watched.name_of(watched.last);
 }
 
+bool HandDevices::somebody_moved() {
+    const std::uint64_t now = watched_hands_->signs_of_life();
+    return std::exchange(signs_of_life_, now) != now;
+}
+
 bool HandDevices::has_hand() const {
     return std::any_of(tools_.begin(), tools_.end(),
                        [](const Watched& watched) { return watched.last.state == State::kReady; });
 }
 
-std::vector<std::string> HandDevices::names() const {
-    std::vector<std::string> names;
-    const auto add_name = [&](const Watched& watched) {
-        if (watched.last.state == State::kReady) names.push_back(watched.name_of(watched.last));
+std::vector<HandDevices::Seen> HandDevices::seen() const {
+    std::vector<Seen> seen;
+    const auto add_one = [&](const Watched& watched) {
+        if (watched.last.state == State::kAbsent) return;
+        seen.push_back({.name = watched.name_of(watched.last),
+                        .ability = watched.ability,
+                        .works = watched.last.state == State::kReady,
+                        .why_not = watched.last.message});
     };
-    std::for_each(tools_.begin(), tools_.end(), add_name);
-    std::for_each(pedals_.begin(), pedals_.end(), add_name);
-    return names;
+    std::for_each(tools_.begin(), tools_.end(), add_one);
+    std::for_each(pedals_.begin(), pedals_.end(), add_one);
+    return seen;
 }
 
 bool HandDevices::drives(std::uint16_t vendor_id, std::uint16_t product_id) const {

@@ -34,10 +34,18 @@ class HandDevices {
     [[nodiscard]] std::vector<std::string> news();
     // The hand that has the tool; empty: the first.
     [[nodiscard]] std::string holder() const;
+    // Whether somebody has done something with a hand besides the first, or a pedal, since the last call.
+    [[nodiscard]] bool somebody_moved();
     // Whether a hand besides the first is plugged in and works, as of the last news().
     [[nodiscard]] bool has_hand() const;
-    // The hands and pedals that work, by name, as of the last news().
-    [[nodiscard]] std::vector<std::string> names() const;
+    // The hands and pedals that are plugged in, as of the last news().
+    struct Seen {
+        std::string name;
+        std::string ability;  // "moves the tool; pushes, 2 axes, 3.0 N"
+        bool works = false;
+        std::string why_not;  // one line
+    };
+    [[nodiscard]] std::vector<Seen> seen() const;
     // A DualSense is driven whole, so that the window system's idea of it counts for nothing.
     [[nodiscard]] bool drives(std::uint16_t vendor_id, std::uint16_t product_id) const;
 
@@ -46,6 +54,7 @@ class HandDevices {
         haptics::HidKind kind = haptics::HidKind::kUnknown;  // kUnknown: no HID device
         std::string word = {};                               // what it is called while it has no name
         std::function<const haptics::hid::HidStatus&()> status = {};
+        std::string ability = {};
         haptics::hid::HidStatus last = {};
 
         [[nodiscard]] std::string name_of(const haptics::hid::HidStatus& now) const {
@@ -63,6 +72,7 @@ class HandDevices {
     const haptics::Hands* watched_hands_ = nullptr;
     std::vector<Watched> tools_;  // in the order of the hands, from the second on
     std::vector<Watched> pedals_;
+    std::uint64_t signs_of_life_ = 0;  // as of the last look
 };
 
 // Anything that plays, as a hand that is always at work.

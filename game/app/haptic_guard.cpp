@@ -10,10 +10,15 @@
 
 namespace onggi::app {
 
+bool is_supervised() {
+    return std::getenv("ONGGI_UNSUPERVISED") == nullptr;
+}
+
 std::optional<int> supervise_devices() {
-    if (std::getenv("ONGGI_UNSUPERVISED") != nullptr) return std::nullopt;
+    if (!is_supervised()) return std::nullopt;
     return jobs::supervise([](int signal) {
         const int count = haptics::let_go_of_all();
+        if (signal == 0) return;  // the program has said itself why it ended
         remark(fmt::format("the program died of signal {}; {} told to let go", signal,
                            count == 1 ? std::string("1 device was") : fmt::format("{} devices were", count)));
     });

@@ -14,6 +14,8 @@ namespace onggi::app {
 // supervisor, which tells every device to let go should the child die on the spot; see jobs::supervise for
 // what is returned. ONGGI_UNSUPERVISED=1 leaves it out, for debuggers.
 [[nodiscard]] std::optional<int> supervise_devices();
+// Whether it is not left out.
+[[nodiscard]] bool is_supervised();
 
 // Pause or Stop on any keyboard the user may read, and no force from the next tick on. While it lives.
 class StopGuard {

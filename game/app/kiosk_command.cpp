@@ -1,6 +1,9 @@
 #include "game/app/kiosk_command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,17 +24,20 @@
 #include "game/app/kiosk_settings.h"
 #include "game/app/kiosk_sound.h"
 #include "game/app/kiosk_visit.h"
+#include "game/app/kiosk_voice.h"
 #include "game/app/live_loop.h"
 #include "game/app/options.h"
+#include "game/app/restart.h"
+#include "game/app/service.h"
+#include "game/app/start_log.h"
 #include "game/haptic/job.h"
+#include "game/kiosk/spoken.h"
+#include "game/screens/legibility.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
 namespace {
 
-// Where the kernel keeps deadlines for us the hand gets the finer rate.
-constexpr double kRealTimeRateHz = 4000.0;
-constexpr double kPlainRateHz = 1000.0;
 constexpr double kNsPerSecond = 1e9;
 
 struct KioskOptions {
@@ -59,34 +65,77 @@ std::optional<haptics::Gesture> demonstration() {
     return std::nullopt;
 }
 
-// The visitor turns the volume in steps.
-constexpr double kLoudestStep = 5.0;
+// Any number that is another one after a tick.
+std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
+    return snapshot.tick + (snapshot.run << 40U) + (snapshot.states_put << 32U);
+}
 
-Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, std::optional<double> volume) {
-    KioskSound sound(volume.value_or(visit.state().comfort.volume / kLoudestStep));
+// Where the recordings of spoken lines are; empty: there are none.
+std::filesystem::path spoken_folder(const kiosk::Config& config) {
+    if (!config.sound.spoken_folder.empty()) return config.sound.spoken_folder;
+    const auto found = files::find_asset("spoken");
+    return found ? *found : std::filesystem::path();
+}
+
+Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
+                        KioskSound& sound) {
+    Service service;
+    KioskVoice voice(spoken_folder(settings.config));
+    if (auto started = voice.start(); !started) remark(started.error().message);
     jobs::MonotonicClock clock;
     jobs::FramePacer<> pacer(clock, kFrameRateHz);
-    while (!visit.quits() && !end_was_asked() && !job.finished()) {
+    while (!visit.quits() && !end_was_asked()) {
+        if (job.finished()) return failed("the hand's loop has ended by itself");
         pacer.wait();
         const double now_s = static_cast<double>(jobs::MonotonicClock::now_ns()) / kNsPerSecond;
         if (auto shown = visit.frame(now_s); !shown) return shown;
-        if (!volume) sound.set_volume(visit.state().comfort.volume / kLoudestStep);
+        service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
+        service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
+                                visit.pots_kept()));
         sound.hear(job.newest_snapshot());
+        const auto language = static_cast<std::size_t>(visit.state().comfort.language);
+        voice.ask((*settings.languages)[language].code(), kiosk::spoken_key(visit.state()));
+        sound.say(voice.line());
+        if (const std::string line = voice.news(); !line.empty()) remark("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);
         pacer.finish();
     }
+    service.ends();
+    if (end_was_asked()) remark("ending, as asked");
     return {};
 }
 
-Result<void> open_kiosk(const KioskOptions& options) {
+// Words grow where the settings ask for it, but not out of their boxes: what stays too small is said.
+std::string too_small_text(const kiosk::Config& config, int width_px, int height_px) {
+    const double px_per_mm = screens::px_per_mm(width_px, height_px, config.screen.diagonal_inch);
+    const double degrees =
+        screens::smallest_text_degrees(width_px, height_px, px_per_mm, config.screen.distance_mm);
+    if (degrees >= screens::kLeastCapitalDegrees) return {};
+    const double share = screens::kLeastCapitalDegrees / degrees;
+    return fmt::format(
+        "screen: expected capitals of {} degrees, found {:.2f} in the smallest words at {:.0f} mm from "
+        "{:.0f} inches; a panel of {:.0f} inches or a distance of {:.0f} mm would do",
+        screens::kLeastCapitalDegrees, degrees, config.screen.distance_mm, config.screen.diagonal_inch,
+        std::ceil(config.screen.diagonal_inch * share), std::floor(config.screen.distance_mm / share));
+}
+
+// How a kiosk ended.
+enum class KioskEnd { kDone, kStartAnew };
+
+Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     auto settings = load_settings(options.config);
     if (!settings) return settings.error();
+    note_end_signals(settings->rules.locked);
     if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
+    take_kept_volume(*settings);
     const jobs::CoreChoice core = leave_haptic_core();
+    StartKeeper starts(std::filesystem::path(settings->config.gallery.folder) / "state");
+    const StartReport start_report = starts.begin_now(settings->remarks);
     auto view =
         wheel::LiveView::open({.width = options.size.width,
                                .height = options.size.height,
                                .full_screen = options.full_screen || settings->config.screen.full_screen,
+                               .plain = start_report.is_safe_mode,
                                .draw_threads = draw_threads(core),
                                .title = "Onggi"});
     if (!view) return view.error();
@@ -94,52 +143,71 @@ Result<void> open_kiosk(const KioskOptions& options) {
         remark(line);
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
     if (const std::string lack = screens::missing_fonts(); !lack.empty()) remark(lack);
+    if (const std::string lack = too_small_text(settings->config, (*view)->width(), (*view)->height());
+        !lack.empty())
+        remark(lack);
 
     const jobs::RealTimeRequest real_time{.core = core};
     const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
-    const double wanted_hz = settings->config.haptics.rate_hz;
     const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters;
-    parameters.set_rate_hz(wanted_hz > 0.0 ? wanted_hz : is_real_time ? kRealTimeRateHz : kPlainRateHz);
+    parameters.set_rate_hz(tick_rate_hz(settings->config.haptics.rate_hz, is_real_time));
     parameters.studio.forgiving = settings->config.visit.forgiving;
     auto device = std::make_unique<haptics::SimulatedDevice>();
     haptics::SimulatedDevice& hand = *device;
-    hand.set_target({.position_mm = {170.0, 220.0, 120.0}});
+    hand.set_target({.position_mm = kRestingMm});
     parameters.safety = haptics::limits_for(device->capabilities());
-    auto devices = HandDevices::make(settings->config.haptics.devices ? options.device : "mouse",
-                                     std::move(device), false);
+    const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
+    auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(device), false);
     if (!devices) return devices.error();
     haptic::HapticJobOptions job_options;
     job_options.real_time = real_time;
+    // 16 s at 4 kHz: the keeper may be that late, on a machine that does other things, and no visitor's pot
+    // is lost.
+    job_options.record_capacity = std::size_t{1} << 16U;
     haptic::HapticJob job(start, parameters, devices->take(), job_options);
-    const std::string& wanted = settings->config.staff.statistics_folder;
-    const std::filesystem::path statistics =
-        wanted.empty() ? std::filesystem::path(settings->config.gallery.folder) / "statistics"
-                       : std::filesystem::path(wanted);
-    KioskKeeper keeper(job, start, parameters, Gallery(settings->config), statistics);
-    note_end_signals(settings->rules.locked);
-    if (auto started = job.start(); !started) return started;
-    if (auto started = keeper.start(); !started) return started;
+    KioskKeeper keeper(job, start, parameters, Gallery(settings->config),
+                       statistics_folder(settings->config));
+    if (auto started = job.start(); !started) return started.error();
+    if (auto started = keeper.start(); !started) return started.error();
+    keeper.note_start();
     const StopGuard stop_guard(job);
     for (const std::string& line : job.refusals())
         remark(line);
     const std::optional<haptics::Gesture> shown = demonstration();
+    KioskSound sound(options.volume.value_or(settings->config.sound.volume / kLoudestStep),
+                     options.volume.has_value());
     Result<void> played;
+    KioskEnd end = KioskEnd::kDone;
     {
         KioskVisit visit({.view = **view,
                           .job = job,
                           .hand = hand,
                           .devices = *devices,
                           .keeper = keeper,
+                          .sound = sound,
                           .settings = *settings,
                           .demonstration = shown,
+                          .start = start_report,
                           .rate_hz = parameters.rate_hz()});
         played = visit.start();
-        if (played) played = run_visits(visit, job, options.volume);
+        if (played) played = run_visits(visit, job, *settings, sound);
+        if (visit.restarts()) end = KioskEnd::kStartAnew;
     }
     keeper.stop();
     job.stop();
-    return played;
+    while (const auto answer = keeper.next_answer())
+        if (!answer->words.empty()) remark(answer->words);
+    // An error that ends the program counts as a fall: it is started again, and may fail again.
+    if (played) played = starts.end_now();
+    if (!played) return played.error();
+    return end;
+}
+
+// With the exit code to end with, where the process cannot be taken over.
+int begin_anew() {
+    static_cast<void>(report(start_anew()));
+    return kRestartExitCode;
 }
 
 }  // namespace
@@ -157,15 +225,22 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
         ->type_name("FOLDER");
     add_device_option(*command, options->device);
     add_volume_option(*command, options->volume);
+    command->footer(
+        "In the window: V shows what the hand feels, F or F11 fills the screen, arrow keys move the hand, "
+        "Tab "
+        "and Enter\nwork the buttons, Space is a single switch, Esc leaves unless the kiosk is locked.");
     command->callback([options, &exit_status] {
-        if (options->device != "mouse") {
+        const bool lets_devices_push = options->device != "mouse";
+        if (lets_devices_push) {
             if (const auto end = supervise_devices()) {
-                exit_status = *end;
+                exit_status = *end == kRestartExitCode ? begin_anew() : *end;
                 return;
             }
         }
         const auto done = open_kiosk(*options);
         exit_status = done ? 0 : report(done.error());
+        if (!done || *done != KioskEnd::kStartAnew) return;
+        exit_status = lets_devices_push && is_supervised() ? kRestartExitCode : begin_anew();
     });
 }
 

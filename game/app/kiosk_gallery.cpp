@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <ctime>
+#include <utility>
 
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
@@ -81,13 +82,23 @@ std::vector<KeptPot> Gallery::pots() const {
             found.push_back({pot.path(), (day.path().filename() / pot.path().filename()).string()});
         }
     }
-    std::sort(found.begin(), found.end(), [](const KeptPot& a, const KeptPot& b) { return a.name > b.name; });
+    // By day, then by number: the thousandth pot of a day comes after the last with three digits.
+    const auto age = [](const KeptPot& pot) {
+        return std::pair(pot.folder.parent_path().filename().string(),
+                         number_of(pot.folder.filename().string()));
+    };
+    std::sort(found.begin(), found.end(),
+              [&](const KeptPot& a, const KeptPot& b) { return age(a) > age(b); });
     return found;
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {
+    // Out of the gallery first and at once: a power cut in between must not leave half a pot.
+    fs::path part = pot.folder;
+    part += ".part";
     std::error_code error;
-    fs::remove_all(pot.folder, error);
+    fs::rename(pot.folder, part, error);
+    if (!error) fs::remove_all(part, error);
     if (error)
         return system_lacks(
             fmt::format("{}: expected to remove it, found {}", pot.folder.string(), error.message()));

@@ -10,6 +10,9 @@
 
 namespace onggi::app {
 
+// Where a hand that does nothing waits: off the clay, before it.
+constexpr dvec3 kRestingMm{170.0, 220.0, 120.0};
+
 struct HandSettings {
     int tool = 2;   // 1 to 3: how large
     int water = 3;  // 1 to 5
@@ -37,7 +40,7 @@ class KioskHand {
     void come(const dvec3& place_mm, const haptic::PotShape& shape);
 
     dvec3 place_mm_{170.0, 150.0, 0.0};
-    dvec3 waiting_mm_{170.0, 220.0, 120.0};
+    dvec3 waiting_mm_ = kRestingMm;
     bool pressed_ = false;
     bool inside_ = false;    // this touch works inside the pot
     double above_s_ = 0.0;   // time left above the rim before it goes down inside

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "game/app/kiosk_health.h"
 #include "game/app/kiosk_pot.h"
+#include "game/app/kiosk_settings.h"
 
 namespace onggi::app {
 namespace {
@@ -14,6 +16,8 @@ constexpr std::int64_t kLookEveryNs = 4'000'000;
 constexpr double kBeforeCollapseS = 2.0;
 constexpr int kMostRecordsARound = 4000;
 constexpr int kPortraitPx = 1024;
+// A few ms of an interrupted visit, so that the one that goes on is followed too.
+constexpr int kLeftOverTicksARound = 2000;
 
 }  // namespace
 
@@ -23,7 +27,10 @@ KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& star
     : job_(job),
       history_(start, parameters),
       faults_(gallery.folder() / "faults"),
-      rate_hz_(parameters.rate_hz()),
+      start_(start),
+      parameters_(parameters),
+      visits_(gallery.folder() / "state"),
+      journal_(visits_),
       gallery_(std::move(gallery)),
       statistics_(std::move(statistics)) {}
 
@@ -44,12 +51,23 @@ void KioskKeeper::answer(KeeperAnswer answer) {
     static_cast<void>(answers_.try_push(std::make_shared<const KeeperAnswer>(std::move(answer))));
 }
 
-std::int64_t KioskKeeper::round(std::int64_t) noexcept {
+std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
     const bool more = follow();
     Wish wish;
     while (wishes_.try_pop(wish))
         obey(wish);
-    return more ? 0 : kLookEveryNs;
+    const bool works = work_out_left_over();
+    write_journal(now_ns);
+    return more || works ? 0 : kLookEveryNs;
+}
+
+void KioskKeeper::finish() noexcept {
+    // What the visitor did last is still in the ring.
+    while (follow()) {
+    }
+    write_journal(0);
+    if (const auto left = journal_.leave(); !left)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = left.error().message});
 }
 
 // True when more records wait.
@@ -60,6 +78,14 @@ bool KioskKeeper::follow() {
     haptic::TickRecord record;
     for (int count = 0; count < kMostRecordsARound; ++count) {
         if (!job_.take_record(record)) return false;
+        run_ = record.run;
+        const bool is_resumed = is_put_ && (record.flags & haptic::TickRecord::kStatePut) != 0 &&
+                                record.tick == left_over_->history().ticks();
+        if (is_resumed) {
+            history_ = std::move(left_over_->history());
+            left_over_.reset();
+            is_put_ = false;
+        }
         history_.add(record);
         // What cannot be kept is no reason to stop the wheel.
         const auto report = faults_.look(record, history_);
@@ -69,6 +95,61 @@ bool KioskKeeper::follow() {
                                          (*report)->string())});
     }
     return true;
+}
+
+// True while there is more of it.
+bool KioskKeeper::work_out_left_over() {
+    if (!has_looked_) {
+        has_looked_ = true;
+        std::vector<std::string> remarks;
+        left_over_ = LeftOver::find(visits_, start_, parameters_, remarks);
+        for (std::string& line : remarks)
+            answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line)});
+    }
+    if (!left_over_ || is_worked_out_) return false;
+    const auto more = left_over_->work(kLeftOverTicksARound);
+    if (more && *more) return true;
+    is_worked_out_ = true;
+    if (more && left_over_->is_worth_it()) {
+        answer({.kind = KeeperAnswer::Kind::kLeftOver,
+                .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                                     left_over_->seconds())});
+        return false;
+    }
+    if (!more) answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message});
+    left_over_.reset();
+    LeftOver::remove(visits_);
+    return false;
+}
+
+void KioskKeeper::write_journal(std::int64_t now_ns) {
+    if (!journalled_run_ || run_ != *journalled_run_ || is_put_) return;
+    if (const auto written = journal_.follow(history_, now_ns); !written)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = written.error().message});
+    // Its visit goes on in the journal now.
+    if (was_resumed_ && journal_.has_caught_up()) {
+        was_resumed_ = false;
+        LeftOver::remove(visits_);
+    }
+}
+
+// The pot is on the shelf, or its visitor has gone.
+void KioskKeeper::end_journal() {
+    journalled_run_.reset();
+    journal_.drop();
+    if (!std::exchange(was_resumed_, false)) return;
+    is_put_ = false;
+    left_over_.reset();
+    LeftOver::remove(visits_);
+}
+
+void KioskKeeper::resume_now(std::uint64_t run) {
+    if (!left_over_ || !is_worked_out_) return;
+    if (!job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()))) return;
+    is_put_ = true;
+    was_resumed_ = true;
+    journal_.drop();
+    journalled_run_ = run;
 }
 
 void KioskKeeper::put_state_at(std::uint64_t tick) {
@@ -89,8 +170,8 @@ void KioskKeeper::obey(const Wish& wish) {
             if (const auto tick = history_.before_last_move()) put_state_at(*tick);
             break;
         case Wish::Kind::kBefore: {
-            const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * rate_hz_);
-            const std::uint64_t until = std::min(wish.tick, history_.ticks());
+            const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
+            const std::uint64_t until = std::min(wish.number, history_.ticks());
             put_state_at(until > back ? until - back : 0);
             break;
         }
@@ -105,6 +186,18 @@ void KioskKeeper::obey(const Wish& wish) {
             break;
         case Wish::Kind::kForget:
             cut_.reset();
+            end_journal();
+            break;
+        case Wish::Kind::kJournal:
+            journalled_run_ = wish.number;
+            break;
+        case Wish::Kind::kResume:
+            resume_now(wish.number);
+            break;
+        case Wish::Kind::kDropLeftOver:
+            is_put_ = false;
+            left_over_.reset();
+            LeftOver::remove(visits_);
             break;
         case Wish::Kind::kSurvey:
             survey_now();
@@ -113,14 +206,30 @@ void KioskKeeper::obey(const Wish& wish) {
             remove_now(*wish.pot);
             break;
         case Wish::Kind::kNote:
-            if (const auto noted = note_visit(statistics_, wish.visit); !noted)
-                answer({.kind = KeeperAnswer::Kind::kRemark, .words = noted.error().message});
+            complain(note_visit(statistics_, wish.visit));
+            break;
+        case Wish::Kind::kNoteBreak:
+            complain(app::note_attract_break(statistics_));
+            break;
+        case Wish::Kind::kNoteStart:
+            complain(app::note_start(statistics_));
+            break;
+        case Wish::Kind::kKeepVolume:
+            complain(app::keep_volume(statistics_, wish.volume));
             break;
     }
 }
 
+// What could not be written down is said, and no more.
+void KioskKeeper::complain(const Result<void>& done) {
+    if (!done) answer({.kind = KeeperAnswer::Kind::kRemark, .words = done.error().message});
+}
+
 void KioskKeeper::survey_now() {
-    KeeperAnswer found{.kind = KeeperAnswer::Kind::kSurvey, .free_mb = gallery_.free_mb()};
+    KeeperAnswer found{.kind = KeeperAnswer::Kind::kSurvey,
+                       .free_mb = gallery_.free_mb(),
+                       .celsius = hottest_celsius(),
+                       .use = use_of(statistics_, today())};
     for (const KeptPot& pot : gallery_.pots())
         found.pots.push_back(pot.name);
     answer(std::move(found));
@@ -144,6 +253,7 @@ void KioskKeeper::save_now(const Wish& wish) {
                         .portrait = portrait(*wish.shape, wish.glaze, kPortraitPx)};
     const auto number = gallery_.keep(pot, today());
     if (number) {
+        end_journal();
         answer({.kind = KeeperAnswer::Kind::kSaved,
                 .number = *number,
                 .words = fmt::format(

@@ -46,6 +46,8 @@ class KioskPointer {
     [[nodiscard]] int focus() const { return focus_; }
     [[nodiscard]] bool scans() const { return scans_; }
     [[nodiscard]] vec2 at_px() const { return at_px_; }
+    // A finger lies beside all targets.
+    [[nodiscard]] bool rests_on_scene() const { return hand_down_; }
     // A new visit: no ring, no scan.
     void forget();
 

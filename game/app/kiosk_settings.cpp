@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/files/asset_folder.h"
+#include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk_pot.h"
 
@@ -39,7 +40,35 @@ Result<kiosk::Language> language_of(const std::string& code, const fs::path& fol
                                  folder.empty() ? fs::path(code + ".tsv").string() : file.string(), code));
 }
 
+// Read as a kiosk's settings are: what is in it is said as there.
+constexpr const char* kKeptSettings = "staff.toml";
+
 }  // namespace
+
+fs::path statistics_folder(const kiosk::Config& config) {
+    const std::string& wanted = config.staff.statistics_folder;
+    return wanted.empty() ? fs::path(config.gallery.folder) / "statistics" : fs::path(wanted);
+}
+
+Result<void> keep_volume(const fs::path& folder, int volume) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    return files::write_file_atomically(folder / kKeptSettings,
+                                        fmt::format("[sound]\nvolume = {}\n", volume));
+}
+
+void take_kept_volume(KioskSettings& settings) {
+    std::error_code error;
+    const fs::path file = statistics_folder(settings.config) / kKeptSettings;
+    if (!settings.config.sound.remember_staff || !fs::exists(file, error)) return;
+    const auto text = files::read_file(file, kMostTextBytes);
+    const auto kept = text ? kiosk::read_config(*text, file.string()) : Result<kiosk::Config>(text.error());
+    if (!kept) {
+        settings.remarks.push_back(kept.error().message + "; the settings' own volume counts");
+        return;
+    }
+    settings.config.sound.volume = settings.rules.default_volume = kept->sound.volume;
+}
 
 Result<KioskSettings> load_settings(const std::string& config_file) {
     KioskSettings settings;

@@ -1,6 +1,7 @@
 // What a kiosk starts with: its configuration, its languages, its pots of museums. Main thread; blocks.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,14 @@
 
 namespace onggi::app {
 
+// How often the kiosk's wheel ticks: as the settings say (0: nothing), else at the finer rate where the
+// kernel keeps deadlines for us. Hz.
+[[nodiscard]] constexpr double tick_rate_hz(double wanted_hz, bool keeps_deadlines) {
+    constexpr double kRealTimeRateHz = 4000.0;
+    constexpr double kPlainRateHz = 1000.0;
+    return wanted_hz > 0.0 ? wanted_hz : keeps_deadlines ? kRealTimeRateHz : kPlainRateHz;
+}
+
 struct KioskSettings {
     kiosk::Config config;
     kiosk::Rules rules;
@@ -22,6 +31,14 @@ struct KioskSettings {
     std::shared_ptr<const std::vector<screens::Exhibit>> exhibits;
     std::vector<std::string> remarks;  // what is not as it should be, and does not matter enough to stop
 };
+
+// Where visits are counted, and what the staff has set is kept.
+[[nodiscard]] std::filesystem::path statistics_folder(const kiosk::Config& config);
+
+// The volume that the staff has set, kept in that folder and, where the settings want it so, taken from there
+// at the next start.
+Result<void> keep_volume(const std::filesystem::path& folder, int volume);
+void take_kept_volume(KioskSettings& settings);
 
 // `config_file` empty: defaults. Bad input: what the file, or a table of its languages folder, says wrong; a
 // language of the order that neither is built in nor has a table.

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/units.h"
-#include "engine/sound/openal_player.h"
 #include "game/app/options.h"
 
 namespace onggi::app {
@@ -53,9 +53,18 @@ void add_volume_option(CLI::App& command, std::optional<double>& volume) {
                       "how loud the wheel is heard, 0 to 1; 0 opens no sound device (0.5)");
 }
 
-KioskSound::KioskSound(double volume) : volume_(volume) {
-    if (!(volume > 0.0)) return;
-    output_.emplace(sound::make_openal_place());
+KioskSound::KioskSound(double volume, bool is_fixed, MakePlace make_place)
+    : make_place_(std::move(make_place)) {
+    set_volume(volume);
+    is_fixed_ = is_fixed;
+}
+
+void KioskSound::set_volume(double volume) {
+    if (is_fixed_) return;
+    volume_ = volume;
+    if (!(volume > 0.0) || was_opened_) return;
+    was_opened_ = true;
+    output_.emplace(make_place_());
     if (auto opened = output_->open(); !opened) {
         trouble_ = opened.error().message;
         output_.reset();
@@ -63,11 +72,32 @@ KioskSound::KioskSound(double volume) : volume_(volume) {
 }
 
 void KioskSound::hear(const haptic::Snapshot& snapshot) {
-    if (output_) output_->play(scene_of(snapshot, volume_));
+    if (!output_) return;
+    sound::SoundScene scene = scene_of(snapshot, volume_);
+    scene.chimes = chimes_;
+    output_->play(scene);
+}
+
+std::string KioskSound::device() {
+    return output_ && output_->status().is_heard ? output_->status().device : std::string();
+}
+
+std::string KioskSound::lack() {
+    if (!trouble_.empty()) return trouble_;
+    if (!output_) return is_fixed_ ? "switched off for this run by --volume 0" : "the volume is 0";
+    const sound::SoundStatus& now = output_->status();
+    if (now.is_heard) return {};
+    return now.message.empty() ? "the sound device is still being looked for" : now.message;
+}
+
+void KioskSound::say(const std::shared_ptr<const sound::SpokenLine>& line) {
+    if (line == said_) return;
+    said_ = line;
+    if (output_) output_->say(line);
 }
 
 std::string KioskSound::news() {
-    if (!trouble_.empty()) return "sound: " + std::exchange(trouble_, {});
+    if (!trouble_.empty() && !std::exchange(trouble_is_told_, true)) return "sound: " + trouble_;
     if (!output_) return {};
     const sound::SoundStatus& now = output_->status();
     const bool is_told = now.is_heard || !now.message.empty();

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "engine/sound/openal_player.h"
 #include "engine/sound/sound_output.h"
 #include "game/app/cli_names.h"
 #include "game/haptic/messages.h"
@@ -22,19 +25,37 @@ constexpr double kUsualVolume = 0.5;
 
 class KioskSound {
   public:
-    // Silent at 0. Never fails: without a device or a thread there is no sound, and news() says so.
-    explicit KioskSound(double volume);
+    using MakePlace = std::function<std::unique_ptr<sound::SoundPlace>()>;
+
+    // No sound device is opened until the volume is above 0. Never fails: without a device or a thread there
+    // is no sound, and news() says so. A volume that is fixed stays as it is.
+    explicit KioskSound(double volume, bool is_fixed = false,
+                        MakePlace make_place = sound::make_openal_place);
 
     void hear(const haptic::Snapshot& snapshot);
-    // From the next frame on; 0 to 1.
-    void set_volume(double volume) { volume_ = volume; }
+    // Speaks a line over the wheel, once; null: stops.
+    void say(const std::shared_ptr<const sound::SpokenLine>& line);
+    // From the next frame on; 0 to 1. Nothing where it is fixed.
+    void set_volume(double volume);
+    [[nodiscard]] bool is_audible() const { return volume_ > 0.0; }
+    // Left loudspeaker, right, both: a tone each, from the next frame on.
+    void test() { ++chimes_; }
+    // By what it is heard; empty: by nothing, and lack() says why.
+    [[nodiscard]] std::string device();
+    [[nodiscard]] std::string lack();
     // What has changed since the last call; empty: nothing. A device that is lost, or found again.
     [[nodiscard]] std::string news();
 
   private:
-    double volume_;
+    double volume_ = 0.0;
+    bool is_fixed_ = false;
+    std::uint32_t chimes_ = 0;
+    MakePlace make_place_;
     std::optional<sound::SoundOutput> output_;
-    std::string trouble_;  // that there is no thread
+    std::shared_ptr<const sound::SpokenLine> said_;
+    bool was_opened_ = false;  // or could not be; tried once
+    std::string trouble_;      // that there is no thread
+    bool trouble_is_told_ = false;
     bool was_heard_ = true;
 };
 

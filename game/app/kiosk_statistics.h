@@ -1,9 +1,11 @@
-// The measured use of a kiosk: one line a visit in a local CSV, with the day, the hour, how long, how far,
-// and whether a pot was kept. Nothing says who it was: no minute, no number, no shape. Any one thread at a
-// time but the haptic one; blocks.
+// The measured use of a kiosk: local CSV files, a line a visit, a line whenever somebody interrupts the
+// attract screen, a line a start of the program. Nothing says who it was: a day, an hour, no minute, no
+// number, no shape. Any one thread at a time but the haptic one; blocks.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <string>
 
 #include "engine/core/result.h"
 #include "game/kiosk/state.h"
@@ -13,11 +15,38 @@ namespace onggi::app {
 struct VisitNote {
     int dwell_s = 0;
     kiosk::Screen last = kiosk::Screen::kAttract;  // where it ended
-    bool kept = false;
+    bool thrown = false;                           // clay was put on for it
+    bool kept = false;                             // and a pot was kept
 };
 
 // Appends to folder/visits.csv, with a line of names first where the file is new. System lacks: no permission
 // or no room.
 Result<void> note_visit(const std::filesystem::path& folder, const VisitNote& note);
+// The same to attract_breaks.csv: the attract screen was interrupted.
+Result<void> note_attract_break(const std::filesystem::path& folder);
+// And to starts.csv: the program has started.
+Result<void> note_start(const std::filesystem::path& folder);
+
+struct UseOfHour {
+    int breaks = 0;  // of the attract screen
+    int visits = 0;  // that ended in this hour
+    int thrown = 0;
+    int kept = 0;
+    long dwell_s = 0;  // of all of them
+
+    friend bool operator==(const UseOfHour&, const UseOfHour&) = default;
+};
+
+struct UseOfDay {
+    std::array<UseOfHour, 24> hours{};
+    int starts = 0;
+
+    [[nodiscard]] UseOfHour total() const;
+    friend bool operator==(const UseOfDay&, const UseOfDay&) = default;
+};
+
+// What the files say of a day, "2026-11-21". Files that are not there say nothing; lines that are not as
+// written above are left out.
+[[nodiscard]] UseOfDay use_of(const std::filesystem::path& folder, const std::string& day);
 
 }  // namespace onggi::app

@@ -7,11 +7,11 @@
 
 #include "game/app/kiosk_staff.h"
 #include "game/app/kiosk_visit.h"
+#include "game/screens/legibility.h"
 
 namespace onggi::app {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 // Attract: the throwing, then one pot of a museum, and so on.
 constexpr double kAttractThrowsS = 25.0;
 constexpr double kAttractPotS = 20.0;
@@ -33,21 +33,52 @@ bool looks_the_same(const screens::View& a, const screens::View& b) {
         a.warning_at_px.has_value() == b.warning_at_px.has_value() &&
         (!a.warning_at_px || glm::length(*a.warning_at_px - *b.warning_at_px) < 6.0F);
     return s.screen == t.screen && s.panel == t.panel && s.comfort == t.comfort && s.firing == t.firing &&
-           s.glaze == t.glaze && s.keeping.outcome == t.keeping.outcome &&
+           s.glaze == t.glaze && s.shelf_first == t.shelf_first && s.keeping.outcome == t.keeping.outcome &&
            s.keeping.number == t.keeping.number && s.throwing.target == t.throwing.target &&
            s.throwing.steps_done == t.throwing.steps_done && s.throwing.tool == t.throwing.tool &&
            s.throwing.water == t.throwing.water && s.throwing.speed == t.throwing.speed &&
            s.throwing.warning == t.throwing.warning && s.staff.digits == t.staff.digits &&
            s.staff.was_wrong == t.staff.was_wrong && s.staff.page == t.staff.page &&
-           s.device_lost == t.device_lost && a.width_px == b.width_px && a.height_px == b.height_px &&
-           a.hint == b.hint && a.seconds_left == b.seconds_left && a.pot == b.pot &&
-           a.attract_exhibit == b.attract_exhibit && near(a.outline_px, b.outline_px) &&
+           s.staff.first_line == t.staff.first_line && s.staff.question == t.staff.question &&
+           s.device_lost == t.device_lost && s.force_rests == t.force_rests && a.width_px == b.width_px &&
+           a.height_px == b.height_px && a.hint == b.hint && a.seconds_left == b.seconds_left &&
+           a.pot == b.pot && a.attract_exhibit == b.attract_exhibit && near(a.outline_px, b.outline_px) &&
+           glm::length(a.hint_at_px - b.hint_at_px) < 3.0F &&
+           glm::length(a.second_hint_at_px - b.second_hint_at_px) < 3.0F &&
+           a.scene_edges_px == b.scene_edges_px && s.throwing.looks_in == t.throwing.looks_in &&
            std::lround(a.thinnest_mm * 10.0) == std::lround(b.thinnest_mm * 10.0) && same_warning_place &&
            a.focus == b.focus && a.scans == b.scans && a.heard == b.heard && a.closed == b.closed &&
-           a.staff_title == b.staff_title && a.staff_lines == b.staff_lines;
+           a.staff_title == b.staff_title && a.staff_lines == b.staff_lines && a.staff_pot == b.staff_pot &&
+           a.staff_notice == b.staff_notice && a.staff_plot == b.staff_plot;
 }
 
 }  // namespace
+
+// Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
+void KioskVisit::aim_camera(const haptic::Snapshot& snapshot) {
+    const bool will_cover =
+        state_.screen != kiosk::Screen::kAttract && state_.screen != kiosk::Screen::kThrow &&
+        state_.screen != kiosk::Screen::kFailure && state_.screen != kiosk::Screen::kResume;
+    const bool is_first = asked_ == nullptr;
+    if (is_first || stage_.covers() || state_.comfort.still) parts_.view.jump();
+    if (will_cover && !stage_.covers()) return;
+    const PlateSight sight{
+        .width_px = parts_.view.width(),
+        .height_px = parts_.view.height(),
+        .project = [&](wheel::View view, const wheel::Framing& framing, const dvec3& place_mm) {
+            return parts_.view.project_framed(view, framing, place_mm);
+        }};
+    if (sight.width_px <= 0 || sight.height_px <= 0) return;
+    const bool shows_room = asked_ && asked_->attract_exhibit < 0 && state_.panel == kiosk::Panel::kNone;
+    CameraWish wish = camera_.wish(state_, shows_room, snapshot.shape->height_mm, sight);
+    wish.evening = evening_at(parts_.settings.config, minute_of_day());
+    if (wish == aimed_) return;
+    aimed_ = wish;
+    parts_.view.look_at(wish.view);
+    parts_.view.set_framing(wish.framing);
+    parts_.view.sway(wish.sways);
+    parts_.view.set_evening(wish.evening);
+}
 
 void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     screens::View view;
@@ -56,13 +87,14 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     view.height_px = parts_.view.height();
     if (view.width_px <= 0 || view.height_px <= 0) return;
     const kiosk::Config& config = parts_.settings.config;
-    const double diagonal_px = std::hypot(view.width_px, view.height_px);
-    view.px_per_mm = diagonal_px / (config.screen.diagonal_inch * kMmPerInch);
+    view.px_per_mm = screens::px_per_mm(view.width_px, view.height_px, config.screen.diagonal_inch);
+    view.distance_mm = config.screen.distance_mm;
     view.own_digits = config.languages.own_digits;
     view.hint = state_.screen == kiosk::Screen::kThrow && state_.throwing.steps_done < kiosk::kTeachingSteps;
     view.seconds_left = state_.panel == kiosk::Panel::kIdle
                             ? kiosk::seconds_left(state_, parts_.settings.rules.countdown_s, now_s_)
-                            : 0;
+                        : state_.panel == kiosk::Panel::kPin ? kiosk::pin_seconds_left(state_, now_s_)
+                                                             : 0;
     view.languages = parts_.settings.languages;
     view.exhibits = parts_.settings.exhibits;
     view.pot = pot_;
@@ -80,40 +112,22 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
         const double turn_s = kAttractThrowsS + kAttractPotS;
         const auto turn = static_cast<std::size_t>(in_turn / turn_s);
         const bool pot_now = std::fmod(in_turn, turn_s) >= kAttractThrowsS;
+        if (pot_now) view.attract_turn = static_cast<int>(turn);
         if (pot_now) view.attract_exhibit = static_cast<int>(turn % view.exhibits->size());
     }
+    const SceneEdges edges = scene_edges(aimed_.framing, view.width_px, view.height_px);
+    view.can_look_in = parts_.view.project_framed(wheel::View::kLookingIn, {}, dvec3(0.0)).has_value();
+    view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
     add_scene(view, snapshot);
-    if (state_.panel == kiosk::Panel::kStaff) add_staff(view, snapshot);
+    if (state_.panel == kiosk::Panel::kStaff) {
+        desk_.add_to(view, snapshot);
+    } else {
+        desk_.leave();
+    }
     view.closed = state_.screen == kiosk::Screen::kAttract && !kiosk::is_open(config, minute_of_day());
     if (asked_ && looks_the_same(*asked_, view)) return;
     asked_ = std::make_shared<const screens::View>(std::move(view));
     composer_.ask(asked_);
-}
-
-// The lines change once a second at most, so that the panel can be read.
-void KioskVisit::add_staff(screens::View& view, const haptic::Snapshot& snapshot) {
-    view.staff_title = parts_.settings.config.staff.name;
-    constexpr double kEveryS = 1.0;
-    const bool same_page = asked_ && asked_->state.panel == kiosk::Panel::kStaff &&
-                           asked_->state.staff.page == state_.staff.page;
-    if (same_page && now_s_ - surveyed_s_ < kEveryS) {
-        view.staff_lines = asked_->staff_lines;
-        return;
-    }
-    surveyed_s_ = now_s_;
-    parts_.keeper.survey();
-    const Health health{.rate_hz = parts_.rate_hz,
-                        .skipped_periods = snapshot.skipped_periods,
-                        .late_periods = snapshot.safety.late_periods,
-                        .has_fault = snapshot.fault != haptics::Fault::kNone,
-                        .frame_ms = frame_ms_,
-                        .quality = parts_.view.quality(),
-                        .free_mb = free_mb_,
-                        .least_free_mb = parts_.settings.config.gallery.least_free_mb,
-                        .devices = parts_.devices.names(),
-                        .holder = parts_.devices.holder(),
-                        .pots = kept_pots_};
-    view.staff_lines = staff_lines(health, static_cast<StaffPage>(state_.staff.page));
 }
 
 void KioskVisit::add_scene(screens::View& view, const haptic::Snapshot& snapshot) {
@@ -156,6 +170,41 @@ void KioskVisit::add_scene(screens::View& view, const haptic::Snapshot& snapshot
                             double{outline.back().x} * std::sin(angle)}));
     }
     view.outline_px = {std::move(left), std::move(right), std::move(rim)};
+}
+
+// While the first moves are learnt, what the hand feels is shown at the clay; numbers and plots only to who
+// asks.
+std::optional<screens::ForceFrame> KioskVisit::force_frame(const haptic::Snapshot& snapshot,
+                                                           const wheel::PotView& pot) const {
+    if (state_.screen != kiosk::Screen::kThrow || state_.panel != kiosk::Panel::kNone) return std::nullopt;
+    const bool asked = state_.comfort.forces;
+    if (!asked && state_.throwing.steps_done >= kiosk::kTeachingSteps) return std::nullopt;
+    return forces_.frame(snapshot, pot, sight_of(parts_.view), asked);
+}
+
+// The clay where it carries most, from its left edge to its right as the camera sees it.
+std::optional<screens::Band> KioskVisit::warning_band(const haptic::Snapshot& snapshot) const {
+    if (state_.screen != kiosk::Screen::kThrow || state_.throwing.warning == kiosk::Warning::kNone)
+        return std::nullopt;
+    constexpr double kHalfHeightMm = 11.0;
+    constexpr int kPoints = 24;
+    const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
+                                        std::max(kHalfHeightMm, snapshot.shape->height_mm - kHalfHeightMm));
+    screens::Band band;
+    for (const auto& [edge, y_mm] : {std::pair(&band.upper, middle_mm + kHalfHeightMm),
+                                     std::pair(&band.lower, middle_mm - kHalfHeightMm)}) {
+        const double radius_mm =
+            wall_at(*snapshot.shape, std::min(y_mm, snapshot.shape->height_mm - 0.5)).outer_mm;
+        if (radius_mm <= 0.0) return std::nullopt;
+        for (int i = 0; i <= kPoints; ++i) {
+            const double angle = std::numbers::pi * (1.0 - static_cast<double>(i) / kPoints);
+            const dvec3 place(radius_mm * std::cos(angle), y_mm, radius_mm * std::sin(angle));
+            const auto px = parts_.view.project(place);
+            if (!px) return std::nullopt;
+            edge->push_back(vec2(*px));
+        }
+    }
+    return band;
 }
 
 }  // namespace onggi::app

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "game/app/command_line.h"
@@ -44,7 +43,16 @@ dvec3 nudge_of(Button button) {
 
 }  // namespace
 
-KioskVisit::KioskVisit(const VisitParts& parts) : parts_(parts) {
+KioskVisit::KioskVisit(const VisitParts& parts)
+    : parts_(parts),
+      desk_({.view = parts.view,
+             .job = parts.job,
+             .devices = parts.devices,
+             .keeper = parts.keeper,
+             .sound = parts.sound,
+             .config = parts.settings.config,
+             .start = parts.start,
+             .rate_hz = parts.rate_hz}) {
     state_ = kiosk::first_state(parts.settings.rules, 0.0);
 }
 
@@ -52,9 +60,13 @@ KioskVisit::~KioskVisit() {
     composer_.stop();
 }
 
+void KioskVisit::say(const std::string& line) {
+    if (const auto words = log_.say(line, now_s_)) remark(*words);
+}
+
 void KioskVisit::fresh_clay() {
     // A full ring means that the haptic thread stands still; then the window says nothing new either.
-    static_cast<void>(parts_.job.send(haptic::Command::kFreshLump));
+    if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
     static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
     lesson_.begin();
     collapse_tick_ = 0;
@@ -84,7 +96,9 @@ void KioskVisit::carry_out(const Effect& effect) {
             break;
         case Effect::Kind::kFreshClay:
             demo_runs_ = false;
+            thrown_ = true;
             fresh_clay();
+            parts_.keeper.journal(run_);
             break;
         case Effect::Kind::kUndo:
             parts_.keeper.undo();
@@ -115,28 +129,39 @@ void KioskVisit::carry_out(const Effect& effect) {
         case Effect::Kind::kRestart:
         case Effect::Kind::kQuit:
             quits_ = true;
+            restarts_ = effect.kind == Effect::Kind::kRestart;
             break;
-        case Effect::Kind::kSetTool:
-        case Effect::Kind::kSetWater:
-        case Effect::Kind::kSetSpeed:
-        case Effect::Kind::kSetGlaze:
-            break;  // the state has them
         case Effect::Kind::kResume:
+            demo_runs_ = false;
+            static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
+            lesson_.begin();
+            collapse_tick_ = 0;
+            parts_.keeper.resume(run_);
+            break;
         case Effect::Kind::kDropLeftOver:
+            parts_.keeper.drop_left_over();
+            break;
         case Effect::Kind::kSetVolume:
+            set_volume(effect.value);
+            break;
+        case Effect::Kind::kKeepVolume:
+            parts_.keeper.keep_volume(effect.value);
+            break;
         case Effect::Kind::kVisitBegan:
-            kept_ = false;
+            thrown_ = kept_ = false;
+            parts_.keeper.note_attract_break();
             break;
         case Effect::Kind::kVisitEnded:
-            parts_.keeper.note({.dwell_s = effect.value, .last = left_, .kept = kept_});
-            kept_ = false;
+            parts_.keeper.note({.dwell_s = effect.value, .last = left_, .thrown = thrown_, .kept = kept_});
             break;
         case Effect::Kind::kDeletePot:
-            if (effect.value >= 0 && static_cast<std::size_t>(effect.value) < kept_pots_.size())
-                parts_.keeper.remove(kept_pots_[static_cast<std::size_t>(effect.value)]);
+            desk_.delete_pot(effect.value);
             break;
         case Effect::Kind::kTestForce:
+            desk_.test_force();
+            break;
         case Effect::Kind::kTestSound:
+            desk_.test_sound();
             break;
     }
 }
@@ -200,10 +225,11 @@ void KioskVisit::take_input(const haptic::Snapshot& snapshot) {
     for (const PointerNews& news : all)
         take_news(news, snapshot);
     for (const std::string& line : parts_.devices.news())
-        remark(line);
+        say(line);
     const bool has_device = parts_.devices.has_hand();
     if (has_device != had_device_) tell({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
     had_device_ = has_device;
+    if (parts_.devices.somebody_moved()) tell({Event::Kind::kInput});
     take_gamepads(snapshot);
 }
 
@@ -223,8 +249,15 @@ void KioskVisit::take_gamepads(const haptic::Snapshot& snapshot) {
 }
 
 void KioskVisit::take_clay(const haptic::Snapshot& snapshot) {
+    const bool touches = snapshot.result.forces.contacts > 0;
+    // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
+    if (state_.screen == Screen::kChoose && state_.panel == Panel::kNone && touches &&
+        !parts_.devices.holder().empty()) {
+        tell({Event::Kind::kClayTouched});
+        return;
+    }
     if (state_.screen != Screen::kThrow) return;
-    if (snapshot.result.forces.contacts > 0 && hand_.works()) tell({Event::Kind::kClayTouched});
+    if (touches && (hand_.works() || !parts_.devices.holder().empty())) tell({Event::Kind::kClayTouched});
     tell({Event::Kind::kProgress, Button::kNone, lesson_.steps_done(*snapshot.shape)});
     const kiosk::Warning warning = warning_of(snapshot.load, state_.throwing.warning);
     tell({Event::Kind::kWarned, Button::kNone, static_cast<int>(warning)});
@@ -241,31 +274,28 @@ void KioskVisit::take_clay(const haptic::Snapshot& snapshot) {
     }
 }
 
-// A latched fault leaves the hand without force: nobody is asked to throw until it has been taken back. The
-// wheel tries again after each rest, so that what passed by needs no staff.
 void KioskVisit::take_fault(const haptic::Snapshot& snapshot) {
-    constexpr double kRestS = 5.0;
-    const bool is_faulty = snapshot.fault != haptics::Fault::kNone;
-    if (state_.screen != Screen::kFault) {
-        if (is_faulty) {
-            remark("kiosk: the hand's safety chain has a fault latched; the wheel rests");
-            tell({Event::Kind::kFault});
-            tried_s_ = now_s_;
-        }
-        return;
+    const KioskFault::Advice advice = fault_.look(snapshot.fault, now_s_);
+    if (advice.force_rests != state_.force_rests) {
+        say(advice.force_rests ? "kiosk: no force for the hand (" +
+                                     std::string(haptics::words_for(snapshot.fault)) + "); the clay goes on"
+                               : std::string("kiosk: the hand has its force again"));
+        tell({advice.force_rests ? Event::Kind::kForceRests : Event::Kind::kForceBack});
     }
-    if (now_s_ - tried_s_ < kRestS) return;
-    tried_s_ = now_s_;
-    if (is_faulty) {
-        static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
-    } else if (state_.panel == Panel::kNone) {
-        tell({Event::Kind::kFaultOver});  // not under the staff's eyes
+    if (advice.wheel_rests && state_.screen != Screen::kFault) {
+        say("kiosk: the clay's force is no number; the wheel rests");
+        tell({Event::Kind::kFault});
     }
+    if (advice.take_back && advice.wheel_rests) fresh_clay();
+    if (advice.take_back) static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
+    // Not under the staff's eyes.
+    if (!advice.wheel_rests && state_.screen == Screen::kFault && state_.panel == Panel::kNone)
+        tell({Event::Kind::kFaultOver});
 }
 
 void KioskVisit::take_answers() {
     while (const auto answer = parts_.keeper.next_answer()) {
-        if (!answer->words.empty()) remark(answer->words);
+        if (!answer->words.empty()) say(answer->words);
         switch (answer->kind) {
             case KeeperAnswer::Kind::kCutOff:
                 pot_ = std::make_shared<const screens::FiredPot>(
@@ -275,14 +305,17 @@ void KioskVisit::take_answers() {
                 if (pot_) day_.insert(day_.begin(), {pot_->shape, state_.glaze});
                 if (day_.size() > kMostOnShelf) day_.pop_back();
                 kept_ = true;
+                ++pots_kept_;
                 tell({Event::Kind::kSaved, Button::kNone, answer->number});
                 break;
             case KeeperAnswer::Kind::kSaveFailed:
                 tell({Event::Kind::kSaveFailed});
                 break;
             case KeeperAnswer::Kind::kSurvey:
-                kept_pots_ = answer->pots;
-                free_mb_ = answer->free_mb;
+                desk_.take(*answer);
+                break;
+            case KeeperAnswer::Kind::kLeftOver:
+                tell({Event::Kind::kLeftOver});
                 break;
             case KeeperAnswer::Kind::kRemark:
                 break;
@@ -291,6 +324,11 @@ void KioskVisit::take_answers() {
 }
 
 void KioskVisit::move_hand(const haptic::Snapshot& snapshot, double dt_s) {
+    // Under the staff's panel nothing moves by itself, so that a hand can be tested.
+    if (state_.panel == Panel::kPin || state_.panel == Panel::kStaff) {
+        parts_.hand.set_target({.position_mm = kRestingMm});
+        return;
+    }
     if (demo_runs_ && parts_.demonstration) {
         const haptics::Gesture& gesture = *parts_.demonstration;
         const double at_s = now_s_ - demo_since_s_;
@@ -312,36 +350,45 @@ void KioskVisit::move_hand(const haptic::Snapshot& snapshot, double dt_s) {
 }
 
 Result<void> KioskVisit::frame(double now_s) {
+    constexpr double kMsPerS = 1e3;
+    const double since_last_ms = kMsPerS * (now_s - now_s_);
     const double dt_s = std::clamp(now_s - now_s_, 0.0, 0.1);
     now_s_ = now_s;
-    frame_ms_ += 0.05 * (1000.0 * dt_s - frame_ms_);
     const haptic::Snapshot& snapshot = parts_.job.newest_snapshot();
+    desk_.see_frame(now_s, since_last_ms, snapshot);
     tell({Event::Kind::kTick});
     take_input(snapshot);
     take_clay(snapshot);
     take_fault(snapshot);
     take_answers();
     move_hand(snapshot, dt_s);
+    aim_camera(snapshot);
     compose(snapshot);
     stage_.take(composer_.latest(), now_s_);
+    composer_.hold(pointer_.rests_on_scene());
+    stage_.turn(composer_.turned());
 
+    forces_.look(snapshot, now_s_);
     const std::optional<screens::Band> band = warning_band(snapshot);
+    wheel::PotView pot = pot_view(snapshot);
+    const std::optional<screens::ForceFrame> forces = force_frame(snapshot, pot);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .hint = kiosk::shows_hint(state_, now_s_, parts_.settings.rules),
                                           .pressed = pointer_.pressed(),
-                                          .band = band ? &*band : nullptr};
+                                          .band = band ? &*band : nullptr,
+                                          .forces = forces ? &*forces : nullptr};
     const ui::DrawList& list = stage_.draw(stage_frame);
     const render::Overlay overlay{.list = &list,
                                   .uploads = stage_.uploads(),
                                   .atlas_side_px = stage_.atlas_side_px(),
                                   .covers = stage_.covers()};
-    wheel::PotView pot = pot_view(snapshot);
     if (!demo_runs_ && (state_.panel != Panel::kNone || state_.screen != Screen::kThrow))
         pot.hand.shown = pot.second_hand.shown = false;
     auto drawn = parts_.view.draw(pot, dt_s, &overlay);
     if (!drawn) return drawn.error();
+    if (*drawn) ++frames_shown_;
     for (const std::string& line : parts_.view.take_remarks())
-        remark(line);
+        say(line);
     const screens::Composed* shown = stage_.shown();
     if (shown != nullptr) {
         name_window(shown->view->state);
@@ -361,31 +408,6 @@ void KioskVisit::name_window(const kiosk::State& shown) {
     if (title == title_) return;
     title_ = title;
     parts_.view.set_title(title);
-}
-
-// The clay where it carries most, from its left edge to its right as the camera sees it.
-std::optional<screens::Band> KioskVisit::warning_band(const haptic::Snapshot& snapshot) const {
-    if (state_.screen != Screen::kThrow || state_.throwing.warning == kiosk::Warning::kNone)
-        return std::nullopt;
-    constexpr double kHalfHeightMm = 11.0;
-    constexpr int kPoints = 24;
-    const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
-                                        std::max(kHalfHeightMm, snapshot.shape->height_mm - kHalfHeightMm));
-    screens::Band band;
-    for (const auto& [edge, y_mm] : {std::pair(&band.upper, middle_mm + kHalfHeightMm),
-                                     std::pair(&band.lower, middle_mm - kHalfHeightMm)}) {
-        const double radius_mm =
-            wall_at(*snapshot.shape, std::min(y_mm, snapshot.shape->height_mm - 0.5)).outer_mm;
-        if (radius_mm <= 0.0) return std::nullopt;
-        for (int i = 0; i <= kPoints; ++i) {
-            const double angle = std::numbers::pi * (1.0 - static_cast<double>(i) / kPoints);
-            const dvec3 place(radius_mm * std::cos(angle), y_mm, radius_mm * std::sin(angle));
-            const auto px = parts_.view.project(place);
-            if (!px) return std::nullopt;
-            edge->push_back(vec2(*px));
-        }
-    }
-    return band;
 }
 
 }  // namespace onggi::app

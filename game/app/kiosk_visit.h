@@ -9,18 +9,28 @@
 
 #include "engine/haptics/gesture.h"
 #include "engine/haptics/simulated_device.h"
+#include "game/app/force_view.h"
 #include "game/app/gamepad_hand.h"
 #include "game/app/hand_devices.h"
+#include "game/app/kiosk_camera.h"
+#include "game/app/kiosk_fault.h"
 #include "game/app/kiosk_hand.h"
 #include "game/app/kiosk_keeper.h"
 #include "game/app/kiosk_pointer.h"
 #include "game/app/kiosk_pot.h"
 #include "game/app/kiosk_settings.h"
+#include "game/app/kiosk_sound.h"
+#include "game/app/log_lines.h"
+#include "game/app/staff_desk.h"
+#include "game/app/start_log.h"
 #include "game/haptic/job.h"
 #include "game/screens/stage.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
+
+// Volume goes in steps.
+constexpr double kLoudestStep = kiosk::kMostVolume;
 
 // What a visit needs; all of it outlives the visit.
 struct VisitParts {
@@ -29,9 +39,11 @@ struct VisitParts {
     haptics::SimulatedDevice& hand;
     HandDevices& devices;
     KioskKeeper& keeper;
+    KioskSound& sound;
     const KioskSettings& settings;
     const std::optional<haptics::Gesture>& demonstration;
-    double rate_hz;  // of the haptic job
+    StartReport start{};  // what the staff is told of falls before
+    double rate_hz;       // of the haptic job
 };
 
 class KioskVisit {
@@ -43,7 +55,13 @@ class KioskVisit {
     // Draws one frame and does what is due. now_s: of the monotonic clock.
     Result<void> frame(double now_s);
     [[nodiscard]] bool quits() const { return quits_; }
+    // And the program shall start anew.
+    [[nodiscard]] bool restarts() const { return restarts_; }
     [[nodiscard]] const kiosk::State& state() const { return state_; }
+    // What the visitor sees; null before the first. For scripted visitors, who look for the button they want.
+    [[nodiscard]] const screens::Composed* shown() const { return stage_.shown(); }
+    [[nodiscard]] std::uint64_t frames_shown() const { return frames_shown_; }
+    [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
 
   private:
     void take_input(const haptic::Snapshot& snapshot);
@@ -54,13 +72,18 @@ class KioskVisit {
     void take_gamepads(const haptic::Snapshot& snapshot);
     void tell(const kiosk::Event& event);
     void carry_out(const kiosk::Effect& effect);
+    void set_volume(int volume) { parts_.sound.set_volume(volume / kLoudestStep); }
     void move_hand(const haptic::Snapshot& snapshot, double dt_s);
-    void add_staff(screens::View& view, const haptic::Snapshot& snapshot);
     void compose(const haptic::Snapshot& snapshot);
     void add_scene(screens::View& view, const haptic::Snapshot& snapshot);
+    // What the visitor asked to see, or is being taught by; none: nothing.
+    [[nodiscard]] std::optional<screens::ForceFrame> force_frame(const haptic::Snapshot& snapshot,
+                                                                 const wheel::PotView& pot) const;
+    void aim_camera(const haptic::Snapshot& snapshot);
     [[nodiscard]] std::optional<screens::Band> warning_band(const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::optional<dvec3> place_at(vec2 px) const;
     void fresh_clay();
+    void say(const std::string& line);
     void name_window(const kiosk::State& shown);
 
     VisitParts parts_;
@@ -68,28 +91,34 @@ class KioskVisit {
     screens::Composer composer_;
     screens::Stage stage_;
     KioskPointer pointer_;
+    KioskCamera camera_;
+    CameraWish aimed_;  // as the view was last told
     KioskHand hand_;
     GamepadHand gamepads_;
     Lesson lesson_;
+    ForceView forces_;
     std::shared_ptr<const screens::FiredPot> pot_;
     std::vector<screens::ShelfPot> day_;  // the last few pots that were kept
     std::shared_ptr<const screens::View> asked_;
     double now_s_ = 0.0;
     double demo_since_s_ = 0.0;
     bool demo_runs_ = true;
+    std::uint64_t run_ = 0;  // of the lump that was asked for last, as Snapshot::run counts
     std::uint64_t collapse_tick_ = 0;
     double standing_mm_ = 0.0;  // the pot's height before it gave way
     std::string title_;
-    double tried_s_ = 0.0;                          // when a fault was last looked after
+    KioskFault fault_;
+    LogLines log_;
     kiosk::Screen left_ = kiosk::Screen::kAttract;  // before the step that is carried out
-    bool kept_ = false;                             // this visit has kept a pot
-    std::vector<std::string> kept_pots_;            // as of the last survey, newest first
-    double free_mb_ = 0.0;
-    double surveyed_s_ = -1e9;
-    double frame_ms_ = 0.0;  // between two frames, smoothed
+    bool thrown_ = false;                           // clay was put on in this visit
+    bool kept_ = false;                             // and a pot was kept
+    StaffDesk desk_;
+    std::uint64_t frames_shown_ = 0;
+    std::uint64_t pots_kept_ = 0;
     bool had_device_ = false;
     bool full_screen_ = false;
     bool quits_ = false;
+    bool restarts_ = false;
 };
 
 }  // namespace onggi::app

@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "engine/core/quote.h"
 #include "engine/files/atomic_file.h"
+#include "engine/jobs/clock.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
 #include "game/app/end_signal.h"
@@ -17,6 +19,7 @@
 #include "game/app/haptic_core.h"
 #include "game/app/haptic_guard.h"
 #include "game/app/kiosk_sound.h"
+#include "game/app/live_forces.h"
 #include "game/app/options.h"
 #include "game/app/performance.h"
 #include "game/app/progress.h"
@@ -30,6 +33,7 @@ namespace {
 // A live run may last as long as a museum's season, but no shorter than a frame.
 constexpr double kLeastSeconds = 0.02;
 constexpr double kMostSeconds = 1e7;
+constexpr double kNsPerSecond = 1e9;
 
 struct LiveOptions {
     InputOptions input;
@@ -38,14 +42,21 @@ struct LiveOptions {
     std::string device = "gesture";
     std::optional<double> volume;
     bool headless = false;
+    bool forces = false;
     PictureSize size;
     std::optional<std::string> stats;
 };
 
-Result<FrameOutcome> show(wheel::LiveView& view, const wheel::PotView& pot) {
-    static_cast<void>(view.poll_events());  // a live run is watched, not played: only closing means something
+// A live run is watched, not played: besides closing, one key means something.
+Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const haptic::Snapshot& snapshot) {
+    for (const window::Event& event : view.poll_events()) {
+        const auto* key = std::get_if<window::KeyEvent>(&event);
+        if (key != nullptr && key->key == window::Key::kV && key->pressed && !key->repeat) forces.turn_over();
+    }
     if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
-    const auto drawn = view.draw(pot);
+    const wheel::PotView pot = pot_view(snapshot);
+    const double now_s = static_cast<double>(jobs::MonotonicClock::now_ns()) / kNsPerSecond;
+    const auto drawn = view.draw(pot, 1.0 / kFrameRateHz, forces.look(snapshot, pot, view, now_s));
     if (!drawn) return drawn.error();
     if (auto done = view.wait(); !done) return done.error();
     for (const std::string& line : view.take_remarks())
@@ -85,6 +96,8 @@ Result<void> play(const LiveOptions& options) {
     std::uint64_t frame = 0;
     note_end_signals();
     KioskSound sound(options.volume.value_or(0.0));
+    LiveForces forces(options.forces);
+    if (auto started = forces.start(); !started) return started;
     const auto report =
         run_live({.start = std::move(performance->start),
                   .hand = devices->take(),
@@ -98,7 +111,7 @@ Result<void> play(const LiveOptions& options) {
                      if (const std::string line = sound.news(); !line.empty()) remark(line);
                      for (const std::string& line : devices->news())
                          remark(line);
-                     return show(**view, pot_view(snapshot));
+                     return show(**view, forces, snapshot);
                  });
     if (!report) return report.error();
     say_what_is_lacking(report->real_time);
@@ -155,6 +168,8 @@ void add_live_command(CLI::App& program, int& exit_status) {
     add_number_option(*command, "--volume", options->volume, 0.0, 1.0,
                       "how loud the wheel is heard, 0 to 1 (0)");
     command->add_flag("--headless", options->headless, "draw without a window or display");
+    command->add_flag("--forces", options->forces,
+                      "begin with the forces shown; in the window, V shows and hides them");
     add_size_option(*command, options->size);
     command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
         ->type_name("F.json");

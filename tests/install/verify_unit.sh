@@ -13,9 +13,9 @@ verify() { systemd-analyze verify --man=no "$1" 2>&1 || true; }
 said=$(verify "$unit")
 [ -z "$said" ] || { printf 'expected silence about the unit, found:\n%s\n' "$said"; exit 1; }
 # It would have spoken.
-sed 's/^RestartSec=/RestartSeconds=/' "$unit" >"$folder/onggi-wrong.service"
+sed 's/^WatchdogSec=/WatchdogSeconds=/' "$unit" >"$folder/onggi-wrong.service"
 [ -n "$(verify "$folder/onggi-wrong.service")" ] || { echo "systemd-analyze let an unknown key pass in silence"; exit 1; }
-for key in Type=exec Restart=always User=onggi LimitRTPRIO= LimitMEMLOCK=infinity \
+for key in Type=notify NotifyAccess=all WatchdogSec= Restart=always User=onggi LimitRTPRIO= LimitMEMLOCK=infinity \
     'DeviceAllow=char-hidraw rw'; do
     grep -q "^$key" "$unit" || { echo "expected $key in the unit"; exit 1; }
 done

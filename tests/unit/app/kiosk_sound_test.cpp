@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+
 namespace onggi::app {
 namespace {
 
@@ -47,10 +52,55 @@ TEST(KioskSound, SlapsForEachLump) {
     EXPECT_EQ(scene_of(snapshot, 0.5).slaps, before + 1);
 }
 
-TEST(KioskSound, AtVolumeNothingOpensNothingAndSaysNothing) {
-    KioskSound sound(0.0);
+// A place with nothing to play on, which counts who asks.
+class CountingPlace final : public sound::SoundPlace {
+  public:
+    explicit CountingPlace(std::atomic<int>& asked) : asked_(asked) {}
+    Result<std::unique_ptr<sound::SoundPlayer>> open() override {
+        ++asked_;
+        return system_lacks("no loudspeaker");
+    }
+
+  private:
+    std::atomic<int>& asked_;
+};
+
+// At most ten seconds.
+std::string news_of(KioskSound& sound) {
+    for (int look = 0; look < 1000; ++look) {
+        sound.hear(touching());
+        if (std::string line = sound.news(); !line.empty()) return line;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return {};
+}
+
+TEST(KioskSound, OpensTheDeviceWhenTheVolumeFirstRisesAndNotBefore) {
+    std::atomic<int> asked{0};
+    int made = 0;
+    KioskSound sound(0.0, false, [&] {
+        ++made;
+        return std::make_unique<CountingPlace>(asked);
+    });
     sound.hear(touching());
+    sound.set_volume(0.0);
     EXPECT_EQ(sound.news(), "");
+    EXPECT_EQ(made, 0);
+    sound.set_volume(0.4);
+    EXPECT_EQ(news_of(sound), "sound: none; no loudspeaker");
+    EXPECT_EQ(asked, 1);
+    sound.set_volume(0.0);
+    sound.set_volume(1.0);
+    EXPECT_EQ(made, 1) << "once";
+}
+
+TEST(KioskSound, StaysAsItIsWhereItsVolumeIsFixed) {
+    KioskSound silent(0.0, true);
+    silent.set_volume(1.0);
+    EXPECT_FALSE(silent.is_audible());
+    EXPECT_EQ(silent.device(), "");
+    EXPECT_EQ(silent.lack(), "switched off for this run by --volume 0");
+    EXPECT_EQ(silent.news(), "");
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+// What an interrupted visit left on the disk (visit_journal.h), found when the program starts and worked out
+// again tick by tick. Any one thread at a time but the haptic one and the frame's; blocks.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/record/session.h"
+#include "game/haptic/history.h"
+
+namespace onggi::app {
+
+class LeftOver {
+  public:
+    LeftOver(const LeftOver&) = delete;  // the cursor points into the session
+    LeftOver& operator=(const LeftOver&) = delete;
+
+    // Looks for it, and puts it aside as FOLDER/left-over.onggi: new visits may be interrupted too. `start`
+    // is what this kiosk's lumps start from; a session of another clay or rate cannot go on here. `remarks`
+    // gets a line for all that was damaged or had to be dropped. Nothing there: nothing.
+    static std::unique_ptr<LeftOver> find(const std::filesystem::path& folder,
+                                          const haptic::HapticState& start,
+                                          const haptic::HapticParameters& parameters,
+                                          std::vector<std::string>& remarks);
+
+    // Works out so many ticks more. True while there are more.
+    Result<bool> work(int ticks);
+    // Whether anything was done to the clay; where nothing was, nobody misses it. After the last work().
+    [[nodiscard]] bool is_worth_it() const { return !history_.moves().empty(); }
+    [[nodiscard]] haptic::History& history() { return history_; }
+    // Of its file, for the log: how much there is.
+    [[nodiscard]] double seconds() const;
+    // Takes the file away: it goes on elsewhere, or nobody wants it.
+    static void remove(const std::filesystem::path& folder) noexcept;
+
+  private:
+    LeftOver(record::Session session, const haptic::HapticState& start,
+             const haptic::HapticParameters& parameters)
+        : session_(std::move(session)),
+          cursor_(session_),
+          history_(start, parameters) {}
+
+    record::Session session_;
+    record::SessionCursor cursor_;
+    haptic::History history_;
+    std::uint64_t played_ = 0;
+};
+
+}  // namespace onggi::app

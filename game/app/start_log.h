@@ -1,0 +1,60 @@
+// How often the program fell lately, so that one that keeps falling starts in safe mode: a calm picture
+// rather than none. One small file, written whole or not at all. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+
+namespace onggi::app {
+
+// Times are seconds of the machine's clock since 1970, which may jump.
+struct StartLog {
+    bool is_running = false;  // a start without an end: still at work, or it fell
+    std::vector<std::int64_t> falls_s;
+
+    friend bool operator==(const StartLog&, const StartLog&) = default;
+};
+
+// What the staff is told, and what the start follows.
+struct StartReport {
+    bool is_safe_mode = false;
+    int falls = 0;  // within the time that counts
+};
+
+constexpr int kFallsToSafeMode = 3;
+constexpr std::int64_t kFallsCountForS = 600;
+
+// A start at that time: whether the one before fell is noted, what is too old is forgotten. Pure.
+[[nodiscard]] StartReport begin(StartLog& log, std::int64_t now_s);
+// An end that was meant. Pure.
+inline void end(StartLog& log) {
+    log.is_running = false;
+}
+
+// The file's text and back. Bad input: the line, what was expected, what was found.
+[[nodiscard]] std::string text_of(const StartLog& log);
+[[nodiscard]] Result<StartLog> read_start_log(std::string_view text, const std::string& file);
+
+// The log in FOLDER/starts, from one start to its end.
+class StartKeeper {
+  public:
+    explicit StartKeeper(std::filesystem::path folder) : file_(std::move(folder) / "starts") {}
+
+    // `remarks` gets a line where the file is broken or cannot be written; then the start counts as the
+    // first.
+    StartReport begin_now(std::vector<std::string>& remarks);
+    Result<void> end_now();
+
+  private:
+    Result<void> write();
+
+    std::filesystem::path file_;
+    StartLog log_;
+};
+
+}  // namespace onggi::app

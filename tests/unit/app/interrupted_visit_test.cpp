@@ -1,0 +1,311 @@
+// A visit that is interrupted: its journal on a real disk, what damage leaves of it, and a wheel on which it
+// goes on.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "engine/record/session.h"
+#include "game/app/kiosk_keeper.h"
+#include "game/app/left_over.h"
+#include "game/app/visit_journal.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/haptic/studio_hand.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRateHz = 500.0;
+
+haptic::HapticParameters parameters_at(double rate_hz) {
+    haptic::HapticParameters parameters;
+    parameters.set_rate_hz(rate_hz);
+    return parameters;
+}
+
+// A wheel that is thrown on in simulated time, its history, and a journal that follows.
+struct Visit {
+    explicit Visit(const fs::path& folder) : journal(folder) {}
+
+    void throw_until(std::uint64_t end) {
+        while (state.ticks < end)
+            tick(0);
+        follow();
+    }
+    void tick(std::uint32_t flags) {
+        const haptics::ToolState tool = test::studio_hand(state.ticks, kRateHz);
+        const haptic::TickResult result = haptic::tick(state, tool, parameters);
+        history.add({.tick = static_cast<std::uint32_t>(state.ticks - 1),
+                     .flags = flags,
+                     .tool = state.tool,
+                     .force_n = result.forces.total_n()});
+    }
+    void follow() {
+        now_ns += 2'000'000'000;
+        const auto written = journal.follow(history, now_ns);
+        EXPECT_TRUE(written) << written.error().message;
+    }
+
+    haptic::HapticState state = test::studio_start();
+    haptic::HapticParameters parameters = parameters_at(kRateHz);
+    haptic::History history{state, parameters};
+    VisitJournal journal;
+    std::int64_t now_ns = 0;
+};
+
+struct Recovered {
+    std::unique_ptr<LeftOver> pot;
+    std::vector<std::string> remarks;
+};
+
+Recovered recover(const fs::path& folder, double rate_hz = kRateHz) {
+    Recovered found;
+    found.pot = LeftOver::find(folder, test::studio_start(), parameters_at(rate_hz), found.remarks);
+    while (found.pot) {
+        const auto more = found.pot->work(700);
+        EXPECT_TRUE(more) << more.error().message;
+        if (!more || !*more) break;
+    }
+    return found;
+}
+
+// What a killed program would leave, while the journal goes on.
+void copy_of(const fs::path& from, const fs::path& to) {
+    fs::copy(from, to, fs::copy_options::recursive);
+}
+
+TEST(InterruptedVisit, LosesNoMoreThanABlock) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(2345);
+    copy_of(folder / "state", folder / "after");
+    const Recovered found = recover(folder / "after");
+    ASSERT_TRUE(found.pot);
+    EXPECT_TRUE(found.remarks.empty());
+    EXPECT_TRUE(found.pot->is_worth_it());
+    EXPECT_EQ(found.pot->history().ticks(), 2000U);
+    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).hash()) << "to the bit";
+}
+
+TEST(InterruptedVisit, IsAsItWasAfterAnUndo) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(3100);
+    visit.state = visit.history.state_at(1500);
+    visit.tick(haptic::TickRecord::kStatePut);
+    visit.follow();
+    visit.throw_until(2400);
+    copy_of(folder / "state", folder / "after");
+    const Recovered found = recover(folder / "after");
+    ASSERT_TRUE(found.pot);
+    EXPECT_EQ(found.pot->history().ticks(), 2000U);
+    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).hash());
+}
+
+TEST(InterruptedVisit, IsGoneWhenItsLumpIsThrownAway) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(3100);
+    visit.state = test::studio_start();
+    visit.tick(haptic::TickRecord::kFreshLump);
+    visit.follow();
+    copy_of(folder / "state", folder / "after");
+    EXPECT_FALSE(recover(folder / "after").pot) << "the pot before was not wanted";
+    visit.throw_until(1400);
+    copy_of(folder / "state", folder / "later");
+    const Recovered found = recover(folder / "later");
+    ASSERT_TRUE(found.pot);
+    EXPECT_EQ(found.pot->history().ticks(), 1000U);
+}
+
+TEST(InterruptedVisit, LeavesNothingWhenItIsOver) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(3100);
+    EXPECT_FALSE(fs::is_empty(folder / "state"));
+    visit.journal.drop();
+    EXPECT_TRUE(fs::is_empty(folder / "state"));
+}
+
+TEST(InterruptedVisit, StaysWhenTheProgramIsAskedToEnd) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(3100);
+    ASSERT_TRUE(visit.journal.leave());
+    const Recovered found = recover(folder / "state");
+    ASSERT_TRUE(found.pot);
+    EXPECT_EQ(found.pot->history().ticks(), 3000U);
+}
+
+TEST(InterruptedVisit, ResumesAsFarAsItIsWhole) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(3100);
+    const fs::path journal = folder / "state/visit-2.onggi.part";
+    const std::string whole = test::content_of(journal);
+    const auto session = record::parse_session(whole, "whole");
+    ASSERT_TRUE(session);
+    for (std::size_t block = 0; block < 3; ++block) {
+        std::string bytes = whole;
+        bytes[session->blocks()[block].records_at + 30] ^= 1;  // as a bad sector would
+        test::put_file(journal, bytes);
+        copy_of(folder / "state", folder / "after");
+        const Recovered found = recover(folder / "after");
+        ASSERT_EQ(found.remarks.size(), 1U);
+        EXPECT_NE(found.remarks[0].find("then damaged: "), std::string::npos) << found.remarks[0];
+        EXPECT_EQ(found.pot != nullptr, block > 0);
+        if (found.pot) {
+            EXPECT_EQ(found.pot->history().ticks(), 1000 * block);
+        }
+        fs::remove_all(folder / "after");
+    }
+    // A power cut leaves blocks of nothing.
+    test::put_file(journal, whole.substr(0, session->blocks()[1].records_at) + std::string(5000, '\0'));
+    EXPECT_EQ(recover(folder / "state").pot->history().ticks(), 1000U);
+}
+
+TEST(InterruptedVisit, IsDroppedWithALineWhereNothingIsWhole) {
+    const test::TemporaryFolder folder;
+    constexpr std::size_t kMuch = std::size_t{1} << 20U;
+    for (const std::string& bytes : {"not a session" + std::string(kMuch, ' '), std::string(kMuch, '\0')}) {
+        fs::create_directories(folder / "state");
+        test::put_file(folder / "state/visit-1.onggi.part", bytes);
+        const Recovered found = recover(folder / "state");
+        EXPECT_FALSE(found.pot);
+        ASSERT_EQ(found.remarks.size(), 1U);
+        EXPECT_TRUE(found.remarks[0].starts_with("interrupted visit: dropped: ")) << found.remarks[0];
+        EXPECT_EQ(found.remarks[0].find('\n'), std::string::npos);
+        EXPECT_TRUE(fs::is_empty(folder / "state")) << "and it is not met a second time";
+    }
+}
+
+TEST(InterruptedVisit, IsNoneWhereItEndedBeforeItsFirstBlock) {
+    const test::TemporaryFolder folder;
+    for (const std::size_t size : {std::size_t{0}, std::size_t{72}}) {
+        fs::create_directories(folder / "state");
+        test::put_file(folder / "state/visit-1.onggi.part", std::string(size, '\0'));
+        const Recovered found = recover(folder / "state");
+        EXPECT_FALSE(found.pot);
+        EXPECT_TRUE(found.remarks.empty()) << "nothing was lost";
+        EXPECT_TRUE(fs::is_empty(folder / "state"));
+    }
+}
+
+TEST(InterruptedVisit, IsDroppedWhereTheWheelIsAnother) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(2100);
+    const Recovered found = recover(folder / "state", 2.0 * kRateHz);
+    EXPECT_FALSE(found.pot);
+    ASSERT_EQ(found.remarks.size(), 1U);
+    EXPECT_NE(found.remarks[0].find("rate of 1000 Hz of this kiosk, found others at 500 Hz"),
+              std::string::npos)
+        << found.remarks[0];
+}
+
+TEST(InterruptedVisit, GivesUpWithOneLineWhereNothingCanBeWritten) {
+    const test::TemporaryFolder folder;
+    test::put_file(folder / "state", "a file where a folder is wanted");
+    Visit visit(folder / "state");
+    visit.tick(0);
+    const auto written = visit.journal.follow(visit.history, 0);
+    ASSERT_FALSE(written);
+    EXPECT_TRUE(written.error().message.starts_with("journal: ")) << written.error().message;
+    EXPECT_TRUE(visit.journal.follow(visit.history, 1)) << "said once";
+}
+
+// The loop, the keeper and the disk as they are in a kiosk, on the real clock.
+struct Wheel {
+    explicit Wheel(const fs::path& gallery)
+        : job(start, parameters, std::make_unique<test::StudioHand>(1000.0), {}) {
+        kiosk::Config config;
+        config.gallery.folder = gallery.string();
+        config.gallery.least_free_mb = 1.0;
+        keeper =
+            std::make_unique<KioskKeeper>(job, start, parameters, Gallery(config), gallery / "statistics");
+        EXPECT_TRUE(job.start());
+        EXPECT_TRUE(keeper->start());
+    }
+    ~Wheel() {
+        keeper->stop();
+        job.stop();
+    }
+    // At most half a minute.
+    template <typename Condition>
+    bool waits_for(Condition&& condition) {
+        for (int round = 0; round < 6'000; ++round) {
+            while (const auto answer = keeper->next_answer()) {
+                is_left_over = is_left_over || answer->kind == KeeperAnswer::Kind::kLeftOver;
+                words += answer->words + "\n";
+            }
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return false;
+    }
+    [[nodiscard]] std::uint64_t tick() { return job.newest_snapshot().tick; }
+
+    haptic::HapticState start = test::studio_start();
+    haptic::HapticParameters parameters = parameters_at(1000.0);
+    haptic::HapticJob job;
+    std::unique_ptr<KioskKeeper> keeper;
+    bool is_left_over = false;
+    std::string words;
+};
+
+TEST(InterruptedVisit, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
+    const test::TemporaryFolder gallery;
+    {
+        Wheel wheel(gallery.path());
+        ASSERT_TRUE(wheel.job.send(haptic::Command::kFreshLump));
+        wheel.keeper->journal(1);
+        ASSERT_TRUE(
+            wheel.waits_for([&] { return wheel.job.newest_snapshot().run == 1 && wheel.tick() > 2600; }));
+    }
+    std::uint64_t first = 0;
+    {
+        Wheel wheel(gallery.path());
+        ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_left_over; })) << wheel.words;
+        EXPECT_TRUE(fs::exists(gallery / "state/left-over.onggi"));
+        wheel.keeper->resume(0);
+        ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 1; }));
+        first = wheel.tick();
+        EXPECT_GE(first, 2000U);
+        ASSERT_TRUE(wheel.waits_for([&] { return !fs::exists(gallery / "state/left-over.onggi"); }))
+            << "it is in its new journal";
+        ASSERT_TRUE(wheel.waits_for([&] { return wheel.tick() > first + 1200; }));
+        // Back to before what was done in the life before.
+        wheel.keeper->undo();
+        ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 2; }))
+            << wheel.words;
+        ASSERT_TRUE(wheel.waits_for([&] { return wheel.tick() > first + 1200; }));
+    }
+    Wheel wheel(gallery.path());
+    ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_left_over; })) << wheel.words;
+    wheel.keeper->resume(0);
+    ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 1; }));
+    EXPECT_GE(wheel.tick(), first);
+    wheel.keeper->forget();
+    EXPECT_TRUE(wheel.waits_for([&] { return fs::is_empty(gallery / "state"); })) << "the visitor has left";
+}
+
+TEST(InterruptedVisit, IsNoneWhereTheVisitorHasLeft) {
+    const test::TemporaryFolder gallery;
+    {
+        Wheel wheel(gallery.path());
+        ASSERT_TRUE(wheel.job.send(haptic::Command::kFreshLump));
+        wheel.keeper->journal(1);
+        ASSERT_TRUE(
+            wheel.waits_for([&] { return wheel.job.newest_snapshot().run == 1 && wheel.tick() > 2600; }));
+        wheel.keeper->forget();
+        ASSERT_TRUE(wheel.waits_for([&] { return fs::is_empty(gallery / "state"); }));
+    }
+    Wheel wheel(gallery.path());
+    EXPECT_TRUE(wheel.waits_for([&] { return wheel.tick() > 500; }));
+    EXPECT_FALSE(wheel.is_left_over);
+}
+
+}  // namespace
+}  // namespace onggi::app

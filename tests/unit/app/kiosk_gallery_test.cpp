@@ -1,0 +1,218 @@
+// The shelf on the disk: what is kept, what leaves, what the staff deletes.
+#include "game/app/kiosk_gallery.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "engine/haptics/simulated_device.h"
+#include "engine/jobs/clock.h"
+#include "game/app/kiosk_hand.h"
+#include "game/app/kiosk_keeper.h"
+#include "game/app/kiosk_settings.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+kiosk::Config config_of(const fs::path& folder) {
+    kiosk::Config config;
+    config.gallery.folder = folder.string();
+    config.gallery.least_free_mb = 1.0;
+    return config;
+}
+
+void put_pot(const fs::path& folder, const std::string& name) {
+    fs::create_directories(folder / name);
+    for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.png"})
+        std::ofstream(folder / name / file) << "clay";
+}
+
+std::vector<std::string> names_of(const Gallery& gallery) {
+    std::vector<std::string> names;
+    for (const KeptPot& pot : gallery.pots())
+        names.push_back(pot.name);
+    return names;
+}
+
+TEST(Gallery, ListsThePotsTheNewestFirst) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"2026-11-21/pot-002", "2026-11-22/pot-999", "2026-11-22/pot-1000",
+                             "2026-11-22/pot-007", "2026-11-22/notes", "statistics"})
+        put_pot(folder.path(), name);
+    const Gallery gallery(config_of(folder.path()));
+    EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-1000", "2026-11-22/pot-999",
+                                                           "2026-11-22/pot-007", "2026-11-21/pot-002"}));
+}
+
+TEST(Gallery, DeletesOnePotWithAllItsFilesAndNoOther) {
+    const test::TemporaryFolder folder;
+    put_pot(folder.path(), "2026-11-22/pot-001");
+    put_pot(folder.path(), "2026-11-22/pot-002");
+    Gallery gallery(config_of(folder.path()));
+    ASSERT_EQ(gallery.pots().size(), 2U);
+    ASSERT_TRUE(gallery.remove(gallery.pots().front()));
+    EXPECT_FALSE(fs::exists(folder.path() / "2026-11-22/pot-002"));
+    EXPECT_TRUE(fs::exists(folder.path() / "2026-11-22/pot-001/pot.onggi"));
+    EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-22/pot-001"});
+}
+
+// A lump as it would be cut off, and all that is kept of it.
+struct Cut {
+    Cut() {
+        for (std::uint32_t tick = 0; tick < 50; ++tick) {
+            const haptic::TickResult result = haptic::tick(state, {.position_mm = kRestingMm}, parameters);
+            history.add({.tick = tick,
+                         .flags = tick == 0 ? haptic::TickRecord::kFreshLump : 0U,
+                         .tool = state.tool,
+                         .force_n = result.forces.total_n()});
+        }
+    }
+
+    haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
+    haptic::HapticParameters parameters;
+    haptic::History history{start, parameters};
+    haptic::HapticState state = start;
+    ui::Painting portrait{.width = 2, .height = 1, .rgba = {200, 150, 100, 255, 0, 0, 0, 0}};
+
+    [[nodiscard]] PotToKeep pot() const {
+        return {
+            .history = &history, .clay = state.studio(), .glaze = &finish::glaze_at(0), .portrait = portrait};
+    }
+};
+
+TEST(Gallery, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
+    const test::TemporaryFolder folder;
+    put_pot(folder.path(), "2026-11-22/pot-007");
+    Gallery gallery(config_of(folder.path()));
+    const Cut cut;
+    const auto number = gallery.keep(cut.pot(), "2026-11-22");
+    ASSERT_TRUE(number) << number.error().message;
+    EXPECT_EQ(*number, 8);
+    for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.png"})
+        EXPECT_GT(fs::file_size(folder.path() / "2026-11-22/pot-008" / file), 50U) << file;
+}
+
+TEST(Gallery, LetsTheOldestGoWhereThereIsRoomForNoMore) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
+        put_pot(folder.path(), name);
+    kiosk::Config config = config_of(folder.path());
+    config.gallery.most_pots = 2;
+    Gallery gallery(config);
+    const Cut cut;
+    ASSERT_TRUE(gallery.keep(cut.pot(), "2026-11-22"));
+    EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-001", "2026-11-21/pot-002"}));
+}
+
+TEST(Gallery, KeepsNothingAtAllOnADiskThatIsFull) {
+    const test::TemporaryFolder folder;
+    put_pot(folder.path(), "2026-11-21/pot-001");
+    kiosk::Config config = config_of(folder.path());
+    config.gallery.least_free_mb = 1e12;
+    Gallery gallery(config);
+    const Cut cut;
+    const auto kept = gallery.keep(cut.pot(), "2026-11-22");
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(kept.error().kind, ErrorKind::kSystemLacks);
+    EXPECT_NE(kept.error().message.find("MB free, found"), std::string::npos) << kept.error().message;
+    EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-21/pot-001"})
+        << "nor is any let go for it";
+    EXPECT_TRUE(fs::is_empty(folder.path() / "2026-11-22"));
+}
+
+TEST(Gallery, SaysWhereItCannotSave) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "taken") << "a file where a folder is wanted";
+    Gallery gallery(config_of(folder.path() / "taken"));
+    const Cut cut;
+    const auto kept = gallery.keep(cut.pot(), "2026-11-22");
+    ASSERT_FALSE(kept);
+    EXPECT_NE(kept.error().message.find("taken"), std::string::npos) << kept.error().message;
+    EXPECT_EQ(kept.error().message.find('\n'), std::string::npos);
+}
+
+// A keeper at work on a gallery, and the loop it would follow.
+struct Keeper {
+    explicit Keeper(const fs::path& folder)
+        : job(start, parameters, std::make_unique<haptics::SimulatedDevice>(), {}),
+          keeper(job, start, parameters, Gallery(config_of(folder)), folder / "statistics") {
+        EXPECT_TRUE(keeper.start());
+    }
+    // The next answer of that kind; none after ten seconds.
+    std::shared_ptr<const KeeperAnswer> answer(KeeperAnswer::Kind kind) {
+        jobs::MonotonicClock clock;
+        for (int round = 0; round < 10'000; ++round) {
+            const auto next = keeper.next_answer();
+            if (next && next->kind == kind) return next;
+            clock.sleep_until_ns(jobs::MonotonicClock::now_ns() + 1'000'000);
+        }
+        return nullptr;
+    }
+
+    haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
+    haptic::HapticParameters parameters;
+    haptic::HapticJob job;
+    KioskKeeper keeper;
+};
+
+TEST(KioskKeeper, DeletesWhatItIsToldByNameAndTellsWhatIsLeft) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"2026-11-22/pot-001", "2026-11-22/pot-002", "2026-11-22/pot-003"})
+        put_pot(folder.path(), name);
+    Keeper bench(folder.path());
+    bench.keeper.survey();
+    const auto before = bench.answer(KeeperAnswer::Kind::kSurvey);
+    ASSERT_NE(before, nullptr);
+    EXPECT_EQ(before->pots.size(), 3U);
+    EXPECT_GT(before->free_mb, 0.0);
+
+    bench.keeper.remove("2026-11-22/pot-002");
+    const auto said = bench.answer(KeeperAnswer::Kind::kRemark);
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->words, "removed 2026-11-22/pot-002");
+    const auto after = bench.answer(KeeperAnswer::Kind::kSurvey);
+    ASSERT_NE(after, nullptr);
+    EXPECT_EQ(after->pots, (std::vector<std::string>{"2026-11-22/pot-003", "2026-11-22/pot-001"}));
+    EXPECT_FALSE(fs::exists(folder.path() / "2026-11-22/pot-002"));
+}
+
+TEST(KioskKeeper, DeletesNothingThatIsNoPotOfTheGallery) {
+    const test::TemporaryFolder folder;
+    put_pot(folder.path(), "2026-11-22/pot-001");
+    put_pot(folder.path(), "precious");
+    Keeper bench(folder.path());
+    for (const char* name : {"", ".", "..", "precious", "../precious", "2026-11-22", "2026-11-22/pot-001/.."})
+        bench.keeper.remove(name);
+    for (int i = 0; i < 7; ++i) {
+        const auto survey = bench.answer(KeeperAnswer::Kind::kSurvey);
+        ASSERT_NE(survey, nullptr);
+        EXPECT_EQ(survey->pots.size(), 1U);
+    }
+    EXPECT_TRUE(fs::exists(folder.path() / "precious/pot.glb"));
+}
+
+TEST(KioskKeeper, CountsAndRemembersBesideTheFrame) {
+    const test::TemporaryFolder folder;
+    Keeper bench(folder.path());
+    bench.keeper.note_start();
+    bench.keeper.note_attract_break();
+    bench.keeper.note({.dwell_s = 30, .last = kiosk::Screen::kThrow, .thrown = true, .kept = false});
+    bench.keeper.keep_volume(5);
+    bench.keeper.survey();
+    const auto survey = bench.answer(KeeperAnswer::Kind::kSurvey);
+    ASSERT_NE(survey, nullptr);
+    EXPECT_EQ(survey->use.total(),
+              (UseOfHour{.breaks = 1, .visits = 1, .thrown = 1, .kept = 0, .dwell_s = 30}));
+    EXPECT_EQ(survey->use.starts, 1);
+    KioskSettings settings;
+    settings.config = config_of(folder.path());
+    settings.config.sound.remember_staff = true;
+    take_kept_volume(settings);
+    EXPECT_EQ(settings.config.sound.volume, 5);
+}
+
+}  // namespace
+}  // namespace onggi::app

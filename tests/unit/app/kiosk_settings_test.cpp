@@ -1,0 +1,102 @@
+// What a kiosk starts with: its file, its words, the volume that the staff has set.
+#include "game/app/kiosk_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+kiosk::Config config_of(const fs::path& folder) {
+    kiosk::Config config;
+    config.gallery.folder = folder.string();
+    return config;
+}
+
+TEST(KioskSettings, BeginWithTheLanguagesInTheOrderOfTheFile) {
+    const test::TemporaryFolder folder;
+    put(folder / "kiosk.toml", "[languages]\norder = [\"ar\", \"ko\"]\nfirst = \"ko\"\n");
+    const auto settings = load_settings((folder / "kiosk.toml").string());
+    ASSERT_TRUE(settings) << settings.error().message;
+    ASSERT_EQ(settings->languages->size(), 2U);
+    EXPECT_EQ(settings->languages->front().code(), "ar");
+    EXPECT_EQ(settings->rules.language_count, 2);
+    EXPECT_EQ(settings->rules.default_language, 1);
+}
+
+TEST(KioskSettings, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
+    const test::TemporaryFolder folder;
+    put(folder / "words/de.tsv", "key\ttext\tspoken\tcheck\nname\tDeutsch\t\t\n");
+    put(folder / "kiosk.toml",
+        "[languages]\norder = [\"de\", \"en\"]\nfolder = \"" + (folder / "words").string() + "\"\n");
+    const auto settings = load_settings((folder / "kiosk.toml").string());
+    ASSERT_TRUE(settings) << settings.error().message;
+    const kiosk::Language& german = settings->languages->front();
+    EXPECT_EQ(german.shown("name"), "Deutsch");
+    EXPECT_EQ(german.shown("ctl.done"), settings->languages->back().shown("ctl.done"));
+    ASSERT_FALSE(settings->remarks.empty());
+    EXPECT_NE(settings->remarks.front().find("de.tsv: expected every text, found "), std::string::npos);
+    EXPECT_NE(settings->remarks.front().find("English stands in"), std::string::npos);
+}
+
+TEST(KioskSettings, RejectAFileThatIsNotThereOrWrong) {
+    const test::TemporaryFolder folder;
+    EXPECT_FALSE(load_settings((folder / "none.toml").string()));
+    put(folder / "bad.toml", "[sound]\nvolume = 11\n");
+    const auto refused = load_settings((folder / "bad.toml").string());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("bad.toml, line 2"), std::string::npos);
+}
+
+TEST(KioskSettings, TakeTheStaffsVolumeOnlyWhereTheyAreToldTo) {
+    const test::TemporaryFolder folder;
+    KioskSettings settings;
+    settings.config = config_of(folder.path());
+    settings.config.sound.remember_staff = true;
+    take_kept_volume(settings);
+    EXPECT_EQ(settings.config.sound.volume, 3) << "nobody has set one yet";
+    ASSERT_TRUE(keep_volume(statistics_folder(settings.config), 1));
+    settings.config.sound.remember_staff = false;
+    take_kept_volume(settings);
+    EXPECT_EQ(settings.config.sound.volume, 3);
+    settings.config.sound.remember_staff = true;
+    take_kept_volume(settings);
+    EXPECT_EQ(settings.config.sound.volume, 1);
+    EXPECT_EQ(settings.rules.default_volume, 1);
+    EXPECT_TRUE(settings.remarks.empty());
+}
+
+TEST(KioskSettings, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
+    const test::TemporaryFolder folder;
+    KioskSettings settings;
+    settings.config = config_of(folder.path());
+    settings.config.sound.remember_staff = true;
+    fs::create_directories(statistics_folder(settings.config));
+    std::ofstream(statistics_folder(settings.config) / "staff.toml") << "[sound]\nvolume = 11\n";
+    take_kept_volume(settings);
+    EXPECT_EQ(settings.config.sound.volume, 3);
+    ASSERT_EQ(settings.remarks.size(), 1U);
+    EXPECT_NE(settings.remarks.front().find("staff.toml, line 2: expected a whole number, 0 to 5"),
+              std::string::npos)
+        << settings.remarks.front();
+}
+
+TEST(KioskTickRate, IsTheFinerOneWhereDeadlinesAreKeptUnlessTheSettingsSayAnother) {
+    EXPECT_EQ(tick_rate_hz(0.0, true), 4000.0);
+    EXPECT_EQ(tick_rate_hz(0.0, false), 1000.0);
+    EXPECT_EQ(tick_rate_hz(10000.0, false), 10000.0);
+    EXPECT_EQ(tick_rate_hz(500.0, true), 500.0);
+}
+
+}  // namespace
+}  // namespace onggi::app
