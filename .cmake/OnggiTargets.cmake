@@ -10,11 +10,11 @@ function(onggi_library NAME)
     endif()
 endfunction()
 
-# onggi_test(NAME SOURCES ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ...): one GoogleTest program, one
-# ctest entry. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install, window, tools; and
+# onggi_test(NAME SOURCES ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ... SERIAL): one GoogleTest program, one
+# ctest entry; SERIAL: it talks to a device or a service in real time, and wants the machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install, window, tools; and
 # picture for what draws with Vulkan outside golden.
 function(onggi_test NAME)
-    cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})
+    cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})
     add_executable(${NAME} ${ARG_SOURCES})
     target_link_libraries(${NAME} PRIVATE onggi_program ${ARG_LINKS} GTest::gtest GTest::gtest_main)
     target_compile_definitions(${NAME} PRIVATE
@@ -24,6 +24,6 @@ function(onggi_test NAME)
         set(ARG_TIMEOUT 120)
     endif()
     add_test(NAME ${NAME} COMMAND ${NAME})
-    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
         ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0;${ARG_ENVIRONMENT}")
 endfunction()

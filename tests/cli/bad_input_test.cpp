@@ -161,5 +161,33 @@ TEST(ACutSession, IsPlayedUpToItsLastWholeBlockAndSaysSo) {
     EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 1001);
 }
 
+// Before any window is opened, with or without a supervisor.
+TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndWhatIsAllowed) {
+    const std::pair<std::string, std::string> cases[] = {
+        {"[visit]\nidle_s = 5\n", "bad.toml, line 2: expected 10 to 600 for idle_s, found 5"},
+        {"[staff]\nlock = true\n", "bad.toml, line 2: expected one of closes_after_s, locked, name, pin"},
+        {"[vist]\n", "bad.toml, line 1: expected a section [screen]"},
+        {"[visit\n", "bad.toml, line 1: expected TOML, found "},
+        {"[languages]\norder = [\"en\", \"tlh\"]\n",
+         "languages: expected a table tlh.tsv for 'tlh', found none"},
+    };
+    for (const auto& [content, reason] : cases) {
+        const TemporaryFolder folder;
+        put_file(folder / "bad.toml", content);
+        for (const char* device : {"mouse", "auto"}) {
+            expect_one_line(
+                run_onggi({"kiosk", "--config", "bad.toml", "--device", device}, {.folder = folder.path()}),
+                2, reason);
+        }
+        EXPECT_EQ(folder.names(), Words{"bad.toml"});
+    }
+    const TemporaryFolder folder;
+    put_file(folder / "good.toml", "[languages]\nfolder = \".\"\n");
+    put_file(folder / "ko.tsv", "key\ttext\tspoken\tcheck\nname\t\t\t\n");
+    expect_one_line(
+        run_onggi({"kiosk", "--config", "good.toml", "--device", "mouse"}, {.folder = folder.path()}), 2,
+        "ko.tsv, line 2: expected a key and its text, found ");
+}
+
 }  // namespace
 }  // namespace onggi::test

@@ -42,6 +42,7 @@ class RunningOnggi {
     [[nodiscard]] const std::string& printed();
     [[nodiscard]] bool at_work();
     void signal(int number) const;
+    [[nodiscard]] int process() const { return child_; }
     // Waits for it to end by itself, at most so long. -1: it did not, or a signal ended it.
     int exit_code(int most_ms);
 

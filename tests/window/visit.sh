@@ -1,17 +1,22 @@
 #!/usr/bin/env bash
-# A visitor at the window, from attract to a kept pot: visit.sh ONGGI FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]]
-# HAND: mouse, keys or switch (the space bar alone). It brings a display of its own and leaves a picture of each screen
-# in FOLDER.
+# A visitor at the window, from attract to a kept pot: visit.sh ONGGI TARGETS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]]
+# TARGETS: the program screen_targets, which knows where the buttons are. HAND: mouse, touch, keys or switch (the space
+# bar alone). It brings a display of its own and leaves a picture of each screen in FOLDER.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 onggi=$1
-hand=${3:-mouse}
-language=${4:-en}
-size=${5:-1280x720}
+targets=$2
+hand=${4:-mouse}
+language=${5:-en}
+size=${6:-1280x720}
 width=${size%x*}
-rm -rf "$2"
-mkdir -p "$2"
-cd "$2"
+height=${size#*x}
+clay_level=54  # per cent of the height: low on the lump
+[ "$height" -gt "$width" ] && clay_level=60
+rm -rf "$3"
+mkdir -p "$3"
+cd "$3"
+"$targets" "$language" "$width" "$height" >targets
 
 kiosk=
 server=
@@ -49,18 +54,47 @@ on_screen() {
 }
 shot=0
 
-# Places are those of the 1280 x 720 screens; Arabic is mirrored.
-click() {
-    local x=$1
-    [ "$language" = ar ] && x=$((width - x))
-    xdotool mousemove "$x" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
+# Where a screen has a button, by the layout itself: at SCREEN BUTTON [VALUE]; sets x, y and place (in the ring).
+at() {
+    local value=${3:-}
+    local line
+    line=$(awk -v screen="$1" -v button="$2" -v value="$value" \
+        '$1 == screen && $2 == button && (value == "" || $3 == value) { print $4, $5, $6; exit }' targets)
+    [ -n "$line" ] || fail "expected a button '$2' on '$1', found none"
+    read -r place x y <<<"$line"
 }
+# A mouse comes, hovers and clicks; a finger is there at once, as X11 tells of it.
+click() {
+    if [ "$hand" = touch ]; then
+        xdotool mousemove "$1" "$2" mousedown 1 sleep 0.08 mouseup 1
+    else
+        xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
+    fi
+}
+# press SCREEN BUTTON [VALUE], with whatever hand the visitor has.
+press() {
+    at "$@"
+    case $hand in
+    mouse | touch) click "$x" "$y" ;;
+    *) take "$place" ;;
+    esac
+}
+# Presses the clay in from the right, low down; by keys the hand goes there in steps.
 press_in() {
-    xdotool mousemove 760 470 sleep 0.2 mousedown 1
-    for x in $(seq 760 -4 716); do
-        xdotool mousemove "$x" 470 sleep 0.03
-    done
-    xdotool mouseup 1
+    case $hand in
+    mouse | touch)
+        local from=$((width * 59 / 100)) to=$((width * 56 / 100)) level=$((height * clay_level / 100))
+        xdotool mousemove "$from" "$level" sleep 0.2 mousedown 1
+        for x in $(seq "$from" -4 "$to"); do
+            xdotool mousemove "$x" "$level" sleep 0.03
+        done
+        xdotool mouseup 1
+        ;;
+    keys)
+        for _ in $(seq 14); do xdotool key Left sleep 0.1; done
+        for _ in $(seq 6); do xdotool key Up sleep 0.1; done
+        ;;
+    esac
 }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
@@ -80,33 +114,26 @@ take() {
 wait_for "window" xdotool search --name '^Onggi'
 on_screen attract
 case $hand in
-mouse)
-    click 640 360; on_screen choose
-    click 140 500; on_screen throw
-    press_in
-    click 640 630; on_screen throw
-    click 1170 630; on_screen firing; on_screen glaze
-    click 740 620; sleep 0.5; on_screen glaze
-    click 1138 413; on_screen your-pot
-    click 1128 650; on_screen keep
-    ;;
-keys)
-    xdotool key Tab; on_screen choose
-    take 1; on_screen throw
-    for _ in $(seq 14); do xdotool key Left sleep 0.1; done
-    for _ in $(seq 6); do xdotool key Up sleep 0.1; done
-    take 0; on_screen firing; on_screen glaze
-    take 1; on_screen your-pot
-    take 2; on_screen keep
-    ;;
-switch)
-    xdotool key space; on_screen choose
-    take 1; on_screen throw
-    take 0; on_screen firing; on_screen glaze
-    take 1; on_screen your-pot
-    take 2; on_screen keep
-    ;;
+mouse | touch) click $((width / 2)) $((height / 2)) ;;
+keys) xdotool key Tab ;;
+switch) xdotool key space ;;
 esac
+on_screen choose
+press choose free; on_screen throw
+press_in
+sleep 0.5
+on_screen throw
+if [ "$hand" != switch ]; then  # whom it takes half a minute
+    press throw-0 look-in
+    sleep 2
+    on_screen throw
+    press throw-look-in look-in
+fi
+press throw-0 done
+on_screen firing; on_screen glaze
+press glaze-0 glaze 2; sleep 0.5; on_screen glaze
+press glaze-2 take-glaze; on_screen your-pot
+press your-pot keep; on_screen keep
 pot=gallery/$(date +%F)/pot-001
 wait_for "kept pot" test -s "$pot/pot.png"
 for file in pot.onggi pot.glb pot.stl pot.png; do
@@ -115,7 +142,8 @@ done
 [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"
 "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
 sleep 0.6
-[ "$hand" = mouse ] && { on_screen keep; click 870 629; on_screen attract; }
+on_screen keep
+press keep finish; on_screen attract
 xdotool key Escape
 status=0
 wait "$kiosk" || status=$?

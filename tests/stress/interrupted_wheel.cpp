@@ -1,0 +1,132 @@
+// interrupted_wheel FOLDER SEED: visitors without a picture, until somebody kills the program: the real loop,
+// the real keeper, gallery and journals on the real disk. It goes on with a visit that it finds interrupted,
+// or drops it; throws, undoes, keeps, throws away. For interrupted_test.cpp, which is told on standard output
+// by a byte what goes on.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "engine/haptics/simulated_device.h"
+#include "game/app/kiosk_keeper.h"
+#include "game/app/kiosk_pot.h"
+#include "game/app/start_log.h"
+#include "tests/stress/interrupted_wheel.h"
+
+namespace onggi {
+namespace {
+
+namespace fs = std::filesystem;
+
+void say(char byte) {
+    if (::write(STDOUT_FILENO, &byte, 1) != 1) std::_Exit(3);
+}
+
+class Visitors {
+  public:
+    Visitors(const fs::path& gallery, unsigned seed) : chance_(seed) {
+        auto device = std::make_unique<haptics::SimulatedDevice>();
+        hand_ = device.get();
+        parameters_.set_rate_hz(stress::kRateHz);
+        parameters_.safety = haptics::limits_for(device->capabilities());
+        job_ = std::make_unique<haptic::HapticJob>(start_, parameters_, std::move(device),
+                                                   haptic::HapticJobOptions{});
+        kiosk::Config config;
+        config.gallery.folder = gallery.string();
+        config.gallery.least_free_mb = 1.0;
+        config.gallery.most_pots = stress::kMostPots;  // so that pots are taken away too
+        keeper_ = std::make_unique<app::KioskKeeper>(*job_, start_, parameters_, app::Gallery(config),
+                                                     gallery / "statistics");
+    }
+    bool start() { return job_->start() && keeper_->start(); }
+
+    void come_and_go() {
+        for (;;) {
+            pass(5, 20);
+            if (left_over_ && one_of(2)) {
+                left_over_ = false;
+                keeper_->resume(run_);
+                say(stress::kResumed);
+            } else {
+                if (left_over_) keeper_->drop_left_over();
+                left_over_ = false;
+                if (job_->send(haptic::Command::kFreshLump)) ++run_;
+                keeper_->journal(run_);
+                say(stress::kThrows);
+            }
+            throw_for_a_while();
+            if (one_of(3)) keeper_->undo();
+            if (one_of(2)) keep();
+            keeper_->forget();
+            say(stress::kGone);
+        }
+    }
+
+  private:
+    unsigned any_below(unsigned count) { return static_cast<unsigned>(chance_() % count); }
+    bool one_of(unsigned count) { return any_below(count) == 0; }
+    // Milliseconds, at random; answers are taken.
+    void pass(unsigned least, unsigned most) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(least + any_below(most - least)));
+        static_cast<void>(job_->newest_snapshot());
+        while (const auto answer = keeper_->next_answer()) {
+            left_over_ = left_over_ || answer->kind == app::KeeperAnswer::Kind::kLeftOver;
+            if (answer->clay) cut_ = answer->clay;
+            if (answer->kind == app::KeeperAnswer::Kind::kSaved) is_saved_ = true;
+        }
+    }
+    void throw_for_a_while() {
+        const unsigned moves = 2 + any_below(20);
+        for (unsigned move = 0; move < moves; ++move) {
+            haptics::ToolState tool;
+            tool.position_mm = {40.0 + any_below(60), 10.0 + any_below(90), 0.0};
+            tool.wheel_button = true;
+            tool.water = 1.0;
+            hand_->set_target(tool);
+            pass(5, 30);
+        }
+    }
+    void keep() {
+        keeper_->cut_off();
+        for (int round = 0; round < 1000 && !cut_; ++round)
+            pass(1, 3);
+        if (!cut_) return;
+        const auto pot = std::make_shared<const screens::FiredPot>(app::fired_pot(*cut_, {}, {}));
+        keeper_->save(std::shared_ptr<const screens::PotShape>(pot, &pot->shape),
+                      static_cast<int>(any_below(6)));
+        say(stress::kSaves);
+        is_saved_ = false;
+        for (int round = 0; round < 10'000 && !is_saved_; ++round)
+            pass(1, 3);
+        if (is_saved_) say(stress::kSaved);
+        cut_.reset();
+    }
+
+    std::mt19937 chance_;
+    haptic::HapticState start_ = stress::start();
+    haptic::HapticParameters parameters_;
+    haptics::SimulatedDevice* hand_ = nullptr;
+    std::unique_ptr<haptic::HapticJob> job_;
+    std::unique_ptr<app::KioskKeeper> keeper_;
+    std::uint64_t run_ = 0;
+    std::shared_ptr<const clay::StudioClay> cut_;
+    bool left_over_ = false;
+    bool is_saved_ = false;
+};
+
+}  // namespace
+}  // namespace onggi
+
+int main(int argc, char** argv) {
+    if (argc != 3) return 2;
+    const std::filesystem::path gallery = argv[1];
+    std::vector<std::string> remarks;
+    onggi::app::StartKeeper starts(gallery / "state");
+    static_cast<void>(starts.begin_now(remarks));
+    onggi::Visitors visitors(gallery, static_cast<unsigned>(std::atoi(argv[2])));
+    if (!visitors.start()) return 1;
+    visitors.come_and_go();
+}

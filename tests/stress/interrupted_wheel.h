@@ -1,0 +1,22 @@
+// What interrupted_wheel.cpp, which is killed, and interrupted_test.cpp, which kills it, both know.
+#pragma once
+
+#include "game/haptic/tick.h"
+
+namespace onggi::stress {
+
+constexpr double kRateHz = 4000.0;  // a block of the journal every quarter of a second
+constexpr int kMostPots = 12;
+
+inline haptic::HapticState start() {
+    return haptic::HapticState(clay::StudioClay({.mass_g = 400.0, .rings = 400}));
+}
+
+// What it says on standard output, a byte each.
+constexpr char kThrows = 't';
+constexpr char kResumed = 'r';
+constexpr char kSaves = 's';
+constexpr char kSaved = 'S';
+constexpr char kGone = 'g';
+
+}  // namespace onggi::stress

@@ -1,0 +1,165 @@
+#!/usr/bin/env bash
+# The staff at a locked kiosk, with real X events: staff.sh ONGGI ASK_TO_CLOSE FOLDER. First everything a visitor might
+# try to get out; then the corner, the PIN, the panel, its tests, a pot deleted, a restart, the panel left alone; at
+# last a window that is not locked, which closes like any. It brings a display of its own and leaves pictures in FOLDER.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
+onggi=$1
+ask=$2
+rm -rf "$3"
+mkdir -p "$3"
+cd "$3"
+kiosk=
+server=
+trap 'kill $kiosk $server 2>/dev/null || true' EXIT
+open_display . 1280x720
+
+settings() {
+    cat >kiosk.toml <<TOML
+[languages]
+first = "en"
+[gallery]
+folder = "gallery"
+least_free_mb = 1
+[sound]
+remember_staff = true
+[staff]
+pin = "2580"
+locked = $1
+closes_after_s = 10
+name = "Wheel 2"
+TOML
+}
+start() {
+    "$onggi" kiosk --config kiosk.toml --size 1280x720 "$@" >>kiosk.log 2>&1 &
+    kiosk=$!
+}
+fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
+# wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
+wait_for() {
+    local what=$1
+    shift
+    for _ in $(seq 600); do
+        "$@" >/dev/null 2>&1 && return
+        kill -0 "$kiosk" 2>/dev/null || fail "the program ended while waiting for $what"
+        sleep 0.1
+    done
+    fail "no $what after a minute"
+}
+titled() { xdotool search --name "^Onggi - $1\$" >/dev/null 2>&1; }
+shot=0
+on_screen() {
+    wait_for "screen '$1'" titled "$1"
+    sleep 0.6
+    shot=$((shot + 1))
+    command -v import >/dev/null && import -window root "$(printf '%02d' "$shot")-${2:-$1}.png" || true
+}
+click() { xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1 sleep 0.1; }
+hold_corner() {
+    xdotool mousemove 30 30 sleep 0.1 mousedown 1
+    sleep "$1"
+    xdotool mouseup 1
+}
+# The keypad's places: three columns 136 apart from 504, four rows 100 apart from 218.
+digit() {
+    local place=$(($1 == 0 ? 10 : $1 - 1))
+    click $((504 + place % 3 * 136)) $((218 + place / 3 * 100))
+}
+pin() { for d in $(grep -o . <<<"$1"); do digit "$d"; done; }
+ends_with() {
+    local status=0
+    wait "$kiosk" || status=$?
+    [ "$status" -eq "$1" ] || fail "expected exit code $1, found $status"
+}
+window() { xdotool search --name '^Onggi' | head -1; }
+# What a window manager sends for the window's cross and for Alt+F4.
+ask_to_close() { "$ask" "$(window)"; }
+
+# A pot to delete.
+mkdir -p gallery/2026-01-02/pot-001 gallery/2026-01-02/pot-002
+for pot in 1 2; do echo clay >"gallery/2026-01-02/pot-00$pot/pot.glb"; done
+
+settings true
+start
+wait_for "window" xdotool search --name '^Onggi'
+on_screen attract
+# Nothing of this gets out.
+for key in Escape alt+F4 ctrl+q ctrl+c ctrl+w q F11; do xdotool key "$key" sleep 0.1; done
+ask_to_close
+kill -INT "$kiosk"
+pkill -INT -P "$kiosk" || true # and the program under its supervisor
+sleep 1
+kill -0 "$kiosk" || fail "a locked kiosk was left by a visitor"
+wait_for "a screen" xdotool search --name '^Onggi - (attract|choose)$'
+
+# A corner that is not held for five seconds is none; then the keypad, and three wrong PINs.
+hold_corner 3
+sleep 0.5
+titled '.*pin' && fail "the keypad came too early"
+hold_corner 5.6
+on_screen '.* - pin' pin
+for _ in 1 2 3; do pin 1111; done
+on_screen '.* - pin' pin-waits
+pin 2580
+sleep 0.5
+titled '.* - staff' && fail "the PIN counted while it should not"
+click 504 518 # Close
+wait_for "the keypad gone" xdotool search --name '^Onggi - (attract|choose)$'
+sleep 9
+hold_corner 5.6
+on_screen '.* - pin' pin-again
+pin 2580
+on_screen '.* - staff' health
+
+# The panel's pages, its tests, its volume; a key at the right, 76 apart from 184.
+action() { click 1096 $((184 + 76 * $1)); }
+click 270 104; on_screen '.* - staff' visits
+click 600 104; on_screen '.* - staff' devices
+action 0; sleep 4.5; on_screen '.* - staff' force-tested
+action 1; on_screen '.* - staff' sound-tested
+action 3; sleep 0.5
+wait_for "the volume kept" grep -q 'volume = 4' gallery/statistics/staff.toml
+# Delete the second pot, which is the first in the list; once with no, once with yes.
+click 440 104; on_screen '.* - staff' gallery
+click 852 168; on_screen '.* - staff' asks
+click 480 414; sleep 0.5
+[ -d gallery/2026-01-02/pot-002 ] || fail "a pot was deleted that nobody said yes to"
+click 852 168; sleep 0.5
+click 800 414
+gone() { [ ! -e gallery/2026-01-02/pot-002 ]; }
+wait_for "the pot gone" gone
+[ -d gallery/2026-01-02/pot-001 ] || fail "the other pot is gone as well"
+# Restart: the same process goes on with a new window.
+action 4; sleep 0.5
+click 800 414
+twice() { [ "$(grep -c . gallery/statistics/starts.csv)" -eq 3 ]; }
+wait_for "a second start" twice
+wait_for "window" xdotool search --name '^Onggi - attract$'
+kill -0 "$kiosk" || fail "the restart is another process"
+sleep 1
+
+# The panel left alone locks itself.
+hold_corner 5.6
+on_screen '.* - pin' pin-at-last
+pin 2580
+on_screen '.* - staff' health-at-last
+sleep 11
+titled '.* - staff' && fail "the panel stayed open"
+# The system itself still ends it.
+kill -TERM "$kiosk"
+ends_with 0
+
+# Not locked: the window's cross, Escape and Ctrl+C close it.
+settings false
+for way in cross escape interrupt; do
+    start --device mouse --volume 0
+    wait_for "window" xdotool search --name '^Onggi'
+    wait_for "screen" titled attract
+    case $way in
+    cross) ask_to_close ;;
+    escape) xdotool key Escape ;;
+    interrupt) kill -INT "$kiosk" ;;
+    esac
+    ends_with 0
+done
+printf 'the staff had its way, and nobody else\n'

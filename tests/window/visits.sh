@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Every visitor there is, one after the other: visits.sh ONGGI TARGETS FOLDER. Each hand in each language at 16:9, and the
+# mouse in each language at the other shapes; a sheet of each visit's screens where ImageMagick is there. Half a minute
+# each; exit code 1 when one did not get to a kept pot.
+set -uo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+onggi=$(realpath "$1")
+targets=$(realpath "$2")
+mkdir -p "$3"
+folder=$(realpath "$3")
+status=0
+visit() {
+    local name=$1-$2-$3
+    if bash "$here/visit.sh" "$onggi" "$targets" "$folder/$name" "$1" "$2" "$3"; then
+        command -v montage >/dev/null &&
+            montage "$folder/$name"/[0-9]*.png -tile 4x -geometry 480x+4+4 "$folder/$name.png" || true
+    else
+        printf 'FAILED: %s\n' "$name"
+        status=1
+    fi
+}
+for language in ko en ar; do
+    for hand in mouse touch keys switch; do
+        visit "$hand" "$language" 1280x720
+    done
+    for size in 720x1280 1024x768 1920x1080; do
+        visit mouse "$language" "$size"
+    done
+done
+exit "$status"
