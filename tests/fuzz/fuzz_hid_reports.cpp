@@ -1,6 +1,8 @@
 // Any bytes as reports of any device: the tool they move is finite and stays within its reach, and what the
 // device is told stays within a report. Byte 0 chooses the device; then each report is a length and its
 // bytes.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -47,7 +49,10 @@ class WillingPort final : public HidPort {
 };
 
 std::unique_ptr<HidDriver> driver_for(std::uint8_t choice, haptics::HidDeviceInfo& device) {
-    switch (choice % 6) {
+    switch (choice % 7) {
+        case 6:
+            device.bus = haptics::HidBusType::kBluetooth;
+            return std::make_unique<DualSenseDriver>();
         case 0:
             return std::make_unique<SpaceMouseDriver>();
         case 1:
@@ -85,6 +90,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     while (!bytes.empty()) {
         const std::size_t length = std::min<std::size_t>(bytes[0] % (kMaxReportBytes + 1), bytes.size() - 1);
         driver->take_report(bytes.subspan(1, length), now_ns);
+        if (device.bus == haptics::HidBusType::kBluetooth) {
+            // No fuzzer guesses a checksum: the same bytes once more, as a whole report.
+            std::array<std::uint8_t, kMaxReportBytes> whole{0x31};
+            std::copy_n(bytes.begin() + 1, std::min<std::size_t>(length, 73), whole.begin() + 1);
+            const std::uint32_t checksum = radio_checksum(kInputSeed, std::span(whole).first(74));
+            for (std::size_t byte = 0; byte < 4; ++byte)
+                whole[74 + byte] = static_cast<std::uint8_t>(checksum >> (8 * byte));
+            fuzz::expect(dual_sense_state(whole).has_value());
+            driver->take_report(whole, now_ns);
+        }
         bytes = bytes.subspan(1 + length);
         HandInput input = driver->input(now_ns);
         input.heartbeat = ++heartbeat;

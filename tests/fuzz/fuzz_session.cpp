@@ -28,8 +28,8 @@ void replay(const record::Session& session) {
     }
 }
 
-void read(std::string bytes) {
-    const auto session = record::parse_session(std::move(bytes), "fuzz");
+void read(std::string bytes, record::Damage damage) {
+    const auto session = record::parse_session(std::move(bytes), "fuzz", damage);
     if (!session) {
         fuzz::expect(session.error().kind == ErrorKind::kBadInput);
         fuzz::expect(session.error().message.find('\n') == std::string::npos);
@@ -54,8 +54,9 @@ void read(std::string bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string bytes(reinterpret_cast<const char*>(data), size);
-    read(bytes);
+    read(bytes, record::Damage::kCutThere);
+    read(bytes, record::Damage::kRefuse);
     test::mend_session(bytes);
-    read(std::move(bytes));
+    read(std::move(bytes), record::Damage::kRefuse);
     return 0;
 }
