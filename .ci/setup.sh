@@ -7,13 +7,14 @@ die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
 packages_to_run=(
     g++ cmake ninja-build pkg-config ccache
     libglfw3-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
-    libwebsockets-dev
+    libwebsockets-dev libsystemd-dev
     libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev zlib1g-dev
     libpango1.0-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
     mesa-vulkan-drivers)
 packages_to_check=(
     clang-14 clang-format-14 libclang-rt-14-dev glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
-    xvfb xdotool umockdev libumockdev-dev admesh git)
+    xvfb xdotool libx11-dev umockdev libumockdev-dev admesh git
+    systemd)
 packages_for_web=(chromium)
 
 # install_packages NAME...: installs those that are missing, after saying so.
