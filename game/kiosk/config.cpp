@@ -165,9 +165,41 @@ std::string keys_under(const std::map<std::string, Setting>& settings, std::stri
     return list;
 }
 
+// What toml++ 3.2 must not be given: a letter beyond ASCII where TOML allows none. It asks whether each is a
+// space by a table that some of them, U+FCFF for one, lead out of. Strings of several lines are not looked
+// into; no setting has any. The line, counted from 1; none: all is well.
+std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    int line = 1;
+    char quote = '\0';  // in a string that began so, or after a #
+    for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size(); ++i) {
+        const char letter = text[i];
+        if (letter == '\n') {
+            ++line;
+            quote = '\0';
+        } else if (quote == '\0') {
+            if (static_cast<unsigned char>(letter) >= 0x80)
+                return std::pair(line, "a letter of another alphabet");
+            const std::string_view rest = text.substr(i);
+            if (rest.starts_with("\"\"\"") || rest.starts_with("'''")) return std::pair(line, "three quotes");
+            if (letter == '"' || letter == '\'' || letter == '#') quote = letter;
+        } else if (letter == '\\' && quote == '"') {
+            ++i;
+        } else if (letter == quote && quote != '#') {
+            quote = '\0';
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Result<Config> read_config(std::string_view toml_text, const std::string& file) {
+    if (const auto found = out_of_place(toml_text)) {
+        return bad_input(fmt::format(
+            "{}, line {}: expected plain letters outside of quotes, each string on one line, found {}", file,
+            found->first, found->second));
+    }
     const toml::parse_result parsed = toml::parse(toml_text);
     if (!parsed) {
         const toml::parse_error& error = parsed.error();

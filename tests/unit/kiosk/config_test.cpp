@@ -57,6 +57,13 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         const char* toml;
         const char* message;
     } kCases[] = {
+        {"# 가\n[visit]\n\xEF\xB3\xBFs = 5\n",
+         "kiosk.toml, line 3: expected plain letters outside of quotes, each string on one line, found a "
+         "letter of "
+         "another alphabet"},
+        {"[staff]\nname = \"\"\"Wheel\"\"\"\n",
+         "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found three "
+         "quotes"},
         {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
         {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
         {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
