@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/jobs/triple_buffer.h"
@@ -17,7 +18,7 @@ namespace onggi::jobs {
 // (or empty): most calls touch no cache line that the other side writes.
 template <typename T>
 class SpscRing {
-    static_assert(std::is_nothrow_copy_assignable_v<T>);
+    static_assert(std::is_nothrow_copy_assignable_v<T> && std::is_nothrow_move_assignable_v<T>);
 
   public:
     // Any thread. Holds at least `capacity` values (rounded up to a power of two); the only allocation.
@@ -41,14 +42,15 @@ class SpscRing {
         return true;
     }
 
-    // Consumer thread. False, and `value` untouched, when the ring is empty.
+    // Consumer thread. False, and `value` untouched, when the ring is empty. What is taken leaves the ring:
+    // a slot that kept its copy would keep a shared value alive until the ring comes round.
     [[nodiscard]] bool try_pop(T& value) noexcept {
         const std::size_t head = consumer_.own.load(std::memory_order_relaxed);
         if (head == consumer_.other) {
             consumer_.other = producer_.own.load(std::memory_order_acquire);
             if (head == consumer_.other) return false;
         }
-        value = slots_[head & (slots_.size() - 1)];
+        value = std::move(slots_[head & (slots_.size() - 1)]);
         consumer_.own.store(head + 1, std::memory_order_release);
         return true;
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -91,6 +92,17 @@ TEST(SpscRing, RefusesWhenFullAndWhenEmptyAndChangesNothing) {
         EXPECT_EQ(value, i);
     }
     EXPECT_FALSE(ring.try_pop(value));
+}
+
+TEST(SpscRing, KeepsNothingAliveThatWasTaken) {
+    SpscRing<std::shared_ptr<int>> ring(64);
+    auto shared = std::make_shared<int>(7);
+    ASSERT_TRUE(ring.try_push(shared));
+    std::shared_ptr<int> taken;
+    ASSERT_TRUE(ring.try_pop(taken));
+    EXPECT_EQ(taken, shared);
+    taken.reset();
+    EXPECT_EQ(shared.use_count(), 1);
 }
 
 TEST(SpscRing, BehavesLikeAQueueOfBoundedLength) {
