@@ -145,7 +145,7 @@ void KioskKeeper::end_journal() {
 
 void KioskKeeper::resume_now(std::uint64_t run) {
     if (!left_over_ || !is_worked_out_) return;
-    if (!job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()))) return;
+    if (!job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()), run)) return;
     is_put_ = true;
     was_resumed_ = true;
     journal_.drop();
@@ -158,7 +158,7 @@ void KioskKeeper::put_state_at(std::uint64_t tick) {
                 .words = "undo: a tick's record was lost; new clay is needed"});
         return;
     }
-    static_cast<void>(job_.put(std::make_unique<haptic::HapticState>(history_.state_at(tick))));
+    static_cast<void>(job_.put(std::make_unique<haptic::HapticState>(history_.state_at(tick)), run_));
 }
 
 void KioskKeeper::obey(const Wish& wish) {
@@ -189,6 +189,7 @@ void KioskKeeper::obey(const Wish& wish) {
             end_journal();
             break;
         case Wish::Kind::kJournal:
+            is_put_ = false;  // if it still is on its way, the new lump was before it
             journalled_run_ = wish.number;
             break;
         case Wish::Kind::kResume:

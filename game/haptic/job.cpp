@@ -159,16 +159,16 @@ void HapticWork::put_on_fresh_lump() noexcept {
 
 HapticWork::~HapticWork() {
     free_old_states();
-    HapticState* state = nullptr;
-    while (states_.try_pop(state))
-        delete state;
+    OfRun waiting;
+    while (states_.try_pop(waiting))
+        delete waiting.state;
 }
 
-bool HapticWork::put(std::unique_ptr<HapticState> state) {
+bool HapticWork::put(std::unique_ptr<HapticState> state, std::uint64_t run) {
     assert(state->clay.index() == start_.clay.index());
     assert(state->element_count() == start_.element_count());
     free_old_states();
-    if (!states_.try_push(state.get())) return false;
+    if (!states_.try_push({state.get(), run})) return false;
     static_cast<void>(state.release());  // the ring has it
     return true;
 }
@@ -180,17 +180,19 @@ void HapticWork::free_old_states() noexcept {
 }
 
 void HapticWork::put_on_states() noexcept {
-    HapticState* state = nullptr;
-    while (states_.try_pop(state)) {
-        std::swap(state_.clay, state->clay);
-        state_.wheel = state->wheel;
-        state_.tool = state->tool;
-        state_.ticks = state->ticks;
-        shape_copy_.restart();
-        state_was_put_ = true;
-        ++states_put_;
+    OfRun put;
+    while (states_.try_pop(put)) {
+        if (put.run == run_) {
+            std::swap(state_.clay, put.state->clay);
+            state_.wheel = put.state->wheel;
+            state_.tool = put.state->tool;
+            state_.ticks = put.state->ticks;
+            shape_copy_.restart();
+            state_was_put_ = true;
+            ++states_put_;
+        }
         // There is room: put() frees what is here before it sends more than fits.
-        static_cast<void>(old_states_.try_push(state));
+        static_cast<void>(old_states_.try_push(put.state));
     }
 }
 

@@ -56,9 +56,10 @@ class HapticWork final : public jobs::PeriodicWork {
     void stop_force() noexcept { stop_asked_.store(true, std::memory_order_relaxed); }
     // Puts another state of the same lump on the wheel, as from History::state_at(): clay, wheel, tool and
     // ticks, not the device's safety. It takes effect before the next tick, whose record says kStatePut. The
-    // haptic thread swaps it in and gives the old one back, so that nothing is copied or freed there. False
-    // when too many are on their way. Precondition: the same clay as the start's, of the same size.
-    [[nodiscard]] bool put(std::unique_ptr<HapticState> state);
+    // haptic thread swaps it in and gives the old one back, so that nothing is copied or freed there. It is
+    // of that run: where another lump has come on the wheel meanwhile, it is let go. False when too many are
+    // on their way. Precondition: the same clay as the start's, of the same size.
+    [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run);
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return records_.try_pop(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return hashes_.try_pop(hash); }
 
@@ -125,7 +126,11 @@ class HapticWork final : public jobs::PeriodicWork {
     std::atomic<bool> stop_asked_{false};
     haptics::Watchdog watchdog_;
     jobs::SpscRing<Command> commands_;
-    jobs::SpscRing<HapticState*> states_;      // to put on; owned while they are in the ring
+    struct OfRun {
+        HapticState* state = nullptr;  // owned while it is in the ring
+        std::uint64_t run = 0;
+    };
+    jobs::SpscRing<OfRun> states_;             // to put on
     jobs::SpscRing<HapticState*> old_states_;  // to free
     jobs::SpscRing<TickRecord> records_;
     jobs::SpscRing<BlockHash> hashes_;
@@ -161,7 +166,9 @@ class HapticJob {
         return work_.newest_snapshot();
     }
     [[nodiscard]] bool send(Command command) noexcept { return work_.send(command); }
-    [[nodiscard]] bool put(std::unique_ptr<HapticState> state) { return work_.put(std::move(state)); }
+    [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run) {
+        return work_.put(std::move(state), run);
+    }
     // The thread that records: this one or another, but always the same.
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return work_.take_record(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return work_.take_hash(hash); }

@@ -62,7 +62,7 @@ TEST(HapticWork, AllocatesNothingWhileItPutsStatesOnTheWheel) {
     };
     ASSERT_TRUE(run(4000));
     for (int again = 0; again < 20; ++again) {
-        if (!work.put(std::make_unique<HapticState>(test::studio_start()))) FAIL();
+        if (!work.put(std::make_unique<HapticState>(test::studio_start()), 0)) FAIL();
         const int before = test::allocation_count();
         ASSERT_TRUE(run(500));
         ASSERT_EQ(test::allocation_count(), before);

@@ -153,7 +153,7 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
     for (std::uint64_t k = 0; k < 2500; ++k)
         tick(earlier, test::studio_hand(k, kRateHz), HapticParameters{});
     const std::uint64_t hash = earlier.hash();
-    ASSERT_TRUE(loop.work.put(std::make_unique<HapticState>(earlier)));
+    ASSERT_TRUE(loop.work.put(std::make_unique<HapticState>(earlier), 0));
     loop.records.clear();
     loop.run(1);
     ASSERT_EQ(loop.records.size(), 1U);
@@ -167,11 +167,27 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
     EXPECT_EQ(loop.work.state().ticks, 2601U);
     // More than fit are refused, and nothing is lost of those that were taken.
     int taken = 0;
-    while (loop.work.put(std::make_unique<HapticState>(earlier)))
+    while (loop.work.put(std::make_unique<HapticState>(earlier), 0))
         ++taken;
     EXPECT_GE(taken, 4);
     loop.run(1);
     EXPECT_EQ(loop.work.newest_snapshot().states_put, 1U + static_cast<std::uint64_t>(taken));
+}
+
+// Who asks for undo and then for new clay gets new clay, however long the undo took to work out.
+TEST(StudioLoop, LetsGoOfAStateOfTheLumpBefore) {
+    StudioLoop loop;
+    loop.run(100);
+    ASSERT_TRUE(loop.work.send(Command::kFreshLump));
+    ASSERT_TRUE(loop.work.put(std::make_unique<HapticState>(test::studio_start()), 0));
+    loop.records.clear();
+    loop.run(10);
+    EXPECT_EQ(loop.work.newest_snapshot().states_put, 0U);
+    EXPECT_EQ(loop.records[0].flags & TickRecord::kStatePut, 0U);
+    EXPECT_EQ(loop.work.state().ticks, 10U);
+    ASSERT_TRUE(loop.work.put(std::make_unique<HapticState>(test::studio_start()), 1));
+    loop.run(1);
+    EXPECT_EQ(loop.work.newest_snapshot().states_put, 1U);
 }
 
 }  // namespace
