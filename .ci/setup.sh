@@ -9,7 +9,7 @@ packages_to_run=(
     libglfw3-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
     libwebsockets-dev libsystemd-dev
     libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev zlib1g-dev
-    libpango1.0-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
+    libpango1.0-dev libfontconfig-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
     mesa-vulkan-drivers)
 packages_to_check=(
     clang-14 clang-format-14 libclang-rt-14-dev glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers

@@ -10,6 +10,7 @@ find_package(PNG REQUIRED)
 find_package(TinyGLTF REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(PANGOCAIRO REQUIRED IMPORTED_TARGET pangocairo)
+pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 
 if(NOT ONGGI_FUZZ)
     find_package(glfw3 3.3 REQUIRED)

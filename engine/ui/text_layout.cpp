@@ -1,5 +1,7 @@
 #include "engine/ui/text_layout.h"
 
+#include <fontconfig/fontconfig.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -37,6 +39,11 @@ void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words
 }  // namespace
 
 FontMap create_font_map() {
+    // The first font map has fontconfig read its files in a thread of Pango's. Another thread that asks
+    // fontconfig for anything just then reads them too, and the two spoil each other's memory (issue 784 of
+    // Pango). Read here, once, both find it done.
+    static const FcBool has_fonts = FcInit();
+    static_cast<void>(has_fonts);
     return FontMap(pango_cairo_font_map_new());
 }
 
