@@ -234,7 +234,10 @@ TEST(Visitors, LeaveMemoryAndHandlesAsTheyWereAndEveryPotOnTheShelf) {
         if (number == warm) handles = open_handles();
         if (number == warm) first_kb = resident_kb();
         if (number < warm) continue;
-        EXPECT_LE(open_handles(), handles + 1) << "after visit " << number + 1 << "; a file may be open now";
+        // The keeper works beside us and may have files open just now, and have had one when we counted.
+        EXPECT_TRUE(kiosk.until([&] { return open_handles() <= handles + 1; }))
+            << "after visit " << number + 1 << ": expected " << handles << " open files, found "
+            << open_handles();
         const double x = number - warm;
         const double y = resident_kb();
         sum_x += x;
