@@ -78,13 +78,14 @@ Result<void> create_sized_images(const vk::Device& device, const RendererDesc& d
         }
     }
     if (!desc.cached) return {};
-    constexpr VkImageUsageFlags kLayer = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    constexpr VkImageUsageFlags kLayer = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                         VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     return create_all(
         device, {{images.still_key,
                   {.name = "still life with the key light",
                    .format = desc.colour_format,
                    .extent = extent,
-                   .usage = kLayer | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}},
+                   .usage = kLayer}},
                  {images.still_ambient,
                   {.name = "still life without the key light",
                    .format = desc.colour_format,

@@ -26,6 +26,7 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
     return {.colour_format = colour_format,
             .samples = 1,
             .cached = true,
+            .shades_on_host = true,
             .transfer = Transfer::kSquareRoot,
             .sectors = height_px > 800 ? 96 : 64,
             .max_rings = 128,
@@ -73,6 +74,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create(vk::Device& device, const Ren
     if (desc.cached && desc.samples != 1) {
         return failed("renderer: expected one sample a pixel with cached layers, found more");
     }
+    if (desc.shades_on_host && (!desc.cached || desc.transfer != Transfer::kSquareRoot)) {
+        return failed("renderer: expected cached layers and square roots for shade by the host, found others");
+    }
     auto impl = std::make_unique<Impl>(device, desc);
     if (auto created = impl->create(); !created) return created.error();
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
@@ -119,6 +123,7 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
         edges.resized(frame);
     }
     if (auto fitted = still.fit(frame, scene); !fitted) return fitted;
+    if (auto fitted = shadow.fit(frame); !fitted) return fitted;
     return movers.fit(frame, scene);
 }
 
@@ -137,12 +142,13 @@ void Renderer::Impl::upload(const Scene& scene) {
 void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
     enter("still life");
     still.record_copy(frame, target.image);
+    enter("shade");
+    shadow.record_shaded(frame, target.image);
     begin_pass(frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
                {.view = frame.images.depth.view(),
                 .load = VK_ATTACHMENT_LOAD_OP_LOAD,
                 .store = VK_ATTACHMENT_STORE_OP_STORE});
-    enter("shade");
-    ShadowPass::draw_shade(frame);
+    shadow.draw_shade(frame);
     const PixelRect& moving = frame.built.moving;
     if (moving.width > 0 && moving.height > 0) {
         set_scissor(frame.commands, moving);

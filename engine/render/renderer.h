@@ -28,6 +28,9 @@ struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
     int samples = 4;      // 1 or 4 a pixel
     bool cached = false;  // keep what stands still in images and copy them each frame; needs samples = 1
+    // The shade over them by the processor instead of a shader: for a device that is the processor. Needs
+    // cached layers and kSquareRoot.
+    bool shades_on_host = false;
     Transfer transfer = Transfer::kExactSrgb;
     int sectors = 128;           // of a lathe: 64 at 720p, 96 at 1080p
     int max_rings = 256;         // hard cap, 16 to kMaxRings

@@ -4,14 +4,21 @@
 
 namespace onggi::render {
 
+Result<void> ShadowPass::fit(const FrameContext& frame) {
+    return frame.desc.shades_on_host ? host_.fit(frame) : Result<void>();
+}
+
 void ShadowPass::update(FrameContext& frame, const Scene& scene) {
     const std::uint64_t now = shadow_hash(scene);
+    if (frame.stats.still_life_drawn) host_.forget();
+    host_shades_ = frame.desc.shades_on_host && host_.shade(frame, now);
+    if (host_shades_) return;
     frame.stats.shadow_drawn = !has_mask_ || now != drawn_;
     drawn_ = now;
 }
 
 void ShadowPass::record(const FrameContext& frame) {
-    if (!frame.stats.shadow_drawn) return;
+    if (host_shades_ || !frame.stats.shadow_drawn) return;
     const vk::Image& mask = frame.images.mask;
     vk::barrier(frame.commands, mask, vk::state::kDiscard, vk::state::kColour);
     begin_pass(frame.commands, mask.extent(), {{.view = mask.view()}}, {});
@@ -21,9 +28,18 @@ void ShadowPass::record(const FrameContext& frame) {
     has_mask_ = true;
 }
 
-void ShadowPass::draw_shade(const FrameContext& frame) {
+void ShadowPass::record_shaded(const FrameContext& frame, VkImage target) {
+    if (host_shades_) {
+        host_.record(frame, target);
+    } else if (frame.desc.shades_on_host && !frame.stats.still_life_drawn) {
+        // Layers that are drawn in every frame, as at dusk, are not worth reading.
+        host_.read_layers(frame);
+    }
+}
+
+void ShadowPass::draw_shade(const FrameContext& frame) const {
     const std::vector<vec4>& rects = frame.built.shade;
-    if (rects.empty()) return;
+    if (host_shades_ || rects.empty()) return;
     frame.bind(frame.pipelines.shade);
     for (std::size_t first = 0; first < rects.size(); first += shaders::kShadeRects) {
         const std::size_t count = std::min<std::size_t>(rects.size() - first, shaders::kShadeRects);

@@ -4,6 +4,20 @@
 
 namespace onggi::vk {
 
+void barrier_to_host(VkCommandBuffer commands) {
+    VkMemoryBarrier2 to_host{};
+    to_host.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    to_host.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    to_host.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    to_host.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    to_host.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &to_host;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
 Result<std::vector<std::uint8_t>> read_pixels(const Device& device, const Image& image) {
     const VkExtent2D extent = image.extent();
     const VkDeviceSize size = VkDeviceSize{4} * extent.width * extent.height;
@@ -18,17 +32,7 @@ Result<std::vector<std::uint8_t>> read_pixels(const Device& device, const Image&
         region.imageExtent = {extent.width, extent.height, 1};
         vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                                buffer->handle(), 1, &region);
-        VkMemoryBarrier2 to_host{};
-        to_host.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-        to_host.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-        to_host.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        to_host.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-        to_host.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-        VkDependencyInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-        info.memoryBarrierCount = 1;
-        info.pMemoryBarriers = &to_host;
-        vkCmdPipelineBarrier2(commands, &info);
+        barrier_to_host(commands);
     });
     if (!copied) return copied.error();
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(buffer->mapped());

@@ -1,0 +1,51 @@
+// The shade over the cached still life where the device is the processor: its layers are read back once, and
+// every frame the shaded pixels are worked out here and copied over the still life. Until the layers have
+// been read, which takes a frame, the caller draws the shade instead. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/render/frame_context.h"
+#include "engine/render/shadow_mask.h"
+
+namespace onggi::render {
+
+class HostShade {
+  public:
+    // Makes room for a picture of this size. The device is idle.
+    Result<void> fit(const FrameContext& frame);
+    // The layers are drawn anew.
+    void forget() { state_ = State::kNothing; }
+    // Copies the layers, which have been drawn, to where the host reads them, unless they are there.
+    void read_layers(const FrameContext& frame);
+
+    // The device is idle. True when the layers are here and `shadow` has been laid over them, which takes
+    // time only if it or the rectangles are others; `frame.built` must be this frame's.
+    [[nodiscard]] bool shade(FrameContext& frame, std::uint64_t shadow);
+    // What shade() made, over the target, which is laid out as colour.
+    void record(const FrameContext& frame, VkImage target) const;
+
+  private:
+    enum class State {
+        kNothing,
+        kOnTheWay,  // with the commands of the frame that is being made
+        kHere
+    };
+    void take_layers();
+
+    State state_ = State::kNothing;
+    VkExtent2D extent_{};
+    vk::Buffer with_key_;
+    vk::Buffer without_key_;
+    vk::Buffer places_;  // coordinates in the mask; turned into mask_place() when they have come
+    vk::Buffer shaded_;
+    std::unique_ptr<ShadowMask> mask_ = std::make_unique<ShadowMask>();
+    std::uint64_t mask_of_ = 0;
+    bool has_mask_ = false;
+    std::vector<vec4> shaded_rects_;  // that `shaded_` holds
+    std::vector<VkBufferImageCopy> regions_;
+};
+
+}  // namespace onggi::render

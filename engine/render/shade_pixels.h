@@ -1,0 +1,35 @@
+// The shade over the cached still life, by the processor: what shaders/shade.frag does, for a device that is
+// the processor itself and pays fifty nanoseconds a pixel for its four textures. Any thread; pure.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/math/math.h"
+#include "engine/render/shadow_mask.h"
+
+namespace onggi::render {
+
+// The layers of a still life, texels of four bytes, rows of `width` without gaps: what it is with the key
+// light, without it (alpha: how much of the sky's shade falls on it), and where each pixel lies in the mask.
+struct ShadeLayers {
+    int width = 0;
+    int height = 0;
+    std::span<const std::uint32_t> with_key;
+    std::span<const std::uint32_t> without_key;
+    std::span<const std::uint32_t> places;  // see mask_place()
+};
+
+// From the two numbers of sixteen bits in a texel of the coordinates (shaders/packed.glsl) to what the shade
+// reads a million times a second: the texel, and in its low bytes how far towards the next, across and down.
+[[nodiscard]] std::uint32_t mask_place(std::uint32_t packed_coords);
+
+// Writes the shaded picture inside the rectangles (x0, y0, x1, y1 in whole pixels, inside the picture), and
+// here and there a few pixels beside one, to `into`, laid out as the layers are. Square-root transfer. The
+// same bits on every processor. Precondition: 16 pixels wide at least.
+void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const vec4> rects,
+                  std::span<std::uint32_t> into);
+
+}  // namespace onggi::render
