@@ -28,7 +28,7 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
             .cached = true,
             .shades_on_host = true,
             .transfer = Transfer::kSquareRoot,
-            .sectors = height_px > 800 ? 96 : 64,
+            .sectors = height_px > 800 ? 72 : 48,
             .max_rings = 128,
             .ring_error_px = 0.25F};  // its edges are not smoothed, so a finer line would not be seen
 }

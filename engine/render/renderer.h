@@ -32,7 +32,7 @@ struct RendererDesc {
     // cached layers and kSquareRoot.
     bool shades_on_host = false;
     Transfer transfer = Transfer::kExactSrgb;
-    int sectors = 128;           // of a lathe: 64 at 720p, 96 at 1080p
+    int sectors = 128;           // of a lathe: 48 at 720p, 72 at 1080p
     int max_rings = 256;         // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
     bool smooths_outlines = true;  // of what moves; cached only, others have samples for it

@@ -82,7 +82,7 @@ def build(pose):
 
     low, high = vector(-200, -110, -75), vector(ARM_LENGTH + 50, 60, 85)
     parts = [skin.part("skin", bare, low, vector(SLEEVE_FROM + 30, 60, 85), 1.9, pose["triangles"], smear, tone, whole),
-             skin.part("linen", sleeve, vector(SLEEVE_FROM - 6, -70, -70), high, 3.4, 760,
+             skin.part("linen", sleeve, vector(SLEEVE_FROM - 6, -70, -70), high, 3.4, 400,
                        lambda p: 0.35 * np.clip(1.0 - (p[:, 0] - SLEEVE_FROM) / 40.0, 0.0, 1.0), tone, whole)]
     for part in parts:
         _place(part, pose, tips)
@@ -107,7 +107,7 @@ OUTER = {
     "thumb": [(-22, -9, 22), (-55, -20, 42), (-86, -24, 40), (-108, -24, 32)],
     "turn": rotation((0, 1, 0), -24) @ rotation((0, 0, 1), 8) @ rotation((1, 0, 0), -34),
     "pad": (-7.0, -1.5, 0.0),
-    "triangles": 3800,
+    "triangles": 1700,
 }
 # Inside: fingers pointing down into the pot, their pads towards the wall (-X is the clay here too), the forearm
 # leaving through the mouth towards the visitor's left.
@@ -116,5 +116,5 @@ INNER = {
     "thumb": [(-22, -9, 22), (-50, -14, 42), (-82, -12, 48), (-104, -6, 46)],
     "turn": rotation((0, 0, 1), 78) @ rotation((1, 0, 0), 180),
     "pad": (-10.5, 0.0, 0.0),
-    "triangles": 2800,
+    "triangles": 1500,
 }

@@ -72,8 +72,8 @@ def stick():
     head = solid.uneven(solid.ball((11, 0, 0), (11, 15, 11)), 0.9, 6, 9)
     rod = solid.chain([vector(12, 10, 0), vector(14, 120, 6), vector(20, 300, 22)], (3.6, 3.9, 4.6))
     tie = _ring((11.6, 13, 0), 4.6, 1.4, (0.02, 1, 0.05))
-    return [skin.part("sponge", head, vector(-6, -20, -16), vector(28, 20, 16), 0.9, 700, _wet_end(24)),
-            skin.part("boxwood", soft_union([rod, tie], 1.0), vector(0, 6, -12), vector(32, 312, 36), 1.3, 700,
+    return [skin.part("sponge", head, vector(-6, -20, -16), vector(28, 20, 16), 0.9, 380, _wet_end(24)),
+            skin.part("boxwood", soft_union([rod, tie], 1.0), vector(0, 6, -12), vector(32, 312, 36), 1.3, 300,
                       lambda p: 0.5 * np.clip(1.0 - p[:, 1] / 90.0, 0.0, 1.0), _grain)]
 
 
