@@ -12,7 +12,12 @@ bool overlap(const ui::Atlas::Upload& a, const ui::Atlas::Upload& b) {
 
 }  // namespace
 
-void UploadLedger::bring(std::span<const Upload> uploads) {
+void UploadLedger::bring(std::span<const Upload> uploads, int side_px) {
+    if (side_px != side_px_) {
+        wanted_.clear();
+        there_.clear();
+        side_px_ = side_px;
+    }
     for (const Upload& upload : uploads) {
         const auto is_covered = [&](const Upload& older) { return overlap(older, upload); };
         std::erase_if(there_, is_covered);

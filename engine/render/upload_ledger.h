@@ -13,8 +13,9 @@ class UploadLedger {
   public:
     using Upload = ui::Atlas::Upload;
 
-    // A frame brings these, over whatever lay in their places.
-    void bring(std::span<const Upload> uploads);
+    // A frame brings these, over whatever lay in their places in a texture of this size; of one of another
+    // size nothing is left.
+    void bring(std::span<const Upload> uploads, int side_px);
     // What the next frame has to copy, in this order.
     [[nodiscard]] std::span<const Upload> wanted() const { return wanted_; }
     // The frame was drawn.
@@ -25,6 +26,7 @@ class UploadLedger {
   private:
     std::vector<Upload> wanted_;
     std::vector<Upload> there_;
+    int side_px_ = 0;
 };
 
 }  // namespace onggi::render

@@ -1,6 +1,7 @@
 #include "engine/ui/atlas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace onggi::ui {
@@ -10,6 +11,15 @@ constexpr int kGapPx = 1;  // so that a filter at a painting's edge does not see
 constexpr int kShelfStepPx = 12;
 
 }  // namespace
+
+int Atlas::side_px_for(int width_px, int height_px) {
+    constexpr double kPictures = 4.0;  // that a half holds: no screen is made of more
+    constexpr int kStepPx = 64;
+    constexpr int kMostPx = 8192;
+    const double pixels = static_cast<double>(width_px) * static_cast<double>(height_px);
+    const int steps = static_cast<int>(std::ceil(std::sqrt(2.0 * kPictures * pixels) / kStepPx));
+    return std::clamp(steps * kStepPx, kStepPx, kMostPx);
+}
 
 Atlas::Atlas(int side_px) : side_(side_px) {
     halves_[1].top = side_px / 2;

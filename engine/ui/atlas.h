@@ -19,6 +19,8 @@ class Atlas {
   public:
     // A square texture of this many pixels a side.
     explicit Atlas(int side_px);
+    // For pictures of this size: as small as will do, for what lies in it lies in memory twice.
+    [[nodiscard]] static int side_px_for(int width_px, int height_px);
 
     struct Upload {
         int x = 0;

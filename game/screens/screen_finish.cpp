@@ -46,10 +46,13 @@ void kiln(Page& page, vec2 floor, float scale) {
     const float half = 330.0F * scale;
     const float tall = 510.0F * scale;
     const Rect field{floor.x - half, floor.y - tall, 2.0F * half, tall + 4.0F};
+    // Wider than most screens; painted is what is seen of it.
+    const Rect shine{floor.x - 2.0F * half, floor.y - 1.75F * tall, 4.0F * half, 2.6F * tall};
+    const Rect seen = ui::overlap(shine, all);
     ui::Sketch glow;
-    glow.add(ui::Ellipse{{0.0F, 0.0F, 4.0F * half, 2.6F * tall},
+    glow.add(ui::Ellipse{{shine.x - seen.x, shine.y - seen.y, shine.width, shine.height},
                          ui::Fill::round(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F))});
-    page.sprite({floor.x - 2.0F * half, floor.y - 1.75F * tall, 4.0F * half, 2.6F * tall}, std::move(glow));
+    page.sprite(seen, std::move(glow));
     ui::Sketch sketch;
     // In a field of 660 x 510: arch and bricks.
     const ui::Placing placing{.at = {0.0F, 0.0F}, .scale = vec2(scale)};

@@ -16,7 +16,6 @@ constexpr double kHintOutS = 0.18;
 constexpr double kLoopS = 2.6;
 constexpr double kRestS = 0.5;
 constexpr float kHintAlpha = 0.88F;
-constexpr int kAtlasSide = 4096;
 
 bool is_still(const Composed& composed) {
     return composed.view->state.comfort.still;
@@ -31,7 +30,15 @@ bool is_other_screen(const Composed& one, const Composed& other) {
 
 }  // namespace
 
-Stage::Stage() : atlas_(kAtlasSide) {}
+// A screen of another size is painted anew, and may need more room or less.
+void Stage::fit_atlas() {
+    const ui::Rect picture = now_->composition.bounds.scaled(now_->composition.px_per_u);
+    const int side_px = ui::Atlas::side_px_for(static_cast<int>(picture.width + 0.5F),
+                                               static_cast<int>(picture.height + 0.5F));
+    if (side_px == atlas_.side_px()) return;
+    atlas_ = ui::Atlas(side_px);
+    turning_.clear();
+}
 
 void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
     if (!composed || composed == now_) return;
@@ -98,6 +105,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     const double step_s = std::clamp(frame.now_s - last_s_, 0.0, 0.1);
     last_s_ = frame.now_s;
     if (!now_) return list_;
+    fit_atlas();
     if (frame.hint && hint_alpha_ <= 0.0) hint_s_ = frame.now_s;
     hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / kHintInS : -step_s / kHintOutS), 0.0, 1.0);
 

@@ -33,8 +33,6 @@ struct StageFrame {
 
 class Stage {
   public:
-    Stage();
-
     // Takes a newer composition, if it is newer.
     void take(std::shared_ptr<const Composed> composed, double now_s);
     // The pots that turn, as they stand now; what is not on the stage is left out.
@@ -54,12 +52,13 @@ class Stage {
     [[nodiscard]] bool changes(double now_s) const;
 
   private:
+    void fit_atlas();
     void add(const Composed& composed, const StageFrame& frame, float alpha, float rise_u);
     void add_band(const Band& band, const StageFrame& frame, float u_px);
     [[nodiscard]] std::optional<ui::Rect> place_of(const Item& item);
     [[nodiscard]] bool all_placed(const Composed& composed);
 
-    ui::Atlas atlas_;
+    ui::Atlas atlas_{ui::Atlas::side_px_for(0, 0)};
     std::vector<ui::Atlas::Upload> uploads_;
     ui::DrawList list_;
     // Of a pot that turns: two places take turns, so that no picture is changed that a frame is drawn from.

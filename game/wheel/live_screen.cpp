@@ -167,7 +167,7 @@ Result<void> LiveScreen::follow_edited_shaders() {
 #endif
 
 Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s) {
-    if (overlay != nullptr) uploads_.bring(overlay->uploads);
+    if (overlay != nullptr) uploads_.bring(overlay->uploads, overlay->atlas_side_px);
     if (trouble_) {
         const Error found = *trouble_;
         trouble_.reset();

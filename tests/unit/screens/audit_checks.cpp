@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "game/screens/design.h"
+#include "game/screens/stage.h"
 #include "tests/unit/screens/flatten.h"
 
 namespace onggi::screens {
@@ -149,6 +150,20 @@ void audit_layout(const SampleView& sample, const Composition& screen) {
     lays_no_words_over_others(sample, screen);
     writes_on_no_pot(sample, screen);
     keeps_reach(sample, screen);
+}
+
+void audit_room(const SampleView& sample, const Composition& screen) {
+    const auto composed = std::make_shared<const Composed>(Composed{sample.view, screen});
+    Stage stage;
+    stage.take(composed, 0.0);
+    static_cast<void>(stage.draw({.now_s = 0.0}));
+    for (const Item& item : screen.items) {
+        if (!item.painting) continue;
+        EXPECT_LE(item.painting->width, stage.atlas_side_px());
+        EXPECT_LE(item.painting->height, stage.atlas_side_px() / 2);
+    }
+    static_cast<void>(stage.draw({.now_s = 1.0}));
+    EXPECT_TRUE(stage.uploads().empty()) << "expected room for all pictures, found them to take turns";
 }
 
 }  // namespace onggi::screens

@@ -11,5 +11,8 @@ namespace onggi::screens {
 void audit_layout(const SampleView& sample, const Composition& screen);
 // Words against what is painted behind them.
 void audit_contrast(const SampleView& sample, const Composition& screen);
+// The stage's texture holds all of its pictures at once: where they take turns, all of them are copied in
+// every frame.
+void audit_room(const SampleView& sample, const Composition& screen);
 
 }  // namespace onggi::screens

@@ -50,7 +50,9 @@ TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
         for (const SampleView& sample :
              sample_views({one.width_px / 4, one.height_px / 4, one.language, text_size})) {
             SCOPED_TRACE(fmt::format("{}, text {}", sample.name, text_size));
-            audit_contrast(sample, compose(*sample.view, painter_, store));
+            const Composition composition = compose(*sample.view, painter_, store);
+            audit_contrast(sample, composition);
+            audit_room(sample, composition);
         }
     }
 }
