@@ -4,6 +4,7 @@
 // outside it, and nobody studies a penumbra while the camera moves.
 #include "frame.glsl"
 #include "glide.glsl"
+#include "plate_edge.glsl"
 #include "tone.glsl"
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
@@ -24,11 +25,11 @@ layout(location = 0) out vec4 out_colour;
 void main() {
     vec2 from_at = from.xy / from.z;
     vec2 to_at = kMixes ? to.xy / to.z : vec2(0.0);
-    vec3 lit = texture(from_key, from_at).rgb;
-    if (kMixes) lit = mix(lit, texture(to_key, to_at).rgb, from.w);
+    vec3 lit = texture(from_key, mirrored(from_at)).rgb;
+    if (kMixes) lit = mix(lit, texture(to_key, mirrored(to_at)).rgb, from.w);
 #ifdef ONGGI_SURFACE
-    vec3 unlit = texture(from_ambient, from_at).rgb;
-    if (kMixes) unlit = mix(unlit, texture(to_ambient, to_at).rgb, from.w);
+    vec3 unlit = texture(from_ambient, mirrored(from_at)).rgb;
+    if (kMixes) unlit = mix(unlit, texture(to_ambient, mirrored(to_at)).rgb, from.w);
     vec2 mask = texture(shadow_mask, mask_at.xy).rg;
     vec3 value = mix(unlit, lit, mask.r) * mix(1.0, mask.g, mask_at.z);
 #else
@@ -36,6 +37,7 @@ void main() {
     const vec3 kWithoutKey = vec3(0.50, 0.53, 0.58);
     vec3 value = lit * mix(kWithoutKey, vec3(1.0), seen);
 #endif
+    value *= kMixes ? mix(left_beside(from_at), left_beside(to_at), from.w) : left_beside(from_at);
     if (kDims) value = encode(decode(value) * mix(frame.levels.rgb, vec3(frame.levels.w), 0.6));
     out_colour = vec4(value, 1.0);
 }

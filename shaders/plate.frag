@@ -7,6 +7,7 @@
 #include "frame.glsl"
 #include "noise.glsl"
 #include "packed.glsl"
+#include "plate_edge.glsl"
 #include "tone.glsl"
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
@@ -32,11 +33,13 @@ void main() {
     vec2 pixel = place * frame.picture.xy;
 #endif
     vec2 at = pixel * frame.plate_window.xy + frame.plate_window.zw;
-    vec3 all_light = decode(texture(plate_key, at).rgb);
-    vec3 ambient = decode(texture(plate_ambient, at).rgb);
+    vec3 all_light = decode(texture(plate_key, mirrored(at)).rgb);
+    vec3 ambient = decode(texture(plate_ambient, mirrored(at)).rgb);
+    float left = left_beside(at);
+    left *= left;
     // Compression may leave the lit picture the darker one by a level.
-    vec3 key_light = max(all_light - ambient, vec3(0.0)) * frame.levels.w;
-    ambient *= frame.levels.rgb;
+    vec3 key_light = max(all_light - ambient, vec3(0.0)) * (frame.levels.w * left);
+    ambient *= frame.levels.rgb * left;
 #ifdef ONGGI_SURFACE
     vec2 uv = vec2(dot(frame.mask_u.xyz, position) + frame.mask_u.w,
                    dot(frame.mask_v.xyz, position) + frame.mask_v.w);

@@ -78,8 +78,8 @@ Result<void> create_sized_images(const vk::Device& device, const RendererDesc& d
         }
     }
     if (!desc.cached) return {};
-    constexpr VkImageUsageFlags kLayer = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                                         VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    constexpr VkImageUsageFlags kLayer =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     return create_all(
         device, {{images.still_key,
                   {.name = "still life with the key light",

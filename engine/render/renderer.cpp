@@ -75,7 +75,8 @@ Result<std::unique_ptr<Renderer>> Renderer::create(vk::Device& device, const Ren
         return failed("renderer: expected one sample a pixel with cached layers, found more");
     }
     if (desc.shades_on_host && (!desc.cached || desc.transfer != Transfer::kSquareRoot)) {
-        return failed("renderer: expected cached layers and square roots for shade by the host, found others");
+        return failed(
+            "renderer: expected cached layers and square roots for shade by the host, found others");
     }
     auto impl = std::make_unique<Impl>(device, desc);
     if (auto created = impl->create(); !created) return created.error();
