@@ -18,7 +18,8 @@ class HostShade {
     Result<void> fit(const FrameContext& frame);
     // The layers are drawn anew.
     void forget() { state_ = State::kNothing; }
-    // Copies the layers, which have been drawn, to where the host reads them, unless they are there.
+    // Copies the layers, which have been drawn, to where the host reads them, unless they are there. Not
+    // those of a picture so narrow that nobody sees what is in it.
     void read_layers(const FrameContext& frame);
 
     // The device is idle. True when the layers are here and `shadow` has been laid over them, which takes

@@ -9,7 +9,7 @@ namespace onggi::render {
 namespace {
 
 constexpr std::uint32_t kAcross = shaders::kMaskTexels;
-constexpr std::size_t kBlock = 16;  // pixels that are shaded side by side
+constexpr std::size_t kBlock = kShadeBlockPx;
 constexpr std::size_t kLanes = 4 * kBlock;
 
 // Where a coordinate of sixteen bits lies: the texel before it and, in 1/256, how far it is to the next.

@@ -26,9 +26,11 @@ struct ShadeLayers {
 // reads a million times a second: the texel, and in its low bytes how far towards the next, across and down.
 [[nodiscard]] std::uint32_t mask_place(std::uint32_t packed_coords);
 
+constexpr int kShadeBlockPx = 16;  // pixels that are shaded side by side
+
 // Writes the shaded picture inside the rectangles (x0, y0, x1, y1 in whole pixels, inside the picture), and
 // here and there a few pixels beside one, to `into`, laid out as the layers are. Square-root transfer. The
-// same bits on every processor. Precondition: 16 pixels wide at least.
+// same bits on every processor. Precondition: the layers are at least kShadeBlockPx wide.
 void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const vec4> rects,
                   std::span<std::uint32_t> into);
 

@@ -60,8 +60,8 @@ class RenderPaths : public testing::TestWithParam<GoldenScene> {
             ADD_FAILURE() << message;
     }
 
-    // The last of some frames. With the cache the first is shaded by shaders; the still life is read back with
-    // the second, so that the third is shaded by the processor.
+    // The last of some frames. With the cache the first is shaded by shaders; the still life is read back
+    // with the second, so that the third is shaded by the processor.
     asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene, bool cached, int frames = 1) {
         render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, scene.height);
         desc.cached = cached;

@@ -138,6 +138,23 @@ TEST(ShadePixels, MixesLightAsTheShaderDoesAndLeavesTheRestAlone) {
     }
 }
 
+TEST(ShadePixels, StaysInThePictureWhereARectangleIsNarrowerThanABlock) {
+    constexpr int kWidth = kShadeBlockPx;
+    constexpr std::size_t kPixels = 2 * std::size_t{kWidth};
+    const std::vector<std::uint32_t> layer(kPixels, 0xFF808080U);
+    const std::vector<std::uint32_t> places(kPixels, mask_place(0x80808080U));
+    auto mask = std::make_unique<ShadowMask>();
+    mask->fill(0U);
+    constexpr std::uint32_t kUntouched = 0x01020304U;
+    std::vector<std::uint32_t> into(kPixels + kShadeBlockPx, kUntouched);
+    const std::vector<vec4> rects{{0.0F, 0.0F, 1.0F, 1.0F}, {15.0F, 1.0F, 16.0F, 2.0F}};
+    shade_pixels({kWidth, 2, layer, layer, places}, *mask, rects, into);
+    EXPECT_NE(into.front(), kUntouched);
+    EXPECT_NE(into[kPixels - 1], kUntouched);
+    for (std::size_t beyond = kPixels; beyond < into.size(); ++beyond)
+        EXPECT_EQ(into[beyond], kUntouched);
+}
+
 TEST(ShadePixels, CopiesWhatIsNotInShadeByteForByte) {
     constexpr int kWidth = 64;
     std::vector<std::uint32_t> with_key(kWidth);
