@@ -96,13 +96,20 @@ press_in() {
         ;;
     esac
 }
+title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
+    local before
     if [ "$hand" = keys ]; then
         for _ in $(seq 40); do
             xdotool search --name "^Onggi - .*\[$1\]\$" >/dev/null 2>&1 && break
+            # A frame may be slow: a second step before the first is shown would go past the place.
+            before=$(title)
             xdotool key Tab
-            sleep 0.15
+            for _ in $(seq 50); do
+                [ "$(title)" = "$before" ] || break
+                sleep 0.1
+            done
         done
         xdotool key Return
     else
@@ -128,6 +135,8 @@ if [ "$hand" != switch ]; then  # whom it takes half a minute
     sleep 2
     on_screen throw
     press throw-look-in look-in
+    sleep 2
+    on_screen throw
 fi
 press throw-0 done
 on_screen firing; on_screen glaze
