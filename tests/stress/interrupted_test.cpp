@@ -122,6 +122,8 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     std::mt19937 chance(20261122);
     std::set<std::string> seen;
     int while_throwing = 0;
+    int threw_on = 0;  // long enough for the journal to know of it
+    int threw_on_picked_up = 0;
     int while_saving = 0;
     int picked_up = 0;
     int resumed = 0;
@@ -130,6 +132,7 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
                                               static_cast<int>(chance() % 600));
         ASSERT_FALSE(said.empty()) << "it was never at work";
         while_throwing += said.back() == stress::kThrows || said.back() == stress::kResumed ? 1 : 0;
+        threw_on += said.back() == stress::kThrewOn ? 1 : 0;
         while_saving += said.back() == stress::kSaves ? 1 : 0;
         resumed += static_cast<int>(std::count(said.begin(), said.end(), stress::kResumed));
 
@@ -145,6 +148,7 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
         }
         const Found found = expect_whole_visit(gallery, folder / "copy");
         picked_up += found.is_any ? 1 : 0;
+        threw_on_picked_up += found.is_any && said.back() == stress::kThrewOn ? 1 : 0;
         const auto log = app::read_start_log(test::content_of(gallery / "state/starts"), "starts");
         ASSERT_TRUE(log) << log.error().message;
         EXPECT_TRUE(log->is_running);
@@ -153,14 +157,16 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
         }
     }
     std::printf(
-        "%d kills, %d while throwing, %d while saving; %zu pots whole, %d visits picked up, %d resumed\n",
-        kills(), while_throwing, while_saving, seen.size(), picked_up, resumed);
+        "%d kills, %d while throwing, %d after throwing for long, %d while saving; %zu pots whole, %d visits "
+        "picked up, %d of those that threw for long, %d resumed\n",
+        kills(), while_throwing, threw_on, while_saving, seen.size(), picked_up, threw_on_picked_up, resumed);
     EXPECT_GT(picked_up, 0) << "nothing was proved";
     if (kills() >= 100) {
         EXPECT_GT(seen.size(), 20U);
         EXPECT_GT(while_saving, 3);
         EXPECT_GT(resumed, 0);
-        EXPECT_GT(picked_up, while_throwing / 3);
+        EXPECT_GT(threw_on, 10);
+        EXPECT_GE(threw_on_picked_up, threw_on * 9 / 10) << "a keeper may be late, but not often";
     }
 }
 

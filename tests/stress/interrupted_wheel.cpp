@@ -48,16 +48,19 @@ class Visitors {
             pass(5, 20);
             if (left_over_ && one_of(2)) {
                 left_over_ = false;
+                is_resumed_ = true;
                 keeper_->resume(run_);
                 say(stress::kResumed);
             } else {
                 if (left_over_) keeper_->drop_left_over();
                 left_over_ = false;
+                is_resumed_ = false;
                 if (job_->send(haptic::Command::kFreshLump)) ++run_;
                 keeper_->journal(run_);
                 say(stress::kThrows);
             }
             throw_for_a_while();
+            say(stress::kThrown);
             if (one_of(3)) keeper_->undo();
             if (one_of(2)) keep();
             keeper_->forget();
@@ -79,7 +82,8 @@ class Visitors {
         }
     }
     void throw_for_a_while() {
-        const unsigned moves = 2 + any_below(20);
+        const unsigned moves = one_of(2) ? 2 + any_below(20) : 50 + any_below(80);
+        bool threw_on = false;
         for (unsigned move = 0; move < moves; ++move) {
             haptics::ToolState tool;
             tool.position_mm = {40.0 + any_below(60), 10.0 + any_below(90), 0.0};
@@ -87,6 +91,10 @@ class Visitors {
             tool.water = 1.0;
             hand_->set_target(tool);
             pass(5, 30);
+            const haptic::Snapshot& now = job_->newest_snapshot();
+            if (is_resumed_ || threw_on || now.run != run_ || now.tick < stress::kTicksToKeep) continue;
+            threw_on = true;
+            say(stress::kThrewOn);
         }
     }
     void keep() {
@@ -114,6 +122,7 @@ class Visitors {
     std::uint64_t run_ = 0;
     std::shared_ptr<const clay::StudioClay> cut_;
     bool left_over_ = false;
+    bool is_resumed_ = false;
     bool is_saved_ = false;
 };
 

@@ -1,12 +1,17 @@
 // What interrupted_wheel.cpp, which is killed, and interrupted_test.cpp, which kills it, both know.
 #pragma once
 
+#include <cstdint>
+
 #include "game/haptic/tick.h"
 
 namespace onggi::stress {
 
 constexpr double kRateHz = 4000.0;  // a block of the journal every quarter of a second
 constexpr int kMostPots = 12;
+// Two blocks of the journal, and as long as a keeper may take to write them. Who is killed sooner loses what
+// was thrown: a quarter of a second or two.
+constexpr std::uint64_t kTicksToKeep = 3000;
 
 inline haptic::HapticState start() {
     return haptic::HapticState(clay::StudioClay({.mass_g = 400.0, .rings = 400}));
@@ -15,6 +20,8 @@ inline haptic::HapticState start() {
 // What it says on standard output, a byte each.
 constexpr char kThrows = 't';
 constexpr char kResumed = 'r';
+constexpr char kThrewOn = 'T';  // for kTicksToKeep, on new clay, and throws on
+constexpr char kThrown = 'h';
 constexpr char kSaves = 's';
 constexpr char kSaved = 'S';
 constexpr char kGone = 'g';
