@@ -85,6 +85,10 @@ TEST(SafetyProperty01, TheForceStaysWithinPeakAndContinuousForce) {
     SafetyState whole = engaged();
     EXPECT_LE(largest_n(kSafetyChain, kPush * 100.0, resting(), limits, whole, 40'000), 3.3 * (1.0 + 1e-12));
     EXPECT_LE(whole.heat_n2, 0.88 * 0.88 * (1.0 + 1e-9));
+    EXPECT_LT(last_n(kSafetyChain, kPush * 100.0, resting(), limits, whole, 1), 1.0);  // 40 N s are spent
+    // Askew, each axis may lie within the peak and the force beyond it.
+    SafetyState askew = engaged();
+    EXPECT_LE(largest_n(kSafetyChain, {3.0, 2.9, -3.0}, resting(), limits, askew, 1000), 3.3 * (1.0 + 1e-12));
     SafetyState unclamped = engaged();
     EXPECT_GT(largest_n(chain_without("clamp"), kPush * 100.0, resting(), limits, unclamped, 1000), 3.4);
     SafetyState unbudgeted = engaged();
