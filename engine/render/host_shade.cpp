@@ -69,7 +69,8 @@ void HostShade::read_layers(const FrameContext& frame) {
 void HostShade::take_layers() {
     const std::span<std::uint32_t> places = texels_of(places_);
     std::transform(places.begin(), places.end(), places.begin(), mask_place);
-    shaded_rects_.clear();
+    // Nothing of what was shaded before fits these layers, which may be of another size.
+    has_mask_ = false;
     state_ = State::kHere;
 }
 

@@ -48,8 +48,8 @@ TEST(LivePicture, OfEveryScenePleasesTheValidationLayerThroughAStormOfSizes) {
                 auto target = vk::Offscreen::create(*device, extent).value();
                 const auto width = static_cast<int>(extent.width);
                 const auto height = static_cast<int>(extent.height);
-                // With the layers as they are, and with others.
-                for (int frame = 0; frame < 2; ++frame) {
+                // With the layers as they are, with others, and with those that the processor has read back.
+                for (int frame = 0; frame < 4; ++frame) {
                     const auto drawn = renderer->draw(
                         opened.scene->apply(scene.pot(), width, height, kFrameS), *target, &overlay);
                     ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;

@@ -80,5 +80,27 @@ TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
         ADD_FAILURE() << message;
 }
 
+// What the processor shaded in a large picture is no part of a small one that looks past the shadow.
+TEST_F(Plates, AreNotShadedByWhatWasSeenInALargerPicture) {
+    render::Scene scene;
+    scene.camera = camera();
+    scene.plate = grey_plate(120);
+    scene.plates_at_hand = {scene.plate};
+    scene.spheres = {{.centre_mm = {0.0F, 60.0F, 0.0F}, .radius_mm = 40.0F}};
+    for (int frame = 0; frame < 4; ++frame)
+        ASSERT_TRUE(renderer_->draw(scene, *target_));
+    ASSERT_TRUE(target_->wait());
+    scene.camera.target_mm.x = 2000.0F;
+    const auto small = vk::Offscreen::create(*device_, {48, 27}).value();
+    const auto picture = [&] {
+        EXPECT_TRUE(renderer_->draw(scene, *small));
+        return small->read_back().value();
+    };
+    const std::vector<std::uint8_t> by_shaders = picture();
+    for (int frame = 0; frame < 3; ++frame)
+        EXPECT_EQ(picture(), by_shaders);
+    EXPECT_TRUE(instance_->messages().empty()) << instance_->messages().front();
+}
+
 }  // namespace
 }  // namespace onggi::golden
