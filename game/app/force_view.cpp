@@ -148,6 +148,10 @@ void ForceView::look(const haptic::Snapshot& snapshot, double now_s) {
     }
     trace_.add(now_s, length_of(hands[0]->total_n()), snapshot.periods);
     full_n_ += (trace_.full_n() - full_n_) * std::min(1.0, dt_s / kRescaleS);
+    // A force that has just leapt up, or the other hand's, keeps within an arrow's length.
+    for (const Forces& shown_n : shown_n_)
+        for (const dvec3& force_n : shown_n)
+            full_n_ = std::max(full_n_, length_of(force_n));
 }
 
 screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const wheel::PotView& pot,

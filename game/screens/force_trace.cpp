@@ -7,7 +7,8 @@ namespace {
 
 // A frame holds a whole number of ticks: over a single one the rate would tremble.
 constexpr double kRateOverS = 0.25;
-constexpr std::array kSteps{0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
+// A hand without a device that holds it back may press into the clay with tens of newtons.
+constexpr std::array kSteps{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
 
 }  // namespace
 

@@ -27,8 +27,8 @@ class ForceTrace {
     [[nodiscard]] const Sample& at(std::size_t place) const { return kept(place).sample; }
     // Of the last quarter of a second; 0 before there was one.
     [[nodiscard]] double rate_hz() const { return count_ == 0 ? 0.0 : at(count_ - 1).rate_hz; }
-    // What a plot's height stands for: the next of 0.1, 0.2, 0.5, 1, 2, 5 N that nothing in the window
-    // passes.
+    // What a plot's height stands for: the next of 0.1, 0.2, 0.5, 1, 2, 5 up to 100 N that nothing in the
+    // window passes.
     [[nodiscard]] double full_n() const { return full_n_; }
 
   private:

@@ -49,6 +49,24 @@ TEST(Forces, BeginWhereTheToolTouchesAndAreAsLongAsTheyAreStrong) {
     EXPECT_EQ(arrow_end_mm({59.0, 100.0, 0.0}, {0.3, -0.1, 0.0}, 100.0), dvec3(89.0, 90.0, 0.0));
 }
 
+TEST(Forces, AreNeverLongerThanAnArrowMayBe) {
+    haptic::PotShape shape;
+    haptic::Snapshot snapshot = touching(shape);
+    ForceView view;
+    view.look(snapshot, 1.0 / 60.0);
+    snapshot.result.forces.stiffness_n = {60.0, 0.0, 0.0};
+    snapshot.result.second_forces = snapshot.result.forces;
+    snapshot.result.second_forces.stiffness_n = {-90.0, 0.0, 0.0};
+    for (int frame = 2; frame <= 60; ++frame) {
+        view.look(snapshot, frame / 60.0);
+        const screens::ForceFrame shown = view.frame(snapshot, pot_view(snapshot), from_the_front(), true);
+        for (const screens::ForceTouch& touch : shown.touches)
+            for (const screens::ForceArrow& arrow : touch.arrows)
+                EXPECT_LE(glm::distance(arrow.from_px, arrow.to_px), ForceView::kFullArrowMm + 1e-3)
+                    << "frame " << frame;
+    }
+}
+
 TEST(Forces, AreDrawnInTheirPlaces) {
     haptic::PotShape shape;
     const haptic::Snapshot snapshot = touching(shape);

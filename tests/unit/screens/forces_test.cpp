@@ -53,9 +53,9 @@ TEST(ForceTrace, ScalesItsPlotByTheStrongestOfTheWindow) {
     trace.add(0.1, 0.7, 0);
     EXPECT_EQ(trace.full_n(), 1.0);
     trace.add(0.2, 30.0, 0);
-    EXPECT_EQ(trace.full_n(), 5.0);
+    EXPECT_EQ(trace.full_n(), 50.0);
     trace.add(4.15, 0.3, 0);
-    EXPECT_EQ(trace.full_n(), 5.0);
+    EXPECT_EQ(trace.full_n(), 50.0);
     trace.add(4.25, 0.3, 0);
     EXPECT_EQ(trace.full_n(), 0.5) << "what was stronger is out of the window";
 }
