@@ -105,9 +105,10 @@ Result<void> Gallery::remove(const KeptPot& pot) {
     return {};
 }
 
-// The oldest leave first.
-void Gallery::make_room() {
+// The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
+void Gallery::make_room(const fs::path& newcomer) {
     std::vector<KeptPot> all = pots();
+    std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
     while (all.size() >= static_cast<std::size_t>(most_pots_)) {
         static_cast<void>(remove(all.back()));
         all.pop_back();
@@ -124,16 +125,17 @@ Result<int> Gallery::keep(const PotToKeep& pot, const std::string& today) {
         return system_lacks(
             fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
     }
-    make_room();
     int number = 1;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / today, error))
         number = std::max(number, number_of(entry.path().filename().string()) + 1);
 
-    auto folder = files::AtomicFolder::create(folder_ / today / fmt::format("pot-{:03}", number));
+    const fs::path place = folder_ / today / fmt::format("pot-{:03}", number);
+    auto folder = files::AtomicFolder::create(place);
     if (!folder) return folder.error();
-    if (pot.history != nullptr && pot.history->is_whole()) {
-        if (auto saved = pot.history->save(folder->inside() / "pot.onggi"); !saved) return saved.error();
-    }
+    const fs::path session = folder->inside() / "pot.onggi";
+    const auto saved =
+        pot.history->is_whole() ? pot.history->save(session) : pot.history->save_outcome(session);
+    if (!saved) return saved.error();
     const auto write = [&](const char* name, const Result<std::vector<std::byte>>& bytes) -> Result<void> {
         if (!bytes) return bytes.error();
         return files::write_file_atomically(folder->inside() / name, *bytes);
@@ -150,6 +152,7 @@ Result<int> Gallery::keep(const PotToKeep& pot, const std::string& today) {
     if (auto written = write("pot.png", asset::encode_png(straight(pot.portrait))); !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
+    make_room(place);  // not before: a pot that cannot be kept costs no other its place
     return number;
 }
 

@@ -16,7 +16,8 @@
 
 namespace onggi::app {
 
-// What a pot is kept as. The history is of the clay that was cut off.
+// What a pot is kept as. The history is of the clay that was cut off; where a tick of it was lost, the
+// session holds the clay alone.
 struct PotToKeep {
     const haptic::History* history = nullptr;
     const clay::StudioClay* clay = nullptr;
@@ -45,7 +46,7 @@ class Gallery {
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
-    void make_room();
+    void make_room(const std::filesystem::path& newcomer);
 
     std::filesystem::path folder_;
     int most_pots_;

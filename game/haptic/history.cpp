@@ -174,6 +174,10 @@ Result<void> History::write_on(record::SessionWriter& writer, std::size_t most_t
     return {};
 }
 
+Result<void> History::save_outcome(const std::filesystem::path& place) const {
+    return History(now_, start_.parameters, options_).save(place);
+}
+
 Result<void> History::save(const std::filesystem::path& place) const {
     auto writer = begin_session(place, files::Beside::kNameless);
     if (!writer) return writer.error();

@@ -67,7 +67,9 @@ class History {
 
     // All up to now as a session, written at once: no tick is worked out again.
     [[nodiscard]] Result<void> save(const std::filesystem::path& place) const;
-    // The same while it goes on: a session that begins as this history does, for write_on() to fill.
+    // Only what came of it, as a session of no ticks that begins there: for a history that is not whole.
+    [[nodiscard]] Result<void> save_outcome(const std::filesystem::path& place) const;
+    // All up to now while it goes on: a session that begins as this history does, for write_on() to fill.
     [[nodiscard]] Result<record::SessionWriter> begin_session(const std::filesystem::path& place,
                                                               files::Beside beside) const;
     // Adds what was done since the writer's last tick, at most so many ticks. Precondition: lineage() is what

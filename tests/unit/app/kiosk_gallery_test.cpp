@@ -5,11 +5,14 @@
 
 #include <fstream>
 
+#include "engine/files/read_file.h"
 #include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
+#include "engine/record/session.h"
 #include "game/app/kiosk_hand.h"
 #include "game/app/kiosk_keeper.h"
 #include "game/app/kiosk_settings.h"
+#include "game/haptic/start_state.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -105,6 +108,48 @@ TEST(Gallery, LetsTheOldestGoWhereThereIsRoomForNoMore) {
     const Cut cut;
     ASSERT_TRUE(gallery.keep(cut.pot(), "2026-11-22"));
     EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-001", "2026-11-21/pot-002"}));
+}
+
+TEST(Gallery, LetsNoneGoForAPotThatCannotBeKept) {
+    const test::TemporaryFolder folder;
+    put_pot(folder.path(), "2026-11-21/pot-001");
+    kiosk::Config config = config_of(folder.path());
+    config.gallery.most_pots = 1;
+    Gallery gallery(config);
+    Cut cut;
+    cut.portrait = {};  // which is no picture
+    ASSERT_FALSE(gallery.keep(cut.pot(), "2026-11-22"));
+    EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-21/pot-001"});
+}
+
+TEST(Gallery, KeepsTheNewcomerHoweverWrongTheClockIs) {
+    const test::TemporaryFolder folder;
+    put_pot(folder.path(), "2026-11-21/pot-001");
+    kiosk::Config config = config_of(folder.path());
+    config.gallery.most_pots = 1;
+    Gallery gallery(config);
+    const Cut cut;
+    ASSERT_TRUE(gallery.keep(cut.pot(), "1970-01-01"));
+    EXPECT_EQ(names_of(gallery), std::vector<std::string>{"1970-01-01/pot-001"});
+}
+
+TEST(Gallery, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
+    const test::TemporaryFolder folder;
+    Cut cut;
+    haptic::TickRecord late;
+    late.tick = 60;  // ten are missing
+    cut.history.add(late);
+    ASSERT_FALSE(cut.history.is_whole());
+    Gallery gallery(config_of(folder.path()));
+    ASSERT_TRUE(gallery.keep(cut.pot(), "2026-11-22"));
+    const auto bytes = files::read_file(folder.path() / "2026-11-22/pot-001/pot.onggi", 1U << 26U);
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    const auto session = record::parse_session(*bytes, "pot.onggi");
+    ASSERT_TRUE(session) << session.error().message;
+    EXPECT_EQ(session->tick_count(), 0U);
+    const auto start = haptic::start_from_bytes(session->start_state(), cut.parameters.rate_hz());
+    ASSERT_TRUE(start) << start.error().message;
+    EXPECT_EQ(start->state.hash(), cut.history.state().hash());
 }
 
 TEST(Gallery, KeepsNothingAtAllOnADiskThatIsFull) {
