@@ -45,6 +45,7 @@ struct KioskOptions {
     bool full_screen = false;
     std::string device = "auto";
     std::string config;
+    std::string other_config;  // for when it cannot be read
     std::string gallery;
     std::optional<double> volume = {};
 };
@@ -119,11 +120,24 @@ std::string too_small_text(const kiosk::Config& config, int width_px, int height
         std::ceil(config.screen.diagonal_inch * share), std::floor(config.screen.distance_mm / share));
 }
 
+// A museum's typing error must not leave a visitor before a dark screen: where the settings cannot be read,
+// the wheel goes on with others, and says so.
+Result<KioskSettings> settings_for(const KioskOptions& options) {
+    auto settings = load_settings(options.config);
+    if (settings || options.other_config.empty()) return settings;
+    auto others = load_settings(options.other_config);
+    if (!others) return others.error();
+    others->remarks.insert(others->remarks.begin(),
+                           fmt::format("{}; going on with {} until it is mended", settings.error().message,
+                                       options.other_config));
+    return others;
+}
+
 // How a kiosk ended.
 enum class KioskEnd { kDone, kStartAnew };
 
 Result<KioskEnd> open_kiosk(const KioskOptions& options) {
-    auto settings = load_settings(options.config);
+    auto settings = settings_for(options);
     if (!settings) return settings.error();
     note_end_signals(settings->rules.locked);
     if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
@@ -220,6 +234,10 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
     command->add_flag("--full-screen", options->full_screen, "fill the primary screen");
     command
         ->add_option("--config", options->config, "settings of this kiosk (assets/kiosk.toml shows them all)")
+        ->type_name("FILE.toml");
+    command
+        ->add_option("--or-config", options->other_config,
+                     "settings to go on with where those of --config cannot be read")
         ->type_name("FILE.toml");
     command->add_option("--gallery", options->gallery, "where pots are saved, whatever the settings say")
         ->type_name("FOLDER");
