@@ -129,8 +129,7 @@ std::vector<std::string> Language::missing_keys() const {
 
 bool Language::right_to_left() const {
     constexpr std::array<std::string_view, 6> kRightToLeft{"ar", "he", "fa", "ur", "yi", "dv"};
-    const std::string_view primary = std::string_view(code_).substr(0, code_.find('-'));
-    return std::find(kRightToLeft.begin(), kRightToLeft.end(), primary) != kRightToLeft.end();
+    return std::find(kRightToLeft.begin(), kRightToLeft.end(), primary_code()) != kRightToLeft.end();
 }
 
 const std::vector<Language>& built_in_languages() {

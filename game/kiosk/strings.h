@@ -37,9 +37,15 @@ class Language {
     [[nodiscard]] std::vector<std::string> missing_keys() const;  // that the pattern has
     [[nodiscard]] const std::string& code() const { return code_; }
     [[nodiscard]] bool right_to_left() const;
+    // In any country: "ar", "ar-EG".
+    [[nodiscard]] bool is_arabic() const { return primary_code() == "ar"; }
     [[nodiscard]] const std::map<std::string, Words, std::less<>>& words() const { return words_; }
 
   private:
+    [[nodiscard]] std::string_view primary_code() const {
+        return std::string_view(code_).substr(0, code_.find('-'));
+    }
+
     std::string code_;
     std::map<std::string, Words, std::less<>> words_;
     std::map<std::string, Words, std::less<>> fallback_;

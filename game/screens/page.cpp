@@ -35,7 +35,7 @@ const kiosk::Language& Page::language(int place) const {
 }
 
 std::string Page::digits(std::string_view number, int place) const {
-    if (!view_.own_digits || language(place).code() != "ar") return std::string(number);
+    if (!view_.own_digits || !language(place).is_arabic()) return std::string(number);
     std::string own;
     for (const char letter : number) {
         if (letter >= '0' && letter <= '9') {
@@ -103,7 +103,7 @@ void Page::picture(const Rect& rect, std::shared_ptr<const ui::Painting> paintin
 
 ui::TextStyle Page::style(const Words& words) const {
     const kiosk::Language& tongue = language(words.language);
-    const bool arabic = tongue.code() == "ar";
+    const bool arabic = tongue.is_arabic();
     ui::TextStyle style;
     style.family = words.title ? (arabic ? design::kTitleFamilyArabic : design::kTitleFamily)
                                : (arabic ? design::kUiFamilyArabic : design::kUiFamily);

@@ -44,7 +44,7 @@ void draw_idle(Page& page) {
     const bool tall = page.shape() == Shape::kTall;
     veil(page, 0.90F, 0.95F);
     const vec2 centre(0.5F * width, tall ? 400.0F : 0.36F * height - 10.0F);
-    const float share = std::clamp(static_cast<float>(view.seconds_left) / 20.0F, 0.0F, 1.0F);
+    const float share = std::clamp(static_cast<float>(view.seconds_left / view.countdown_s), 0.0F, 1.0F);
     ui::Sketch sketch;
     sketch.add(ui::Ellipse{{4.0F, 4.0F, 352.0F, 352.0F}, ui::Fill::flat(ui::hex(0x6f5a44))});
     sketch.add(ui::Ellipse{{7.0F, 7.0F, 346.0F, 346.0F}, ui::Fill::flat(ui::hex(0x2b2019))});

@@ -134,8 +134,6 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
             add(*before_, frame, 1.0F - share, 0.0F);
         }
     }
-    if (frame.dims)
-        list_.add_box(now_->composition.bounds.scaled(now_->composition.px_per_u), ui::hex(0x000000, 0.8F));
     uploads_ = atlas_.take_uploads();
     return list_;
 }

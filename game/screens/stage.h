@@ -28,7 +28,6 @@ struct StageFrame {
     int pressed = -1;   // target that a finger holds down
     const Band* band = nullptr;
     const ForceFrame* forces = nullptr;
-    bool dims = false;  // outside opening hours
 };
 
 class Stage {

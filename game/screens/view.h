@@ -73,7 +73,8 @@ struct View {
     double distance_mm = 600.0;  // from the visitor's eyes
     bool own_digits = true;
     bool hint = true;
-    int seconds_left = 0;  // of the countdown, or until a PIN may be tried again
+    int seconds_left = 0;       // of the countdown, or until a PIN may be tried again
+    double countdown_s = 20.0;  // the whole of it
     // In the order of the configuration; at least one.
     std::shared_ptr<const std::vector<kiosk::Language>> languages;
     std::shared_ptr<const std::vector<Exhibit>> exhibits;
