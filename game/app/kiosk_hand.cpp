@@ -12,6 +12,8 @@ constexpr double kReachMm = 260.0;
 constexpr double kWaitsInFrontMm = 150.0;
 constexpr double kAboveRimS = 0.18;
 constexpr double kAboveRimMm = 30.0;
+constexpr double kLowShare = 0.3;  // of the height: where the first move of the lesson presses
+constexpr double kBesideMm = 4.0;
 constexpr double kNudgeLastsS = 1.5;
 constexpr double kAssistGapMm = 6.0;
 constexpr std::array kToolRadiiMm{7.0, 12.0, 20.0};
@@ -56,6 +58,7 @@ void KioskHand::come(const dvec3& place_mm, const haptic::PotShape& shape) {
 
 void KioskHand::press(const dvec3& place_mm, const haptic::PotShape& shape) {
     pressed_ = true;
+    has_come_ = true;
     come(place_mm, shape);
 }
 
@@ -74,7 +77,14 @@ void KioskHand::hover(const dvec3& place_mm, const dvec3& towards_eye) {
     waiting_mm_ = within_reach(place_mm) + kWaitsInFrontMm * towards_eye;
 }
 
-void KioskHand::nudge(const dvec3& step_mm, const haptic::PotShape& shape) {
+void KioskHand::come_beside(const haptic::PotShape& shape, double side) {
+    const double low_mm = std::max(radius_mm_, kLowShare * shape.height_mm);
+    place_mm_ = {side * (wall_at(shape, low_mm).outer_mm + radius_mm_ + kBesideMm), low_mm, 0.0};
+    has_come_ = true;
+}
+
+void KioskHand::nudge(const dvec3& step_mm, const haptic::PotShape& shape, double side) {
+    if (!has_come_) come_beside(shape, side);
     if (nudged_s_ <= 0.0 && !pressed_) come(place_mm_, shape);
     place_mm_ = within_reach(place_mm_ + step_mm);
     nudged_s_ = kNudgeLastsS;
@@ -83,7 +93,8 @@ void KioskHand::nudge(const dvec3& step_mm, const haptic::PotShape& shape) {
 haptics::ToolState KioskHand::wish(const HandSettings& settings, const haptic::PotShape& shape, double dt_s) {
     if (!pressed_) nudged_s_ = std::max(0.0, nudged_s_ - dt_s);
     haptics::ToolState tool;
-    tool.radius_mm = step_of(kToolRadiiMm, settings.tool);
+    radius_mm_ = step_of(kToolRadiiMm, settings.tool);
+    tool.radius_mm = radius_mm_;
     tool.water = step_of(kWater, settings.water);
     tool.wheel_speed_rev_min = step_of(kSpeedsRevMin, settings.speed);
     tool.wheel_button = true;

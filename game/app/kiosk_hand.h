@@ -27,8 +27,12 @@ class KioskHand {
     void release();
     // A mouse that only hovers: the hand waits in front of the clay, towards the eye.
     void hover(const dvec3& place_mm, const dvec3& towards_eye);
-    // One press of the pad's buttons, or of a key: the hand works for a moment where it is.
-    void nudge(const dvec3& step_mm, const haptic::PotShape& shape);
+    // One press of the pad's buttons, or of a key: the hand works for a moment where it is. The first on new
+    // clay brings it beside the clay, low on that side: +1 right, -1 left. Who has one switch alone would
+    // have to press it two dozen times to get there.
+    void nudge(const dvec3& step_mm, const haptic::PotShape& shape, double side);
+    // New clay: it has not come to it yet.
+    void leave_clay() { has_come_ = false; }
 
     // What the tool should do now, dt_s after the last call.
     [[nodiscard]] haptics::ToolState wish(const HandSettings& settings, const haptic::PotShape& shape,
@@ -37,10 +41,13 @@ class KioskHand {
     [[nodiscard]] bool works() const { return pressed_ || nudged_s_ > 0.0; }
 
   private:
+    void come_beside(const haptic::PotShape& shape, double side);
     void come(const dvec3& place_mm, const haptic::PotShape& shape);
 
     dvec3 place_mm_{170.0, 150.0, 0.0};
     dvec3 waiting_mm_ = kRestingMm;
+    double radius_mm_ = 12.0;  // of the tool, when it was last asked for
+    bool has_come_ = false;    // to the clay that is on the wheel
     bool pressed_ = false;
     bool inside_ = false;    // this touch works inside the pot
     double above_s_ = 0.0;   // time left above the rim before it goes down inside

@@ -144,8 +144,11 @@ void KioskKeeper::end_journal() {
 }
 
 void KioskKeeper::resume_now(std::uint64_t run) {
-    if (!left_over_ || !is_worked_out_) return;
-    if (!job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()), run)) return;
+    if (!left_over_ || !is_worked_out_ ||
+        !job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()), run)) {
+        answer({.kind = KeeperAnswer::Kind::kNotPut});
+        return;
+    }
     is_put_ = true;
     was_resumed_ = true;
     journal_.drop();
@@ -154,11 +157,12 @@ void KioskKeeper::resume_now(std::uint64_t run) {
 
 void KioskKeeper::put_state_at(std::uint64_t tick) {
     if (!history_.is_whole()) {
-        answer({.kind = KeeperAnswer::Kind::kRemark,
+        answer({.kind = KeeperAnswer::Kind::kNotPut,
                 .words = "undo: a tick's record was lost; new clay is needed"});
         return;
     }
-    static_cast<void>(job_.put(std::make_unique<haptic::HapticState>(history_.state_at(tick)), run_));
+    if (!job_.put(std::make_unique<haptic::HapticState>(history_.state_at(tick)), run_))
+        answer({.kind = KeeperAnswer::Kind::kNotPut});
 }
 
 void KioskKeeper::obey(const Wish& wish) {

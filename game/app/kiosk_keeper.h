@@ -24,7 +24,7 @@
 namespace onggi::app {
 
 struct KeeperAnswer {
-    enum class Kind { kCutOff, kSaved, kSaveFailed, kSurvey, kLeftOver, kRemark };
+    enum class Kind { kCutOff, kSaved, kSaveFailed, kSurvey, kLeftOver, kNotPut, kRemark };
     Kind kind = Kind::kRemark;
     std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
     int number = 0;                                  // of a saved one, of the day
@@ -48,7 +48,7 @@ class KioskKeeper final : private jobs::IoWork {
 
     // Main thread, wait-free.
     void undo() { ask({Wish::Kind::kUndo}); }
-    // To two seconds before that tick.
+    // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Wish::Kind::kBefore, tick}); }
     void cut_off() { ask({Wish::Kind::kCutOff}); }
     void save(std::shared_ptr<const screens::PotShape> shape, int glaze);

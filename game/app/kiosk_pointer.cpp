@@ -9,6 +9,8 @@ namespace {
 using Kind = PointerNews::Kind;
 
 constexpr float kLifePx = 24.0F;  // a mouse that a passing lorry shakes is nobody
+// A finger that lands is told first as a leap of the mouse: where it lands on a target, only that counts.
+constexpr double kLandingS = 0.08;
 constexpr double kRepeatAfterS = 0.5;
 constexpr double kRepeatEveryS = 0.25;
 constexpr double kCornerS = 5.0;
@@ -68,7 +70,9 @@ void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
 void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news) {
     using window::Key;
     if (!key.pressed) return;
-    news.push_back({.kind = Kind::kLife});
+    // A press is a sign of life of its own, and must find the panel that it is meant for.
+    const bool takes = (key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0;
+    if (!takes) news.push_back({.kind = Kind::kLife});
     const auto nudge = [&](kiosk::Button button) { news.push_back({Kind::kNudged, button, 0, {}}); };
     switch (key.key) {
         case Key::kTab:
@@ -87,10 +91,10 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
             nudge(kiosk::Button::kHandDown);
             return;
         case Key::kLeft:
-            nudge(kiosk::Button::kHandIn);
+            nudge(kiosk::Button::kHandLeft);
             return;
         case Key::kRight:
-            nudge(kiosk::Button::kHandOut);
+            nudge(kiosk::Button::kHandRight);
             return;
         case Key::kEnter:
             if (!key.repeat) press_focus(news);
@@ -130,7 +134,7 @@ void KioskPointer::handle(const window::Event& event, double now_s, std::vector<
         pointer_came_ = true;
         if (glm::length(at_px_ - still_px_) > kLifePx) {
             still_px_ = at_px_;
-            news.push_back({.kind = Kind::kLife, .at_px = at_px_});
+            if (!life_s_) life_s_ = now_s + kLandingS;
         }
         if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
         if (hand_down_) {
@@ -151,7 +155,11 @@ void KioskPointer::handle(const window::Event& event, double now_s, std::vector<
             repeat_s_ = now_s + kRepeatAfterS;
             has_repeated_ = false;
             hand_down_ = pressed_ < 0 && !corner_s_;
-            news.push_back({.kind = hand_down_ ? Kind::kHandDown : Kind::kLife, .at_px = at_px_});
+            if (pressed_ >= 0) {
+                life_s_.reset();
+            } else {
+                news.push_back({.kind = hand_down_ ? Kind::kHandDown : Kind::kLife, .at_px = at_px_});
+            }
             return;
         }
         corner_s_.reset();
@@ -183,6 +191,10 @@ void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
             has_repeated_ = true;
             news.push_back({Kind::kPressed, target.button, target.value, at_px_});
         }
+    }
+    if (life_s_ && now_s >= *life_s_) {
+        life_s_.reset();
+        news.push_back({.kind = Kind::kLife, .at_px = at_px_});
     }
     if (corner_s_ && now_s - *corner_s_ >= kCornerS) {
         corner_s_.reset();

@@ -63,7 +63,8 @@ class KioskPointer {
     int screen_key_ = -1;
     bool right_to_left_ = false;
     vec2 at_px_{0.0F};
-    vec2 still_px_{0.0F};  // where a mouse that only jitters counts as resting
+    vec2 still_px_{0.0F};           // where a mouse that only jitters counts as resting
+    std::optional<double> life_s_;  // when it is told that it has moved
     bool pointer_came_ = false;
     bool button_down_ = false;
     bool hand_down_ = false;

@@ -95,6 +95,7 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
                             ? kiosk::seconds_left(state_, parts_.settings.rules.countdown_s, now_s_)
                         : state_.panel == kiosk::Panel::kPin ? kiosk::pin_seconds_left(state_, now_s_)
                                                              : 0;
+    view.countdown_s = parts_.settings.rules.countdown_s;
     view.languages = parts_.settings.languages;
     view.exhibits = parts_.settings.exhibits;
     view.pot = pot_;
@@ -140,11 +141,10 @@ void KioskVisit::add_scene(screens::View& view, const haptic::Snapshot& snapshot
     if (view.hint) {
         // At the height at which a hand would begin, and in the mouth. Whole tens, so that a clay that moves
         // a little does not paint the hands anew.
-        const double side = state_.comfort.left_hand ? -1.0 : 1.0;
         const double low_mm = state_.throwing.steps_done == 0 ? 25.0 : 0.4 * shape.height_mm;
         const double edge_mm = std::round(wall_at(shape, low_mm).outer_mm / 10.0) * 10.0;
         const double top_mm = std::round(shape.height_mm / 10.0) * 10.0;
-        view.hint_at_px = seen({side * edge_mm, low_mm, 0.0});
+        view.hint_at_px = seen({side() * edge_mm, low_mm, 0.0});
         view.second_hint_at_px = seen({0.0, top_mm, 0.0});
     }
     if (state_.throwing.warning != kiosk::Warning::kNone) {

@@ -17,28 +17,10 @@ using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
-constexpr double kNudgeMm = 5.0;
 constexpr std::size_t kMostOnShelf = 6;
-constexpr double kSunkShare = 0.8;  // of the height at which it still stood
-constexpr double kFrameS = 1.0 / 60.0;
 
 int screen_key(const kiosk::State& state) {
     return static_cast<int>(state.screen) * kiosk::kPanelCount + static_cast<int>(state.panel);
-}
-
-dvec3 nudge_of(Button button) {
-    switch (button) {
-        case Button::kHandUp:
-            return {0.0, kNudgeMm, 0.0};
-        case Button::kHandDown:
-            return {0.0, -kNudgeMm, 0.0};
-        case Button::kHandIn:
-            return {-kNudgeMm, 0.0, 0.0};
-        case Button::kHandOut:
-            return {kNudgeMm, 0.0, 0.0};
-        default:
-            return dvec3(0.0);
-    }
 }
 
 }  // namespace
@@ -67,13 +49,12 @@ void KioskVisit::say(const std::string& line) {
 void KioskVisit::fresh_clay() {
     // A full ring means that the haptic thread stands still; then the window says nothing new either.
     if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
-    static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
-    lesson_.begin();
-    collapse_tick_ = 0;
+    clay_.expect_lump(run_);
+    hand_.leave_clay();
 }
 
-std::optional<dvec3> KioskVisit::place_at(vec2 px) const {
-    return parts_.view.tool_target_mm(double{px.x}, double{px.y});
+void KioskVisit::rearm_force() {
+    static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
 }
 
 void KioskVisit::tell(const Event& event) {
@@ -98,17 +79,20 @@ void KioskVisit::carry_out(const Effect& effect) {
             demo_runs_ = false;
             thrown_ = true;
             fresh_clay();
+            rearm_force();  // a person's wish, so it takes a person's stop back too
             parts_.keeper.journal(run_);
             break;
         case Effect::Kind::kUndo:
             parts_.keeper.undo();
             break;
-        case Effect::Kind::kBeforeCollapse:
-            parts_.keeper.go_before(collapse_tick_);
-            collapse_tick_ = 0;
+        case Effect::Kind::kBeforeCollapse: {
+            const std::uint64_t tick = clay_.began_to_fail_tick();
+            clay_.expect_state(parts_.job.newest_snapshot());  // first: it may be there in no time
+            parts_.keeper.go_before(tick);
             break;
+        }
         case Effect::Kind::kMoveHand:
-            hand_.nudge(nudge_of(static_cast<Button>(effect.value)), *parts_.job.newest_snapshot().shape);
+            nudge_hand(static_cast<Button>(effect.value), *parts_.job.newest_snapshot().shape);
             break;
         case Effect::Kind::kCutOff:
             hand_.release();
@@ -133,9 +117,9 @@ void KioskVisit::carry_out(const Effect& effect) {
             break;
         case Effect::Kind::kResume:
             demo_runs_ = false;
-            static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
-            lesson_.begin();
-            collapse_tick_ = 0;
+            thrown_ = true;
+            rearm_force();
+            clay_.expect_state(parts_.job.newest_snapshot());
             parts_.keeper.resume(run_);
             break;
         case Effect::Kind::kDropLeftOver:
@@ -166,88 +150,6 @@ void KioskVisit::carry_out(const Effect& effect) {
     }
 }
 
-void KioskVisit::take_news(const PointerNews& news, const haptic::Snapshot& snapshot) {
-    const bool scene_is_open =
-        state_.panel == Panel::kNone && (state_.screen == Screen::kThrow || state_.screen == Screen::kChoose);
-    switch (news.kind) {
-        case PointerNews::Kind::kNone:
-            break;
-        case PointerNews::Kind::kLife:
-            tell({Event::Kind::kInput});
-            break;
-        case PointerNews::Kind::kPressed:
-            tell(Event::pressed(news.button, news.value));
-            break;
-        case PointerNews::Kind::kHandDown:
-            if (state_.panel == Panel::kNone && state_.screen == Screen::kThrow) {
-                tell({Event::Kind::kClayTouched});
-                if (const auto place = place_at(news.at_px)) hand_.press(*place, *snapshot.shape);
-            } else {
-                tell({Event::Kind::kInput});
-            }
-            break;
-        case PointerNews::Kind::kHandMoved:
-            if (!scene_is_open) break;
-            tell({Event::Kind::kInput});
-            if (const auto place = place_at(news.at_px)) hand_.drag(*place);
-            break;
-        case PointerNews::Kind::kHandUp:
-            hand_.release();
-            break;
-        case PointerNews::Kind::kHovered:
-            if (const auto place = place_at(news.at_px)) hand_.hover(*place, parts_.view.towards_eye(*place));
-            break;
-        case PointerNews::Kind::kNudged:
-            if (state_.panel == Panel::kNone && state_.screen == Screen::kThrow) {
-                tell({Event::Kind::kClayTouched});
-                hand_.nudge(nudge_of(news.button), *snapshot.shape);
-            }
-            break;
-        case PointerNews::Kind::kCornerHeld:
-            tell({Event::Kind::kCornerHeld});
-            break;
-        case PointerNews::Kind::kCloseAsked:
-            tell({Event::Kind::kCloseAsked});
-            break;
-        case PointerNews::Kind::kFullScreen:
-            if (parts_.settings.rules.locked) break;
-            full_screen_ = !full_screen_;
-            parts_.view.set_full_screen(full_screen_);
-            break;
-    }
-}
-
-void KioskVisit::take_input(const haptic::Snapshot& snapshot) {
-    std::vector<PointerNews> all;
-    for (const window::Event& event : parts_.view.poll_events())
-        pointer_.handle(event, now_s_, all);
-    pointer_.pass_time(now_s_, all);
-    for (const PointerNews& news : all)
-        take_news(news, snapshot);
-    for (const std::string& line : parts_.devices.news())
-        say(line);
-    const bool has_device = parts_.devices.has_hand();
-    if (has_device != had_device_) tell({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
-    had_device_ = has_device;
-    if (parts_.devices.somebody_moved()) tell({Event::Kind::kInput});
-    take_gamepads(snapshot);
-}
-
-void KioskVisit::take_gamepads(const haptic::Snapshot& snapshot) {
-    std::vector<window::Gamepad> pads = parts_.view.gamepads();
-    std::erase_if(pads,
-                  [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
-    const GamepadWish wish = gamepads_.wish(pads, kFrameS);
-    if (!wish.is_used) return;
-    tell({Event::Kind::kInput});
-    if (state_.screen != Screen::kThrow || state_.panel != Panel::kNone) return;
-    tell({Event::Kind::kClayTouched});
-    hand_.nudge(wish.step_mm, *snapshot.shape);
-    if (wish.radius_steps > 0.5) tell(Event::pressed(Button::kToolMore));
-    if (wish.radius_steps < -0.5) tell(Event::pressed(Button::kToolLess));
-    if (wish.fresh_lump) tell(Event::pressed(Button::kNewClay));
-}
-
 void KioskVisit::take_clay(const haptic::Snapshot& snapshot) {
     const bool touches = snapshot.result.forces.contacts > 0;
     // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
@@ -258,20 +160,13 @@ void KioskVisit::take_clay(const haptic::Snapshot& snapshot) {
     }
     if (state_.screen != Screen::kThrow) return;
     if (touches && (hand_.works() || !parts_.devices.holder().empty())) tell({Event::Kind::kClayTouched});
-    tell({Event::Kind::kProgress, Button::kNone, lesson_.steps_done(*snapshot.shape)});
-    const kiosk::Warning warning = warning_of(snapshot.load, state_.throwing.warning);
-    tell({Event::Kind::kWarned, Button::kNone, static_cast<int>(warning)});
-    // Clay that gives way a little is no failure yet: the pot has to have sunk, or a piece come off.
-    const clay::studio::Failure& failure = snapshot.load.failure;
-    const double height_mm = snapshot.shape->height_mm;
-    if (failure.cause == clay::studio::Cause::kNone) standing_mm_ = height_mm;
-    const bool gave_way = failure.cause != clay::studio::Cause::kNone &&
-                          (failure.torn || height_mm < kSunkShare * standing_mm_);
-    if (gave_way && collapse_tick_ == 0) {
-        collapse_tick_ = std::max<std::uint64_t>(1, snapshot.tick);
-        hand_.release();
-        tell({Event::Kind::kCollapsed, Button::kNone, static_cast<int>(warning_for(failure.cause))});
-    }
+    const std::optional<ClayNews> news = clay_.look(snapshot, state_.throwing.warning);
+    if (!news) return;
+    tell({Event::Kind::kProgress, Button::kNone, news->steps_done});
+    tell({Event::Kind::kWarned, Button::kNone, static_cast<int>(news->warning)});
+    if (!news->gave_way) return;
+    hand_.release();
+    tell({Event::Kind::kCollapsed, Button::kNone, static_cast<int>(*news->gave_way)});
 }
 
 void KioskVisit::take_fault(const haptic::Snapshot& snapshot) {
@@ -287,7 +182,7 @@ void KioskVisit::take_fault(const haptic::Snapshot& snapshot) {
         tell({Event::Kind::kFault});
     }
     if (advice.take_back && advice.wheel_rests) fresh_clay();
-    if (advice.take_back) static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
+    if (advice.take_back) rearm_force();
     // Not under the staff's eyes.
     if (!advice.wheel_rests && state_.screen == Screen::kFault && state_.panel == Panel::kNone)
         tell({Event::Kind::kFaultOver});
@@ -316,6 +211,9 @@ void KioskVisit::take_answers() {
                 break;
             case KeeperAnswer::Kind::kLeftOver:
                 tell({Event::Kind::kLeftOver});
+                break;
+            case KeeperAnswer::Kind::kNotPut:
+                clay_.expect_nothing();
                 break;
             case KeeperAnswer::Kind::kRemark:
                 break;

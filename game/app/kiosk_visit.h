@@ -13,6 +13,7 @@
 #include "game/app/gamepad_hand.h"
 #include "game/app/hand_devices.h"
 #include "game/app/kiosk_camera.h"
+#include "game/app/kiosk_clay.h"
 #include "game/app/kiosk_fault.h"
 #include "game/app/kiosk_hand.h"
 #include "game/app/kiosk_keeper.h"
@@ -70,6 +71,9 @@ class KioskVisit {
     void take_fault(const haptic::Snapshot& snapshot);
     void take_answers();
     void take_gamepads(const haptic::Snapshot& snapshot);
+    [[nodiscard]] double side() const;  // on which the hand comes to the clay: +1 right, -1 left
+    // One press of the pad's buttons, or of an arrow key.
+    void nudge_hand(kiosk::Button button, const haptic::PotShape& shape);
     void tell(const kiosk::Event& event);
     void carry_out(const kiosk::Effect& effect);
     void set_volume(int volume) { parts_.sound.set_volume(volume / kLoudestStep); }
@@ -83,6 +87,7 @@ class KioskVisit {
     [[nodiscard]] std::optional<screens::Band> warning_band(const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::optional<dvec3> place_at(vec2 px) const;
     void fresh_clay();
+    void rearm_force();
     void say(const std::string& line);
     void name_window(const kiosk::State& shown);
 
@@ -95,7 +100,7 @@ class KioskVisit {
     CameraWish aimed_;  // as the view was last told
     KioskHand hand_;
     GamepadHand gamepads_;
-    Lesson lesson_;
+    KioskClay clay_;
     ForceView forces_;
     std::shared_ptr<const screens::FiredPot> pot_;
     std::vector<screens::ShelfPot> day_;  // the last few pots that were kept
@@ -104,8 +109,6 @@ class KioskVisit {
     double demo_since_s_ = 0.0;
     bool demo_runs_ = true;
     std::uint64_t run_ = 0;  // of the lump that was asked for last, as Snapshot::run counts
-    std::uint64_t collapse_tick_ = 0;
-    double standing_mm_ = 0.0;  // the pot's height before it gave way
     std::string title_;
     KioskFault fault_;
     LogLines log_;

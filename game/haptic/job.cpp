@@ -223,7 +223,12 @@ void HapticWork::publish(const TickResult& result) noexcept {
     snapshot.force_test = force_test_.report();
     snapshot.safety.silences = silences_;
     snapshots_.publish();
-    if (shape_copy_.step(shapes_.writing(), state_, parameters_.dt_s())) shapes_.publish();
+    PotShape& shape = shapes_.writing();
+    if (!shape_copy_.step(shape, state_, parameters_.dt_s())) return;
+    // Another lump or state begins the copy anew, so that a whole one is of what is on the wheel now.
+    shape.run = run_;
+    shape.states_put = states_put_;
+    shapes_.publish();
 }
 
 HapticJob::HapticJob(HapticState start, const HapticParameters& parameters,

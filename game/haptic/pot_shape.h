@@ -18,7 +18,9 @@ constexpr int kDentSectors = 64;
 // Rings bottom first. The vectors keep their size for the whole run, `rings` says how much of them is meant;
 // the spans are that part, and empty where the clay has no such thing.
 struct PotShape {
-    std::uint64_t tick = 0;  // when the copy was finished
+    std::uint64_t tick = 0;        // when the copy was finished
+    std::uint64_t run = 0;         // of the lump it is of
+    std::uint64_t states_put = 0;  // on the wheel, when the copy was begun
     int rings = 0;
     double height_mm = 0.0;
     double floor_mm = 0.0;   // where the hollow begins; 0 for the paper's clay, which has none

@@ -31,8 +31,8 @@ enum class Button {
     kDone,
     kHandUp,
     kHandDown,
-    kHandIn,
-    kHandOut,
+    kHandLeft,  // on the screen, as are all four
+    kHandRight,
     kLookIn,  // from above into the pot, or from the front again
     kBeforeCollapse,
     kKeepSlump,

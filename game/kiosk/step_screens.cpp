@@ -63,8 +63,8 @@ void press_throw(Turn& turn, const Event& event) {
             break;
         case Button::kHandUp:
         case Button::kHandDown:
-        case Button::kHandIn:
-        case Button::kHandOut:
+        case Button::kHandLeft:
+        case Button::kHandRight:
             turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
             break;
         case Button::kLookIn:

@@ -28,16 +28,22 @@ Growth growth(const Page& page) {
     return {0.45F * all, 0.55F * all};
 }
 
+// The button way for every drag, for who asks for controls within reach, and for who has one switch.
+bool has_hand_pad(const View& view) {
+    return view.state.comfort.reach || view.scans;
+}
+
 // Where pot, tool and hands are to be seen: no words there but on cards.
 Rect pot_box(const Page& page) {
     if (page.view().state.comfort.reach)
         return {0.38F * page.width(), 0.42F * page.height(), 0.2F * page.width(),
                 ledge_y(page) - 0.42F * page.height()};
+    const bool padded = has_hand_pad(page.view());  // it stands beside the pot, over the wheel's edge
     switch (page.shape()) {
         case Shape::kTall:
-            return {90.0F, 240.0F, 550.0F, ledge_y(page) - 260.0F};
+            return {90.0F, 240.0F, padded ? 330.0F : 550.0F, ledge_y(page) - 260.0F};
         case Shape::kSquare:
-            return {260.0F, 114.0F, 510.0F, ledge_y(page) - 124.0F};
+            return {260.0F, 114.0F, padded ? 450.0F : 510.0F, ledge_y(page) - 124.0F};
         case Shape::kWide:
             break;
     }
@@ -251,7 +257,7 @@ void warning_card(Page& page) {
     const View& view = page.view();
     const bool tall = page.shape() == Shape::kTall;
     const bool square = page.shape() == Shape::kSquare;
-    const bool low = view.state.comfort.reach && page.shape() == Shape::kWide;
+    const bool low = has_hand_pad(view) && page.shape() == Shape::kWide;
     const float width = page.width();
     // Brought low, it stands across from the hand's keys.
     const Rect card =
@@ -284,7 +290,6 @@ void warning_card(Page& page) {
                true);
 }
 
-// The button way for every drag.
 void hand_pad(Page& page) {
     // Right above the ledge, where it is not further up than who sits can reach.
     const float above = page.shape() == Shape::kWide     ? 288.0F
@@ -295,12 +300,10 @@ void hand_pad(Page& page) {
     const bool out_is_right = !page.view().state.comfort.left_hand;
     page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,
                Icon::kUp, false, true);
-    page.token({pad.x, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken,
-               out_is_right ? Button::kHandIn : Button::kHandOut, page.t(out_is_right ? "ctl.in" : "ctl.out"),
-               0, Icon::kLeft, false, true);
-    page.token({pad.x + 184.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken,
-               out_is_right ? Button::kHandOut : Button::kHandIn, page.t(out_is_right ? "ctl.out" : "ctl.in"),
-               0, Icon::kRight, false, true);
+    page.token({pad.x, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandLeft,
+               page.t(out_is_right ? "ctl.in" : "ctl.out"), 0, Icon::kLeft, false, true);
+    page.token({pad.x + 184.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandRight,
+               page.t(out_is_right ? "ctl.out" : "ctl.in"), 0, Icon::kRight, false, true);
     page.token({pad.x + 92.0F, pad.y + 176.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandDown,
                page.t("ctl.down"), 0, Icon::kDown, false, true);
 }
@@ -345,8 +348,8 @@ void draw_throw(Page& page) {
     } else {
         teaching(page);
     }
+    if (has_hand_pad(view)) hand_pad(page);  // the ring comes to it before it comes to what ends the throwing
     controls(page);
-    if (view.state.comfort.reach) hand_pad(page);
     page.languages_token();
     add_forces(page);
     if (view.can_look_in) page.look_in_token();
@@ -358,7 +361,7 @@ void draw_throw(Page& page) {
              page.t(view.state.device_lost ? "dev.lost" : "dev.rest"));
     } else if (!view.heard.empty()) {
         // Where hand pad and caption have no room beside each other, the caption stands across from the pad.
-        const bool beside = page.shape() == Shape::kTall && view.state.comfort.reach;
+        const bool beside = page.shape() == Shape::kTall && has_hand_pad(view);
         chip(page,
              beside ? page.mirrored({24.0F, y - 58.0F, 390.0F, 48.0F})
                     : Rect{middle - 200.0F, y - 58.0F, 400.0F, 48.0F},

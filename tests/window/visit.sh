@@ -53,6 +53,8 @@ on_screen() {
     command -v import >/dev/null && import -window root "$(printf '%02d' "$shot")-$1.png" || true
 }
 shot=0
+throwing=throw-0  # as the layout calls it: with one switch there are more targets on it
+[ "$hand" = switch ] && throwing=throw-scan-0
 
 # Where a screen has a button, by the layout itself: at SCREEN BUTTON [VALUE]; sets x, y and place (in the ring).
 at() {
@@ -79,20 +81,30 @@ press() {
     *) take "$place" ;;
     esac
 }
-# Presses the clay in from the right, low down; by keys the hand goes there in steps.
+# Presses the clay in from the right, low down. The first key brings the hand beside the clay, each one then takes it a
+# step; the single switch finds the same four steps on the screen.
 press_in() {
     case $hand in
     mouse | touch)
-        local from=$((width * 59 / 100)) to=$((width * 56 / 100)) level=$((height * clay_level / 100))
+        local from=$((width * 59 / 100)) to=$((width * 55 / 100)) level=$((height * clay_level / 100))
         xdotool mousemove "$from" "$level" sleep 0.2 mousedown 1
         for x in $(seq "$from" -4 "$to"); do
-            xdotool mousemove "$x" "$level" sleep 0.03
+            xdotool mousemove "$x" "$level" sleep 0.05
         done
+        sleep 0.8
         xdotool mouseup 1
         ;;
     keys)
-        for _ in $(seq 14); do xdotool key Left sleep 0.1; done
-        for _ in $(seq 6); do xdotool key Up sleep 0.1; done
+        for _ in $(seq 5); do xdotool key Left sleep 0.15; done
+        for _ in $(seq 4); do xdotool key Up sleep 0.15; done
+        ;;
+    switch)
+        at $throwing hand-left
+        take "$place"
+        for _ in $(seq 4); do  # the ring stays where it is pressed again
+            sleep 0.6
+            xdotool key space
+        done
         ;;
     esac
 }
@@ -131,14 +143,14 @@ press_in
 sleep 0.5
 on_screen throw
 if [ "$hand" != switch ]; then  # whom it takes half a minute
-    press throw-0 look-in
+    press $throwing look-in
     sleep 2
     on_screen throw
     press throw-look-in look-in
     sleep 2
     on_screen throw
 fi
-press throw-0 done
+press $throwing done
 on_screen firing; on_screen glaze
 press glaze-0 glaze 2; sleep 0.5; on_screen glaze
 press glaze-2 take-glaze; on_screen your-pot
@@ -149,6 +161,9 @@ for file in pot.onggi pot.glb pot.stl pot.png; do
     [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
 done
 [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"
+# Clay that was pressed in low down stands higher; a lump that nobody touched is 49.6 mm high.
+height_mm=$(grep -ao '"wet_height_mm":[0-9]*' "$pot/pot.glb" | cut -d: -f2)
+[ "${height_mm:-0}" -ge 51 ] || fail "expected clay of more than 51 mm that the hand has pressed in, found $height_mm mm"
 "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
 sleep 0.6
 on_screen keep

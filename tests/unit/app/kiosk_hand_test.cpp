@@ -64,12 +64,33 @@ TEST(KioskHand, PressesSolidClayFromOutsideWhereverItLands) {
 TEST(KioskHand, WorksForAMomentAfterEachNudge) {
     KioskHand hand;
     const haptic::PotShape shape = pot(100, 60, 8, 10);
-    hand.nudge({-5.0, 0.0, 0.0}, shape);
+    hand.nudge({-5.0, 0.0, 0.0}, shape, 1.0);
     EXPECT_TRUE(hand.works());
     static_cast<void>(hand.wish({}, shape, 1.0));
     EXPECT_TRUE(hand.works());
     static_cast<void>(hand.wish({}, shape, 1.0));
     EXPECT_FALSE(hand.works());
+}
+
+TEST(KioskHand, ComesToTheClayWithTheFirstNudge) {
+    const haptic::PotShape shape = pot(100, 60, 8, 80);
+    for (const double side : {1.0, -1.0}) {
+        KioskHand hand;
+        hand.nudge({-5.0 * side, 0.0, 0.0}, shape, side);
+        const auto tool = hand.wish({}, shape, 0.016);
+        EXPECT_LT(side * tool.position_mm.x, 60.0 + tool.radius_mm) << "it presses the clay in";
+        EXPECT_GT(side * tool.position_mm.x, 60.0);
+        EXPECT_LT(tool.position_mm.y, 50.0) << "low down";
+        hand.nudge({0.0, 5.0, 0.0}, shape, side);
+        EXPECT_EQ(hand.wish({}, shape, 0.016).position_mm.x, tool.position_mm.x) << "from there on in steps";
+        static_cast<void>(hand.wish({}, shape, 5.0));
+        hand.nudge({0.0, 80.0, 0.0}, shape, side);
+        EXPECT_GT(hand.wish({}, shape, 0.016).position_mm.y, 100.0) << "also after a rest";
+        hand.leave_clay();
+        static_cast<void>(hand.wish({}, shape, 5.0));
+        hand.nudge({0.0, 0.0, 0.0}, shape, side);
+        EXPECT_LT(hand.wish({}, shape, 0.016).position_mm.y, 50.0) << "new clay";
+    }
 }
 
 TEST(KioskHand, TakesItsSettingsFromTheLedge) {

@@ -114,8 +114,35 @@ TEST(KioskPointer, TakesAShakenMouseForNobody) {
     for (int i = 0; i < 50; ++i)
         finger.moves(640 + i % 2, 360 + i % 3);
     EXPECT_FALSE(finger.said(Kind::kLife));
-    finger.moves(700, 360);
+    finger.moves(700, 360).waits(0.2);
     EXPECT_TRUE(finger.said(Kind::kLife));
+}
+
+TEST(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
+    // A finger is told as a leap of the mouse and a press; were the leap a sign of life, the panel that asks
+    // whether somebody is there would be gone before its button is pressed.
+    Finger finger;
+    finger.moves(640, 100).waits(0.2);
+    finger.news.clear();
+    finger.moves(150, 630).presses().waits(0.2).lifts();
+    EXPECT_FALSE(finger.said(Kind::kLife));
+    EXPECT_EQ(finger.pressed(), std::vector<Button>{Button::kDone});
+    finger.news.clear();
+    finger.moves(640, 300).waits(0.2);
+    EXPECT_TRUE(finger.said(Kind::kLife)) << "a mouse that goes its way";
+}
+
+TEST(KioskPointer, TakesWhatTheRingIsOnWithoutWakingTheScreenFirst) {
+    for (const window::Key key : {window::Key::kEnter, window::Key::kSpace}) {
+        Finger finger;
+        finger.types(key);
+        EXPECT_TRUE(finger.said(Kind::kLife)) << "without a ring it only says that somebody is there";
+        finger.types(window::Key::kTab);
+        finger.news.clear();
+        finger.types(key);
+        EXPECT_FALSE(finger.said(Kind::kLife));
+        EXPECT_EQ(finger.pressed().size(), 1U);
+    }
 }
 
 TEST(KioskPointer, WalksWithTabAndPressesWithEnter) {

@@ -218,6 +218,20 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.focus = 3;
         view.heard = "cap.wheel";
     });
+    for (int step = 0; step < 3; ++step) {
+        add("throw-scan-" + std::to_string(step), Screen::kThrow, [&](View& view) {
+            view.state.throwing.steps_done = step;
+            view.scans = true;
+            view.focus = 0;
+            view.heard = "cap.wheel";
+        });
+    }
+    add("warning-scan", Screen::kThrow, [](View& view) {
+        view.state.throwing.warning = kiosk::Warning::kThin;
+        view.thinnest_mm = 2.1;
+        view.scans = true;
+        view.focus = 4;
+    });
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
     add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
     add("throw-reach-left", Screen::kThrow, [](View& view) {

@@ -37,8 +37,8 @@ const char* word_of(onggi::kiosk::Button button) {
             return "new-clay";
         case Button::kLookIn:
             return "look-in";
-        case Button::kHandIn:
-            return "hand-in";
+        case Button::kHandLeft:
+            return "hand-left";
         case Button::kDone:
             return "done";
         case Button::kSkip:
