@@ -29,51 +29,68 @@ bool has_a_stop_key(int file) {
 
 }  // namespace
 
-std::vector<int> open_stop_keys(const std::string& folder) {
-    std::vector<int> files;
+std::vector<StopKeyboard> open_stop_keys(const std::vector<std::string>& known, const std::string& folder) {
+    std::vector<StopKeyboard> found;
     DIR* entries = ::opendir(folder.c_str());
-    if (entries == nullptr) return files;
+    if (entries == nullptr) return found;
     while (const dirent* entry = ::readdir(entries)) {
-        if (!std::string_view(entry->d_name).starts_with("event") || files.size() == kMostKeyboards) continue;
+        const std::string_view name = entry->d_name;
+        if (!name.starts_with("event") || known.size() + found.size() >= kMostKeyboards ||
+            std::find(known.begin(), known.end(), name) != known.end())
+            continue;
         const int file = ::open((folder + "/" + entry->d_name).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
         if (file < 0) continue;
         if (has_a_stop_key(file)) {
-            files.push_back(file);
+            found.push_back({std::string(name), file});
         } else {
             ::close(file);
         }
     }
     ::closedir(entries);
-    return files;
+    return found;
 }
 
-StopKey::StopKey(std::vector<int> files, std::function<void()> pressed)
-    : files_(std::move(files)),
+StopKey::StopKey(Find find, std::function<void()> pressed)
+    : find_(std::move(find)),
+      keyboards_(find_({})),
       pressed_(std::move(pressed)) {}
 
 StopKey::~StopKey() {
-    for (const int file : files_)
-        if (file >= 0) ::close(file);
+    for (const StopKeyboard& keyboard : keyboards_)
+        ::close(keyboard.file);
 }
 
-std::int64_t StopKey::round(std::int64_t /*now_ns*/) noexcept {
+void StopKey::look_for_more(std::int64_t now_ns) noexcept {
+    if (looked_ns_ == 0) looked_ns_ = now_ns;
+    if (now_ns - looked_ns_ < kLooksEveryNs) return;
+    looked_ns_ = now_ns;
+    std::vector<std::string> known;
+    for (const StopKeyboard& keyboard : keyboards_)
+        known.push_back(keyboard.name);
+    for (StopKeyboard& keyboard : find_(known))
+        keyboards_.push_back(std::move(keyboard));
+}
+
+std::int64_t StopKey::round(std::int64_t now_ns) noexcept {
+    look_for_more(now_ns);
     std::array<pollfd, kMostKeyboards> waits{};
-    const std::size_t count = std::min(files_.size(), waits.size());
+    const std::size_t count = std::min(keyboards_.size(), waits.size());
     for (std::size_t k = 0; k < count; ++k)
-        waits[k] = {.fd = files_[k], .events = POLLIN, .revents = 0};
-    // A file that is gone is -1, which poll passes over; with none left it is a rest.
+        waits[k] = {.fd = keyboards_[k].file, .events = POLLIN, .revents = 0};
+    // With none it is a rest.
     if (::poll(waits.data(), count, kWaitMs) <= 0) return 0;
     for (std::size_t k = 0; k < count; ++k)
-        if (waits[k].revents != 0) drain(files_[k]);
+        if (waits[k].revents != 0) drain(keyboards_[k]);
+    std::erase_if(keyboards_, [](const StopKeyboard& keyboard) { return keyboard.file < 0; });
     return 0;
 }
 
-void StopKey::drain(int& file) noexcept {
+void StopKey::drain(StopKeyboard& keyboard) noexcept {
     std::array<input_event, 16> events{};
-    const ssize_t size = ::read(file, events.data(), sizeof(events));
+    const ssize_t size = ::read(keyboard.file, events.data(), sizeof(events));
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (size <= 0) {  // pulled out
-        ::close(std::exchange(file, -1));
+        ::close(std::exchange(keyboard.file, -1));
         return;
     }
     constexpr std::int32_t kPressed = 1;  // 0 is let go, 2 repeated

@@ -3,7 +3,7 @@
 // red button on USB is a keyboard with one key.
 //
 // It needs leave to read /dev/input (the group input, or a udev rule for the button); without it there is no
-// stop key besides the window's, and `found()` says so.
+// stop key besides the window's, and `found()` says so. What is plugged in later is found within seconds.
 #pragma once
 
 #include <cstddef>
@@ -18,30 +18,43 @@
 
 namespace onggi::haptics {
 
-// The keyboards under a folder such as /dev/input that have a stop key and may be read, opened. The caller
-// closes them, or hands them to a StopKey.
-[[nodiscard]] std::vector<int> open_stop_keys(const std::string& folder = "/dev/input");
+// A keyboard with a stop key, opened.
+struct StopKeyboard {
+    std::string name;  // of its file, as "event3"
+    int file = -1;     // gives struct input_event, as the kernel does
+};
+
+// The keyboards under a folder such as /dev/input that have a stop key, may be read and are not among the
+// known names. The caller closes them, or hands them to a StopKey.
+[[nodiscard]] std::vector<StopKeyboard> open_stop_keys(const std::vector<std::string>& known = {},
+                                                       const std::string& folder = "/dev/input");
 
 class StopKey final : public jobs::IoWork {
   public:
-    // `files` give struct input_event, as the kernel does; they are closed in the end. `pressed` is called on
-    // this object's thread, once a press.
-    StopKey(std::vector<int> files, std::function<void()> pressed);
+    static constexpr std::int64_t kLooksEveryNs = 2'000'000'000;
+
+    // As open_stop_keys(): asked here, and again every kLooksEveryNs on this object's thread.
+    using Find = std::function<std::vector<StopKeyboard>(const std::vector<std::string>& known)>;
+    // `pressed` is called on this object's thread, once a press.
+    StopKey(Find find, std::function<void()> pressed);
     ~StopKey() override;
     StopKey(const StopKey&) = delete;
     StopKey& operator=(const StopKey&) = delete;
 
-    // How many keyboards are listened to.
-    [[nodiscard]] std::size_t found() const noexcept { return files_.size(); }
+    // How many keyboards are listened to. Before the thread is started, or on it.
+    [[nodiscard]] std::size_t found() const noexcept { return keyboards_.size(); }
 
     // Waits for a key, 20 ms at most.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override {}
 
   private:
-    void drain(int& file) noexcept;
+    void look_for_more(std::int64_t now_ns) noexcept;
+    void drain(StopKeyboard& keyboard) noexcept;
 
-    std::vector<int> files_;  // -1: gone
+    Find find_;
+    std::vector<StopKeyboard> keyboards_;
+    std::int64_t looked_ns_ = 0;
     std::function<void()> pressed_;
 };
 

@@ -36,6 +36,7 @@ enum class Key {
     kLeft,
     kRight,
     kBackspace,
+    kPause,
 };
 enum class MouseButton { kLeft, kRight, kMiddle };
 

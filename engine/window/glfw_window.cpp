@@ -96,6 +96,8 @@ Key key_of(int code) {
             return Key::kRight;
         case GLFW_KEY_BACKSPACE:
             return Key::kBackspace;
+        case GLFW_KEY_PAUSE:
+            return Key::kPause;
         default:
             return Key::kUnknown;
     }

@@ -24,9 +24,11 @@ std::optional<int> supervise_devices() {
     });
 }
 
-StopGuard::StopGuard(haptic::HapticJob& job) : key_(haptics::open_stop_keys(), [&job] { job.stop_force(); }) {
+StopGuard::StopGuard(haptic::HapticJob& job)
+    : key_([](const std::vector<std::string>& known) { return haptics::open_stop_keys(known); },
+           [&job] { job.stop_force(); }) {
     // Without a thread there is no stop key besides the window's; the loop is no worse than before.
-    if (key_.found() > 0) static_cast<void>(thread_.start(key_, "onggi-stop-key"));
+    static_cast<void>(thread_.start(key_, "onggi-stop-key"));
 }
 
 }  // namespace onggi::app

@@ -120,24 +120,11 @@ std::string too_small_text(const kiosk::Config& config, int width_px, int height
         std::ceil(config.screen.diagonal_inch * share), std::floor(config.screen.distance_mm / share));
 }
 
-// A museum's typing error must not leave a visitor before a dark screen: where the settings cannot be read,
-// the wheel goes on with others, and says so.
-Result<KioskSettings> settings_for(const KioskOptions& options) {
-    auto settings = load_settings(options.config);
-    if (settings || options.other_config.empty()) return settings;
-    auto others = load_settings(options.other_config);
-    if (!others) return others.error();
-    others->remarks.insert(others->remarks.begin(),
-                           fmt::format("{}; going on with {} until it is mended", settings.error().message,
-                                       options.other_config));
-    return others;
-}
-
 // How a kiosk ended.
 enum class KioskEnd { kDone, kStartAnew };
 
 Result<KioskEnd> open_kiosk(const KioskOptions& options) {
-    auto settings = settings_for(options);
+    auto settings = load_settings(options.config, options.other_config);
     if (!settings) return settings.error();
     note_end_signals(settings->rules.locked);
     if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;

@@ -86,6 +86,9 @@ void KioskVisit::take_news(const PointerNews& news, const haptic::Snapshot& snap
         case PointerNews::Kind::kCloseAsked:
             tell({Event::Kind::kCloseAsked});
             break;
+        case PointerNews::Kind::kStopForce:
+            parts_.job.stop_force();
+            break;
         case PointerNews::Kind::kFullScreen:
             if (parts_.settings.rules.locked) break;
             full_screen_ = !full_screen_;

@@ -117,6 +117,9 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
         case Key::kV:
             if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kForces, 0, {}});
             return;
+        case Key::kPause:
+            if (!key.repeat) news.push_back({.kind = Kind::kStopForce});
+            return;
         case Key::kF:
         case Key::kF11:
             if (!key.repeat) news.push_back({.kind = Kind::kFullScreen});

@@ -25,6 +25,7 @@ struct PointerNews {
         kCornerHeld,  // the staff's corner, long enough
         kCloseAsked,
         kFullScreen,
+        kStopForce,
     };
     Kind kind = Kind::kNone;
     kiosk::Button button = kiosk::Button::kNone;

@@ -106,4 +106,14 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     return settings;
 }
 
+Result<KioskSettings> load_settings(const std::string& config_file, const std::string& other_file) {
+    auto settings = load_settings(config_file);
+    if (settings || other_file.empty()) return settings;
+    auto others = load_settings(other_file);
+    if (!others) return others;
+    others->remarks.insert(others->remarks.begin(), fmt::format("{}; going on with {} until it is mended",
+                                                                settings.error().message, other_file));
+    return others;
+}
+
 }  // namespace onggi::app

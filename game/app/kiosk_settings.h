@@ -43,5 +43,8 @@ void take_kept_volume(KioskSettings& settings);
 // `config_file` empty: defaults. Bad input: what the file, or a table of its languages folder, says wrong; a
 // language of the order that neither is built in nor has a table.
 Result<KioskSettings> load_settings(const std::string& config_file);
+// A museum's typing error must not leave a visitor before a dark screen: where that file's settings cannot be
+// used, those of `other_file`, and a remark that says so. Bad input: neither can; empty: there is no other.
+Result<KioskSettings> load_settings(const std::string& config_file, const std::string& other_file);
 
 }  // namespace onggi::app

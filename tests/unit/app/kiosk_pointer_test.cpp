@@ -188,6 +188,12 @@ TEST(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
     EXPECT_TRUE(mirrored.said(Kind::kCornerHeld)) << "on the other side where the page is mirrored";
 }
 
+TEST(KioskPointer, StopsTheForceWithPause) {
+    Finger finger;
+    finger.types(window::Key::kPause);
+    EXPECT_TRUE(finger.said(Kind::kStopForce));
+}
+
 TEST(KioskPointer, AsksToCloseForEveryWayOutThatWindowsHave) {
     for (const window::Event& way : {window::Event(window::CloseEvent{}),
                                      window::Event(window::KeyEvent{window::Key::kEscape, true, false}),

@@ -58,6 +58,23 @@ TEST(KioskSettings, RejectAFileThatIsNotThereOrWrong) {
     EXPECT_NE(refused.error().message.find("bad.toml, line 2"), std::string::npos);
 }
 
+TEST(KioskSettings, GoOnWithTheHousesWhereTheMuseumsCannotBeRead) {
+    const test::TemporaryFolder folder;
+    put(folder / "museum.toml", "[sound]\nvolume = 11\n");
+    put(folder / "house.toml", "[staff]\nlocked = true\n");
+    const auto settings = load_settings((folder / "museum.toml").string(), (folder / "house.toml").string());
+    ASSERT_TRUE(settings) << settings.error().message;
+    EXPECT_TRUE(settings->config.staff.locked);
+    ASSERT_FALSE(settings->remarks.empty());
+    EXPECT_NE(settings->remarks.front().find("museum.toml, line 2"), std::string::npos);
+    EXPECT_NE(settings->remarks.front().find("house.toml"), std::string::npos);
+    EXPECT_FALSE(load_settings((folder / "museum.toml").string(), (folder / "none.toml").string()));
+    put(folder / "museum.toml", "[sound]\nvolume = 1\n");
+    const auto mended = load_settings((folder / "museum.toml").string(), (folder / "house.toml").string());
+    ASSERT_TRUE(mended);
+    EXPECT_FALSE(mended->config.staff.locked);
+}
+
 TEST(KioskSettings, TakeTheStaffsVolumeOnlyWhereTheyAreToldTo) {
     const test::TemporaryFolder folder;
     KioskSettings settings;

@@ -6,8 +6,10 @@
 #include <linux/input.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <utility>
 
 #include "engine/jobs/clock.h"
 
@@ -31,10 +33,19 @@ struct Keyboard {
     std::array<int, 2> ends{-1, -1};
 };
 
+StopKey::Find these(std::vector<int> files) {
+    return [files = std::move(files)](const std::vector<std::string>& known) {
+        std::vector<StopKeyboard> found;
+        for (const int file : files)
+            if (known.empty()) found.push_back({"event" + std::to_string(file), file});
+        return found;
+    };
+}
+
 TEST(StopKey, HearsPauseAndStopAndNothingElse) {
     Keyboard keyboard;
     int presses = 0;
-    StopKey key({keyboard.ends[0]}, [&] { ++presses; });
+    StopKey key(these({keyboard.ends[0]}), [&] { ++presses; });
     keyboard.press(KEY_A);
     keyboard.press(KEY_PAUSE, 0);  // let go
     keyboard.press(KEY_PAUSE, 2);  // held
@@ -54,7 +65,7 @@ TEST(StopKey, SurvivesAKeyboardThatIsPulledOut) {
     Keyboard gone;
     Keyboard there;
     int presses = 0;
-    StopKey key({gone.ends[0], there.ends[0]}, [&] { ++presses; });
+    StopKey key(these({gone.ends[0], there.ends[0]}), [&] { ++presses; });
     gone.pull_out();
     (void)key.round(0);
     there.press(KEY_PAUSE);
@@ -66,7 +77,7 @@ TEST(StopKey, IsHeardWhileNobodyElseListens) {
     // This thread is the one that hangs: it only sleeps.
     Keyboard keyboard;
     std::atomic<bool> stopped{false};
-    StopKey key({keyboard.ends[0]}, [&] { stopped = true; });
+    StopKey key(these({keyboard.ends[0]}), [&] { stopped = true; });
     jobs::IoThread thread;
     ASSERT_TRUE(thread.start(key, "onggi-stop-key"));
     keyboard.press(KEY_PAUSE);
@@ -77,8 +88,36 @@ TEST(StopKey, IsHeardWhileNobodyElseListens) {
     EXPECT_TRUE(stopped);
 }
 
+TEST(StopKey, HearsAKeyboardThatIsPluggedInAgain) {
+    Keyboard before;
+    Keyboard after;
+    std::vector<StopKeyboard> plugged{{"event3", before.ends[0]}};
+    int presses = 0;
+    StopKey key(
+        [&](const std::vector<std::string>& known) {
+            for (const StopKeyboard& one : plugged)
+                EXPECT_EQ(std::count(known.begin(), known.end(), one.name), 0) << "opened twice";
+            return std::exchange(plugged, {});
+        },
+        [&] { ++presses; });
+    EXPECT_EQ(key.found(), 1U);
+    std::int64_t now_ns = 1;
+    (void)key.round(now_ns);
+    before.pull_out();
+    (void)key.round(now_ns);
+    EXPECT_EQ(key.found(), 0U);
+    plugged = {{"event3", after.ends[0]}};
+    (void)key.round(now_ns += StopKey::kLooksEveryNs - 1);
+    EXPECT_EQ(key.found(), 0U) << "not at every turn";
+    (void)key.round(now_ns += 2);
+    EXPECT_EQ(key.found(), 1U);
+    after.press(KEY_STOP);
+    (void)key.round(now_ns);
+    EXPECT_EQ(presses, 1);
+}
+
 TEST(StopKey, FindsNoneWhereThereIsNoFolder) {
-    EXPECT_TRUE(open_stop_keys("/nowhere/at/all").empty());
+    EXPECT_TRUE(open_stop_keys({}, "/nowhere/at/all").empty());
 }
 
 }  // namespace

@@ -31,6 +31,13 @@ TEST(Strings, NameEachLanguageByItself) {
     EXPECT_EQ(built_in_languages()[2].shown("name"), "العربية");
     EXPECT_TRUE(built_in_languages()[2].right_to_left());
     EXPECT_FALSE(built_in_languages()[1].right_to_left());
+    EXPECT_TRUE(built_in_languages()[2].is_arabic());
+    EXPECT_FALSE(built_in_languages()[1].is_arabic());
+    const auto egypt = Language::read("key\ttext\tspoken\tcheck\nname\tالعربية\t\t\n", "ar-EG", "ar-EG.tsv",
+                                      &built_in_languages().front());
+    ASSERT_TRUE(egypt) << egypt.error().message;
+    EXPECT_TRUE(egypt->is_arabic());
+    EXPECT_TRUE(egypt->right_to_left());
 }
 
 TEST(Strings, KeepTheMarksForTheNativeReader) {

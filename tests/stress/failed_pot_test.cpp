@@ -1,0 +1,89 @@
+// A visitor spins a wide wet bowl until it gives way: the failure screen, and each way on from there.
+#include <gtest/gtest.h>
+
+#include "tests/stress/unseen_kiosk.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Screen;
+
+// It stands at the speed that a visit begins with and not at the highest.
+clay::StudioClay wet_bowl() {
+    clay::StudioClay clay({.mass_g = 1500.0, .rings = 1000});
+    clay.set_liquidity(1.0);
+    clay.set_wall(80.0, 5.0, 8.0, 140.0, 800);
+    return clay;
+}
+
+class FailedPot : public testing::Test {
+  protected:
+    void begin() {
+        kiosk.point(0.5 * kWidth, 0.5 * kHeight);
+        kiosk.hold(true);
+        kiosk.frame();
+        kiosk.hold(false);
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
+        ASSERT_TRUE(kiosk.press(Button::kFree));
+        ASSERT_TRUE(stays_on_the_wheel(60)) << "it stands as it is";
+    }
+    void spin_it_apart() {
+        for (int step = 0; step < 2; ++step)
+            ASSERT_TRUE(kiosk.press(Button::kSpeedMore));
+        // Clay sinks in its own time, and the visit's must not run away from it into attract.
+        constexpr double kSlowly = 0.002;
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kFailure; }, kSlowly))
+            << "at " << kiosk.snapshot().wheel_speed_rad_s << " rad/s, load " << kiosk.snapshot().load.index
+            << ", height " << kiosk.snapshot().shape->height_mm;
+    }
+    // For that many frames.
+    bool stays_on_the_wheel(int frames) {
+        for (int frame = 0; frame < frames; ++frame) {
+            kiosk.frame();
+            if (kiosk.screen() != Screen::kThrow) return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return true;
+    }
+
+    test::TemporaryFolder folder;
+    UnseenKiosk kiosk{folder.path(), wet_bowl(), false};
+};
+
+TEST_F(FailedPot, GoesBackToJustBeforeAndStandsWhereTheWheelIsSlowed) {
+    begin();
+    spin_it_apart();
+    const double sunken_mm = kiosk.snapshot().shape->height_mm;
+    ASSERT_TRUE(kiosk.press(Button::kBeforeCollapse));
+    EXPECT_TRUE(stays_on_the_wheel(20)) << "what had sunk was taken for this";
+    for (int step = 0; step < 3; ++step)
+        ASSERT_TRUE(kiosk.press(Button::kSpeedLess));
+    EXPECT_TRUE(stays_on_the_wheel(200));
+    EXPECT_GT(kiosk.snapshot().shape->height_mm, sunken_mm + 5.0);
+    EXPECT_EQ(kiosk.snapshot().load.failure.cause, clay::studio::Cause::kNone);
+}
+
+TEST_F(FailedPot, GivesWayToNewClay) {
+    begin();
+    spin_it_apart();
+    ASSERT_TRUE(kiosk.press(Button::kNewClay));
+    EXPECT_TRUE(stays_on_the_wheel(60)) << "the old clay was taken for the new";
+}
+
+TEST_F(FailedPot, IsFiredAndKeptAsItIs) {
+    begin();
+    spin_it_apart();
+    ASSERT_TRUE(kiosk.press(Button::kKeepSlump));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+    ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
+    ASSERT_TRUE(kiosk.press(Button::kKeep));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }));
+    ASSERT_TRUE(kiosk.press(Button::kAnother));
+    ASSERT_TRUE(kiosk.press(Button::kFree));
+    EXPECT_TRUE(stays_on_the_wheel(60)) << "the sunken pot was taken for the new clay";
+}
+
+}  // namespace
+}  // namespace onggi::app
