@@ -32,7 +32,8 @@ DeviceCapabilities InverseDevice::capabilities() const {
 
 ToolState InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const haply::SpaceInput& input = link_.input.latest();
-    silence_s_ = input.heartbeat == last_heartbeat_ ? silence_s_ + dt_s : 0.0;
+    is_new_ = input.heartbeat != last_heartbeat_;
+    silence_s_ = is_new_ ? 0.0 : silence_s_ + dt_s;
     last_heartbeat_ = input.heartbeat;
     const bool was_here = is_here_;
     is_here_ = input.is_live && silence_s_ <= kSilenceS;

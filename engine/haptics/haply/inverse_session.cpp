@@ -76,6 +76,14 @@ std::string InverseSession::next_message(std::int64_t now_ns) {
         sent_ns_ = now_ns;
         return is_first ? R"({"session":{"configure":{"profile":{"name":"onggi"}}}})" : "{}";
     }
+    const std::uint32_t silences = link_.silences.load(std::memory_order_relaxed);
+    if (std::exchange(silences_, silences) != silences) {
+        gate_.restart();
+        has_spoken_ = true;
+        is_answered_ = false;
+        sent_ns_ = now_ns;
+        return probe_message(device_id_, is_first);
+    }
     const auto period_ns = static_cast<std::int64_t>(kNsPerS / options_.rate_hz);
     if (!is_first && since_ns < (is_answered_ ? period_ns : kSayAgainNs)) return {};
     has_spoken_ = true;

@@ -3,6 +3,7 @@
 // mm, N in the wheel's frame; everything belongs to the I/O thread but for the mailboxes of InverseLink.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -42,6 +43,8 @@ struct InverseLink {
     jobs::Mailbox<SpaceInput> input;       // I/O thread to haptic thread
     jobs::Mailbox<SpaceOrder> order;       // haptic thread to I/O thread
     jobs::Mailbox<hid::HidStatus> status;  // I/O thread to main thread
+    // Watchdog to I/O thread: how often it asked for no force, because the haptic thread stands still.
+    std::atomic<std::uint32_t> silences{0};
 };
 
 // The service's axes and the wheel's: x is x, the service's z is up, its y goes away from the person as the
@@ -62,7 +65,8 @@ class InverseSession {
     // A whole message. Error: it is not one of an Inverse service; the caller closes the socket and tells
     // closed().
     Result<void> take(std::string_view message, std::int64_t now_ns);
-    // What is to be said now; empty: nothing yet.
+    // What is to be said now; empty: nothing yet. What the watchdog asks for is said at once, whatever is due
+    // and whether the last message was answered or not.
     [[nodiscard]] std::string next_message(std::int64_t now_ns);
     // Before the socket is closed by us: no force, whatever was said last.
     [[nodiscard]] std::string last_message() const;
@@ -81,6 +85,7 @@ class InverseSession {
     std::string device_id_;
     dvec3 first_m_{0.0};
     std::uint64_t heartbeat_ = 0;
+    std::uint32_t silences_ = 0;
     bool is_open_ = false;
     bool has_spoken_ = false;  // in this connection
     bool is_answered_ = true;

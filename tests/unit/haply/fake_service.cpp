@@ -19,6 +19,7 @@ struct FakeService::Impl {
     std::mutex mutex;  // over all below
     dvec3 cursor_m{0.0, -0.1, 0.1};
     std::string instead;
+    bool is_silent = false;
     std::string heard;
     int times_heard = 0;
 
@@ -43,7 +44,7 @@ int called(lws* socket, lws_callback_reasons reason, void*, void* in, std::size_
             const std::lock_guard lock(impl->mutex);
             impl->heard.assign(static_cast<const char*>(in), size);
             ++impl->times_heard;
-            lws_callback_on_writable(socket);
+            if (!impl->is_silent) lws_callback_on_writable(socket);
             return 0;
         }
         case LWS_CALLBACK_SERVER_WRITEABLE: {
@@ -96,6 +97,11 @@ int FakeService::port() const {
 void FakeService::put_cursor_m(const dvec3& cursor_m) {
     const std::lock_guard lock(impl_->mutex);
     impl_->cursor_m = cursor_m;
+}
+
+void FakeService::be_silent(bool silent) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->is_silent = silent;
 }
 
 void FakeService::say(const std::string& instead) {

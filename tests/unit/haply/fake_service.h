@@ -20,6 +20,7 @@ class FakeService {
     [[nodiscard]] int port() const;
     // Any thread.
     void put_cursor_m(const dvec3& cursor_m);
+    void be_silent(bool silent);           // answers nothing
     void say(const std::string& instead);  // from now on, instead of the state; empty: the state again
     [[nodiscard]] std::string last_heard() const;
     [[nodiscard]] int times_heard() const;

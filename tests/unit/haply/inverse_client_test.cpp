@@ -56,6 +56,53 @@ TEST_F(InverseDeviceTest, IsFoundMovesTheToolAndFeelsThreeAxes) {
     EXPECT_EQ(device.capabilities().force_axes, 3);
 }
 
+TEST_F(InverseDeviceTest, TellsOfEachReadWhetherAMessageCame) {
+    FakeService service;
+    InverseDevice device({.port = service.port()});
+    EXPECT_FALSE(device.signs().hand_is_there);
+    EXPECT_FALSE(device.signs().position_is_new);
+    ASSERT_TRUE(device.open());
+    ASSERT_TRUE(comes_true(device, [&] { return device.is_here(); }));
+    EXPECT_TRUE(device.signs().hand_is_there);
+    int fresh = 0;
+    ASSERT_TRUE(comes_true(device, [&] { return (fresh += device.signs().position_is_new ? 1 : 0) > 100; }));
+    service.be_silent(true);
+    // What was on its way comes.
+    ASSERT_TRUE(comes_true(device, [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        (void)device.read(tick_++, 0.0);
+        return !device.signs().position_is_new;
+    }));
+    for (int tick = 0; tick < 40; ++tick) {
+        (void)device.read(tick_++, 0.001);
+        EXPECT_FALSE(device.signs().position_is_new) << tick;
+    }
+    EXPECT_TRUE(device.signs().hand_is_there) << "40 ms";
+    for (int tick = 0; tick < 20; ++tick)
+        (void)device.read(tick_++, 0.001);
+    EXPECT_FALSE(device.signs().hand_is_there) << "60 ms";
+    EXPECT_EQ(device.capabilities().report_rate_hz, 1000.0);
+}
+
+TEST_F(InverseDeviceTest, LetsGoWhenTheWatchdogAsksAlthoughItsOrdersGoOn) {
+    FakeService service;
+    InverseDevice device({.port = service.port()});
+    ASSERT_TRUE(device.open());
+    const auto hears = [&](std::string_view text) {
+        return service.last_heard().find(text) != std::string::npos;
+    };
+    ASSERT_TRUE(comes_true(device, [&] { return hears(R"("x":1.0000)"); }, {1.0, 0.0, 0.0}));
+    device.silence();
+    bool is_loose = false;
+    for (int round = 0; round < 5'000 && !is_loose; ++round) {
+        (void)device.read(tick_++, 0.001);
+        device.write({1.0, 0.0, 0.0});
+        is_loose = hears("probe_position");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_TRUE(is_loose) << service.last_heard();
+}
+
 TEST_F(InverseDeviceTest, ComesAndGoesWithItsService) {
     auto service = std::make_unique<FakeService>();
     const int port = service->port();

@@ -106,6 +106,26 @@ TEST_F(InverseSessionTest, LetsGoWhenTheLoopStandsStill) {
     EXPECT_EQ(session_.next_message(now_ns_), probe_message("049D", false));
 }
 
+TEST_F(InverseSessionTest, LetsGoAtOnceWhenTheWatchdogAsksAndStaysLooseUntilTheForceIsSmall) {
+    connect();
+    after_ms(2, dvec3(0.0));
+    const std::string force = force_message("049D", {1.0, 0.0, 0.0}, "vector", false);
+    ASSERT_EQ(after_ms(1200, {1.0, 0.0, 0.0}), force);
+    // A force was just said, and not answered yet; the next is due in a ms.
+    link_.order.put({.force_n = {1.0, 0.0, 0.0}, .ticks = ++ticks_});
+    ASSERT_EQ(session_.next_message(now_ns_ += kMs), force);
+    now_ns_ += kMs / 10;
+    ASSERT_EQ(session_.next_message(now_ns_), "");
+    link_.silences.fetch_add(1);
+    EXPECT_EQ(session_.next_message(now_ns_), probe_message("049D", false));
+    EXPECT_EQ(session_.next_message(now_ns_), "") << "once for each time it asks";
+    ASSERT_TRUE(session_.take(message_at(0.0, -0.1, 0.1), now_ns_));
+    // The loop is back with its old force: through the ramp only, and that begins at a small one.
+    EXPECT_EQ(after_ms(50, {1.0, 0.0, 0.0}), probe_message("049D", false));
+    after_ms(2, dvec3(0.0));
+    EXPECT_EQ(after_ms(1200, {1.0, 0.0, 0.0}), force);
+}
+
 TEST_F(InverseSessionTest, BeginsAnewWithADeviceThatComesBack) {
     connect();
     after_ms(2, dvec3(0.0));
