@@ -20,10 +20,15 @@ struct DeviceCapabilities {
     double max_stiffness_n_per_mm = 0.0;
     double position_resolution_mm = 0.0;
     bool has_motors = true;  // false: its force moves a picture of a tool, and heats nothing
-    // true: it is told forces and makes walls of its own of them, so that the clay's stiffness closes no loop
+    // true: along the radius it is told forces and makes walls of its own of them, so that the clay's
+    // stiffness closes no loop there (while HandSigns::shows_wall)
     bool has_own_walls = false;
     double report_rate_hz = 0.0;  // how often it says where it is; 0: at every read
-    // What moves, where it is known (stability.h judges by it); mass 0: unknown.
+    // How often an axis without such a wall is told its force. 0: as often as it reports, or of a device with
+    // walls of its own that it has no such axis.
+    double wire_rate_hz = 0.0;
+    double wire_delay_s = 0.0;  // from its place to the force of that place, besides one period of the loop
+    // What moves, where it is known (stability.h judges by it); mass 0: unknown, and taken to be light.
     double moving_mass_kg = 0.0;
     double damping_n_s_per_mm = 0.0;
     double coulomb_friction_n = 0.0;
@@ -33,6 +38,7 @@ struct DeviceCapabilities {
 struct HandSigns {
     bool position_is_new = true;  // heard from the device since the read before
     bool hand_is_there = true;    // as far as the device can tell
+    bool shows_wall = false;      // along the radius by a wall of its own, as it is plugged in now
     std::size_t hand = 0;         // which of capabilities_of_hands() has the tool
 };
 

@@ -15,8 +15,10 @@ namespace onggi::haptics {
 namespace {
 
 constexpr double kMmPerM = 1000.0;  // N on a kg is m/s^2
-constexpr std::size_t kMostDelay = 8;
+constexpr std::size_t kMostDelay = 16;
 constexpr double kStepUp = 1.05;
+constexpr double kStepUpAtLoad = 1.15;
+constexpr double kLeastStiffness = 0.01;
 
 // The tool, and a hand on it where there is one, between two ticks: the force is held, time goes on in small
 // steps. x grows outwards; the wall is below 0.
@@ -69,24 +71,37 @@ bool dies_away(const LoopMotion& motion, const DeviceCapabilities& device) {
            motion.swing_mm <= kShrinks * motion.earlier_swing_mm;
 }
 
-// The loop is closed no faster than the device speaks.
+// The loop is closed no faster than the device speaks, nor than it is spoken to.
 double loop_rate_hz(const DeviceCapabilities& device, double rate_hz) {
-    return device.report_rate_hz > 0.0 ? std::min(rate_hz, device.report_rate_hz) : rate_hz;
+    const double own_hz = device.wire_rate_hz > 0.0 ? device.wire_rate_hz : device.report_rate_hz;
+    return own_hz > 0.0 ? std::min(rate_hz, own_hz) : rate_hz;
 }
 
-// Tried at some smaller values too: stable here and unstable below would be an island. A load must not take
-// the time of a search.
+// As it is judged: light and slippery where nobody says what it weighs, for both are hard to steady.
+DeviceCapabilities judged(const DeviceCapabilities& device) {
+    DeviceCapabilities whole = device;
+    if (whole.moving_mass_kg > 0.0) return whole;
+    constexpr double kAssumedMassKg = 0.045;
+    constexpr double kAssumedDampingNSPerMm = 0.0001;
+    whole.moving_mass_kg = kAssumedMassKg;
+    whole.damping_n_s_per_mm = kAssumedDampingNSPerMm;
+    whole.coulomb_friction_n = 0.0;
+    return whole;
+}
+
+// Tried at some smaller values too, most of them near by: stable here and unstable below would be an island.
+// A load must not take the time of a search.
 template <typename Try>
 bool is_stable_up_to(double most, Try&& is_good) {
-    constexpr double kShares[] = {0.125, 0.25, 0.5, 1.0};
+    constexpr double kShares[] = {0.125, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0};
     return std::all_of(std::begin(kShares), std::end(kShares),
                        [&](double share) { return is_good(share * most); });
 }
 
 template <typename Try>
-double largest_that(Try&& is_good, double least, double most) {
+double largest_that(Try&& is_good, double least, double most, double step_up = kStepUp) {
     double good = 0.0;
-    for (double tried = least; tried < most; tried *= kStepUp) {
+    for (double tried = least; tried < most; tried *= step_up) {
         if (!is_good(tried)) return good;
         good = tried;
     }
@@ -158,8 +173,8 @@ bool is_stable(const DeviceCapabilities& device, const LoopSetting& setting, dou
 
 double largest_stable_stiffness_n_per_mm(const DeviceCapabilities& device, const LoopSetting& setting,
                                          double most) {
-    constexpr double kLeast = 0.01;
-    return largest_that([&](double tried) { return is_stable(device, setting, tried); }, kLeast, most);
+    return largest_that([&](double tried) { return is_stable(device, setting, tried); }, kLeastStiffness,
+                        most);
 }
 
 double largest_stable_viscosity_n_s_per_mm(const DeviceCapabilities& device, const LoopSetting& setting,
@@ -174,44 +189,62 @@ double largest_stable_viscosity_n_s_per_mm(const DeviceCapabilities& device, con
         kLeast, most);
 }
 
-double stiffest_for(const DeviceCapabilities& device, double rate_hz, double most) {
-    const LoopSetting setting{.rate_hz = loop_rate_hz(device, rate_hz), .stages = kSafetyChain};
-    if (is_stable_up_to(most, [&](double tried) { return is_stable(device, setting, tried); })) return most;
-    return largest_stable_stiffness_n_per_mm(device, setting, most);
+LoopSetting loop_of(const DeviceCapabilities& device, double rate_hz) {
+    LoopSetting setting{.rate_hz = loop_rate_hz(device, rate_hz)};
+    if (!device.has_own_walls) setting.stages = kSafetyChain;
+    // A hand that leans harder than the device pushes goes through any wall, and that is no unrest.
+    if (device.peak_force_n > 0.0) setting.press_n = std::min(setting.press_n, 0.5 * device.peak_force_n);
+    constexpr double kRounding = 1e-6;
+    const double late_ticks = std::ceil(device.wire_delay_s * setting.rate_hz - kRounding);
+    setting.delay_ticks = std::min(1 + static_cast<int>(late_ticks), static_cast<int>(kMostDelay) - 1);
+    return setting;
+}
+
+double stiffest_for(const DeviceCapabilities& device, double rate_hz, double most,
+                    double viscosity_n_s_per_mm) {
+    const DeviceCapabilities known = judged(device);
+    const LoopSetting bare = loop_of(device, rate_hz);
+    LoopSetting viscous = bare;
+    viscous.viscosity_n_s_per_mm = viscosity_n_s_per_mm;
+    const auto bears = [&](double tried) {
+        return is_stable(known, bare, tried) &&
+               (viscosity_n_s_per_mm == 0.0 || is_stable(known, viscous, tried));
+    };
+    if (is_stable_up_to(most, bears)) return most;
+    return largest_that(bears, kLeastStiffness, most, kStepUpAtLoad);
 }
 
 Result<void> check_clay_on_device(const DeviceCapabilities& device, double rate_hz, double stiffness_n_per_mm,
                                   double viscosity_n_s_per_mm) {
     if (device.force_axes == 0 || !device.has_motors || device.has_own_walls) return {};
-    const double loop_hz = loop_rate_hz(device, rate_hz);
     if (device.max_stiffness_n_per_mm > 0.0 && stiffness_n_per_mm > device.max_stiffness_n_per_mm) {
         return bad_input(
             fmt::format("{}: expected a clay of at most {:.3g} N/mm, its maker's limit, found {:.3g}",
                         device.name, device.max_stiffness_n_per_mm, stiffness_n_per_mm));
     }
-    if (device.moving_mass_kg <= 0.0) return {};
-    const LoopSetting setting{.rate_hz = loop_hz, .stages = kSafetyChain};
-    const double stiffest = stiffest_for(device, rate_hz, stiffness_n_per_mm);
-    if (stiffest < stiffness_n_per_mm) {
+    const DeviceCapabilities known = judged(device);
+    const LoopSetting setting = loop_of(device, rate_hz);
+    const auto bears_stiffness = [&](double tried) { return is_stable(known, setting, tried); };
+    if (!is_stable_up_to(stiffness_n_per_mm, bears_stiffness)) {
+        const double stiffest = largest_stable_stiffness_n_per_mm(known, setting, stiffness_n_per_mm);
         return bad_input(
             fmt::format("{}: expected a clay of at most {:.3g} N/mm, the stiffest that is stable on it at "
-                        "{:.0f} Hz, found "
-                        "{:.3g}",
-                        device.name, stiffest, loop_hz, stiffness_n_per_mm));
+                        "{:.0f} Hz, found {:.3g}",
+                        device.name, stiffest, setting.rate_hz, stiffness_n_per_mm));
     }
     LoopSetting viscous = setting;
     const auto bears = [&](double tried) {
         viscous.viscosity_n_s_per_mm = tried;
-        return is_stable(device, viscous, stiffness_n_per_mm);
+        return is_stable(known, viscous, stiffness_n_per_mm);
     };
     if (!is_stable_up_to(viscosity_n_s_per_mm, bears)) {
         const double most_viscous =
-            largest_stable_viscosity_n_s_per_mm(device, setting, stiffness_n_per_mm, viscosity_n_s_per_mm);
+            largest_stable_viscosity_n_s_per_mm(known, setting, stiffness_n_per_mm, viscosity_n_s_per_mm);
         return bad_input(
             fmt::format("{}: expected a clay of at most {:.3g} N s/mm, the most viscous that is stable on it "
                         "at {:.0f} Hz, "
                         "found {:.3g}",
-                        device.name, most_viscous, loop_hz, viscosity_n_s_per_mm));
+                        device.name, most_viscous, setting.rate_hz, viscosity_n_s_per_mm));
     }
     return {};
 }

@@ -15,6 +15,8 @@ struct HapticParameters;
 // What a device may be shown; fit_to_device() works it out of its capabilities.
 struct DeviceFeel {
     double most_stiffness_n_per_mm = 0.0;  // 0: as the clay is
+    // Of an axis that a device with walls of its own is told the force of. 0: it has no such axis.
+    double most_wire_stiffness_n_per_mm = 0.0;
     // The normal force at which the friction of Eq. (7) is there in full.
     double friction_reference_n = 0.1;
 };
@@ -35,13 +37,17 @@ struct DeviceForce {
 // Differs: clay that is stiffer than the device can show stably is shown as stiff as it can; its friction,
 // which
 //   follows the pressure, by the same share.
+// Differs: a joystick's own spring answers the hand at the stick's speed, but its height, and its radius
+// where it
+//   has no such spring (shows_wall false), are forces over a slow bus: those axes get all their forces by the
+//   share that makes the clay as stiff as is stable over that bus. The sum is bent towards the spring.
 [[nodiscard]] DeviceForce device_force(const clay::ContactForces& forces, const dvec3& velocity_mm_s,
                                        double viscosity_c2_n_s_per_mm, bool friction_follows_pressure,
-                                       const DeviceFeel& feel) noexcept;
+                                       const DeviceFeel& feel, bool shows_wall = false) noexcept;
 
 // Sets limits and feel to what the device can do at the parameters' rate, before anybody holds it. Takes some
-// ms where the device's mass is known. Error: kBadInput, one line, where the paper's constants could not be
-// shown stably: they are the paper's, and are refused rather than changed.
+// 100 ms for a device that pushes. Error: kBadInput, one line, where the paper's constants could not be shown
+// stably: they are the paper's, and are refused rather than changed; or where nothing could.
 Result<void> fit_to_device(HapticParameters& parameters, const haptics::DeviceCapabilities& device,
                            bool is_paper);
 

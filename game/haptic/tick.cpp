@@ -84,7 +84,8 @@ dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const Ha
     const dvec3 velocity_mm_s = state.velocity.update(tool.position_mm, dt_s);
     const double viscosity =
         is_studio ? parameters.studio.viscosity_c2_n_s_per_mm : parameters.paper.viscosity_c2_n_s_per_mm;
-    const DeviceForce force = device_force(forces, velocity_mm_s, viscosity, is_studio, parameters.feel);
+    const DeviceForce force =
+        device_force(forces, velocity_mm_s, viscosity, is_studio, parameters.feel, device.signs.shows_wall);
     return haptics::apply_safety_chain(force.wanted_n + device.test_force_n,
                                        {.position_mm = tool.position_mm,
                                         .dt_s = dt_s,

@@ -298,7 +298,9 @@ TEST(SafetyProperty10, AClayThatIsTooStiffForTheDeviceIsRefusedBeforeItIsOpened)
         return outcome;
     };
     EXPECT_EQ(start(), std::pair(false, 0));
-    device.moving_mass_kg = 0.0;  // nothing to judge by: the check is taken away
+    device.moving_mass_kg = 0.0;  // what is unknown is no leave to push
+    EXPECT_EQ(start(), std::pair(false, 0));
+    device.has_motors = false;  // there is nothing to judge: the check is taken away
     EXPECT_EQ(start(), std::pair(true, 1));
 }
 

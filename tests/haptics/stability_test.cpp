@@ -206,6 +206,38 @@ TEST(RejectsClay, ThatIsStifferThanItsDeviceCanShowStably) {
     EXPECT_FALSE(check_clay_on_device(slippery, 4000.0, 0.5, 0.002));
 }
 
+TEST(RejectsClay, OnADeviceThatDoesNotSayItsWeightAsOnTheHardestOfTheBench) {
+    DeviceCapabilities light = test::stylus("it", 0.1, 0.0);
+    const auto known = check_clay_on_device(light, 500.0, 0.65, 0.002);
+    light.moving_mass_kg = light.damping_n_s_per_mm = 0.0;
+    light.coulomb_friction_n = 1.0;  // without the mass it says nothing
+    const auto unknown = check_clay_on_device(light, 500.0, 0.65, 0.002);
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().message, known.error().message);
+    EXPECT_EQ(stiffest_for(light, 500.0, 0.05), 0.05);
+}
+
+TEST(LoopOfADevice, IsAsSlowAndAsLateAsItsBus) {
+    DeviceCapabilities device = omni_like();
+    EXPECT_EQ(loop_of(device, 4000.0).rate_hz, 4000.0);
+    EXPECT_EQ(loop_of(device, 4000.0).delay_ticks, 1);
+    device.report_rate_hz = 1000.0;
+    device.wire_delay_s = 0.002;
+    EXPECT_EQ(loop_of(device, 4000.0).rate_hz, 1000.0);
+    EXPECT_EQ(loop_of(device, 4000.0).delay_ticks, 3);
+    EXPECT_EQ(loop_of(device, 500.0).delay_ticks, 2);
+    device.wire_rate_hz = 250.0;
+    EXPECT_EQ(loop_of(device, 4000.0).rate_hz, 250.0);
+    EXPECT_FALSE(loop_of(device, 4000.0).stages.empty());
+    device.has_own_walls = true;
+    EXPECT_TRUE(loop_of(device, 4000.0).stages.empty()) << "the controller does not know when its bus tells";
+    // Later, the same device bears less.
+    device = test::stylus("late", 0.1, 0.0);
+    const double prompt = stiffest_for(device, 1000.0, 1.0);
+    device.wire_delay_s = 0.002;
+    EXPECT_LT(stiffest_for(device, 1000.0, 1.0), 0.8 * prompt);
+}
+
 TEST(RejectsClay, BeyondWhatTheMakerAllows) {
     const auto refused = check_clay_on_device(omni_like(), 4000.0, 0.71, 0.002);
     ASSERT_FALSE(refused);

@@ -7,6 +7,17 @@ constexpr dvec3 kStartMm{110.0, 60.0, 0.0};  // outside the lump
 constexpr double kSilenceS = 0.05;
 constexpr double kNoiseMm = 1.5;
 
+// What its stiffness is judged by (stability.h). From its maker's public description: that forces are
+// newtons, and that it answers each message with one, so that the rate is ours. All else is assumed, until
+// somebody measures one: a message waits up to a period on either side of the service; the arm is as light as
+// a small stylus and as free as hardly any (both are harder to steady); its encoders are no finer than such a
+// stylus's.
+constexpr double kServicePeriods = 2.0;
+constexpr double kMovingKg = 0.045;
+constexpr double kDampingNSPerMm = 0.0001;
+constexpr double kFrictionN = 0.0;
+constexpr double kEncoderStepMm = 0.055;
+
 }  // namespace
 
 InverseDevice::InverseDevice(const haply::InverseOptions& options)
@@ -26,8 +37,12 @@ DeviceCapabilities InverseDevice::capabilities() const {
             .force_axes = 3,
             .peak_force_n = options_.peak_n,
             .continuous_force_n = options_.continuous_n,
-            .max_stiffness_n_per_mm = options_.most_stiffness_n_per_mm,
-            .report_rate_hz = options_.rate_hz};
+            .position_resolution_mm = kEncoderStepMm,
+            .report_rate_hz = options_.rate_hz,
+            .wire_delay_s = kServicePeriods / options_.rate_hz,
+            .moving_mass_kg = kMovingKg,
+            .damping_n_s_per_mm = kDampingNSPerMm,
+            .coulomb_friction_n = kFrictionN};
 }
 
 ToolState InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {

@@ -24,8 +24,6 @@ struct InverseOptions {
     // The kiosk's profile, not the ten newtons such a device can give.
     double peak_n = 3.3;
     double continuous_n = 0.88;
-    // It is told forces over a service: more stiffness than this has not been proved stable.
-    double most_stiffness_n_per_mm = 0.3;
 };
 
 // The cursor in the wheel's axes, from wherever it stood when it was first heard.

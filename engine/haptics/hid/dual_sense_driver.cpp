@@ -77,7 +77,7 @@ DeviceCapabilities DualSenseDriver::capabilities() const {
             .force_axes = 1,
             .peak_force_n = mapping_.strongest_n,
             .continuous_force_n = mapping_.strongest_n,
-            .max_stiffness_n_per_mm = mapping_.stiffness_n_per_mm,
+            .max_stiffness_n_per_mm = mapping_.most_stiffness_n_per_mm,
             .position_resolution_mm = mapping_.press_mm / 255.0,
             .has_own_walls = true};
 }

@@ -45,6 +45,7 @@ struct HandInput {
     // shall change.
     double wheel_rev_min = 0.0;
     double wheel_change_rev_min_s = 0.0;
+    bool shows_wall = false;      // what is plugged in answers along the radius by a wall of its own
     bool is_live = false;         // false: nothing plugged in, or silent for too long; nothing above counts
     std::uint32_t buttons = 0;    // bit 0 the first; for screens
     std::uint64_t heartbeat = 0;  // counts the I/O thread's rounds: it must not stand still

@@ -55,7 +55,6 @@ HidDevice::HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBu
     // The I/O thread's round, writes included: what its mailbox holds is never much younger.
     constexpr double kRoundsPerS = 100.0;
     capabilities_.report_rate_hz = kRoundsPerS;
-    capabilities_.has_own_walls = true;
 }
 
 Result<void> HidDevice::open() {
@@ -68,7 +67,9 @@ void HidDevice::close() noexcept {
 }
 
 ToolState HidDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
-    tool_ = mover_.moved(link_.input.latest(), dt_s);
+    const hid::HandInput& input = link_.input.latest();
+    shows_wall_ = input.shows_wall;
+    tool_ = mover_.moved(input, dt_s);
     return tool_;
 }
 

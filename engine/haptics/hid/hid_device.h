@@ -46,7 +46,9 @@ class HidDevice final : public Hand {
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     [[nodiscard]] HandSigns signs() const noexcept override {
-        return {.position_is_new = mover_.was_heard(), .hand_is_there = mover_.input_is_live()};
+        return {.position_is_new = mover_.was_heard(),
+                .hand_is_there = mover_.input_is_live(),
+                .shows_wall = shows_wall_};
     }
     void write(const dvec3& force_n) noexcept override;
     void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
@@ -70,6 +72,7 @@ class HidDevice final : public Hand {
     hid::ToolMover mover_;
     ToolState tool_;
     WorkFelt work_;
+    bool shows_wall_ = false;
     std::uint64_t ticks_ = 0;
 };
 

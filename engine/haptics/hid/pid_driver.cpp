@@ -44,14 +44,29 @@ bool touches(const ForceOrder& order) noexcept {
 DeviceCapabilities PidDriver::capabilities() const {
     // The coarsest stick of the known tables counts from -4096 to 4096.
     constexpr double kCountsOfTravel = 8192.0;
+    // What a constant force closes its loop over. The rate is this driver's own; the delay a report that
+    // waits for the I/O thread, and a write for the bus. Assumed, for no maker tells, and in the tool's mm,
+    // of which a stick moves two in one of its own: lighter than any grip, with less friction than any belt
+    // or gear.
+    constexpr double kTellsPerS = 250.0;
+    constexpr double kBusDelayS = 0.004;
+    constexpr double kGripKg = 0.1;
+    constexpr double kDampingNSPerMm = 0.0003;
+    constexpr double kFrictionN = 0.1;
+    static_assert(kTellsPerS * static_cast<double>(kLeastIntervalNs) == 1e9);
     return {.name = "force-feedback joystick",
             .force_axes = 2,
             .peak_force_n = mapping_.peak_n,
             .continuous_force_n = mapping_.peak_n,
-            .max_stiffness_n_per_mm = mapping_.stiffness_n_per_mm,
+            .max_stiffness_n_per_mm = stiffest_n_per_mm(),
             .position_resolution_mm =
                 (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / kCountsOfTravel,
-            .has_own_walls = true};
+            .has_own_walls = true,
+            .wire_rate_hz = kTellsPerS,
+            .wire_delay_s = kBusDelayS,
+            .moving_mass_kg = kGripKg,
+            .damping_n_s_per_mm = kDampingNSPerMm,
+            .coulomb_friction_n = kFrictionN};
 }
 
 Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
@@ -60,6 +75,7 @@ Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
     auto layout = PidLayout::find(std::move(descriptor).value());
     if (!layout) return layout.error();
     layout_ = std::move(layout).value();
+    shows_wall_ = can_show_a_wall();
     effects_.clear();
     stick_ = {};
     device_state_ = {};
@@ -84,16 +100,15 @@ Result<void> PidDriver::begin(HidPort& port) {
         Axis axis;
         bool is_needed;
     };
-    const bool shows_a_wall = can_show_a_wall();
     for (const Wish& wish :
-         {Wish{PidUsage::kSpringType, Axis::kX, shows_a_wall},
-          Wish{PidUsage::kConstantForceType, Axis::kX, !shows_a_wall},
+         {Wish{PidUsage::kSpringType, Axis::kX, shows_wall_},
+          Wish{PidUsage::kConstantForceType, Axis::kX, !shows_wall_},
           Wish{PidUsage::kConstantForceType, Axis::kY, true}, Wish{PidUsage::kDamperType, Axis::kX, false},
           Wish{PidUsage::kFrictionType, Axis::kX, false}}) {
         const bool is_condition = wish.type != PidUsage::kConstantForceType;
         const bool is_possible =
-            wish.type == PidUsage::kSpringType ? shows_a_wall
-            : !is_condition                    ? wish.axis == Axis::kY || !shows_a_wall
+            wish.type == PidUsage::kSpringType ? shows_wall_
+            : !is_condition                    ? wish.axis == Axis::kY || !shows_wall_
                             : layout_->has_effect(wish.type) && layout_->place(PidUsage::kSetCondition);
         if (!is_possible) continue;
         auto loaded = load(port, wish.type, wish.axis);
@@ -174,6 +189,7 @@ HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
                       reach.least_height_mm + away * (reach.most_height_mm - reach.least_height_mm)};
     input.wheel_button = wheel_turns_;
     input.buttons = stick_.buttons;
+    input.shows_wall = shows_wall_;
     return input;
 }
 
@@ -184,21 +200,17 @@ double PidDriver::share_of_force(double force_n) const noexcept {
 PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
     PidCondition condition{.saturation = share_of_force(mapping_.peak_n)};
     const ToolReach& reach = mapping_.reach;
-    const double mm_per_unit = (reach.most_radius_mm - reach.least_radius_mm) / 2.0;
     const double middle_mm = (reach.most_radius_mm + reach.least_radius_mm) / 2.0;
-    // A coefficient of 1 gives full scale one unit beyond the centre; a weak stick cannot be as stiff as
-    // wanted.
+    // A coefficient of 1 gives full scale one unit beyond the centre.
     const double clay = order.work.stiffness_n_per_mm;
-    const double wanted =
-        clay > 0.0 ? std::min(clay, mapping_.stiffness_n_per_mm) : mapping_.stiffness_n_per_mm;
-    const double stiffness = std::min(wanted, mapping_.full_scale_n / mm_per_unit);
+    const double stiffness = clay > 0.0 ? std::min(clay, stiffest_n_per_mm()) : stiffest_n_per_mm();
     const auto wall = local_wall(order, stiffness);
     if (!wall) return condition;
-    condition.centre = std::clamp((wall->contact_mm - middle_mm) / mm_per_unit, -1.0, 1.0);
+    condition.centre = std::clamp((wall->contact_mm - middle_mm) / mm_per_unit(), -1.0, 1.0);
     // Clay outside pushes outwards on what lies before the contact; clay seen from inside the other way
     // round.
     (wall->is_outside ? condition.negative_coefficient : condition.positive_coefficient) =
-        stiffness * mm_per_unit / mapping_.full_scale_n;
+        stiffness * mm_per_unit() / mapping_.full_scale_n;
     return condition;
 }
 

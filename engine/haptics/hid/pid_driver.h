@@ -2,12 +2,14 @@
 // pulling towards the hand lowers it. The clay's radial force is a one-sided spring that the device itself
 // runs (a wall that does not depend on how fast USB is); the vertical one a constant force; damper and
 // friction, where the device has them, act while the tool touches. Without springs the radial force is a
-// constant one too.
+// constant one too. A constant force closes a loop over USB, told every 4 ms: the clay's stiffness on such an
+// axis is bound to what is stable there (game/haptic/device_force.h).
 //
 // Every effect ends by itself after half a second and is started again in time: when this program dies, so
 // does the force. Never tried on hardware by this project.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -61,9 +63,17 @@ class PidDriver final : public HidDriver {
     Result<void> tell(HidPort& port, Effect& effect, const ForceOrder& order);
     [[nodiscard]] PidCondition wall_condition(const ForceOrder& order) const noexcept;
     [[nodiscard]] double share_of_force(double force_n) const noexcept;
+    [[nodiscard]] double mm_per_unit() const noexcept {
+        return (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / 2.0;
+    }
+    // Of the wall it shows at the most: a weak stick cannot be as stiff as wanted.
+    [[nodiscard]] double stiffest_n_per_mm() const noexcept {
+        return std::min(mapping_.stiffness_n_per_mm, mapping_.full_scale_n / mm_per_unit());
+    }
 
     PidMapping mapping_;
     std::optional<PidLayout> layout_;
+    bool shows_wall_ = false;
     std::vector<Effect> effects_;
     StickState stick_;
     PidDeviceState device_state_;

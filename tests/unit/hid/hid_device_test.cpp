@@ -8,6 +8,9 @@
 #include <mutex>
 #include <thread>
 
+#include "tests/support/pid_descriptors.h"
+#include "tests/support/scripted_hid.h"
+
 namespace onggi::haptics {
 namespace {
 
@@ -102,6 +105,28 @@ TEST_F(HidDeviceTest, IsClosedWhenItGoesOutOfScope) {
     EXPECT_EQ(open_ports(), 0);
 }
 
+TEST(HidDeviceOfAJoystick, SaysThatItShowsAWallOnceItIsPluggedInAndDoes) {
+    auto script = std::make_shared<testing::ScriptedHid>();
+    script->info = {.path = "/dev/hidraw9", .may_open = true, .kind = HidKind::kForceJoystick};
+    script->info.report_descriptor = testing::open_ffboard_descriptor();
+    for (const char* answer : {"12 01 01 00 01", "12 02 01 00 01", "12 03 01 00 01", "12 04 01 00 01"})
+        script->features[0x12].push_back(testing::hex(answer));
+    HidDevice stick({.kind = HidKind::kForceJoystick}, std::make_unique<testing::ScriptedBus>(script));
+    (void)stick.read(0, 0.001);
+    EXPECT_FALSE(stick.signs().shows_wall);
+    ASSERT_TRUE(stick.open());
+    std::uint64_t tick = 1;
+    bool shows_wall = false;
+    for (int round = 0; round < 10'000 && !shows_wall; ++round) {
+        (void)stick.read(tick++, 0.0);
+        shows_wall = stick.signs().shows_wall;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_TRUE(shows_wall);
+    stick.close();
+    EXPECT_EQ(stick.capabilities().wire_rate_hz, 250.0);
+}
+
 TEST(MakeHidDevice, MakesOneOfEachKindButTheUnknown) {
     for (const HidKind kind :
          {HidKind::kForceJoystick, HidKind::kSpaceMouse, HidKind::kDualSense, HidKind::kVecPedal}) {
@@ -114,6 +139,10 @@ TEST(MakeHidDevice, MakesOneOfEachKindButTheUnknown) {
     EXPECT_EQ(make_hid_device({}), nullptr);
     EXPECT_EQ(make_hid_device({.kind = HidKind::kForceJoystick})->capabilities().force_axes, 2);
     EXPECT_EQ(make_hid_device({.kind = HidKind::kSpaceMouse})->capabilities().force_axes, 0);
+    // A trigger is told its resistance and no force; what has no motors shows no wall.
+    EXPECT_TRUE(make_hid_device({.kind = HidKind::kDualSense})->capabilities().has_own_walls);
+    EXPECT_EQ(make_hid_device({.kind = HidKind::kDualSense})->capabilities().wire_rate_hz, 0.0);
+    EXPECT_FALSE(make_hid_device({.kind = HidKind::kSpaceMouse})->capabilities().has_own_walls);
 }
 
 }  // namespace

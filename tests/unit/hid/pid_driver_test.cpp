@@ -93,6 +93,21 @@ TEST_F(PidDriverTest, ShowsTheClayAsASpringAtItsContactRadius) {
     EXPECT_EQ(sent.front(), "w 03 01 00 67 e6 00 40 00 00 3d 2a 3d 2a 00 00");
 }
 
+TEST_F(PidDriverTest, SaysWhatItShowsByItselfAndWhatItIsToldOverUsb) {
+    EXPECT_FALSE(driver.input(0).shows_wall) << "nothing is plugged in";
+    start();
+    EXPECT_TRUE(driver.input(0).shows_wall);
+    const DeviceCapabilities can = driver.capabilities();
+    EXPECT_TRUE(can.has_own_walls);
+    EXPECT_EQ(can.max_stiffness_n_per_mm, 0.1);
+    EXPECT_EQ(can.wire_rate_hz, 250.0) << "its height is always a constant force";
+    EXPECT_GT(can.moving_mass_kg, 0.0);
+    // A stick of 10 N over 50 mm to either side cannot be stiffer than 0.2 N/mm, whatever is wanted.
+    PidMapping weak = measured_stick();
+    weak.stiffness_n_per_mm = 0.5;
+    EXPECT_EQ(PidDriver(weak).capabilities().max_stiffness_n_per_mm, 0.2);
+}
+
 TEST_F(PidDriverTest, PushesUpByAConstantForceAwayFromTheHand) {
     start();
     const Log sent = told({.force_n = {0.0, 1.0}, .tool_mm = {60.0, 100.0}, .ticks = 1}, 0);
@@ -245,6 +260,7 @@ TEST_F(PidDriverTest, PushesByConstantForcesWhereAFirmwareHasNoOneSidedSpring) {
               begun.end())
         << "constant on Y";
     driver.take_report(hex("01 00 00 00 00 00"), 0);
+    EXPECT_FALSE(driver.input(0).shows_wall);
     // 0.2 of 10000 is 0x07d0, outwards.
     EXPECT_EQ(told({.force_n = {2.0, 0.0}, .tool_mm = {60.0, 100.0}, .ticks = 1}, 0).front(),
               "w 05 01 d0 07");
