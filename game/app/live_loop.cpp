@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
+#include "game/app/command_line.h"
 #include "game/app/haptic_guard.h"
 
 namespace onggi::app {
@@ -42,6 +44,8 @@ Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
     haptic::HapticJob job(std::move(run.start.state), run.start.parameters, std::move(run.hand), options);
     if (auto started = job.start(); !started) return started.error();
     const StopGuard stop_guard(job);
+    for (const std::string& line : job.refusals())
+        remark(line);
 
     LiveReport report;
     jobs::MonotonicClock clock;

@@ -49,6 +49,7 @@ struct LiveReport {
     haptic::HapticState state;  // at the end
 };
 
+// A hand that cannot be shown this clay gets no force, and one line on stderr says why.
 // Errors: the device's or the thread's (see HapticJob::start), or the first that `draw` returned.
 [[nodiscard]] Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw);
 

@@ -86,6 +86,26 @@ TEST(Live, RefusesWhatItDoesNotKnow) {
     expect_one_line(run_onggi(with_small_picture({"live"})), 2, "file is required");
 }
 
+TEST(Live, SaysWhyADeviceGetsNoForceOfThisClay) {
+    const TemporaryFolder folder;
+    put_file(folder / "g.csv", kShortGesture);
+    const auto said = [&](const std::string& clay) {
+        const ProgramRun run = run_onggi(
+            with_small_picture({"live", "g.csv", "--clay", clay, "--rate", "1000", "--device", "inverse3"}),
+            {.folder = folder.path()});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return run.err;
+    };
+    constexpr std::string_view kWhy = "Haply Inverse3: expected a clay of at most ";
+    const std::string paper = said("paper");
+    const std::size_t at = paper.find(kWhy);
+    ASSERT_NE(at, std::string::npos) << paper;
+    EXPECT_NE(paper.find("the stiffest that is stable on it at 1000 Hz, found 0.5\n", at), std::string::npos)
+        << paper;
+    EXPECT_EQ(paper.find(kWhy, at + 1), std::string::npos) << "once: " << paper;
+    EXPECT_EQ(said("studio").find("Haply"), std::string::npos) << "that clay is shown softer";
+}
+
 TEST(Live, RefusesAPlaceForItsStatsBeforeItPlays) {
     expect_one_line(
         run_onggi(with_small_picture({"live", kPressAndHold, "--stats", "no/such/folder/s.json"})), 2,
