@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/haptics/haply/inverse_session.h"
+#include "engine/haptics/haply/service_probe.h"
 #include "engine/haptics/hid/hid_kind.h"
 #include "engine/sound/openal_player.h"
 #include "engine/window/window.h"
@@ -37,6 +37,23 @@ Finding finding_for(const haptics::HidDeviceInfo& device) {
     return finding;
 }
 
+Finding probe_inverse(const haptics::haply::InverseOptions& options) {
+    const auto service = haptics::haply::find_service(options);
+    if (service) {
+        return {.subject = "device",
+                .found = fmt::format("Haply Inverse3: its service is found at {}:{}; moves the tool in three "
+                                     "axes and pushes back in all of them once the device is plugged in",
+                                     options.host, options.port)};
+    }
+    // Few have one: no lack.
+    return {
+        .subject = "device",
+        .verdict = Verdict::kNote,
+        .found = fmt::format("Haply Inverse3: looked for at {}:{} while the wheel runs; not found now: {}; "
+                             "its maker's service must be installed and run",
+                             options.host, options.port, service.error().message)};
+}
+
 Finding probe_sound() {
     const std::string obstacle = sound::why_no_sound();
     if (obstacle.empty()) return {.subject = "sound", .found = "a sound card or a sound server"};
@@ -67,13 +84,7 @@ std::vector<Finding> probe_haptic_devices() {
              .found = fmt::format("gamepad {}: sticks move the tool, triggers turn the wheel; no force",
                                   pad.name.empty() ? "(no name)" : pad.name)});
     }
-    const haptics::haply::InverseOptions inverse;
-    findings.push_back(
-        {.subject = "device",
-         .verdict = Verdict::kNote,
-         .found = fmt::format("Haply Inverse3: looked for at {}:{} while the wheel runs; its maker's "
-                              "service must be installed",
-                              inverse.host, inverse.port)});
+    findings.push_back(probe_inverse({}));
     return findings;
 }
 

@@ -4,15 +4,19 @@
 
 #include <vector>
 
+#include "engine/haptics/haply/inverse_session.h"
 #include "engine/haptics/hid/hid_list.h"
 #include "game/app/finding.h"
 
 namespace onggi::app {
 
 // The simulated tool, which is always there, every HID device - what it can do here, or why it is not used
-// and what would mend that - and every gamepad. Lacking: a device that could be used and is not, or a bus
-// that cannot be seen.
+// and what would mend that -, every gamepad, and whether an Inverse3's service listens. Lacking: a device
+// that could be used and is not, or a bus that cannot be seen.
 [[nodiscard]] std::vector<Finding> probe_haptic_devices();
+
+// Whether the Inverse3's service listens at that place; asks for 200 ms at most.
+[[nodiscard]] Finding probe_inverse(const haptics::haply::InverseOptions& options);
 
 // Whether the wheel can be heard.
 [[nodiscard]] Finding probe_sound();

@@ -1,8 +1,11 @@
 // The program itself among HID devices: the real `onggi`, hidapi and libudev, on devices that umockdev
 // describes. Never on hardware.
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <linux/capability.h>
 
@@ -55,6 +58,53 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
           "note     device  /dev/hidraw10 0c45:7403 VEC Keyboard: no driver here knows it\n"}) {
         EXPECT_NE(run.out.find(line), std::string::npos) << line << "found:\n" << run.out;
     }
+}
+
+// A service on the port where the Inverse3's would be, for as long as it lives. False: the port is taken.
+class Listening {
+  public:
+    Listening() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        address.sin_port = htons(10001);
+        const int yes = 1;
+        ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+        listens_ = ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+                   ::listen(socket_, 4) == 0;
+    }
+    ~Listening() { ::close(socket_); }
+    Listening(const Listening&) = delete;
+    Listening& operator=(const Listening&) = delete;
+    [[nodiscard]] bool listens() const { return listens_; }
+
+  private:
+    int socket_;
+    bool listens_ = false;
+};
+
+TEST(DevicesCommand, SaysWhetherTheServiceOfAnInverseListens) {
+    const MockBus bus;
+    {
+        const Listening service;
+        ASSERT_TRUE(service.listens());
+        const test::ProgramRun run = test::run_onggi({"devices"});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_NE(
+            run.out.find("good     device  Haply Inverse3: its service is found at 127.0.0.1:10001; moves "
+                         "the tool in three axes and pushes back in all of them once the device is "
+                         "plugged in\n"),
+            std::string::npos)
+            << run.out;
+    }
+    const test::ProgramRun run = test::run_onggi({"devices"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(
+        run.out.find("note     device  Haply Inverse3: looked for at 127.0.0.1:10001 while the wheel runs; "
+                     "not found now: nothing listens at 127.0.0.1:10001; its maker's service must be "
+                     "installed and run\n"),
+        std::string::npos)
+        << run.out;
 }
 
 TEST(DevicesCommand, PrintsTheUdevRuleForADeviceThatMayNotBeOpened) {

@@ -54,6 +54,16 @@ TEST(SystemProbes, NameTheFontsThatAreMissing) {
     EXPECT_NE(nothing.found.find("fonts-noto-core"), std::string::npos);
 }
 
+TEST(SystemProbes, SayThatNoInverseServiceListensWithoutCallingItALack) {
+    // Port 1 is nobody's.
+    const Finding none = probe_inverse({.port = 1});
+    EXPECT_EQ(none.verdict, Verdict::kNote);
+    EXPECT_EQ(
+        none.found,
+        "Haply Inverse3: looked for at 127.0.0.1:1 while the wheel runs; not found now: nothing listens at "
+        "127.0.0.1:1; its maker's service must be installed and run");
+}
+
 TEST(SystemProbes, AlwaysFindTheSimulatedTool) {
     const std::vector<Finding> devices = probe_haptic_devices();
     ASSERT_FALSE(devices.empty());
