@@ -208,7 +208,9 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
     // Eq. (6). From zero, so that a tool at rest feels 0 and not -0.
     forces.viscosity_n = dvec3(0.0) - v1 * parameters.viscosity_c2_n_s_per_mm;
 
-    // Eq. (7): (p3 - p2)/|p3 - p2| is -e_r, and -e_r x e_Y points the way the surface turns.
+    // Eq. (7): (p3 - p2)/|p3 - p2| is -e_r, and -e_r x e_Y points the way the surface turns. As printed it
+    // does not ask how hard the tool presses: all of it is there at the first touch, a kick, which a hand is
+    // spared (game/haptic/device_force.h).
     if (tool.wheel_turning) {
         const double size_n = parameters.friction_c3_n_s_per_mm * parameters.wheel_speed_rad_s * r3;
         forces.friction_n = {size_n * radial_unit_.z, 0.0, 0.0 - size_n * radial_unit_.x};
