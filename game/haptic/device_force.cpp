@@ -73,8 +73,8 @@ DeviceForce device_force(const clay::ContactForces& forces, const dvec3& velocit
     const double shown_n_per_mm = forces.local_stiffness_n_per_mm * share;
     if (feel.most_wire_stiffness_n_per_mm > 0.0 && shown_n_per_mm > feel.most_wire_stiffness_n_per_mm) {
         const double wire = feel.most_wire_stiffness_n_per_mm / shown_n_per_mm;
-        const dvec3 of_axes(shows_wall ? 1.0 : wire, wire,
-                            1.0);  // along the wall it is a device's own friction
+        // Along the wall it is the device's own friction.
+        const dvec3 of_axes(shows_wall ? 1.0 : wire, wire, 1.0);
         force.wanted_n *= of_axes;
         force.driven_n *= of_axes;
     }
