@@ -112,6 +112,7 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
 
 void Hands::write(const dvec3& force_n) noexcept {
     const SafetyInput input{.position_mm = tool_.position_mm, .dt_s = dt_s_};
+    const double written_n = std::sqrt(glm::dot(force_n, force_n));
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
         Motors& motors = motors_[hand];
         const dvec3 wanted_n =
@@ -120,6 +121,8 @@ void Hands::write(const dvec3& force_n) noexcept {
         const dvec3 borne_n = budget(wanted_n, input, motors.limits, motors.state);
         const dvec3 given_n = clamp(borne_n, input, motors.limits, motors.state);
         motors.state.applied_force_n = given_n;
+        motors.given_share =
+            hand == holder_ && written_n > 0.0 ? std::sqrt(glm::dot(given_n, given_n)) / written_n : 0.0;
         hands_[hand]->write(given_n);
     }
 }
@@ -136,6 +139,7 @@ HandSigns Hands::signs() const noexcept {
     signs.position_is_new = signs.position_is_new && seen_[holder_].is_here;
     signs.hand_is_there = signs.hand_is_there && seen_[holder_].is_here;
     signs.hand = holder_;
+    signs.force_share *= motors_[holder_].given_share;
     return signs;
 }
 

@@ -41,7 +41,8 @@ class Hands final : public HapticDevice {
     [[nodiscard]] std::vector<DeviceCapabilities> capabilities_of_hands() const override;
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
-    // The holder's; nobody is there, and nothing is new, while it is gone.
+    // The holder's; nobody is there, and nothing is new, while it is gone. The share counts what write()
+    // leaves of a force.
     [[nodiscard]] HandSigns signs() const noexcept override;
     void silence() noexcept override;
     // To the hand that has the tool: after a change of hands from nothing, by the safety chain's ramp; never
@@ -79,6 +80,7 @@ class Hands final : public HapticDevice {
     struct Motors {
         SafetyLimits limits;
         SafetyState state;
+        double given_share = 0.0;  // of the force written last
     };
     std::vector<Motors> motors_;
 };

@@ -40,6 +40,9 @@ struct HandSigns {
     bool hand_is_there = true;    // as far as the device can tell
     bool shows_wall = false;      // along the radius by a wall of its own, as it is plugged in now
     std::size_t hand = 0;         // which of capabilities_of_hands() has the tool
+    // Of the force written last, what went out to the motors, 0 to 1: a device may have ramps and limits of
+    // its own, and the work that a force does is judged by what really went out.
+    double force_share = 1.0;
 };
 
 // What the tool is at, besides the force: for devices that show more than a force. 0 where it is unknown.

@@ -131,7 +131,7 @@ void HapticWork::hold_to(const Fit& fit) noexcept {
 DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
     if (const std::uint32_t silences = watchdog_.silences(); silences != silences_) {
         silences_ = silences;
-        state_.safety.applied_force_n = dvec3(0.0);
+        state_.safety.applied_force_n = state_.safety.applied_driven_n = dvec3(0.0);
         haptics::restart_ramp(state_.safety);
     }
     DeviceTick device{.dt_s = period.dt_s,

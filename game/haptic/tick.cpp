@@ -91,6 +91,7 @@ dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const Ha
                                         .dt_s = dt_s,
                                         .velocity_mm_s = velocity_mm_s,
                                         .driven_force_n = force.driven_n + device.test_force_n,
+                                        .applied_share = device.signs.force_share,
                                         .late = device.late,
                                         .position_is_new = device.signs.position_is_new,
                                         .hand_is_there = device.signs.hand_is_there,

@@ -15,16 +15,16 @@ PROPERTIES = "haptics_safety_properties"
 STATE = "SafetyState& state) noexcept {\n"
 
 
-def off(stage, state=STATE):
+def off(stage):
     """A stage that passes the force on as it came."""
-    return f"{STAGES}/{stage}.cpp", state, state + "    if (limits.peak_force_n > -1.0) return force_n;\n"
+    return f"{STAGES}/{stage}.cpp", STATE, STATE + "    if (limits.peak_force_n > -1.0) return force_n;\n"
 
 
 # Property, what is taken away, (file, text, text instead), test program.
 MUTATIONS = [
-    (1, "the peak", off("clamp", "SafetyState& /*state*/) noexcept {\n"), PROPERTIES),
+    (1, "the peak", off("clamp"), PROPERTIES),
     (1, "the continuous force", off("budget"), PROPERTIES),
-    (2, "the direction", (f"{STAGES}/clamp.cpp", "return safety::at_most(force_n, limits.peak_force_n);",
+    (2, "the direction", (f"{STAGES}/clamp.cpp", "return safety::at_most(force_n, limits.peak_force_n, state);",
                           "return glm::clamp(force_n, dvec3(-limits.peak_force_n), dvec3(limits.peak_force_n));"),
      PROPERTIES),
     (3, "the slew limit", (f"{STAGES}/slew.cpp", STATE, STATE +

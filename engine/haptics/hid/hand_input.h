@@ -48,6 +48,7 @@ struct HandInput {
     bool shows_wall = false;      // what is plugged in answers along the radius by a wall of its own
     bool is_live = false;         // false: nothing plugged in, or silent for too long; nothing above counts
     std::uint32_t buttons = 0;    // bit 0 the first; for screens
+    double force_share = 0.0;     // of the force ordered last, what the gate let through; 0 to 1
     std::uint64_t heartbeat = 0;  // counts the I/O thread's rounds: it must not stand still
 };
 

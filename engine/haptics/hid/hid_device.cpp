@@ -69,6 +69,7 @@ void HidDevice::close() noexcept {
 ToolState HidDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const hid::HandInput& input = link_.input.latest();
     shows_wall_ = input.shows_wall;
+    force_share_ = input.force_share;
     tool_ = mover_.moved(input, dt_s);
     return tool_;
 }

@@ -48,7 +48,8 @@ class HidDevice final : public Hand {
     [[nodiscard]] HandSigns signs() const noexcept override {
         return {.position_is_new = mover_.was_heard(),
                 .hand_is_there = mover_.input_is_live(),
-                .shows_wall = shows_wall_};
+                .shows_wall = shows_wall_,
+                .force_share = force_share_};
     }
     void write(const dvec3& force_n) noexcept override;
     void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
@@ -71,6 +72,7 @@ class HidDevice final : public Hand {
     // Haptic thread only.
     hid::ToolMover mover_;
     ToolState tool_;
+    double force_share_ = 0.0;
     WorkFelt work_;
     bool shows_wall_ = false;
     std::uint64_t ticks_ = 0;

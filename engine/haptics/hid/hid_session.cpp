@@ -83,7 +83,6 @@ void HidSession::exchange(std::int64_t now_ns) {
         if (!port_->is_there()) return lose(now_ns);
     }
     const HandInput input = driver_->input(now_ns);
-    publish(input);
     if (input.is_live != status_.is_heard || input.buttons != status_.buttons) {
         HidStatus status = status_;
         status.is_heard = input.is_live;
@@ -99,6 +98,7 @@ void HidSession::exchange(std::int64_t now_ns) {
         order.force_n = dvec2(0.0);
         order.tangential_n = 0.0;
     }
+    publish(input);
     if (auto sent = driver_->send(*port_, order, now_ns); !sent) lose(now_ns);
 }
 
@@ -112,6 +112,7 @@ void HidSession::lose(std::int64_t now_ns) {
 void HidSession::publish(const HandInput& input) {
     HandInput published = input;
     published.heartbeat = ++heartbeat_;
+    published.force_share = gate_.share();
     link_.input.put(published);
 }
 

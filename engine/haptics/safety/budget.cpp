@@ -12,8 +12,8 @@ dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits&
     const double full_n2 = limits.continuous_force_n * limits.continuous_force_n;
     if (limits.continuous_force_n >= limits.peak_force_n || state.heat_n2 <= 0.5 * full_n2) return force_n;
     const double spent = std::min(1.0, 2.0 * state.heat_n2 / full_n2 - 1.0);
-    return safety::at_most(force_n,
-                           limits.peak_force_n + (limits.continuous_force_n - limits.peak_force_n) * spent);
+    return safety::at_most(
+        force_n, limits.peak_force_n + (limits.continuous_force_n - limits.peak_force_n) * spent, state);
 }
 
 }  // namespace onggi::haptics

@@ -16,21 +16,22 @@ void latch(SafetyState& state, Fault fault) {
 
 dvec3 gate(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
            SafetyState& state) noexcept {
-    if (state.fault != Fault::kNone) return dvec3(0.0);
+    if (state.fault != Fault::kNone) return safety::no_force(state);
     const dvec3& at = input.position_mm;
     if (!safety::finite(at)) {
         latch(state, Fault::kPositionNotFinite);
     } else if (std::abs(at.x) > limits.workspace_mm || std::abs(at.y) > limits.workspace_mm ||
                std::abs(at.z) > limits.workspace_mm) {
         latch(state, Fault::kOutsideWorkspace);
-    } else if (!safety::finite(force_n) || !safety::finite(input.velocity_mm_s)) {
+    } else if (!safety::finite(force_n) || !safety::finite(input.velocity_mm_s) ||
+               !safety::finite(input.driven_force_n)) {
         latch(state, Fault::kForceNotFinite);
     } else if (input.stop) {
         latch(state, Fault::kStopped);
     } else {
         return force_n;
     }
-    return dvec3(0.0);
+    return safety::no_force(state);
 }
 
 }  // namespace onggi::haptics

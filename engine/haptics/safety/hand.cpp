@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/haptics/safety/stages.h"
+#include "engine/haptics/safety/vectors.h"
 
 namespace onggi::haptics {
 
@@ -25,10 +26,10 @@ dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
         state.presence = std::max(0.0, state.presence - input.dt_s / limits.decay_s);
         if (state.presence == 0.0) {
             restart_ramp(state);
-            return dvec3(0.0);
+            return safety::no_force(state);
         }
     }
-    return force_n * state.presence;
+    return safety::share_of(force_n, state.presence, state);
 }
 
 }  // namespace onggi::haptics

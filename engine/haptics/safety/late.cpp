@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/haptics/safety/stages.h"
+#include "engine/haptics/safety/vectors.h"
 
 namespace onggi::haptics {
 
@@ -21,7 +22,7 @@ dvec3 late(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
                               : 1.0;
     state.gain +=
         std::clamp(wanted - state.gain, -input.dt_s / limits.soften_s, input.dt_s / limits.harden_s);
-    return force_n * state.gain;
+    return safety::share_of(force_n, state.gain, state);
 }
 
 }  // namespace onggi::haptics

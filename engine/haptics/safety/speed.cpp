@@ -16,11 +16,11 @@ dvec3 speed(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& 
     if (speed_mm_s >= limits.stop_speed_mm_s) {
         ++state.speed_stops;
         restart_ramp(state);
-        return dvec3(0.0);
+        return safety::no_force(state);
     }
     const double share =
         (limits.stop_speed_mm_s - speed_mm_s) / (limits.stop_speed_mm_s - limits.brake_speed_mm_s);
-    return force_n * share - v * (limits.brake_n_s_per_mm * (1.0 - share));
+    return safety::share_of(force_n, share, state) - v * (limits.brake_n_s_per_mm * (1.0 - share));
 }
 
 }  // namespace onggi::haptics

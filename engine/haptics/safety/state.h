@@ -14,6 +14,8 @@ struct SafetyInput {
     double dt_s = 0.0;            // since the last tick: one step, two at most
     dvec3 velocity_mm_s{0.0};     // of the tool, from a windowed estimator: velocity_estimator.h
     dvec3 driven_force_n{0.0};    // the part of the force that a motor is behind: a turning wheel's drag
+    double applied_share = 1.0;   // of the force that the chain gave last, what really went out: a device may
+                                  // have ramps and limits of its own
     std::uint32_t late = 0;       // periods that were missed since the last tick
     bool position_is_new = true;  // the device has refreshed it since the last tick
     bool hand_is_there = true;    // a dead-man's switch, an inkwell, a capacitive grip
@@ -32,6 +34,8 @@ enum class Fault : std::uint8_t {
 
 struct SafetyState {
     dvec3 applied_force_n{0.0};     // what the device got last
+    dvec3 applied_driven_n{0.0};    // the part of it that a motor was behind
+    dvec3 driven_force_n{0.0};      // the same of the force on its way through the chain
     double ramp = 0.0;              // 0 to 1
     int calm_ticks = 0;             // ticks in a row with a small force, while the ramp waits
     Fault fault = Fault::kNone;     // latched: zero force until rearm()

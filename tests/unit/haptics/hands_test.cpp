@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 namespace onggi::haptics {
 namespace {
@@ -231,6 +232,34 @@ TEST_F(HandsTest, AfterAChangeTheForceStartsFromNothingOnceItIsSmall) {
     EXPECT_LT(stick_.force_n.x, 1.2);
     after(0.6, push);
     EXPECT_EQ(stick_.force_n, push);
+}
+
+TEST_F(HandsTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
+    // A hand takes the tool over, and is pushed while it moves: its own ramp comes on top of the chain's.
+    const SafetyLimits limits = limits_for(stick_.can);
+    SafetyState safety;
+    dvec3 last_mm(0.0);
+    double work_mj = 0.0;
+    double asked_mj = 0.0;
+    std::size_t holder = 0;
+    stick_.is_moving = true;
+    for (int k = 0; k < 3000; ++k) {
+        if (k > 1000) stick_.tool.position_mm.x += 0.01;
+        const ToolState tool = hands_->read(tick_++, kStep);
+        const HandSigns signs = hands_->signs();
+        if (std::exchange(holder, signs.hand) != signs.hand) restart_ramp(safety);
+        const dvec3 step = k == 0 ? dvec3(0.0) : tool.position_mm - last_mm;
+        last_mm = tool.position_mm;
+        work_mj += glm::dot(stick_.force_n + mouse_.force_n, step);
+        asked_mj += glm::dot(safety.applied_force_n, step);
+        const dvec3 push(k > 1000 ? 2.0 : 0.0, 0.0, 0.0);
+        hands_->write(apply_safety_chain(
+            push, {.position_mm = tool.position_mm, .dt_s = kStep, .applied_share = signs.force_share},
+            limits, safety));
+        ASSERT_NEAR(safety.given_mj - safety.taken_mj, work_mj, 1e-9) << k;
+    }
+    EXPECT_GT(asked_mj, work_mj + 1.0) << "the ramp has taken some of it";
+    EXPECT_GT(work_mj, 1.0);
 }
 
 TEST_F(HandsTest, MotorsGetNoMoreThanTheyBearForAMomentAndForEver) {

@@ -176,6 +176,15 @@ TEST(SafetyGate, LatchesAFaultOnWhatIsNotFiniteOrOutside) {
     }
 }
 
+TEST(SafetyGate, LatchesAFaultOnAMotorsPartThatIsNotFinite) {
+    SafetyState state = engaged();
+    SafetyInput input = kInside;
+    input.driven_force_n = {0.0, kNan, 0.0};
+    EXPECT_EQ(apply_safety_chain({1.0, 0.0, 0.0}, input, {}, state), dvec3(0.0));
+    EXPECT_EQ(state.fault, Fault::kForceNotFinite);
+    EXPECT_EQ(state.energy_mj, 0.0) << "it must not reach the observer";
+}
+
 TEST(SafetyGate, DropsAStandingForceAtOnceOnAFault) {
     SafetyState state = engaged();
     state.applied_force_n = {3.0, 0.0, 0.0};

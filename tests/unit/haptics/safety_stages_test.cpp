@@ -146,12 +146,77 @@ TEST(SafetyPassivity, LetsTheMotorOfTheWheelDragTheHand) {
     const dvec3 drag(0.0, 0.0, -0.07);
     for (int k = 0; k < 4000; ++k) {
         at.z -= 0.01;
-        state.applied_force_n = drag;
-        const SafetyInput input{
-            .position_mm = at, .dt_s = kDt, .velocity_mm_s = {0.0, 0.0, -40.0}, .driven_force_n = drag};
+        state.applied_force_n = state.applied_driven_n = drag;
+        const SafetyInput input{.position_mm = at, .dt_s = kDt, .velocity_mm_s = {0.0, 0.0, -40.0}};
         ASSERT_EQ(passivity(drag, input, limits, state), drag);
     }
     EXPECT_NEAR(state.given_mj, 0.07 * 40.0, 0.01);
+}
+
+// Drags a hand along by so much for 100 ms, wanting far more; the balance after a debt of 5 mJ.
+double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, double gain, double share) {
+    dvec3 at(60.0, 100.0, 0.0);
+    const dvec3 drag(0.0, 0.0, -20.0);
+    state.gain = gain;
+    for (int k = 0; k < 400; ++k) {
+        at.z -= 0.01;
+        const SafetyInput input{
+            .position_mm = at, .dt_s = kDt, .driven_force_n = drag, .applied_share = share};
+        apply_safety_chain(drag, input, limits, state);
+        if (k == 0) state.energy_mj = -5.0;
+    }
+    return state.energy_mj;
+}
+
+TEST(SafetyPassivity, PutsToTheWheelsCreditWhatWentOutOfItsDragAndNoMore) {
+    // The same drag comes out of each stage that leaves little of it: whatever that is, the wheel has paid
+    // for it, and for nothing else.
+    SafetyState clamped = engaged();
+    EXPECT_NEAR(balance_after_a_drag({}, clamped, 1.0, 1.0), -5.0, 1e-9);
+    EXPECT_GT(clamped.given_mj, 5.0);
+    SafetyState spent = engaged();
+    spent.heat_n2 = 0.88 * 0.88;
+    EXPECT_NEAR(balance_after_a_drag({.continuous_force_n = 0.88}, spent, 1.0, 1.0), -5.0, 1e-9);
+    SafetyState late = engaged();
+    EXPECT_NEAR(balance_after_a_drag({.peak_force_n = 100.0}, late, 0.25, 1.0), -5.0, 1e-9);
+    SafetyState ramped = engaged();
+    ramped.ramp = 0.0;
+    EXPECT_NEAR(balance_after_a_drag({}, ramped, 1.0, 1.0), -5.0, 1e-9);
+    // And what the device itself kept back was neither given nor paid for.
+    SafetyState held_back = engaged();
+    EXPECT_NEAR(balance_after_a_drag({}, held_back, 1.0, 0.25), -5.0, 1e-9);
+    EXPECT_NEAR(held_back.given_mj, 0.25 * clamped.given_mj, 1e-9);
+}
+
+TEST(SafetyPassivity, KnowsTheMotorsPartOfWhateverGoesOut) {
+    // A third of every force is the motor's: then it is a third of what goes out, through every stage, while
+    // the force jumps, turns, ramps and is late; a brake and the damping are nobody's but the chain's.
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(-4.0, 4.0);
+    SafetyState state;
+    const SafetyLimits limits{.continuous_force_n = 0.88};
+    dvec3 wanted(0.0);
+    double largest = 0.0;
+    for (int k = 0; k < 40'000; ++k) {
+        if (k > 100 && k % 50 == 0) wanted = {any(random), any(random), any(random)};
+        const SafetyInput input{.position_mm = {60.0, 100.0, 0.0},
+                                .dt_s = kDt,
+                                .driven_force_n = wanted / 3.0,
+                                .late = k % 30 == 0 ? 1U : 0U,
+                                .hand_is_there = k % 5000 > 10};
+        const dvec3 applied = apply_safety_chain(wanted, input, limits, state);
+        const dvec3 wrong = state.applied_driven_n - applied / 3.0;
+        ASSERT_LT(glm::dot(wrong, wrong), 1e-18) << k;
+        largest = std::max(largest, glm::dot(applied, applied));
+    }
+    EXPECT_GT(largest, 1.0);
+    // The brake of a tool that is too fast takes the place of the force, the motor's part with it.
+    SafetyState braked = engaged();
+    braked.driven_force_n = kPush;
+    speed(kPush, at_speed(900.0), limits, braked);
+    EXPECT_NEAR(braked.driven_force_n.x, 0.5, 1e-12);
+    speed(kPush, at_speed(1200.0), limits, braked);
+    EXPECT_EQ(braked.driven_force_n, dvec3(0.0));
 }
 
 TEST(SafetyPassivity, DampsNothingInTheAirAndForgetsWhatWasThere) {

@@ -178,6 +178,24 @@ TEST_F(HidSessionTest, RampsTheForceUpAgainAfterAReplug) {
     EXPECT_LT(told->force_n.x, 0.01);
 }
 
+TEST_F(HidSessionTest, SaysHowMuchOfTheForceItsOwnRampLetThrough) {
+    for (int round = 0; round < 400; ++round) {
+        order({round < 2 ? 0.0 : 2.0, 0.0});
+        script->report("01 10");
+        step();
+        if (round >= 2) {
+            ASSERT_NEAR(link.input.latest().force_share * 2.0, told->force_n.x, 1e-12) << round;
+        }
+    }
+    EXPECT_EQ(link.input.latest().force_share, 1.0);
+    link.silences.fetch_add(1);
+    step();
+    EXPECT_EQ(link.input.latest().force_share, 0.0) << "nothing goes out of what is silenced";
+    script->read_fails = true;
+    step();
+    EXPECT_EQ(link.input.latest().force_share, 0.0);
+}
+
 TEST_F(HidSessionTest, TakesTheForceAwayWhenTheTickStops) {
     reach_full_force();
     ASSERT_GT(told->force_n.x, 0.9);
