@@ -147,17 +147,13 @@ TEST(DualSenseOnTheBus, IsToldToBeStillAndRead) {
 // What an OpenFFBoard must be told at first (the driver's unit test explains each), with the features'
 // answers.
 HidScript joystick_script() {
-    HidScript script;
+    HidScript script = testing::joystick_features();
     for (const char* report : {"0c 08", "0c 08", "0c 04", "0c 01", "0d ff",
                                "01 01 08 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",
                                "01 02 01 f4 01 00 00 00 00 00 00 ff 00 06 50 46 00 00 00 00 00 00",
                                "01 03 09 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",
                                "01 04 0b f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00"})
         script.expects(report);
-    script.sets_feature("11 08 00 00").answers_feature("12 01 01 00 01");
-    script.sets_feature("11 01 00 00").answers_feature("12 02 01 00 01");
-    script.sets_feature("11 09 00 00").answers_feature("12 03 01 00 01");
-    script.sets_feature("11 0b 00 00").answers_feature("12 04 01 00 01");
     // No force yet; 3.3 N of an unmeasured stick's 50 N are 0.066 of 32767: 0x0873; the damper's quarter
     // 0x021d.
     for (const char* report :
@@ -181,6 +177,81 @@ TEST(JoystickOnTheBus, HoldsItsSessionByteForByteThenPlacesTheTool) {
         return device->read(tick++, 0.001).position_mm == dvec3(75.0, 125.0, 0.0);
     })) << device->status().message;
     EXPECT_EQ(device->status().state, hid::HidStatus::State::kReady);
+}
+
+TEST(JoystickOnTheBus, OfTheOtherLayoutHoldsItsSessionByteForByteToo) {
+    MockBus bus;
+    HidScript script;
+    // Its controls are numbers: 4 reset, 3 stop, 2 enable. Gains to 4096, directions to 255, the start delay
+    // last.
+    for (const char* report :
+         {"70 04", "70 04", "70 03", "70 02", "71 00 10",
+          "65 01 08 f4 01 00 00 00 00 00 10 00 07 40 00 00 00",
+          "65 02 01 f4 01 00 00 00 00 00 10 00 06 80 00 00 00",
+          "65 03 09 f4 01 00 00 00 00 00 10 00 07 40 00 00 00",
+          "65 04 0b f4 01 00 00 00 00 00 10 00 07 40 00 00 00",
+          // 0.066 of 4096: 0x010e; the damper's quarter 0x0044.
+          "67 01 00 00 00 00 00 00 00 0e 01 0e 01 00 00", "67 01 01 00 00 00 00 00 00 0e 01 0e 01 00 00",
+          "6e 01 01 01", "69 02 00 00", "6e 02 01 01", "67 03 00 00 00 00 00 00 00 44 00 44 00 00 00",
+          "67 03 01 00 00 00 00 00 00 44 00 44 00 00 00", "6e 03 01 01",
+          "67 04 00 00 00 00 00 00 00 00 00 00 00 00 00", "67 04 01 00 00 00 00 00 00 00 00 00 00 00 00",
+          "6e 04 01 01"})
+        script.expects(report);
+    script.sets_feature("05 08 00 00").answers_feature("06 01 01 00 00");
+    script.sets_feature("05 01 00 00").answers_feature("06 02 01 00 00");
+    script.sets_feature("05 09 00 00").answers_feature("06 03 01 00 00");
+    script.sets_feature("05 0b 00 00").answers_feature("06 04 01 00 00");
+    // X 2048 of 4096: three quarters of 150 mm; Y 1024 towards the hand: three eighths of 250 mm.
+    script.reports("01 00 08 00 04 00 00", 10);
+    bus.plug_in(testing::kRhino, script);
+    const auto device = opened(HidKind::kForceJoystick);
+    std::uint64_t tick = 0;
+    EXPECT_TRUE(comes_true([&] {
+        return device->read(tick++, 0.001).position_mm == dvec3(112.5, 93.75, 0.0);
+    })) << device->status().message;
+    EXPECT_EQ(device->status().state, hid::HidStatus::State::kReady);
+}
+
+TEST(JoystickOnTheBus, IsStoppedATenthOfASecondAfterTheLastOrderAndStartedByTheNext) {
+    using Clock = std::chrono::steady_clock;
+    MockBus bus;
+    bus.plug_in(kJoystick, testing::joystick_features());
+    const testing::LiveHid stick = bus.at(kJoystick);
+    const auto device = opened(HidKind::kForceJoystick);
+    ASSERT_TRUE(comes_true([&] { return device->status().state == hid::HidStatus::State::kReady; }))
+        << device->status().message;
+    stick.take_written();
+    std::uint64_t tick = 0;
+    Clock::time_point last_order;
+    std::string written;
+    const auto tick_once = [&] {
+        (void)device->read(tick++, 0.001);
+        last_order = Clock::now();
+        device->write({});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        written += stick.take_written();
+    };
+    const auto is_told = [&](std::string_view report) {
+        written += stick.take_written();
+        return written.find(report) != std::string::npos;
+    };
+    constexpr std::string_view kStopAll = "0c04";
+    for (int count = 0; count < 300; ++count)
+        tick_once();
+    EXPECT_FALSE(is_told(kStopAll)) << "while orders come: " << written;
+    ASSERT_TRUE(comes_true([&] { return is_told(kStopAll); })) << written;
+    const auto silent_ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - last_order).count();
+    EXPECT_GE(silent_ms, 100);
+    EXPECT_LE(silent_ms, 1000) << "a tenth of a second, on a machine that is busy with other things";
+    written.clear();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(stick.take_written(), "") << "stopped once, nothing is started again";
+    // Actuators first, then each effect.
+    EXPECT_TRUE(comes_true([&] {
+        tick_once();
+        return is_told("0c010a0101010a0201010a0301010a040101");
+    })) << written;
 }
 
 TEST(JoystickOnTheBus, IsReportedWhenItDoesNotAnswer) {

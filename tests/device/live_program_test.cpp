@@ -2,9 +2,10 @@
 // devices that umockdev describes. Never on hardware.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <signal.h>  // NOLINT: SIGTERM
+#include <signal.h>  // NOLINT: SIGTERM, kill
 
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "tests/cli/cli_expectations.h"
@@ -15,7 +16,7 @@ namespace onggi {
 namespace {
 
 using test::RunningOnggi;
-using testing::HidScript;
+using testing::joystick_features;
 using testing::kDualSense;
 using testing::kJoystick;
 using testing::kPedal;
@@ -26,34 +27,6 @@ using testing::MockHid;
 
 // A hand that holds the tool away from the clay for as long as any test takes.
 constexpr std::string_view kAwayFromTheClay = "0,140,100,0,0,10\n300,140,100,0,0,10\n";
-
-class LiveAmongDevices : public ::testing::Test {
-  protected:
-    LiveAmongDevices() {
-        test::put_file(folder_ / "away.csv", test::kGestureHeaderLine + std::string(kAwayFromTheClay));
-    }
-
-    RunningOnggi start(const std::string& device = "auto") {
-        return RunningOnggi({"live", "away.csv", "--clay", "paper", "--device", device, "--headless",
-                             "--size", "64x36", "--rate", "1000"},
-                            {.folder = folder_.path()});
-    }
-    // At most twenty seconds, on a machine that is busy with other things.
-    template <typename Condition>
-    static bool comes_true(Condition condition) {
-        for (int round = 0; round < 2'000; ++round) {
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
-    }
-    static bool says(RunningOnggi& program, std::string_view line) {
-        return comes_true([&] { return program.printed().find(line) != std::string::npos; });
-    }
-
-    test::TemporaryFolder folder_;
-    MockBus bus_;
-};
 
 std::string solid(std::initializer_list<std::string_view> reports) {
     std::string text;
@@ -79,13 +52,76 @@ std::string stick_at(double radius_mm, double height_mm) {
     return stick(radius_mm / 75.0 - 1.0, 1.0 - height_mm / 125.0);
 }
 
+void expect_left_in_peace(const std::string& written) {
+    EXPECT_TRUE(written.ends_with(solid({"0c 04", "0b 01", "0b 02", "0b 03", "0b 04", "0c 02"})))
+        << "stop all, free all four, actuators off; found: " << written;
+}
+
+// 0: it has none, or several.
+int only_child_of(int process) {
+    std::ifstream in(fmt::format("/proc/{0}/task/{0}/children", process));
+    int child = 0;
+    int another = 0;
+    in >> child;
+    return in >> another ? 0 : child;
+}
+
+class LiveAmongDevices : public ::testing::Test {
+  protected:
+    LiveAmongDevices() {
+        test::put_file(folder_ / "away.csv", test::kGestureHeaderLine + std::string(kAwayFromTheClay));
+    }
+
+    RunningOnggi start(const std::string& device = "auto", const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{"live",       "away.csv", "--clay", "paper",  "--device", device,
+                                       "--headless", "--size",   "64x36",  "--rate", "1000"};
+        words.insert(words.end(), more.begin(), more.end());
+        return RunningOnggi(words, {.folder = folder_.path()});
+    }
+    // Plugged in and taken in hand, its stick beside the clay for the ramp and then 2 mm deep. What it was
+    // told since.
+    std::string press_into_the_clay(const LiveHid& joystick) {
+        int trembles = 0;
+        for (int report = 0; report < 150; ++report) {
+            joystick.report(stick_at(90.0 + 2.0 * (++trembles % 2), 100.0));
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        joystick.take_written();
+        std::string written;
+        // A one-sided spring on X: block 1, the centre where the clay's face is, and stiff on one side only.
+        const auto feels_a_wall = [&] {
+            joystick.report(stick_at(68.0, 100.0 + 0.1 * (++trembles % 2)));
+            written += joystick.take_written();
+            for (std::size_t at = written.find("030100"); at != std::string::npos;
+                 at = written.find("030100", at + 2)) {
+                if (written.size() >= at + 30 && written.substr(at + 10, 4) == "0000" &&
+                    written.substr(at + 14, 4) != "0000")
+                    return true;
+            }
+            return false;
+        };
+        EXPECT_TRUE(comes_true(feels_a_wall)) << written;
+        return written;
+    }
+    // At most twenty seconds, on a machine that is busy with other things.
+    template <typename Condition>
+    static bool comes_true(Condition condition) {
+        for (int round = 0; round < 2'000; ++round) {
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+    static bool says(RunningOnggi& program, std::string_view line) {
+        return comes_true([&] { return program.printed().find(line) != std::string::npos; });
+    }
+
+    test::TemporaryFolder folder_;
+    MockBus bus_;
+};
+
 TEST_F(LiveAmongDevices, AForceJoystickFeelsTheClayAndIsLeftInPeaceBySigterm) {
-    HidScript features;
-    features.sets_feature("11 08 00 00").answers_feature("12 01 01 00 01");
-    features.sets_feature("11 01 00 00").answers_feature("12 02 01 00 01");
-    features.sets_feature("11 09 00 00").answers_feature("12 03 01 00 01");
-    features.sets_feature("11 0b 00 00").answers_feature("12 04 01 00 01");
-    bus_.plug_in(kJoystick, features);
+    bus_.plug_in(kJoystick, joystick_features());
     const LiveHid joystick = bus_.at(kJoystick);
     RunningOnggi onggi = start();
     ASSERT_TRUE(says(onggi, "device: Testing FFB stick is here (/dev/hidraw8)")) << onggi.printed();
@@ -101,34 +137,41 @@ TEST_F(LiveAmongDevices, AForceJoystickFeelsTheClayAndIsLeftInPeaceBySigterm) {
                                    "03 01 01 00 00 00 00 00 00 73 08 73 08 00 00", "0a 01 01 01"})))
         << written;
 
-    // Taken in the hand beside the clay, it waits for its ramp; then it presses 2 mm deep.
-    int trembles = 0;
-    for (int report = 0; report < 150; ++report) {
-        joystick.report(stick_at(90.0 + 2.0 * (++trembles % 2), 100.0));
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    joystick.take_written();
-    written.clear();
-    // A one-sided spring on X: block 1, the centre where the clay's face is, and stiff on one side only.
-    const auto feels_a_wall = [&] {
-        joystick.report(stick_at(68.0, 100.0 + 0.1 * (++trembles % 2)));
-        written += joystick.take_written();
-        for (std::size_t at = written.find("030100"); at != std::string::npos;
-             at = written.find("030100", at + 2)) {
-            if (written.size() >= at + 30 && written.substr(at + 10, 4) == "0000" &&
-                written.substr(at + 14, 4) != "0000")
-                return true;
-        }
-        return false;
-    };
-    EXPECT_TRUE(comes_true(feels_a_wall)) << written;
-
+    (void)press_into_the_clay(joystick);
     joystick.take_written();
     onggi.signal(SIGTERM);
     EXPECT_EQ(onggi.exit_code(20'000), 0) << onggi.printed();
-    written = joystick.take_written();
-    EXPECT_TRUE(written.ends_with(solid({"0c 04", "0b 01", "0b 02", "0b 03", "0b 04", "0c 02"})))
-        << "stop all, free all four, actuators off; found: " << written;
+    expect_left_in_peace(joystick.take_written());
+}
+
+TEST_F(LiveAmongDevices, AForceJoystickIsLeftInPeaceWhenTheProgramEndsByItself) {
+    bus_.plug_in(kJoystick, joystick_features());
+    const LiveHid joystick = bus_.at(kJoystick);
+    RunningOnggi onggi = start("auto", {"--seconds", "3"});
+    ASSERT_TRUE(says(onggi, "device: Testing FFB stick is here")) << onggi.printed();
+    EXPECT_EQ(onggi.exit_code(30'000), 0) << onggi.printed();
+    expect_left_in_peace(joystick.take_written());
+}
+
+// The kernel's out-of-memory killer asks nobody: the child is gone on the spot, its effects still run.
+TEST_F(LiveAmongDevices, AForceJoystickIsLetGoByTheSupervisorWhenTheProgramIsKilled) {
+    bus_.plug_in(kJoystick, joystick_features());
+    const LiveHid joystick = bus_.at(kJoystick);
+    RunningOnggi onggi = start();
+    ASSERT_TRUE(says(onggi, "device: Testing FFB stick is here")) << onggi.printed();
+    (void)press_into_the_clay(joystick);
+    const int child = only_child_of(onggi.process());
+    ASSERT_GT(child, 0) << "the supervisor has one child, the program";
+    joystick.take_written();
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    EXPECT_EQ(onggi.exit_code(20'000), 1);
+    EXPECT_NE(onggi.printed().find("the program died of signal 9; 1 device was told to let go"),
+              std::string::npos)
+        << onggi.printed();
+    const std::string written = joystick.take_written();
+    EXPECT_NE(written.find(solid({"0c 08", "0c 08", "0c 04", "0c 01"})), std::string::npos)
+        << "reset and stopped; found: " << written;
+    expect_left_in_peace(written);
 }
 
 TEST_F(LiveAmongDevices, ADeviceMayComeAndGoWhileTheWheelTurns) {

@@ -38,5 +38,25 @@ inline const MockHid kJoystick{.node = 8,
                                .maker = "Testing",
                                .product = "FFB stick",
                                .descriptor = testing::open_ffboard_descriptor()};
+// The other layout of the tables: other report numbers, other ranges, another order of the controls.
+inline const MockHid kRhino{.node = 13,
+                            .vendor_id = 0xffff,
+                            .product_id = 0x2055,
+                            .maker = "VPforce",
+                            .product = "Rhino",
+                            .descriptor = testing::rhino_descriptor()};
+
+// What kJoystick answers when its effects are created: a block for each.
+inline HidScript joystick_features() {
+    return HidScript()
+        .sets_feature("11 08 00 00")
+        .answers_feature("12 01 01 00 01")
+        .sets_feature("11 01 00 00")
+        .answers_feature("12 02 01 00 01")
+        .sets_feature("11 09 00 00")
+        .answers_feature("12 03 01 00 01")
+        .sets_feature("11 0b 00 00")
+        .answers_feature("12 04 01 00 01");
+}
 
 }  // namespace onggi::testing
