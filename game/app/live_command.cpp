@@ -148,7 +148,8 @@ nlohmann::ordered_json live_stats(const LiveReport& report) {
         {"late_periods", report.safety.late_periods}, {"gain", report.safety.gain},
         {"faults", report.safety.fault_count},        {"silences", report.safety.silences},
         {"energy_taken_mj", report.safety.taken_mj},  {"energy_given_mj", report.safety.given_mj},
-        {"mean_force_n", report.safety.mean_force_n}};
+        {"mean_force_n", report.safety.mean_force_n}, {"largest_force_n", report.safety.largest_force_n},
+        {"most_force_n", report.most_force_n}};
     return stats;
 }
 

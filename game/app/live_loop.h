@@ -46,6 +46,7 @@ struct LiveReport {
     std::uint64_t lumps = 0;            // how many were begun
     std::uint64_t dropped_records = 0;
     haptic::SafetyReport safety;
+    double most_force_n = 0.0;  // that any of the hands may be told
     haptic::HapticState state;  // at the end
 };
 

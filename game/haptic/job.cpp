@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "game/haptic/work_felt.h"
@@ -59,6 +60,7 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
     force_test_.see(tool.position_mm, result.limited_force_n);
     device_->feel(work_felt(state_, result, parameters_));
     device_->write(result.limited_force_n);
+    largest_force_n2_ = std::max(largest_force_n2_, glm::dot(result.limited_force_n, result.limited_force_n));
     watchdog_.beat();
     keep_record(result);
     publish(result);
@@ -222,6 +224,7 @@ void HapticWork::publish(const TickResult& result) noexcept {
     snapshot.periods = periods_;
     snapshot.force_test = force_test_.report();
     snapshot.safety.silences = silences_;
+    snapshot.safety.largest_force_n = std::sqrt(largest_force_n2_);
     snapshots_.publish();
     PotShape& shape = shapes_.writing();
     if (!shape_copy_.step(shape, state_, parameters_.dt_s())) return;

@@ -122,6 +122,7 @@ class HapticWork final : public jobs::PeriodicWork {
     bool nobody_is_there_ = false;
     ForceTest force_test_;
     std::uint64_t periods_ = 0;
+    double largest_force_n2_ = 0.0;
 
     std::atomic<bool> stop_asked_{false};
     haptics::Watchdog watchdog_;

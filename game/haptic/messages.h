@@ -32,6 +32,7 @@ struct SafetyReport {
     double given_mj = 0.0;            // by the device to the hand
     double damping_n_s_per_mm = 0.0;  // what the controller adds
     double mean_force_n = 0.0;        // root of the mean square over the budget's time
+    double largest_force_n = 0.0;     // that a device was told since the job started
     std::uint64_t late_periods = 0;
     std::uint32_t fault_count = 0;
     std::uint32_t speed_stops = 0;

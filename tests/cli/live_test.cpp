@@ -36,6 +36,10 @@ TEST(Live, PlaysAGestureOnceAndWritesStatsOthersCanRead) {
     EXPECT_TRUE(stats.at("ledger_error").is_null());
     EXPECT_TRUE(stats.at("scheduler") == "fifo" || stats.at("scheduler") == "other");
     EXPECT_TRUE(stats.at("haptic_core").is_number_integer());
+    const auto& safety = stats.at("safety");
+    EXPECT_EQ(safety.at("most_force_n").get<double>(), 3.3);
+    EXPECT_LE(safety.at("largest_force_n").get<double>(), 3.3 * (1.0 + 1e-12));
+    EXPECT_GE(safety.at("largest_force_n").get<double>(), safety.at("mean_force_n").get<double>());
     for (const char* table : {"tick_ns", "wake_latency_us", "frame_ms"}) {
         const auto& shares = stats.at(table);
         EXPECT_LE(shares.at("p50").get<double>(), shares.at("p99").get<double>()) << table;

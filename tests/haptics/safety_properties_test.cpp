@@ -23,6 +23,7 @@
 #include "game/haptic/fault_report.h"
 #include "game/haptic/job.h"
 #include "tests/haptics/device_models.h"
+#include "tests/haptics/obedient_loop.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"
 
@@ -38,10 +39,6 @@ using haptics::SafetyState;
 constexpr double kRateHz = 4000.0;
 constexpr double kDt = 1.0 / kRateHz;
 const dvec3 kPush(1.0, 0.0, 0.0);
-
-double size_of(const dvec3& force_n) {
-    return std::sqrt(glm::dot(force_n, force_n));
-}
 
 std::vector<SafetyStage> chain_without(std::string_view name) {
     std::vector<SafetyStage> stages;
@@ -94,6 +91,21 @@ TEST(SafetyProperty01, TheForceStaysWithinPeakAndContinuousForce) {
     SafetyState unbudgeted = engaged();
     EXPECT_NEAR(last_n(chain_without("budget"), kPush * 100.0, resting(), limits, unbudgeted, 40'000), 3.3,
                 1e-9);
+}
+
+TEST(SafetyProperty01, TheLargestForceThatWasEverToldIsKept) {
+    Loop loop;
+    double largest = 0.0;
+    for (int k = 0; k < 3000; ++k) {
+        loop.run(1);
+        largest = std::max(largest, loop.force_n());
+    }
+    ASSERT_GT(largest, 0.3);
+    EXPECT_EQ(loop.work->newest_snapshot().safety.largest_force_n, largest);
+    loop.device->signs_now.hand_is_there = false;
+    loop.run(1000);
+    EXPECT_EQ(loop.force_n(), 0.0);
+    EXPECT_EQ(loop.work->newest_snapshot().safety.largest_force_n, largest) << "though nothing is felt now";
 }
 
 TEST(SafetyProperty02, TheClampKeepsTheDirection) {
@@ -153,56 +165,6 @@ TEST(SafetyProperty06, AToolThatFliesThroughTheClayIsLetGo) {
     SafetyState open = engaged();
     EXPECT_EQ(last_n(chain_without("speed"), kPush, flying, {}, open, 100), 1.0);
 }
-
-// Keeps what it was told, as real ones do, until it is silenced.
-class ObedientDevice : public test::ScriptedDevice {
-  public:
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
-        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
-        // Out of the clay, and into it once the ramp is done; then it stays there.
-        tool.position_mm = {std::max(68.0, 120.0 - 0.02 * static_cast<double>(tick)), 100.0, 0.0};
-        tool.radius_mm = 10.0;
-        tool.wheel_button = false;
-        return tool;
-    }
-    [[nodiscard]] haptics::HandSigns signs() const noexcept override { return signs_now; }
-    void silence() noexcept override {
-        last_force_n = dvec3(0.0);
-        ++silenced;
-    }
-
-    haptics::HandSigns signs_now;
-    int silenced = 0;
-};
-
-struct Loop {
-    explicit Loop(const HapticJobOptions& options = {}) {
-        auto owned = std::make_unique<ObedientDevice>();
-        device = owned.get();
-        HapticParameters parameters;
-        parameters.set_rate_hz(1000.0);
-        work = std::make_unique<HapticWork>(HapticState(), parameters, std::move(owned), options);
-    }
-    void run(int ticks) {
-        for (int k = 0; k < ticks; ++k) {
-            EXPECT_TRUE(work->tick(period));
-            ++period.index;
-            ++period.tick;
-            TickRecord record;
-            while (work->take_record(record))
-                records.push_back(record);
-            BlockHash hash;
-            while (work->take_hash(hash)) {
-            }
-        }
-    }
-    [[nodiscard]] double force_n() const { return size_of(device->last_force_n); }
-
-    ObedientDevice* device = nullptr;
-    std::unique_ptr<HapticWork> work;
-    jobs::Period period{.dt_s = 0.001};
-    std::vector<TickRecord> records;
-};
 
 constexpr std::int64_t kMs = 1'000'000;
 
