@@ -1,11 +1,13 @@
-// A device whose bus is stuck: the tick does not notice. The same job is run twice in one test, with a device
-// that takes a report at once and with one that blocks for 5 ms in each; what a tick costs is compared.
+// A device whose bus is stuck: the tick does not notice. The same job is run beside a device that takes a
+// report at once and beside one that blocks for 5 ms in each, in turns, and what a tick costs is compared.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 #include "engine/haptics/hands.h"
 #include "engine/haptics/hid/hid_device.h"
@@ -17,7 +19,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A DualSense that reports every 4 ms, its stick held outwards, so that it has the tool.
+// A DualSense that reports every ms, its stick held outwards, so that it has the tool. Whatever it was told,
+// its cross is let go and pressed again, which starts or stops the wheel: there is a new light to be told as
+// soon as its driver may, every 10 ms, and half of the time it is being told.
 class SlowPort final : public haptics::hid::HidPort {
   public:
     SlowPort(std::chrono::milliseconds write_takes, std::atomic<int>& writes)
@@ -25,17 +29,17 @@ class SlowPort final : public haptics::hid::HidPort {
           writes_(writes) {}
     Result<std::size_t> read(std::span<std::uint8_t> report, int timeout_ms) override {
         if (timeout_ms == 0) return std::size_t{0};
-        std::this_thread::sleep_for(4ms);
+        std::this_thread::sleep_for(1ms);
         std::fill(report.begin(), report.end(), std::uint8_t{0});
         report[0] = 0x01;
         report[1] = ++reads_ % 2 == 0 ? 0xff : 0xf0;
         report[2] = report[3] = report[4] = 0x80;
-        // Cross starts or stops the wheel every 24 ms, so that there is a new light to be told each time.
-        report[8] = reads_ % 6 < 3 ? 0x28 : 0x08;
+        report[8] = std::exchange(was_told_, false) ? 0x08 : 0x28;
         return std::size_t{64};
     }
     Result<void> write(std::span<const std::uint8_t>) override {
         ++writes_;
+        was_told_ = true;
         std::this_thread::sleep_for(write_takes_);
         return {};
     }
@@ -48,6 +52,7 @@ class SlowPort final : public haptics::hid::HidPort {
     std::chrono::milliseconds write_takes_;
     std::atomic<int>& writes_;
     std::uint8_t reads_ = 0;
+    bool was_told_ = true;
 };
 
 class SlowBus final : public haptics::hid::HidBus {
@@ -68,10 +73,21 @@ class SlowBus final : public haptics::hid::HidBus {
     std::atomic<int>& writes_;
 };
 
+constexpr std::uint64_t kPeriods = 1000;
+
 struct Cost {
     std::uint64_t p50_ns = 0;
-    std::uint64_t p99_ns = 0;
+    std::uint64_t p90_ns = 0;
+    std::uint64_t skipped = 0;
     int writes = 0;
+
+    // Of several runs, what the machine's own unrest has added least to.
+    void keep_the_best_of(const Cost& other) {
+        p50_ns = std::min(p50_ns, other.p50_ns);
+        p90_ns = std::min(p90_ns, other.p90_ns);
+        skipped = std::min(skipped, other.skipped);
+        writes = std::min(writes, other.writes);
+    }
 };
 
 Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
@@ -87,7 +103,7 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
     parameters.set_rate_hz(1000.0);
     HapticJobOptions options;
     options.wait = jobs::WaitMode::kSleep;
-    options.end_periods = 1000;
+    options.end_periods = kPeriods;
     options.real_time.fifo_priority = 0;  // refused: a test shares the machine with others
     options.real_time.lock_memory = false;
     options.real_time.wakeful_cores = false;
@@ -101,22 +117,33 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
     }
     job.stop();
     return {.p50_ns = job.stats().tick_ns.percentile(0.5),
-            .p99_ns = job.stats().tick_ns.percentile(0.99),
+            .p90_ns = job.stats().tick_ns.percentile(0.9),
+            .skipped = job.stats().skipped_periods,
             .writes = writes.load()};
 }
 
 TEST(ABlockedDevice, CostsTheTickNothing) {
-    const Cost quick = cost_of_a_tick(0ms);
-    const Cost blocked = cost_of_a_tick(5ms);
-    std::printf(
-        "tick p50/p99: %.1f/%.1f us beside a quick device, %.1f/%.1f us beside one that blocks 5 ms\n",
-        static_cast<double>(quick.p50_ns) / 1e3, static_cast<double>(quick.p99_ns) / 1e3,
-        static_cast<double>(blocked.p50_ns) / 1e3, static_cast<double>(blocked.p99_ns) / 1e3);
-    EXPECT_GT(blocked.writes, 10) << "it was told something all the time";
-    // Half of all ticks would take 5 ms if they waited; the machine's own unrest is far below a tenth of
-    // that.
+    Cost quick = cost_of_a_tick(0ms);
+    Cost blocked = cost_of_a_tick(5ms);
+    for (int turn = 0; turn < 3; ++turn) {
+        quick.keep_the_best_of(cost_of_a_tick(0ms));
+        blocked.keep_the_best_of(cost_of_a_tick(5ms));
+    }
+    const auto line = [](const char* beside, const Cost& cost) {
+        std::printf(
+            "beside a device %s: tick p50/p90 %.1f/%.1f us, %d of %d periods skipped, told %d times\n",
+            beside, static_cast<double>(cost.p50_ns) / 1e3, static_cast<double>(cost.p90_ns) / 1e3,
+            static_cast<int>(cost.skipped), static_cast<int>(kPeriods), cost.writes);
+    };
+    line("that is quick", quick);
+    line("that blocks for 5 ms", blocked);
+    EXPECT_GT(blocked.writes, 40) << "it was told something all the time";
+    // Did the tick wait for the I/O thread, one in seven would take up to 5 ms, and nearly half of all
+    // periods would be skipped meanwhile.
     EXPECT_LT(blocked.p50_ns, 2 * quick.p50_ns + 20'000U);
-    EXPECT_LT(blocked.p50_ns, 500'000U);
+    EXPECT_LT(blocked.p90_ns, 2 * quick.p90_ns + 200'000U);
+    EXPECT_LT(blocked.p90_ns, 1'000'000U);
+    EXPECT_LT(blocked.skipped, quick.skipped + kPeriods / 10);
 }
 
 }  // namespace
