@@ -19,6 +19,7 @@ namespace onggi::testing {
 // What the test and the fake share.
 struct ScriptedHid {
     haptics::HidDeviceInfo info;
+    std::vector<haptics::HidDeviceInfo> others;  // listed before it; opened, they are the same device
     bool is_plugged_in = true;
     bool read_fails = false;  // the first notice a real port gives of a removal
     bool write_fails = false;
@@ -88,7 +89,9 @@ class ScriptedBus final : public haptics::hid::HidBus {
 
     Result<std::vector<haptics::HidDeviceInfo>> list() override {
         if (!script_->is_plugged_in) return std::vector<haptics::HidDeviceInfo>{};
-        return std::vector<haptics::HidDeviceInfo>{script_->info};
+        std::vector<haptics::HidDeviceInfo> all = script_->others;
+        all.push_back(script_->info);
+        return all;
     }
     Result<std::unique_ptr<haptics::hid::HidPort>> open(const haptics::HidDeviceInfo& /*info*/) override {
         ++script_->times_opened;

@@ -142,6 +142,7 @@ double DualSenseDriver::press_mm() const noexcept {
 HandInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
     HandInput input{.motion = HandInput::Motion::kRate};
     input.is_live = was_heard_ && now_ns - heard_ns_ <= kSilenceNs;
+    input.is_fresh = was_heard_ && heard_ns_ == now_ns;
     input.rate_mm_s =
         mapping_.fastest_mm_s * dvec2(from_stick(state_.left_stick[0], mapping_.stick_dead_band),
                                       -from_stick(state_.left_stick[1], mapping_.stick_dead_band));

@@ -46,10 +46,14 @@ struct HandInput {
     double wheel_rev_min = 0.0;
     double wheel_change_rev_min_s = 0.0;
     bool shows_wall = false;      // what is plugged in answers along the radius by a wall of its own
-    bool is_live = false;         // false: nothing plugged in, or silent for too long; nothing above counts
+    bool is_live = false;  // false: nothing plugged in, or silent for too long; nothing above counts
+    // The place is known to be as it is said: a report has just come, or the device is one whose silence says
+    // that nothing has changed.
+    bool is_fresh = false;
     std::uint32_t buttons = 0;    // bit 0 the first; for screens
     double force_share = 0.0;     // of the force ordered last, what the gate let through; 0 to 1
     std::uint64_t heartbeat = 0;  // counts the I/O thread's rounds: it must not stand still
+    std::uint64_t refreshed = 0;  // counts those of them in which it was fresh
 };
 
 // The haptic thread's order, once a tick.

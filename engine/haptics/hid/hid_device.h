@@ -46,7 +46,7 @@ class HidDevice final : public Hand {
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     [[nodiscard]] HandSigns signs() const noexcept override {
-        return {.position_is_new = mover_.was_heard(),
+        return {.position_is_new = mover_.was_refreshed(),
                 .hand_is_there = mover_.input_is_live(),
                 .shows_wall = shows_wall_,
                 .force_share = force_share_};

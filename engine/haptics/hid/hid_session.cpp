@@ -28,38 +28,46 @@ void HidSession::search(std::int64_t now_ns) {
         publish(HidStatus{.state = HidStatus::State::kFailed, .message = devices.error().message});
         return;
     }
-    // The first that may be used; else the first of its kind that may not, so that somebody is told why.
-    const HidDeviceInfo* found = nullptr;
+    // The first that does what it should. Where none does, the first that failed is told of; where none may
+    // be used, why not.
+    HidStatus told;
     for (const HidDeviceInfo& device : *devices) {
         if (device.kind != options_.kind) continue;
         if (!options_.only.empty() && device.path != options_.only) continue;
-        if (found == nullptr || (!found->refusal.empty() && device.refusal.empty())) found = &device;
+        HidStatus status = begin(device);
+        if (status.state == HidStatus::State::kReady) {
+            gate_.restart();
+            next_presence_ns_ = now_ns + kPresenceIntervalNs;
+            ++status.times_found;
+            publish(std::move(status));
+            return;
+        }
+        const bool is_worse =
+            told.state != HidStatus::State::kFailed && status.state == HidStatus::State::kFailed;
+        if (told.state == HidStatus::State::kAbsent || is_worse) told = std::move(status);
     }
-    if (found == nullptr) {
-        publish(HidStatus{});
-        return;
-    }
-    HidStatus status{.name = found->name, .path = found->path};
-    if (!found->refusal.empty()) {
+    publish(std::move(told));
+}
+
+HidStatus HidSession::begin(const HidDeviceInfo& device) {
+    HidStatus status{.state = HidStatus::State::kReady,
+                     .name = device.name,
+                     .path = device.path,
+                     .times_found = status_.times_found};
+    if (!device.refusal.empty()) {
         status.state = HidStatus::State::kRefused;
-        status.message = found->refusal + (found->remedy.empty() ? "" : "; " + found->remedy);
-        publish(std::move(status));
-        return;
+        status.message = device.refusal + (device.remedy.empty() ? "" : "; " + device.remedy);
+        return status;
     }
-    auto opened = bus_->open(*found);
-    auto started = opened ? driver_->start(*found, **opened) : Result<void>(opened.error());
+    auto opened = bus_->open(device);
+    auto started = opened ? driver_->start(device, **opened) : Result<void>(opened.error());
     if (!started) {
         status.state = HidStatus::State::kFailed;
         status.message = started.error().message;
-        publish(std::move(status));
-        return;
+        return status;
     }
     port_ = std::move(opened).value();
-    gate_.restart();
-    next_presence_ns_ = now_ns + kPresenceIntervalNs;
-    status.state = HidStatus::State::kReady;
-    status.times_found = status_.times_found + 1;
-    publish(std::move(status));
+    return status;
 }
 
 bool HidSession::hear(std::int64_t now_ns) {
@@ -112,6 +120,8 @@ void HidSession::lose(std::int64_t now_ns) {
 void HidSession::publish(const HandInput& input) {
     HandInput published = input;
     published.heartbeat = ++heartbeat_;
+    if (published.is_fresh) ++refreshed_;
+    published.refreshed = refreshed_;
     published.force_share = gate_.share();
     link_.input.put(published);
 }

@@ -65,6 +65,8 @@ class HidSession final : public jobs::IoWork {
 
   private:
     void search(std::int64_t now_ns);
+    // Opens it and begins its session: ready, or why not.
+    [[nodiscard]] HidStatus begin(const HidDeviceInfo& device);
     void exchange(std::int64_t now_ns);
     // False: the device is gone.
     [[nodiscard]] bool hear(std::int64_t now_ns);
@@ -81,6 +83,7 @@ class HidSession final : public jobs::IoWork {
     std::unique_ptr<HidPort> port_;
     HidStatus status_;
     std::uint64_t heartbeat_ = 0;
+    std::uint64_t refreshed_ = 0;
     std::uint32_t silences_ = 0;
     std::optional<std::int64_t> next_search_ns_;  // none: at once
     std::int64_t next_presence_ns_ = 0;

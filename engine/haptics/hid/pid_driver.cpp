@@ -11,8 +11,11 @@
 namespace onggi::haptics::hid {
 namespace {
 
-// A hand does not hold a 16-bit sensor to the last bit for so long.
-constexpr std::int64_t kSilenceNs = 1000 * kMs;
+// Of a stick that reports changes only, or may: a hand does not hold a 16-bit sensor to the last bit for so
+// long. Its silence until then is a hand that keeps still.
+constexpr std::int64_t kStillNs = 1000 * kMs;
+// Of a stick that was heard to report all the time.
+constexpr std::int64_t kSilenceNs = 100 * kMs;
 constexpr int kEffectMs = 500;
 constexpr std::int64_t kRestartNs = 200 * kMs;  // twice within an effect's life
 // hid_write waits for the bus, about 1 ms a report: 250 Hz leaves room for four.
@@ -79,6 +82,7 @@ Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
     effects_.clear();
     stick_ = {};
     device_state_ = {};
+    habit_ = {};
     was_heard_ = wheel_turns_ = is_started_ = is_stopped_ = false;
     auto begun = begin(port);
     if (!begun) stop(port);
@@ -177,11 +181,14 @@ void PidDriver::take_report(std::span<const std::uint8_t> report, std::int64_t n
     if (was_heard_ && (stick_.buttons & ~before & 1U) != 0) wheel_turns_ = !wheel_turns_;
     was_heard_ = true;
     heard_ns_ = now_ns;
+    habit_.take(report);
 }
 
 HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
     HandInput input{.motion = HandInput::Motion::kPlace};
-    input.is_live = was_heard_ && now_ns - heard_ns_ <= kSilenceNs;
+    const bool must_report = habit_.reports_all_the_time();
+    input.is_live = was_heard_ && now_ns - heard_ns_ <= (must_report ? kSilenceNs : kStillNs);
+    input.is_fresh = input.is_live && (!must_report || heard_ns_ == now_ns);
     const ToolReach& reach = mapping_.reach;
     const double right = (stick_.deflection.x + 1.0) / 2.0;
     const double away = (1.0 - stick_.deflection.y) / 2.0;
@@ -254,6 +261,7 @@ Result<void> PidDriver::tell(HidPort& port, Effect& effect, const ForceOrder& or
 }
 
 Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) {
+    habit_.round();
     if (is_started_ && now_ns - last_told_ns_ < kLeastIntervalNs) return {};
     last_told_ns_ = now_ns;
     if (!is_started_) last_start_ns_ = now_ns;

@@ -15,6 +15,7 @@
 
 #include "engine/haptics/hid/hid_driver.h"
 #include "engine/haptics/hid/pid_reports.h"
+#include "engine/haptics/hid/report_habit.h"
 
 namespace onggi::haptics::hid {
 
@@ -80,6 +81,7 @@ class PidDriver final : public HidDriver {
     bool was_heard_ = false;
     bool wheel_turns_ = false;
     std::int64_t heard_ns_ = 0;
+    ReportHabit habit_;
     std::int64_t last_start_ns_ = 0;
     std::int64_t last_told_ns_ = 0;
     bool is_stopped_ = false;  // by starvation

@@ -30,6 +30,7 @@ void SpaceMouseDriver::take_report(std::span<const std::uint8_t> report, std::in
 HandInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
     HandInput input{.motion = HandInput::Motion::kRate};
     input.is_live = state_.at_rest() || now_ns - heard_ns_ <= kSpaceMouseSilenceNs;
+    input.is_fresh = state_.at_rest() || heard_ns_ == now_ns;
     input.rate_mm_s = space_mouse_rate_mm_s(state_, mapping_);
     input.wheel_button = wheel_turns_;
     // Twisted to the right it turns faster; about the axis that points down, a positive turn.
@@ -59,7 +60,7 @@ void VecPedalDriver::take_report(std::span<const std::uint8_t> report, std::int6
 HandInput VecPedalDriver::input(std::int64_t /*now_ns*/) const noexcept {
     // It reports changes only: silence means nothing, and a removal is told by the port.
     HandInput input;
-    input.is_live = true;
+    input.is_live = input.is_fresh = true;
     input.wheel_button = state_.any();
     constexpr double kChangeRevMinS = 40.0;
     input.wheel_change_rev_min_s =

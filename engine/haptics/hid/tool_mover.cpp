@@ -7,6 +7,8 @@ namespace onggi::haptics::hid {
 ToolState ToolMover::moved(const HandInput& input, double dt_s) noexcept {
     silence_s_ = input.heartbeat == last_heartbeat_ ? silence_s_ + dt_s : 0.0;
     last_heartbeat_ = input.heartbeat;
+    was_refreshed_ = input.refreshed != last_refreshed_;
+    last_refreshed_ = input.refreshed;
     is_live_ = input.is_live && silence_s_ <= kSilenceS;
 
     if (is_live_) {

@@ -20,8 +20,9 @@ class ToolMover {
     // stays where it is and the wheel's button is up.
     [[nodiscard]] ToolState moved(const HandInput& input, double dt_s) noexcept;
     [[nodiscard]] bool input_is_live() const noexcept { return is_live_; }
-    // About the last moved(): the input's heart has beaten since the one before.
-    [[nodiscard]] bool was_heard() const noexcept { return silence_s_ == 0.0; }
+    // About the last moved(): the place was refreshed since the one before; a beating heart alone is the I/O
+    // thread's, not the device's.
+    [[nodiscard]] bool was_refreshed() const noexcept { return was_refreshed_; }
     // About the last moved(): the person did something, a press of a button included.
     [[nodiscard]] bool hand_moves() const noexcept { return is_live_ && hand_moves_; }
     // The tool was brought here; a hand that says how fast goes on from there.
@@ -48,6 +49,8 @@ class ToolMover {
     dvec2 travelled_mm_{0.0};  // of the input's sum, what is in place_mm_ already
     double wheel_rev_min_ = kUsualRevMin;
     std::uint64_t last_heartbeat_ = 0;
+    std::uint64_t last_refreshed_ = 0;
+    bool was_refreshed_ = false;
     double silence_s_ = 0.0;
     bool is_live_ = false;
     MotionSense sense_{kNoiseMm};

@@ -17,13 +17,14 @@ class NotingDriver final : public HidDriver {
   public:
     explicit NotingDriver(std::vector<std::string>& notes) : notes_(notes) {}
     [[nodiscard]] DeviceCapabilities capabilities() const override { return {}; }
-    Result<void> start(const HidDeviceInfo&, HidPort&) override {
+    Result<void> start(const HidDeviceInfo& device, HidPort&) override {
         notes_.push_back("start");
-        if (refuses_) return failed("it does not want to");
+        if (refuses_ || device.path == refused_path_) return failed("it does not want to");
         return {};
     }
     void take_report(std::span<const std::uint8_t> report, std::int64_t) noexcept override {
         input_.is_live = report[0] != 0;
+        input_.is_fresh = report[0] == 1;
         input_.motion = HandInput::Motion::kPlace;
         input_.place_mm.x = report[1];
     }
@@ -37,6 +38,7 @@ class NotingDriver final : public HidDriver {
 
     dvec2 force_n{-1.0};
     bool refuses_ = false;
+    std::string refused_path_ = {};
 
   private:
     std::vector<std::string>& notes_;
@@ -252,6 +254,46 @@ TEST_F(HidSessionTest, SaysWhatADeviceDidNotDoAndTriesAgain) {
     told->refuses_ = false;
     step_until(now_ns + 2000 * kMs);
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady);
+}
+
+TEST_F(HidSessionTest, TakesTheNextDeviceWhereTheFirstDoesNotDoWhatItShould) {
+    HidDeviceInfo broken = script->info;
+    broken.path = "/dev/hidraw8";
+    HidDeviceInfo forbidden = script->info;
+    forbidden.path = "/dev/hidraw7";
+    forbidden.refusal = "may not be opened by this user";
+    script->others = {forbidden, broken};
+    told->refused_path_ = broken.path;
+    step();
+    EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady);
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw9");
+    EXPECT_EQ(link.status.latest().message, "");
+    EXPECT_EQ(link.status.latest().times_found, 1U);
+    EXPECT_EQ(script->open_ports, 1) << "the broken one is closed again";
+    // With nothing that works beside it, what is wrong is said of the broken one, not of the forbidden.
+    script->read_fails = true;
+    step();
+    told->refuses_ = true;
+    step_until(now_ns + 2000 * kMs);
+    EXPECT_EQ(link.status.latest().state, HidStatus::State::kFailed);
+    EXPECT_EQ(link.status.latest().path, broken.path);
+    EXPECT_EQ(script->open_ports, 0);
+}
+
+TEST_F(HidSessionTest, CountsARoundAsRefreshedOnlyWhenTheDriverSaysSo) {
+    step();
+    script->report("01 10");
+    step();
+    const std::uint64_t refreshed = link.input.latest().refreshed;
+    EXPECT_GT(refreshed, 0U);
+    script->report("02 11");  // live, but old
+    for (int round = 0; round < 10; ++round)
+        step();
+    EXPECT_TRUE(link.input.latest().is_live);
+    EXPECT_EQ(link.input.latest().refreshed, refreshed) << "rounds went by, the place did not come";
+    script->report("01 12");
+    step();
+    EXPECT_EQ(link.input.latest().refreshed, refreshed + 1);
 }
 
 TEST_F(HidSessionTest, LeavesDevicesOfAnotherKindAlone) {

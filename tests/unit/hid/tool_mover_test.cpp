@@ -44,6 +44,24 @@ TEST(ToolMover, StaysWhereItIsWhenTheIoThreadStandsStill) {
     EXPECT_TRUE(mover.moved(pushing(2), kStep).wheel_button) << "and goes on when it goes on";
 }
 
+TEST(ToolMover, TellsARefreshedPlaceFromAThreadThatLives) {
+    ToolMover mover;
+    HandInput input = pushing(1);
+    input.refreshed = 1;
+    (void)mover.moved(input, kStep);
+    EXPECT_TRUE(mover.was_refreshed());
+    (void)mover.moved(input, kStep);
+    EXPECT_FALSE(mover.was_refreshed()) << "the same again";
+    for (input.heartbeat = 2; input.heartbeat < 10; ++input.heartbeat) {
+        (void)mover.moved(input, kStep);
+        EXPECT_FALSE(mover.was_refreshed()) << "its heart beats, and the device is mute";
+    }
+    EXPECT_TRUE(mover.input_is_live());
+    input.refreshed = 2;
+    (void)mover.moved(input, kStep);
+    EXPECT_TRUE(mover.was_refreshed());
+}
+
 TEST(ToolMover, StaysWhereItIsWhenNothingIsPluggedIn) {
     ToolMover mover;
     HandInput input = pushing(1);
