@@ -3,7 +3,7 @@
   python3 tests/haptics/mutations.py BUILD [NUMBER ...]
 
 BUILD is a configured build folder, for example build/release. The tree must be clean: a mutation is written into it,
-built, tried, and taken back. Some five minutes. Exit 0 when every mutation was noticed, 1 when one was not.
+built, tried, and taken back. Some ten minutes. Exit 0 when every mutation was noticed, 1 when one was not.
 """
 import pathlib
 import subprocess
@@ -12,6 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = "engine/haptics/safety"
 PROPERTIES = "haptics_safety_properties"
+HID = "engine/haptics/hid"
 STATE = "SafetyState& state) noexcept {\n"
 
 
@@ -20,10 +21,22 @@ def off(stage):
     return f"{STAGES}/{stage}.cpp", STATE, STATE + "    if (limits.peak_force_n > -1.0) return force_n;\n"
 
 
-# Property, what is taken away, (file, text, text instead), test program.
+# A lock that the I/O thread holds while it tells a device, and that the tick wants.
+SHARED_LOCK = [
+    (f"{HID}/hid_port.h", "class HidBus {", "inline std::mutex everybodys;\n\nclass HidBus {"),
+    (f"{HID}/hid_port.h", "#include <memory>\n", "#include <memory>\n#include <mutex>\n"),
+    (f"{HID}/hid_session.cpp", "    if (auto sent = driver_->send(",
+     "    const std::lock_guard lock(everybodys);\n    if (auto sent = driver_->send("),
+    (f"{HID}/hid_device.cpp", "    link_.force.put({.force_n",
+     "    const std::lock_guard lock(hid::everybodys);\n    link_.force.put({.force_n"),
+]
+
+# Property, what is taken away, (file, text, text instead) or several of them, test program.
 MUTATIONS = [
     (1, "the peak", off("clamp"), PROPERTIES),
     (1, "the continuous force", off("budget"), PROPERTIES),
+    (1, "the largest force ever told", ("game/haptic/job.cpp", "std::max(largest_force_n2_, glm::dot(",
+                                        "std::max(0.0, glm::dot("), PROPERTIES),
     (2, "the direction", (f"{STAGES}/clamp.cpp", "return safety::at_most(force_n, limits.peak_force_n, state);",
                           "return glm::clamp(force_n, dvec3(-limits.peak_force_n), dvec3(limits.peak_force_n));"),
      PROPERTIES),
@@ -42,9 +55,33 @@ MUTATIONS = [
                                         "std::exchange(silences_, silences) > silences"), "unit_haply"),
     (8, "the Inverse3's news of its place", ("engine/haptics/haply/inverse_device.h",
                                              ".position_is_new = is_new_", ".position_is_new = is_here_"), "unit_haply"),
+    (7, "the stop of a starved joystick", (f"{HID}/pid_driver.cpp",
+                                           "return write(port, device_control(*layout_, PidUsage::kStopAll));",
+                                           "return {};"), "unit_hid"),
+    (7, "the supervisor's part", ("engine/jobs/supervisor.cpp", "        after_crash(WTERMSIG(status));\n", ""),
+     "unit_jobs"),
+    (7, "the supervisor's part after a library's exit", ("engine/jobs/supervisor.cpp",
+                                                         "        if (code == kAfterCrash) after_crash(0);\n", ""),
+     "unit_jobs"),
+    (7, "what the supervisor tells the devices", (f"{HID}/hid_device.cpp", "        driver->stop(**port);\n", ""),
+     "unit_hid"),
+    (8, "the refreshed place of a USB device", (f"{HID}/tool_mover.cpp", "input.refreshed != last_refreshed_",
+                                                "input.heartbeat != 0"), "unit_hid"),
+    (8, "the habit of a stick", (f"{HID}/pid_driver.cpp", "habit_.reports_all_the_time();",
+                                 "habit_.reports_all_the_time() && !was_heard_;"), "unit_hid"),
     (8, "the stale position", (f"{STAGES}/hand.cpp", "input.hand_is_there && !is_stale",
                                "input.hand_is_there && (!is_stale || state.stale_s > 0.0)"), PROPERTIES),
     (9, "the passivity controller", off("passivity"), PROPERTIES),
+    (9, "the wheel's credit for no more than it did", (f"{STAGES}/passivity.cpp", "glm::dot(state.applied_driven_n,",
+                                                       "glm::dot(input.driven_force_n,"), "unit_haptics"),
+    (9, "the motor's part through the ramp", (f"{STAGES}/ramp.cpp",
+                                              "safety::share_of(force_n, state.ramp, state)",
+                                              "force_n * state.ramp"), "unit_haptics"),
+    (9, "the share that a change of hands leaves", ("engine/haptics/hands.cpp",
+                                                    "    signs.force_share *= motors_[holder_].given_share;\n", ""),
+     "unit_haptics"),
+    (9, "the share that the gate leaves", (f"{HID}/hid_session.cpp", "published.force_share = gate_.share();",
+                                           "published.force_share = 1.0;"), "unit_hid"),
     (10, "the check of stiffness at load", ("game/haptic/job.cpp", "    if (!work_.fits()) return work_.fits();\n", ""),
      PROPERTIES),
     (10, "the bound of a force over USB", ("game/haptic/device_force.cpp",
@@ -59,6 +96,14 @@ MUTATIONS = [
                                                 "    const LoopSetting setting = loop_of(device, rate_hz);\n"),
      "haptics_stability"),
     (11, "the softer clay of a late loop", off("late"), PROPERTIES),
+    (11, "the bound of a tick's time", ("engine/jobs/pacer.h", "std::min(kMostPeriods, 1.0",
+                                        "std::min(1e9 * kMostPeriods, 1.0"), "unit_jobs"),
+    (11, "the skip of missed ticks", ("engine/jobs/pacer.h", "std::max(awaited, index_at(start_ns))",
+                                      "std::min(awaited, index_at(start_ns))"), "unit_jobs"),
+    (12, "the tick that waits for no device", SHARED_LOCK, "stress_loop"),
+    (12, "the next device where one fails", (f"{HID}/hid_session.cpp", "is_worse) told = std::move(status);",
+                                             "is_worse) told = std::move(status);\n"
+                                             "        if (is_worse) break;"), "unit_hid"),
     (12, "the ramp after a reopening", (f"{STAGES}/hand.cpp", "            restart_ramp(state);\n", ""), PROPERTIES),
     (13, "the tick without allocation", ("game/haptic/job.cpp", "    obey_commands();\n    put_on_states();\n",
                                          "    obey_commands();\n    delete new HapticState(start_);\n"
@@ -80,10 +125,10 @@ def run(*words):
     return subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
 
 
-def noticed(build, file, program):
+def noticed(build, what, program):
     built = run("cmake", "--build", build, "--target", program)
     if built.returncode != 0:
-        sys.exit(f"mutations: {file}: expected it to compile, found:\n{built.stdout[-3000:]}")
+        sys.exit(f"mutations: without {what}: expected it to compile, found:\n{built.stdout[-3000:]}")
     return run(str(pathlib.Path(build) / "tests" / program)).returncode != 0
 
 
@@ -95,18 +140,21 @@ def main():
     if run("git", "status", "--porcelain", "--untracked-files=no").stdout:
         sys.exit("mutations: expected a clean tree, found changes that a mutation would be mixed with")
     missed = 0
-    for number, what, (name, text, instead), program in MUTATIONS:
+    for number, what, edits, program in MUTATIONS:
         if wanted and number not in wanted:
             continue
-        file = ROOT / name
-        source = file.read_text()
-        if source.count(text) != 1:
-            sys.exit(f"mutations: {name}: expected once {text!r}, found it {source.count(text)} times")
+        edits = edits if isinstance(edits, list) else [edits]
+        before = {name: (ROOT / name).read_text() for name, _, _ in edits}
         try:
-            file.write_text(source.replace(text, instead))
-            seen = noticed(build, name, program)
+            for name, text, instead in edits:
+                source = (ROOT / name).read_text()
+                if source.count(text) != 1:
+                    sys.exit(f"mutations: {name}: expected once {text!r}, found it {source.count(text)} times")
+                (ROOT / name).write_text(source.replace(text, instead))
+            seen = noticed(build, what, program)
         finally:
-            file.write_text(source)
+            for name, source in before.items():
+                (ROOT / name).write_text(source)
         missed += not seen
         print(f"{number:2} without {what}: {'noticed' if seen else 'NOT NOTICED'}", flush=True)
     for program in {mutation[3] for mutation in MUTATIONS}:  # as they should be
