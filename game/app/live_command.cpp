@@ -47,11 +47,14 @@ struct LiveOptions {
     std::optional<std::string> stats;
 };
 
-// A live run is watched, not played: besides closing, one key means something.
+// A live run is watched, not played: besides closing, two keys mean something.
 Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const haptic::Snapshot& snapshot) {
+    bool stops = false;
     for (const window::Event& event : view.poll_events()) {
         const auto* key = std::get_if<window::KeyEvent>(&event);
-        if (key != nullptr && key->key == window::Key::kV && key->pressed && !key->repeat) forces.turn_over();
+        if (key == nullptr || !key->pressed || key->repeat) continue;
+        if (key->key == window::Key::kV) forces.turn_over();
+        stops = stops || key->key == window::Key::kPause;
     }
     if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
     const wheel::PotView pot = pot_view(snapshot);
@@ -61,6 +64,7 @@ Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const hapti
     if (auto done = view.wait(); !done) return done.error();
     for (const std::string& line : view.take_remarks())
         remark(line);
+    if (stops) return FrameOutcome::kStopped;
     return *drawn ? FrameOutcome::kDrawn : FrameOutcome::kNotShown;
 }
 

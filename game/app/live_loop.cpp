@@ -58,7 +58,8 @@ Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
         const auto outcome = draw(job.newest_snapshot());
         if (!outcome) return outcome.error();
         pacer.finish();
-        if (*outcome == FrameOutcome::kDrawn) ++report.frames;
+        if (*outcome == FrameOutcome::kStopped) job.stop_force();
+        if (*outcome == FrameOutcome::kDrawn || *outcome == FrameOutcome::kStopped) ++report.frames;
         open = *outcome != FrameOutcome::kClosed;
         pass_over_records(job);
     }

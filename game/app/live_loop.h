@@ -30,6 +30,7 @@ struct LiveRun {
 enum class FrameOutcome {
     kDrawn,
     kNotShown,  // minimised, or between two sizes
+    kStopped,   // drawn, and the window's stop key was pressed: no force from here on
     kClosed,    // the visitor has closed the window: the run ends
 };
 // Draws one snapshot and returns when the picture is done. An error ends the run.

@@ -45,8 +45,8 @@ struct HandInput {
     // shall change.
     double wheel_rev_min = 0.0;
     double wheel_change_rev_min_s = 0.0;
-    bool shows_wall = false;      // what is plugged in answers along the radius by a wall of its own
-    bool is_live = false;  // false: nothing plugged in, or silent for too long; nothing above counts
+    bool shows_wall = false;  // what is plugged in answers along the radius by a wall of its own
+    bool is_live = false;     // false: nothing plugged in, or silent for too long; nothing above counts
     // The place is known to be as it is said: a report has just come, or the device is one whose silence says
     // that nothing has changed.
     bool is_fresh = false;

@@ -75,6 +75,18 @@ TEST(LiveLoop, EndsWhenTheWindowIsClosedAndReportsWhatWas) {
     EXPECT_LT(report.value().ticks.ticks, 1'000'000U);
 }
 
+TEST(LiveLoop, TakesTheForceAwayWhenTheWindowsStopKeyIsPressed) {
+    bool was_pressed = false;
+    const auto report = run_live(modest_run(300, std::nullopt), [&](const haptic::Snapshot& /*snapshot*/) {
+        const auto outcome = was_pressed ? FrameOutcome::kDrawn : FrameOutcome::kStopped;
+        was_pressed = true;
+        return Result<FrameOutcome>(outcome);
+    });
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report.value().state.safety.fault, haptics::Fault::kStopped);
+    EXPECT_GE(report.value().frames, 1U);
+}
+
 TEST(LiveLoop, CountsOnlyTheFramesThatWereDrawn) {
     const auto report = run_live(modest_run(100, std::nullopt), [](const haptic::Snapshot& /*snapshot*/) {
         return Result<FrameOutcome>(FrameOutcome::kNotShown);
