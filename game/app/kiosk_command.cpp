@@ -128,7 +128,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (!settings) return settings.error();
     note_end_signals(settings->rules.locked);
     if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
-    take_kept_volume(*settings);
+    take_kept_house(*settings);
     const jobs::CoreChoice core = leave_haptic_core();
     StartKeeper starts(std::filesystem::path(settings->config.gallery.folder) / "state");
     const StartReport start_report = starts.begin_now(settings->remarks);

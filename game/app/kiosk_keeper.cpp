@@ -7,7 +7,6 @@
 
 #include "game/app/kiosk_health.h"
 #include "game/app/kiosk_pot.h"
-#include "game/app/kiosk_settings.h"
 
 namespace onggi::app {
 namespace {
@@ -219,8 +218,8 @@ void KioskKeeper::obey(const Wish& wish) {
         case Wish::Kind::kNoteStart:
             complain(app::note_start(statistics_));
             break;
-        case Wish::Kind::kKeepVolume:
-            complain(app::keep_volume(statistics_, wish.volume));
+        case Wish::Kind::kKeepHouse:
+            complain(keep_house(statistics_, *wish.house));
             break;
     }
 }

@@ -13,6 +13,7 @@
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
 #include "game/app/kiosk_gallery.h"
+#include "game/app/kiosk_settings.h"
 #include "game/app/kiosk_statistics.h"
 #include "game/app/left_over.h"
 #include "game/app/visit_journal.h"
@@ -68,8 +69,10 @@ class KioskKeeper final : private jobs::IoWork {
     void note(const VisitNote& visit) { ask({.kind = Wish::Kind::kNote, .visit = visit}); }
     void note_attract_break() { ask({Wish::Kind::kNoteBreak}); }
     void note_start() { ask({Wish::Kind::kNoteStart}); }
-    // The volume that the staff has set, for the next start.
-    void keep_volume(int volume) { ask({.kind = Wish::Kind::kKeepVolume, .volume = volume}); }
+    // What the staff has set, for the next start.
+    void keep(HouseWish house) {
+        ask({.kind = Wish::Kind::kKeepHouse, .house = std::make_shared<const HouseWish>(std::move(house))});
+    }
     [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer();
 
   private:
@@ -88,7 +91,7 @@ class KioskKeeper final : private jobs::IoWork {
             kNote,
             kNoteBreak,
             kNoteStart,
-            kKeepVolume
+            kKeepHouse
         };
         Kind kind = Kind::kUndo;
         std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run
@@ -96,7 +99,7 @@ class KioskKeeper final : private jobs::IoWork {
         std::shared_ptr<const screens::PotShape> shape{};
         std::shared_ptr<const std::string> pot{};
         VisitNote visit{};
-        int volume = 0;
+        std::shared_ptr<const HouseWish> house{};
     };
     void ask(const Wish& wish) { static_cast<void>(wishes_.try_push(wish)); }
 

@@ -50,24 +50,32 @@ fs::path statistics_folder(const kiosk::Config& config) {
     return wanted.empty() ? fs::path(config.gallery.folder) / "statistics" : fs::path(wanted);
 }
 
-Result<void> keep_volume(const fs::path& folder, int volume) {
+Result<void> keep_house(const fs::path& folder, const HouseWish& house) {
     std::error_code error;
     fs::create_directories(folder, error);
-    return files::write_file_atomically(folder / kKeptSettings,
-                                        fmt::format("[sound]\nvolume = {}\n", volume));
+    return files::write_file_atomically(
+        folder / kKeptSettings,
+        fmt::format("[sound]\nvolume = {}\n\n[languages]\norder = [\"{}\"]\nfirst = \"{}\"\n", house.volume,
+                    house.language, house.language));
 }
 
-void take_kept_volume(KioskSettings& settings) {
+void take_kept_house(KioskSettings& settings) {
     std::error_code error;
     const fs::path file = statistics_folder(settings.config) / kKeptSettings;
     if (!settings.config.sound.remember_staff || !fs::exists(file, error)) return;
     const auto text = files::read_file(file, kMostTextBytes);
     const auto kept = text ? kiosk::read_config(*text, file.string()) : Result<kiosk::Config>(text.error());
     if (!kept) {
-        settings.remarks.push_back(kept.error().message + "; the settings' own volume counts");
+        settings.remarks.push_back(kept.error().message + "; the settings' own count");
         return;
     }
     settings.config.sound.volume = settings.rules.default_volume = kept->sound.volume;
+    if (!settings.languages) return;
+    const auto known =
+        std::find_if(settings.languages->begin(), settings.languages->end(),
+                     [&](const kiosk::Language& one) { return one.code() == kept->languages.first; });
+    if (known != settings.languages->end())
+        settings.rules.default_language = static_cast<int>(known - settings.languages->begin());
 }
 
 Result<KioskSettings> load_settings(const std::string& config_file) {

@@ -35,10 +35,14 @@ struct KioskSettings {
 // Where visits are counted, and what the staff has set is kept.
 [[nodiscard]] std::filesystem::path statistics_folder(const kiosk::Config& config);
 
-// The volume that the staff has set, kept in that folder and, where the settings want it so, taken from there
-// at the next start.
-Result<void> keep_volume(const std::filesystem::path& folder, int volume);
-void take_kept_volume(KioskSettings& settings);
+// What the staff has set for every visit to begin with, kept in that folder and, where the settings want it
+// so, taken from there at the next start; a language that is no longer among the settings' is passed over.
+struct HouseWish {
+    int volume = 3;        // 0 to kiosk::kMostVolume
+    std::string language;  // code
+};
+Result<void> keep_house(const std::filesystem::path& folder, const HouseWish& house);
+void take_kept_house(KioskSettings& settings);
 
 // `config_file` empty: defaults. Bad input: what the file, or a table of its languages folder, says wrong; a
 // language of the order that neither is built in nor has a table.

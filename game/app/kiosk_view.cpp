@@ -40,9 +40,10 @@ bool looks_the_same(const screens::View& a, const screens::View& b) {
            s.throwing.warning == t.throwing.warning && s.staff.digits == t.staff.digits &&
            s.staff.was_wrong == t.staff.was_wrong && s.staff.page == t.staff.page &&
            s.staff.first_line == t.staff.first_line && s.staff.question == t.staff.question &&
-           s.device_lost == t.device_lost && s.force_rests == t.force_rests && a.width_px == b.width_px &&
-           a.height_px == b.height_px && a.hint == b.hint && a.seconds_left == b.seconds_left &&
-           a.pot == b.pot && a.attract_exhibit == b.attract_exhibit && near(a.outline_px, b.outline_px) &&
+           s.house_language == t.house_language && s.device_lost == t.device_lost &&
+           s.force_rests == t.force_rests && a.width_px == b.width_px && a.height_px == b.height_px &&
+           a.hint == b.hint && a.seconds_left == b.seconds_left && a.pot == b.pot &&
+           a.attract_exhibit == b.attract_exhibit && near(a.outline_px, b.outline_px) &&
            glm::length(a.hint_at_px - b.hint_at_px) < 3.0F &&
            glm::length(a.second_hint_at_px - b.second_hint_at_px) < 3.0F &&
            a.scene_edges_px == b.scene_edges_px && s.throwing.looks_in == t.throwing.looks_in &&

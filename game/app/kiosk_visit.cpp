@@ -128,8 +128,10 @@ void KioskVisit::carry_out(const Effect& effect) {
         case Effect::Kind::kSetVolume:
             set_volume(effect.value);
             break;
-        case Effect::Kind::kKeepVolume:
-            parts_.keeper.keep_volume(effect.value);
+        case Effect::Kind::kKeepHouse:
+            parts_.keeper.keep(HouseWish{
+                state_.house_volume,
+                (*parts_.settings.languages)[static_cast<std::size_t>(state_.house_language)].code()});
             break;
         case Effect::Kind::kVisitBegan:
             thrown_ = kept_ = false;

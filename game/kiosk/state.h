@@ -107,7 +107,9 @@ struct State {
     Keeping keeping;
     Staff staff;
     PinGuard pin_guard;
-    int house_volume = 3;      // what every visit begins with: the configuration's, or what the staff set
+    // What every visit begins with: the configuration's, or what the staff set.
+    int house_volume = 3;
+    int house_language = 0;
     bool device_lost = false;  // a hand control that was there is gone
     double device_s = 0.0;
     bool force_rests = false;  // a fault took the hand's force away; the clay goes on

@@ -25,7 +25,7 @@ int seconds_left(const State& state, double countdown_s, double now_s) {
 
 State first_state(const Rules& rules, double now_s) {
     State state;
-    state.comfort.language = rules.default_language;
+    state.comfort.language = state.house_language = rules.default_language;
     state.comfort.volume = state.house_volume = rules.default_volume;
     state.comfort.text_size = rules.default_text_size;
     state.screen_s = state.panel_s = state.input_s = state.visit_s = now_s;
@@ -88,6 +88,7 @@ void Turn::end_visit() {
     state.device_s = before.device_s;
     state.pin_guard = before.pin_guard;
     state.comfort.volume = state.house_volume = before.house_volume;
+    state.comfort.language = state.house_language = before.house_language;
     state.force_rests = before.force_rests;
     state.left_over = before.left_over;  // until somebody has decided
     add(Effect::Kind::kForgetPot);

@@ -64,6 +64,7 @@ enum class Button {
     kStaffList,  // value: the line at the top
     kStaffForceTest,
     kStaffSoundTest,
+    kStaffLanguage,   // the next of them, for every visit to begin with
     kStaffDeletePot,  // value: which of the gallery's; asks first, as do the next two
     kStaffRestart,
     kStaffQuit,
@@ -115,7 +116,7 @@ struct Effect {
         kResume,
         kDropLeftOver,
         kSetVolume,   // value: 0 to kMostVolume
-        kKeepVolume,  // the same, by the staff: for all visits to come
+        kKeepHouse,   // the house's volume and language, as the staff has set them: for all visits to come
         kVisitBegan,  // for the measured use: no person, only counts
         kVisitEnded,  // value: dwell in whole seconds
         kTestForce,

@@ -76,7 +76,12 @@ void press_panel(Turn& turn, const Event& event) {
             turn.change_volume(event.button == Button::kSoundMore ? 1 : -1);
             if (turn.state.house_volume == turn.state.comfort.volume) break;
             turn.state.house_volume = turn.state.comfort.volume;
-            turn.add(Effect::Kind::kKeepVolume, turn.state.house_volume);
+            turn.add(Effect::Kind::kKeepHouse);
+            break;
+        case Button::kStaffLanguage:
+            turn.state.house_language = (turn.state.house_language + 1) % turn.rules.language_count;
+            turn.state.comfort.language = turn.state.house_language;
+            turn.add(Effect::Kind::kKeepHouse);
             break;
         case Button::kStaffDeletePot:
             staff.question = StaffQuestion::kDeletePot;

@@ -163,6 +163,7 @@ constexpr std::array kActions{Action{Button::kStaffForceTest, "Test the force"},
                               Action{Button::kStaffSoundTest, "Test the sound"},
                               Action{Button::kSoundLess, "Sound less"},
                               Action{Button::kSoundMore, "Sound more"},
+                              Action{Button::kStaffLanguage, "Begin in "},  // and which
                               Action{Button::kStaffRestart, "Restart the program"},
                               Action{Button::kStaffQuit, "Quit"},
                               Action{Button::kStaffClose, "Close the panel"}};
@@ -248,14 +249,19 @@ void draw_staff(Page& page) {
 
     // One place each, whatever is shown; two columns under the list where the screen is tall.
     const auto place = [&](std::size_t i) {
-        const float step = 76.0F;
-        if (!tall) return Rect{width - 24.0F - side, actions_top + static_cast<float>(i) * step, side, 64.0F};
+        const float step = tall ? 76.0F : 70.0F;
+        if (!tall) return Rect{width - 24.0F - side, actions_top + static_cast<float>(i) * step, side, 62.0F};
         return Rect{24.0F + (i % 2 == 0 ? 0.0F : 0.5F * width - 12.0F),
                     actions_top + static_cast<float>(i / 2) * step, 0.5F * width - 36.0F, 64.0F};
     };
-    for (std::size_t i = 0; i < kActions.size(); ++i)
-        key(page, place(i), kActions[i].button, 0, kActions[i].name,
-            kActions[i].button == Button::kStaffClose);
+    for (std::size_t i = 0; i < kActions.size(); ++i) {
+        std::string name = kActions[i].name;
+        if (kActions[i].button == Button::kStaffLanguage) {
+            const auto language = static_cast<std::size_t>(view.state.house_language);
+            name += (*view.languages)[std::min(language, view.languages->size() - 1)].shown("name");
+        }
+        key(page, place(i), kActions[i].button, 0, name, kActions[i].button == Button::kStaffClose);
+    }
     const int first = std::min(staff.first_line, static_cast<int>(view.staff_lines.size()));
     const int behind = first + std::max(1, shown);
     const Rect turn = tall ? place(kActions.size()) : Rect{width - 24.0F - side, 74.0F, side, 60.0F};

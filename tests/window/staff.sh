@@ -111,14 +111,19 @@ on_screen '.* - pin' pin-again
 pin 2580
 on_screen '.* - staff' health
 
-# The panel's pages, its tests, its volume; a key at the right, 76 apart from 184.
-action() { click 1096 $((184 + 76 * $1)); }
+# The panel's pages, its tests, its volume and language; a key at the right, 70 apart from 183.
+action() { click 1096 $((183 + 70 * $1)); }
 click 270 104; on_screen '.* - staff' visits
 click 600 104; on_screen '.* - staff' devices
 action 0; sleep 4.5; on_screen '.* - staff' force-tested
 action 1; on_screen '.* - staff' sound-tested
 action 3; sleep 0.5
 wait_for "the volume kept" grep -q 'volume = 4' gallery/statistics/staff.toml
+action 4; sleep 0.5
+wait_for "the language kept" grep -q 'first = "ar"' gallery/statistics/staff.toml
+action 4; sleep 0.5  # Korean, and round: in Arabic the corner would be the other one
+action 4; sleep 0.5
+wait_for "the first language again" grep -q 'first = "en"' gallery/statistics/staff.toml
 # Delete the second pot, which is the first in the list; once with no, once with yes.
 click 440 104; on_screen '.* - staff' gallery
 click 852 168; on_screen '.* - staff' asks
@@ -130,7 +135,7 @@ gone() { [ ! -e gallery/2026-01-02/pot-002 ]; }
 wait_for "the pot gone" gone
 [ -d gallery/2026-01-02/pot-001 ] || fail "the other pot is gone as well"
 # Restart: the same process goes on with a new window.
-action 4; sleep 0.5
+action 5; sleep 0.5
 click 800 414
 twice() { [ "$(grep -c . gallery/statistics/starts.csv)" -eq 3 ]; }
 wait_for "a second start" twice

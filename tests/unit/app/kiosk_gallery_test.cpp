@@ -245,7 +245,7 @@ TEST(KioskKeeper, CountsAndRemembersBesideTheFrame) {
     bench.keeper.note_start();
     bench.keeper.note_attract_break();
     bench.keeper.note({.dwell_s = 30, .last = kiosk::Screen::kThrow, .thrown = true, .kept = false});
-    bench.keeper.keep_volume(5);
+    bench.keeper.keep({5, "ko"});
     bench.keeper.survey();
     const auto survey = bench.answer(KeeperAnswer::Kind::kSurvey);
     ASSERT_NE(survey, nullptr);
@@ -255,7 +255,7 @@ TEST(KioskKeeper, CountsAndRemembersBesideTheFrame) {
     KioskSettings settings;
     settings.config = config_of(folder.path());
     settings.config.sound.remember_staff = true;
-    take_kept_volume(settings);
+    take_kept_house(settings);
     EXPECT_EQ(settings.config.sound.volume, 5);
 }
 

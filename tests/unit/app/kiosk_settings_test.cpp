@@ -75,21 +75,28 @@ TEST(KioskSettings, GoOnWithTheHousesWhereTheMuseumsCannotBeRead) {
     EXPECT_FALSE(mended->config.staff.locked);
 }
 
-TEST(KioskSettings, TakeTheStaffsVolumeOnlyWhereTheyAreToldTo) {
+TEST(KioskSettings, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
     const test::TemporaryFolder folder;
     KioskSettings settings;
     settings.config = config_of(folder.path());
+    settings.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
     settings.config.sound.remember_staff = true;
-    take_kept_volume(settings);
+    take_kept_house(settings);
     EXPECT_EQ(settings.config.sound.volume, 3) << "nobody has set one yet";
-    ASSERT_TRUE(keep_volume(statistics_folder(settings.config), 1));
+    ASSERT_TRUE(keep_house(statistics_folder(settings.config), {1, "ar"}));
     settings.config.sound.remember_staff = false;
-    take_kept_volume(settings);
+    take_kept_house(settings);
     EXPECT_EQ(settings.config.sound.volume, 3);
     settings.config.sound.remember_staff = true;
-    take_kept_volume(settings);
+    take_kept_house(settings);
     EXPECT_EQ(settings.config.sound.volume, 1);
     EXPECT_EQ(settings.rules.default_volume, 1);
+    EXPECT_EQ((*settings.languages)[static_cast<std::size_t>(settings.rules.default_language)].code(), "ar");
+    ASSERT_TRUE(keep_house(statistics_folder(settings.config), {2, "de"}));
+    take_kept_house(settings);
+    EXPECT_EQ(settings.rules.default_volume, 2);
+    EXPECT_EQ((*settings.languages)[static_cast<std::size_t>(settings.rules.default_language)].code(), "ar")
+        << "a language that is no longer there changes nothing";
     EXPECT_TRUE(settings.remarks.empty());
 }
 
@@ -100,7 +107,7 @@ TEST(KioskSettings, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
     settings.config.sound.remember_staff = true;
     fs::create_directories(statistics_folder(settings.config));
     std::ofstream(statistics_folder(settings.config) / "staff.toml") << "[sound]\nvolume = 11\n";
-    take_kept_volume(settings);
+    take_kept_house(settings);
     EXPECT_EQ(settings.config.sound.volume, 3);
     ASSERT_EQ(settings.remarks.size(), 1U);
     EXPECT_NE(settings.remarks.front().find("staff.toml, line 2: expected a whole number, 0 to 5"),

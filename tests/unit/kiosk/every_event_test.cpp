@@ -139,7 +139,9 @@ TEST_F(EveryEvent, EndsInAttractWhenTheVisitorWalksAway) {
         }
         EXPECT_EQ(visitor.state.screen, Screen::kAttract) << after;
         EXPECT_EQ(visitor.state.panel, Panel::kNone) << after;
-        EXPECT_EQ(visitor.state.comfort, Comfort{.volume = visitor.state.house_volume}) << after;
+        EXPECT_EQ(visitor.state.comfort,
+                  (Comfort{.language = visitor.state.house_language, .volume = visitor.state.house_volume}))
+            << after;
     });
 }
 

@@ -159,6 +159,7 @@ std::vector<Happening> buttons() {
         {Button::kStaffList, any},
         {Button::kStaffForceTest, any},
         {Button::kStaffSoundTest, any},
+        {Button::kStaffLanguage, any},
         {Button::kStaffDeletePot, any},
         {Button::kStaffRestart, any},
         {Button::kStaffQuit, any},

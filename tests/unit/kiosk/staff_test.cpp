@@ -111,15 +111,31 @@ TEST(StaffPanel, SetsTheVolumeForAllVisitsToCome) {
     staff.presses(Button::kSoundMore).presses(Button::kSoundMore).presses(Button::kSoundMore);
     EXPECT_EQ(staff.state.comfort.volume, 5);
     EXPECT_EQ(staff.count(Effect::Kind::kSetVolume), 2) << "there is no sixth step";
-    EXPECT_EQ(staff.count(Effect::Kind::kKeepVolume), 2);
+    EXPECT_EQ(staff.count(Effect::Kind::kKeepHouse), 2);
     staff.presses(Button::kStaffClose).starts_to_throw();
     EXPECT_EQ(staff.state.comfort.volume, 5);
     staff.presses(Button::kLanguages).presses(Button::kSoundLess).presses(Button::kSoundLess);
-    EXPECT_EQ(staff.count(Effect::Kind::kKeepVolume), 2) << "a visitor sets it for themselves";
+    EXPECT_EQ(staff.count(Effect::Kind::kKeepHouse), 2) << "a visitor sets it for themselves";
     staff.presses(Button::kComfortDone).waits(80.0);
     EXPECT_EQ(staff.state.screen, Screen::kAttract);
     EXPECT_EQ(staff.state.comfort.volume, 5);
     EXPECT_EQ(staff.all.rbegin()[1], (Effect{Effect::Kind::kSetVolume, 5}));
+}
+
+TEST(StaffPanel, SetsTheLanguageThatAllVisitsToComeBeginIn) {
+    Visitor staff = at_the_panel();
+    const int first = staff.state.comfort.language;
+    staff.presses(Button::kStaffLanguage);
+    const int next = (first + 1) % staff.rules.language_count;
+    EXPECT_EQ(staff.state.comfort.language, next);
+    EXPECT_TRUE(staff.caused(Effect::Kind::kKeepHouse));
+    staff.presses(Button::kStaffClose).starts_to_throw();
+    EXPECT_EQ(staff.state.comfort.language, next);
+    staff.presses(Button::kLanguages).does(Event::pressed(Button::kLanguage, first));
+    EXPECT_EQ(staff.state.comfort.language, first);
+    staff.presses(Button::kComfortDone).waits(80.0);
+    EXPECT_EQ(staff.state.screen, Screen::kAttract);
+    EXPECT_EQ(staff.state.comfort.language, next) << "a visitor's choice is the visitor's alone";
 }
 
 TEST(StaffPanel, TurnsItsPagesAndTheirLists) {
