@@ -48,6 +48,15 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
             .volume = volume};
 }
 
+std::string_view caption_key(const sound::SoundScene& scene) {
+    constexpr double kHeardN = 0.1;
+    constexpr double kWet = 0.4;
+    constexpr double kTurnsRevMin = 5.0;
+    const bool turns = std::abs(scene.wheel_rev_min) > kTurnsRevMin;
+    if (turns && scene.contact_n > kHeardN && scene.wetness > kWet) return "cap.water";
+    return turns ? "cap.wheel" : std::string_view();
+}
+
 void add_volume_option(CLI::App& command, std::optional<double>& volume) {
     add_number_option(command, "--volume", volume, 0.0, 1.0,
                       "how loud the wheel is heard, 0 to 1; 0 opens no sound device (0.5)");

@@ -23,6 +23,10 @@ namespace onggi::app {
 void add_volume_option(CLI::App& command, std::optional<double>& volume);
 constexpr double kUsualVolume = 0.5;
 
+// What is heard of it, as a key of words for those who do not hear: wet clay under the hand, the wheel, or
+// nothing.
+[[nodiscard]] std::string_view caption_key(const sound::SoundScene& scene);
+
 class KioskSound {
   public:
     using MakePlace = std::function<std::unique_ptr<sound::SoundPlace>()>;

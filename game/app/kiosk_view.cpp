@@ -81,6 +81,15 @@ void KioskVisit::aim_camera(const haptic::Snapshot& snapshot) {
     parts_.view.set_evening(wish.evening);
 }
 
+// Long enough to be read, however the hand comes and goes.
+const std::string& KioskVisit::caption(const haptic::Snapshot& snapshot) {
+    constexpr double kReadS = 1.5;
+    const std::string_view heard = caption_key(scene_of(snapshot, 1.0));
+    if (heard == caption_ || now_s_ - caption_s_ < kReadS) return caption_;
+    caption_s_ = now_s_;
+    return caption_ = heard;
+}
+
 void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     screens::View view;
     view.state = state_;
@@ -107,7 +116,7 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     view.shelf = std::make_shared<const std::vector<screens::ShelfPot>>(std::move(others));
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();
-    if (config.sound.captions && state_.screen == kiosk::Screen::kThrow) view.heard = "cap.wheel";
+    if (config.sound.captions && state_.screen == kiosk::Screen::kThrow) view.heard = caption(snapshot);
     if (state_.screen == kiosk::Screen::kAttract && !view.exhibits->empty()) {
         // The throwing, then one of the pots, and again with the next.
         const double in_turn = std::max(0.0, now_s_ - state_.screen_s);

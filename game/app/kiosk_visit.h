@@ -79,6 +79,7 @@ class KioskVisit {
     void set_volume(int volume) { parts_.sound.set_volume(volume / kLoudestStep); }
     void move_hand(const haptic::Snapshot& snapshot, double dt_s);
     void compose(const haptic::Snapshot& snapshot);
+    const std::string& caption(const haptic::Snapshot& snapshot);  // key of what is heard
     void add_scene(screens::View& view, const haptic::Snapshot& snapshot);
     // What the visitor asked to see, or is being taught by; none: nothing.
     [[nodiscard]] std::optional<screens::ForceFrame> force_frame(const haptic::Snapshot& snapshot,
@@ -110,6 +111,8 @@ class KioskVisit {
     bool demo_runs_ = true;
     std::uint64_t run_ = 0;  // of the lump that was asked for last, as Snapshot::run counts
     std::string title_;
+    std::string caption_;
+    double caption_s_ = 0.0;  // since when
     KioskFault fault_;
     LogLines log_;
     kiosk::Screen left_ = kiosk::Screen::kAttract;  // before the step that is carried out

@@ -8,6 +8,8 @@
 #include <memory>
 #include <thread>
 
+#include "game/kiosk/strings.h"
+
 namespace onggi::app {
 namespace {
 
@@ -43,6 +45,17 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
     EXPECT_NEAR(scene.motor_load, 0.5, 1e-12);
     EXPECT_TRUE(scene.is_hard_tool);
     EXPECT_EQ(scene.wetness, 0.3);
+}
+
+TEST(KioskSound, SaysInWordsWhatIsHeard) {
+    EXPECT_EQ(caption_key({}), "") << "a wheel at rest";
+    EXPECT_EQ(caption_key({.wheel_rev_min = 110.0}), "cap.wheel");
+    EXPECT_EQ(caption_key({.wheel_rev_min = -110.0, .contact_n = 1.0, .wetness = 0.8}), "cap.water");
+    EXPECT_EQ(caption_key({.wheel_rev_min = 110.0, .contact_n = 1.0, .wetness = 0.1}), "cap.wheel");
+    EXPECT_EQ(caption_key({.contact_n = 1.0, .wetness = 0.8}), "") << "nothing passes under the hand";
+    for (const kiosk::Language& language : kiosk::built_in_languages())
+        for (const char* key : {"cap.wheel", "cap.water"})
+            EXPECT_TRUE(language.has(key)) << language.code() << ' ' << key;
 }
 
 TEST(KioskSound, SlapsForEachLump) {
