@@ -1,11 +1,13 @@
 #include "game/app/device_probes.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <string>
 
 #include "engine/haptics/haply/service_probe.h"
 #include "engine/haptics/hid/hid_kind.h"
+#include "engine/haptics/stop_key.h"
 #include "engine/sound/openal_player.h"
 #include "engine/window/window.h"
 
@@ -20,6 +22,22 @@ std::string name_of(const haptics::HidDeviceInfo& device) {
 }
 
 }  // namespace
+
+Finding probe_stop_keys(const std::string& folder) {
+    const std::vector<haptics::StopKeyboard> keyboards = haptics::open_stop_keys({}, folder);
+    for (const haptics::StopKeyboard& keyboard : keyboards)
+        ::close(keyboard.file);
+    if (!keyboards.empty())
+        return {.subject = "stop key",
+                .found = fmt::format("Pause and Stop are heard of {} {}, whatever the picture does",
+                                     keyboards.size(), keyboards.size() == 1 ? "keyboard" : "keyboards")};
+    return {.subject = "stop key",
+            .verdict = Verdict::kNote,
+            .found = fmt::format(
+                "Pause is heard by the window alone: no keyboard below {} has a stop key and may be "
+                "read; members of the group input may read them",
+                folder)};
+}
 
 Finding finding_for(const haptics::HidDeviceInfo& device) {
     Finding finding{.subject = "device", .found = name_of(device)};

@@ -2,6 +2,7 @@
 // block for some milliseconds; opens nothing and changes nothing.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/haptics/haply/inverse_session.h"
@@ -17,6 +18,9 @@ namespace onggi::app {
 
 // Whether the Inverse3's service listens at that place; asks for 200 ms at most.
 [[nodiscard]] Finding probe_inverse(const haptics::haply::InverseOptions& options);
+
+// Whether a stop key is heard while the picture hangs: of keyboards below that folder.
+[[nodiscard]] Finding probe_stop_keys(const std::string& folder = "/dev/input");
 
 // Whether the wheel can be heard.
 [[nodiscard]] Finding probe_sound();

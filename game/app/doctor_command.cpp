@@ -97,6 +97,7 @@ int examine(bool strict) {
     findings.push_back(probe_display());
     add(probe_haptic_loop());
     add(probe_haptic_devices());
+    findings.push_back(probe_stop_keys());
     findings.push_back(probe_sound());
     findings.push_back(probe_workshop());
     findings.push_back(probe_disk(std::filesystem::current_path()));

@@ -54,6 +54,13 @@ TEST(SystemProbes, NameTheFontsThatAreMissing) {
     EXPECT_NE(nothing.found.find("fonts-noto-core"), std::string::npos);
 }
 
+TEST(Findings, SayWhoHearsTheStopKey) {
+    const Finding none = probe_stop_keys("/no/such/folder");
+    EXPECT_EQ(none.verdict, Finding::Verdict::kNote);
+    EXPECT_NE(none.found.find("the window alone"), std::string::npos) << none.found;
+    EXPECT_NE(none.found.find("/no/such/folder"), std::string::npos);
+}
+
 TEST(SystemProbes, SayThatNoInverseServiceListensWithoutCallingItALack) {
     // Port 1 is nobody's.
     const Finding none = probe_inverse({.port = 1});
