@@ -90,7 +90,8 @@ struct RowData {
 // A vertex: what the turn, dents and the light's direction make of its row here.
 struct VertexData {
     vec4 place;  // xyz mm; w the key light that gets here
-    vec4 lean;   // xz the horizontal way outwards, unit; y how dents lean the wall, as a slope; w unused
+    vec4 lean;  // xz the horizontal way outwards, unit; y how dents lean the wall, as a slope; w the share of
+                // a turn
 };
 
 // A piece of an outline in the picture, between two points of it.

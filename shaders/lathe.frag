@@ -37,7 +37,7 @@ const float kPi = 3.14159265;
 
 void main() {
     vec3 l = light_from.xyz;
-    vec2 profile = unpacked16(texture(outline_normals, vec2(outline.z, 0.5))) * 2.0 - 1.0;
+    vec2 profile = unpacked16(texelFetch(outline_normals, ivec2(clamp(int(outline.z * float(kProfileTexels)), 0, kProfileTexels - 1), 0), 0)) * 2.0 - 1.0;
     // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
     vec4 slip = texture(detail, detail_at.xy);
     float streaks = gloss_of.x;

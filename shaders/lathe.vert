@@ -40,7 +40,6 @@ layout(location = 15) out vec2 out_load;  // y: along the hatch, mm
 void main() {
     int in_row = int(draw.turn.y);
     int row_number = gl_VertexIndex / in_row;
-    int sector = gl_VertexIndex - row_number * in_row;
     RowData row = rows[row_number];
     VertexData vertex = vertices[gl_VertexIndex];
     vec2 outward = vertex.lean.xz;
@@ -70,7 +69,7 @@ void main() {
     out_outline = vec4(outward, row.place.z, vertex.place.w);
     // Two of the texture go round. Up the pot it goes by length along the outline, over the rim and down
     // inside.
-    vec2 detail_at = vec2(2.0 * float(sector) / float(in_row - 1), row.place.w / 67.0);
+    vec2 detail_at = vec2(2.0 * vertex.lean.w, row.place.w / 67.0);
     out_detail = vec4(detail_at.x + draw.turn.x, detail_at.y, row.water.y, vertex.lean.y);
 #ifdef ONGGI_LOAD
     out_load = vec2(row.water.z, detail_at.x * 120.0 + detail_at.y * 67.0);

@@ -1,10 +1,15 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A hand or a tool. What changes slowly over it is worked out here; the pixels do little.
+// A hand or a tool. What changes slowly over it is worked out here; the pixels do little, or nothing at all where
+// a vertex is lit whole (ONGGI_VERTEX_LIT).
 #include "frame.glsl"
 #include "lathe_shadow.glsl"
 #include "sky.glsl"
 #include "surface.glsl"
+#ifdef ONGGI_VERTEX_LIT
+#include "tone.glsl"
+#include "mover.glsl"
+#endif
 
 layout(push_constant) uniform DrawBlock {
     MoverDraw draw;
@@ -12,6 +17,9 @@ layout(push_constant) uniform DrawBlock {
 layout(location = 0) in vec3 position_mm;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 wear;  // tone, smear, unused, open sky
+#ifdef ONGGI_VERTEX_LIT
+layout(location = 0) out vec3 out_encoded;
+#else
 layout(location = 0) out vec3 out_view;  // towards the eye, unit
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_albedo;   // w: roughness
@@ -19,6 +27,7 @@ layout(location = 3) out vec3 out_ambient;  // of diffuse and mirrored light tog
 layout(location = 4) out vec3 out_key;      // key light that gets here
 layout(location = 5) out vec3 out_mirror;   // what is mirrored of it, straight on
 layout(location = 6) flat out vec3 out_light_from;
+#endif
 
 void main() {
     vec4 at = vec4(position_mm, 1.0);
@@ -37,13 +46,21 @@ void main() {
     vec3 body = albedo * (1.0 - metalness);
     float open = wear.w;
 
+    vec3 ambient = body * sky_diffuse(n) * open_sky_colour(open, albedo) +
+                   mirror * sky_radiance(reflect(-v, n), roughness) * open;
+    vec3 key = frame.key_radiance.rgb * (past_lathe_to_light(p + 2.0 * n) * mix(0.55, 1.0, open));
+    vec3 straight_on = mix(vec3(0.04), draw.albedo.rgb, metalness);
+#ifdef ONGGI_VERTEX_LIT
+    out_encoded =
+        encode(mover_light(n, v, frame.key_direction.xyz, body, roughness, ambient, key, straight_on));
+#else
     out_view = v;
     out_normal = n;
     out_albedo = vec4(body, roughness);
-    out_ambient = body * sky_diffuse(n) * open_sky_colour(open, albedo) +
-                  mirror * sky_radiance(reflect(-v, n), roughness) * open;
-    out_key = frame.key_radiance.rgb * (past_lathe_to_light(p + 2.0 * n) * mix(0.55, 1.0, open));
-    out_mirror = mix(vec3(0.04), draw.albedo.rgb, metalness);
+    out_ambient = ambient;
+    out_key = key;
+    out_mirror = straight_on;
     out_light_from = frame.key_direction.xyz;
+#endif
     gl_Position = frame.view_projection * vec4(p, 1.0);
 }

@@ -8,6 +8,7 @@
 #include "engine/core/hash.h"
 #include "engine/render/lathe_edges.h"
 #include "engine/render/lathe_section.h"
+#include "engine/render/lathe_sectors.h"
 #include "engine/render/lathe_vertices.h"
 #include "engine/render/shade_spans.h"
 #include "engine/render/sky_light.h"
@@ -85,6 +86,23 @@ float slip_turn(vec2 turn) {
     return angle / std::numbers::pi_v<float>;
 }
 
+std::vector<float> sectors_of(const Scene& scene, const RendererDesc& desc, float px_per_mm,
+                              const LatheProfile& profile) {
+    const Lathe& lathe = *scene.lathe;
+    if (lathe.cut || desc.sector_error_px <= 0.0F) return even_sectors(lathe, desc.sectors);
+    const auto at_edge = std::min(profile.edge, profile.points.size() - 1);
+    float widest_mm = 0.0F;
+    for (const ProfilePoint& point : profile.points)
+        widest_mm = std::max(widest_mm, point.radius_mm);
+    const vec3& eye = scene.camera.eye_mm;
+    const vec3 down = eye - scene.camera.target_mm;
+    return seen_sectors({.widest_px = widest_mm * px_per_mm,
+                         .rim_px = profile.points[at_edge].radius_mm * px_per_mm,
+                         .azimuth_rad = std::atan2(eye.z, eye.x),
+                         .pitch_rad = std::atan2(down.y, std::hypot(down.x, down.z))},
+                        {.error_px = desc.sector_error_px, .max_sectors = desc.sectors});
+}
+
 void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& view, BuiltFrame& built) {
     const Lathe& lathe = *scene.lathe;
     const auto px_per_mm = static_cast<float>(pixels_per_mm(scene.camera, view.height_px));
@@ -101,12 +119,14 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
                                 .max_span_mm = desc.samples > 1 ? 4.0F : 9.0F});
     built.ring_error_px = built.choice.tolerance_mm * px_per_mm;
     fill_rows(lathe, built.profile, built.samples, built.choice, built.rows);
+    const std::vector<float> angles = sectors_of(scene, desc, px_per_mm, built.profile);
+    built.sectors = static_cast<int>(angles.size()) - 1;
     fill_vertices({.lathe = lathe,
                    .profile = built.profile,
                    .samples = built.samples,
                    .chosen = built.choice,
                    .rows = built.rows},
-                  scene.key, desc.sectors, built.vertices);
+                  scene.key, angles, built.vertices);
     built.shows_load = lathe.shows_load;
     built.section_first = static_cast<std::uint32_t>(built.vertices.size());
     if (lathe.cut) {
@@ -115,7 +135,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
                                                .samples = built.samples,
                                                .chosen = built.choice,
                                                .rows = built.rows},
-                                              desc.sectors, built.vertices);
+                                              built.sectors, built.vertices);
         built.section_count = static_cast<std::uint32_t>(added);
         built.section.dry = vec4(lathe.cut->section, 0.0F);
         built.section.wet = vec4(vec3(0.0F), lathe.shows_load ? 1.0F : 0.0F);
@@ -124,11 +144,11 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
         1.2F;  // a normal a pixel, so grooves of two pixels must have begun to fade
     profile_normals(built.profile, kFootprintPx / px_per_mm, built.normals);
     if (desc.cached && desc.smooths_outlines)
-        add_grid_edges(std::span(built.vertices).first(built.section_first), desc.sectors,
+        add_grid_edges(std::span(built.vertices).first(built.section_first), built.sectors,
                        lathe.cut.has_value(), view, built.edges);
 
     const vec4& foot = built.vertices.front().place;
-    const vec4& across = built.vertices[static_cast<std::size_t>(desc.sectors) / 2].place;
+    const vec4& across = built.vertices[static_cast<std::size_t>(built.sectors) / 2].place;
     built.frame.lathe =
         vec4(built.profile.height_mm, built.samples.per_mm, LatheSamples::kCount, built.profile.foot_mm());
     if (!lathe.cut)
@@ -145,7 +165,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     constexpr float kWetSmoothing = 0.72F;
     built.lathe.gloss =
         vec4(material.roughness, material.roughness * kWetSmoothing, film_lobe, material.coat);
-    built.lathe.turn = vec4(slip_turn(lathe.turn), static_cast<float>(desc.sectors + 1),
+    built.lathe.turn = vec4(slip_turn(lathe.turn), static_cast<float>(built.sectors + 1),
                             0.02F + 0.02F * material.coat, 1.0F / std::max(material.soft_edge, 1e-4F));
 }
 
@@ -170,13 +190,30 @@ void build_shade(const Scene& scene, const StillBounds& still, const EdgeView& v
     constexpr std::size_t kMostCorners = 32;
     const std::vector<dvec2> outline =
         shade_outline(scene, still.lowest_mm, view.width_px, view.height_px, kMostCorners);
-    const std::size_t sectors = built.rows.empty() ? 0 : built.section_first / built.rows.size() - 1;
     const std::vector<Covered> covered =
-        sectors == 0 || scene.lathe->cut
+        built.rows.empty() || scene.lathe->cut
             ? std::vector<Covered>()
-            : covered_by_lathe(built.vertices, built.choice.inside, static_cast<int>(sectors), view.camera,
-                               view.width_px, view.height_px);
+            : covered_by_lathe(built.vertices, built.choice.inside, built.sectors, view.camera, view.width_px,
+                               view.height_px);
     built.shade = shade_rects(outline, covered, view.width_px, view.height_px);
+}
+
+void build_tiles(const Scene& scene, std::span<const Box> moving, const EdgeView& view, BuiltFrame& built) {
+    const TileGrid grid{view.width_px, view.height_px};
+    std::vector<std::uint8_t>& tiles = built.moving_tiles;
+    tiles.assign(grid.count(), 0);
+    for (const shaders::EdgeData& edge : built.edges) {
+        // Half a pixel to each side is smoothed, and reads the pixel beyond.
+        constexpr float kReachPx = 2.0F;
+        want_tiles(grid,
+                   rect_about(glm::min(vec2(edge.from), vec2(edge.to)) - kReachPx,
+                              glm::max(vec2(edge.from), vec2(edge.to)) + kReachPx),
+                   tiles);
+    }
+    rects_of_tiles(grid, tiles, built.edge_rects);
+    for (const Box& box : moving)
+        want_tiles(grid, pixels_of({&box, 1}, scene.camera, view.width_px, view.height_px), tiles);
+    rects_of_tiles(grid, tiles, built.moving_rects);
 }
 
 }  // namespace
@@ -228,15 +265,16 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     if (!built.rows.empty()) {
         const auto grid = std::span<const shaders::VertexData>(built.vertices).first(built.section_first);
         if (desc.inside_out) {
-            take_all_faces(built.rows.size(), desc.sectors, built.faces);
+            take_all_faces(built.rows.size(), built.sectors, built.faces);
         } else {
-            choose_faces(grid, desc.sectors, frame, view, built.faces);
+            choose_faces(grid, built.sectors, frame, view, built.faces);
         }
         build_shadow_steps(scene.key, built);
     }
     build_shade(scene, still, view, built);
     const std::vector<Box> moving = moving_boxes(scene);
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
+    if (desc.cached) build_tiles(scene, moving, view, built);
 }
 
 shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale) {

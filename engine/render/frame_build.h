@@ -10,6 +10,7 @@
 #include "engine/render/lathe_rows.h"
 #include "engine/render/renderer.h"
 #include "engine/render/scene.h"
+#include "engine/render/shade_tiles.h"
 #include "engine/render/shadow_region.h"
 #include "shaders/frame_data.h"
 
@@ -22,6 +23,7 @@ struct BuiltFrame {
     LatheSamples samples;
     LatheRows choice;
     std::vector<shaders::RowData> rows;
+    int sectors = 0;  // a row has one vertex more
     std::vector<shaders::VertexData> vertices;
     std::vector<shaders::EdgeData> edges;  // outlines of what moves; cached only
     NormalTexels normals{};
@@ -32,6 +34,11 @@ struct BuiltFrame {
     LatheFaces faces;         // none: no lathe
     std::vector<vec4> shade;  // where the cached still life is drawn over with shadow, see shade_rects()
     PixelRect moving;         // where anything that moves can be seen
+    // Cached only: the tiles in which that is, one entry a tile; the same, and those of them in which an
+    // outline is smoothed, with what the smoothing reads, as rectangles.
+    std::vector<std::uint8_t> moving_tiles;
+    std::vector<PixelRect> moving_rects;
+    std::vector<PixelRect> edge_rects;
     float ring_error_px = 0.0F;
 };
 

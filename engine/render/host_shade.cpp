@@ -70,6 +70,7 @@ void HostShade::take_layers() {
     const std::span<std::uint32_t> places = texels_of(places_);
     std::transform(places.begin(), places.end(), places.begin(), mask_place);
     // Nothing of what was shaded before fits these layers, which may be of another size.
+    tiles_.learn({static_cast<int>(extent_.width), static_cast<int>(extent_.height)}, places);
     has_mask_ = false;
     state_ = State::kHere;
 }
@@ -77,43 +78,72 @@ void HostShade::take_layers() {
 bool HostShade::shade(FrameContext& frame, std::uint64_t shadow) {
     if (state_ == State::kNothing) return false;
     if (state_ == State::kOnTheWay) take_layers();
-    const std::vector<vec4>& rects = frame.built.shade;
     const bool is_new = !has_mask_ || mask_of_ != shadow;
     frame.stats.shadow_drawn = is_new;
-    if (is_new) fill_shadow_mask(frame.built.frame, *mask_);
+    if (is_new) {
+        std::swap(mask_, mask_before_);
+        fill_shadow_mask(frame.built.frame, *mask_);
+        if (has_mask_) {
+            keep_what_is_alike(*mask_before_, *mask_);
+            tiles_.note_mask(*mask_before_, *mask_);
+        }
+    }
     mask_of_ = shadow;
     has_mask_ = true;
-    if (!is_new && rects == shaded_rects_) return true;
+    tiles_.take(rects_);
     shade_pixels({.width = static_cast<int>(extent_.width),
                   .height = static_cast<int>(extent_.height),
                   .with_key = texels_of(with_key_),
                   .without_key = texels_of(without_key_),
                   .places = texels_of(places_)},
-                 *mask_, rects, texels_of(shaded_));
-    shaded_rects_ = rects;
-    regions_.clear();
-    for (const vec4& rect : rects) {
-        const auto x = static_cast<std::uint32_t>(rect.x);
-        const auto y = static_cast<std::uint32_t>(rect.y);
-        VkBufferImageCopy region{};
-        region.bufferOffset = VkDeviceSize{4} * (VkDeviceSize{y} * extent_.width + x);
-        region.bufferRowLength = extent_.width;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageOffset = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), 0};
-        region.imageExtent = {static_cast<std::uint32_t>(rect.z) - x, static_cast<std::uint32_t>(rect.w) - y,
-                              1};
-        regions_.push_back(region);
-    }
+                 *mask_, rects_, texels_of(shaded_));
     return true;
 }
 
-void HostShade::record(const FrameContext& frame, VkImage target) const {
-    if (regions_.empty()) return;
+HeldTiles& HostShade::held_by(const vk::TargetImage& target) {
+    const auto is_it = [&](const Target& known) { return known.image == target.image; };
+    const auto known = std::find_if(targets_.begin(), targets_.end(), is_it);
+    target_ = static_cast<std::size_t>(known - targets_.begin());
+    if (known == targets_.end()) {
+        // Handles of images that are gone are used again, so that few are ever known.
+        constexpr std::size_t kMostTargets = 16;
+        if (targets_.size() == kMostTargets) targets_.erase(targets_.begin());
+        target_ = targets_.size();
+        targets_.emplace_back();
+    }
+    Target& found = targets_[target_];
+    // Another handle's image, or one in which a frame was made in another way since.
+    const bool is_as_left = target.frames_before > 0 && target.frames_before == found.frame + 1;
+    if (!is_as_left) found.held.forget();
+    found.image = target.image;
+    found.frame = target.frames_before;
+    return found.held;
+}
+
+void HostShade::record(const FrameContext& frame, const vk::TargetImage& target) {
+    held_by(target).take_missing(tiles_, rects_);
+    regions_.clear();
+    for (const PixelRect& rect : rects_) {
+        VkBufferImageCopy region{};
+        region.bufferOffset = VkDeviceSize{4} * (static_cast<VkDeviceSize>(rect.y) * extent_.width +
+                                                 static_cast<VkDeviceSize>(rect.x));
+        region.bufferRowLength = extent_.width;
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageOffset = {rect.x, rect.y, 0};
+        region.imageExtent = {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height),
+                              1};
+        regions_.push_back(region);
+    }
     constexpr VkImageAspectFlags kColourAspect = VK_IMAGE_ASPECT_COLOR_BIT;
-    vk::barrier(frame.commands, target, kColourAspect, vk::state::kColour, vk::state::kCopyTarget);
-    vkCmdCopyBufferToImage(frame.commands, shaded_.handle(), target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                           static_cast<std::uint32_t>(regions_.size()), regions_.data());
-    vk::barrier(frame.commands, target, kColourAspect, vk::state::kCopyTarget, vk::state::kColour);
+    vk::ImageState before = vk::state::kDiscard;
+    if (target.frames_before > 0) before.layout = target.final_layout;
+    vk::barrier(frame.commands, target.image, kColourAspect, before, vk::state::kCopyTarget);
+    if (!regions_.empty()) {
+        vkCmdCopyBufferToImage(frame.commands, shaded_.handle(), target.image,
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               static_cast<std::uint32_t>(regions_.size()), regions_.data());
+    }
+    vk::barrier(frame.commands, target.image, kColourAspect, vk::state::kCopyTarget, vk::state::kColour);
 }
 
 }  // namespace onggi::render

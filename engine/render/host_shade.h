@@ -1,6 +1,7 @@
-// The shade over the cached still life where the device is the processor: its layers are read back once, and
-// every frame the shaded pixels are worked out here and copied over the still life. Until the layers have
-// been read, which takes a frame, the caller draws the shade instead. Main thread.
+// The cached still life with the shade on it, where the device is the processor: its layers are read back
+// once, and from then on the picture is kept here, shaded again where the shade has changed, and copied into
+// a target where that shows something else. Until the layers have been read, which takes a frame, the caller
+// copies the still life and draws the shade instead. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,9 @@
 #include <vector>
 
 #include "engine/render/frame_context.h"
+#include "engine/render/shade_tiles.h"
 #include "engine/render/shadow_mask.h"
+#include "engine/vk/frame_target.h"
 
 namespace onggi::render {
 
@@ -23,10 +26,14 @@ class HostShade {
     void read_layers(const FrameContext& frame);
 
     // The device is idle. True when the layers are here and `shadow` has been laid over them, which takes
-    // time only if it or the rectangles are others; `frame.built` must be this frame's.
+    // time only where it is another; `frame.built` must be this frame's.
     [[nodiscard]] bool shade(FrameContext& frame, std::uint64_t shadow);
-    // What shade() made, over the target, which is laid out as colour.
-    void record(const FrameContext& frame, VkImage target) const;
+    // What shade() made into the target, whole, and lays it out as colour.
+    void record(const FrameContext& frame, const vk::TargetImage& target);
+    // The caller draws over these tiles (one entry each) of the target that record() was for.
+    void note_drawn_over(std::span<const std::uint8_t> tiles) {
+        targets_[target_].held.note_drawn_over(tiles);
+    }
 
   private:
     enum class State {
@@ -34,7 +41,14 @@ class HostShade {
         kOnTheWay,  // with the commands of the frame that is being made
         kHere
     };
+    // An image that was recorded for, and in which of its frames that was.
+    struct Target {
+        VkImage image = VK_NULL_HANDLE;
+        std::uint64_t frame = 0;
+        HeldTiles held;
+    };
     void take_layers();
+    HeldTiles& held_by(const vk::TargetImage& target);
 
     State state_ = State::kNothing;
     VkExtent2D extent_{};
@@ -43,9 +57,13 @@ class HostShade {
     vk::Buffer places_;  // coordinates in the mask; turned into mask_place() when they have come
     vk::Buffer shaded_;
     std::unique_ptr<ShadowMask> mask_ = std::make_unique<ShadowMask>();
+    std::unique_ptr<ShadowMask> mask_before_ = std::make_unique<ShadowMask>();
     std::uint64_t mask_of_ = 0;
     bool has_mask_ = false;
-    std::vector<vec4> shaded_rects_;  // that `shaded_` holds
+    ShadeTiles tiles_;  // of `shaded_`
+    std::vector<Target> targets_;
+    std::size_t target_ = 0;
+    std::vector<PixelRect> rects_;
     std::vector<VkBufferImageCopy> regions_;
 };
 

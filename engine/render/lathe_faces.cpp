@@ -48,8 +48,9 @@ void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, co
     float widest_mm = 0.0F;
     for (const shaders::VertexData& vertex : vertices)
         widest_mm = std::max({widest_mm, std::abs(vertex.place.x), std::abs(vertex.place.z)});
-    // Between two vertices of a face: rows are at most 9 mm apart but where there may not be enough of them.
-    const float margin_mm = 16.0F + 7.0F * widest_mm / static_cast<float>(sectors);
+    // Of any point of a face from a corner: rows are at most 9 mm apart but where there may not be enough of
+    // them, and sectors 18 degrees (lathe_sectors.cpp).
+    const float margin_mm = 16.0F + 0.16F * widest_mm;
     for (const shaders::VertexData& vertex : vertices) {
         pixels.push_back(project(vec3(vertex.place)));
         shadowed.push_back(may_be_in_shadow(frame, vec3(vertex.place), margin_mm) ? 1 : 0);

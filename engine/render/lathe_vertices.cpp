@@ -16,21 +16,29 @@ struct SectorEdge {
     float dent_share;    // of the next one
     std::size_t column;  // of the key's columns, likewise
     float column_share;
+    float share;  // of a turn from +X; of the way from one side of a cut to the other
+    float
+        straddle;  // a polygon inside the circle looks thinner than it: half of the sag outside, half inside
 };
 
-std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight& key, int sectors) {
-    // Angles grow from +X towards +Z here; the lathe's own sectors run the other way, counter-clockwise.
-    const float start = lathe.cut ? kHalfTurn - lathe.cut->towards_rad : 0.0F;
-    const float sweep = lathe.cut ? kHalfTurn : 2.0F * kHalfTurn;
+std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight& key,
+                                     std::span<const float> angles_rad) {
     const float turned = std::atan2(lathe.turn.y, lathe.turn.x);
     const float light = std::atan2(key.towards_light.z, key.towards_light.x);
     std::vector<SectorEdge> edges;
-    edges.reserve(static_cast<std::size_t>(sectors) + 1);
-    for (int i = 0; i <= sectors; ++i) {
-        const float angle = start + sweep * static_cast<float>(i) / static_cast<float>(sectors);
+    edges.reserve(angles_rad.size());
+    const std::size_t last = angles_rad.size() - 1;
+    const float sweep = angles_rad[last] - angles_rad[0];
+    for (std::size_t i = 0; i <= last; ++i) {
         SectorEdge edge{};
         // The last edge of a whole turn is the first, to the bit.
-        const float shown = !lathe.cut && i == sectors ? start : angle;
+        const float shown = angles_rad[!lathe.cut && i == last ? 0 : i];
+        // Slip lies where it lies on the clay, whichever way the eye looks.
+        edge.share = lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / (2.0F * kHalfTurn);
+        const std::size_t from = i > 0 ? i - 1 : 0;
+        const float chord = (angles_rad[std::min(i + 1, last)] - angles_rad[from]) /
+                            static_cast<float>(std::min(i + 1, last) - from);
+        edge.straddle = 1.0F + 0.5F * (1.0F - std::cos(0.5F * chord));
         edge.outward = {std::cos(shown), std::sin(shown)};
         float own = (-shown - turned) / (2.0F * kHalfTurn);
         // A sector's value is that of its middle.
@@ -95,14 +103,11 @@ float largest_offset_mm(const Lathe& lathe) {
     return largest + furthest;
 }
 
-void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key, int sectors,
-                   std::vector<shaders::VertexData>& vertices) {
+void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
+                   std::span<const float> angles_rad, std::vector<shaders::VertexData>& vertices) {
     const Lathe& lathe = input.lathe;
-    const std::vector<SectorEdge> edges = sector_edges(lathe, key, sectors);
+    const std::vector<SectorEdge> edges = sector_edges(lathe, key, angles_rad);
     const KeyRay ray{.towards_light = key.towards_light, .tangent = std::tan(key.angular_radius_rad)};
-    // A polygon inside the circle looks thinner than it; half of the sag outside, half inside, looks right.
-    const float sweep = lathe.cut ? 0.5F : 1.0F;
-    const float straddle = 1.0F + 0.5F * (1.0F - std::cos(sweep * kHalfTurn / static_cast<float>(sectors)));
     const bool off_centre = lathe.centre_mm.size() == lathe.radii_mm.size();
     vertices.clear();
     vertices.reserve(input.rows.size() * edges.size());
@@ -134,8 +139,8 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key, int
             if (std::abs(rise) > 0.2F) drift = (centre - centre_before) / rise;
             centre_before = centre;
         }
-        const float radius = place.x * straddle;
         for (const SectorEdge& edge : edges) {
+            const float radius = place.x * edge.straddle;
             float off_mm = 0.0F;
             float lean = glm::dot(drift, edge.outward);
             vec2 outward = edge.outward;
@@ -160,7 +165,7 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key, int
                 {.place = vec4(
                      centre.x + r * edge.outward.x, place.y, centre.y + r * edge.outward.y,
                      seen[edge.column] + edge.column_share * (seen[edge.column + 1] - seen[edge.column])),
-                 .lean = vec4(outward.x, lean, outward.y, 0.0F)});
+                 .lean = vec4(outward.x, lean, outward.y, edge.share)});
         }
     }
 }

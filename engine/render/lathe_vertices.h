@@ -12,8 +12,6 @@
 
 namespace onggi::render {
 
-// A row has sectors + 1 vertices, the last where the first is (or at the other side of a cut). `vertices` is
-// used again.
 struct LatheMeshInput {
     const Lathe& lathe;
     const LatheProfile& profile;
@@ -21,8 +19,10 @@ struct LatheMeshInput {
     const LatheRows& chosen;
     std::span<const shaders::RowData> rows;
 };
-void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key, int sectors,
-                   std::vector<shaders::VertexData>& vertices);
+// A row has a vertex at each of the angles (lathe_sectors.h), the last where the first is or at the other
+// side of a cut. `vertices` is used again.
+void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
+                   std::span<const float> angles_rad, std::vector<shaders::VertexData>& vertices);
 
 // How far dents and centres move the wall at most.
 [[nodiscard]] float largest_offset_mm(const Lathe& lathe);

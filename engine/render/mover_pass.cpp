@@ -32,19 +32,20 @@ shaders::MoverDraw mover_draw(const Mover& mover, const MoverMesh& mesh) {
 Result<void> MoverPass::create(const FrameContext& frame) {
     const std::array constants{static_cast<std::uint32_t>(frame.desc.transfer)};
     const std::array formats{frame.desc.colour_format};
-    auto pipeline =
-        vk::create_pipeline(frame.device, {.name = "hands and tools",
-                                           .vertex_spirv = shaders::kMoverVert,
-                                           .fragment_spirv = shaders::kMoverFrag,
-                                           .constants = constants,
-                                           .layout = frame.pipelines.layout.get(),
-                                           .attributes = kAttributes,
-                                           .vertex_stride = sizeof(MoverMesh::Vertex),
-                                           .colour_formats = formats,
-                                           .depth_format = kDepthFormat,
-                                           .samples = static_cast<VkSampleCountFlagBits>(frame.desc.samples),
-                                           .depth_test = true,
-                                           .depth_write = true});
+    const bool at_vertices = frame.desc.lights_movers_at_vertices;
+    auto pipeline = vk::create_pipeline(
+        frame.device, {.name = "hands and tools",
+                       .vertex_spirv = at_vertices ? shaders::kMoverLitVert : shaders::kMoverVert,
+                       .fragment_spirv = at_vertices ? shaders::kMoverLitFrag : shaders::kMoverFrag,
+                       .constants = constants,
+                       .layout = frame.pipelines.layout.get(),
+                       .attributes = kAttributes,
+                       .vertex_stride = sizeof(MoverMesh::Vertex),
+                       .colour_formats = formats,
+                       .depth_format = kDepthFormat,
+                       .samples = static_cast<VkSampleCountFlagBits>(frame.desc.samples),
+                       .depth_test = true,
+                       .depth_write = true});
     if (!pipeline) return pipeline.error();
     pipeline_ = std::move(*pipeline);
     StillLife ball;

@@ -118,6 +118,22 @@ Result<void> OverlayPass::fill(const FrameContext& frame, const ui::DrawList& li
     return {};
 }
 
+void OverlayPass::want_drawn(const TileGrid& grid, std::vector<std::uint8_t>& tiles) const {
+    tiles.assign(grid.count(), 0);
+    if (overlay_ == nullptr) return;
+    const std::span<const ui::Vertex> vertices = overlay_->list->vertices();
+    const std::span<const std::uint32_t> indices = overlay_->list->indices();
+    for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {
+        vec2 low = vertices[indices[first]].position_px;
+        vec2 high = low;
+        for (std::size_t corner = first + 1; corner < first + 3; ++corner) {
+            low = glm::min(low, vertices[indices[corner]].position_px);
+            high = glm::max(high, vertices[indices[corner]].position_px);
+        }
+        want_tiles(grid, rect_about(low, high), tiles);
+    }
+}
+
 Result<void> OverlayPass::fit(const FrameContext& frame, const Overlay* overlay) {
     overlay_ = overlay;
     if (overlay_ == nullptr) return {};

@@ -1,6 +1,8 @@
 // Draws the overlay after the scene: two pipelines, one texture, one vertex buffer. Main thread.
 #pragma once
 
+#include <vector>
+
 #include "engine/render/frame_context.h"
 #include "engine/render/overlay.h"
 #include "engine/vk/buffer.h"
@@ -19,6 +21,8 @@ class OverlayPass {
     void record_uploads(const FrameContext& frame);
     // The target is laid out as colour, as the scene left it; or in any way when nothing has been drawn.
     void record(const FrameContext& frame, const vk::TargetImage& target, bool after_scene);
+    // The tiles that this frame's overlay draws on, one entry a tile; the others 0.
+    void want_drawn(const TileGrid& grid, std::vector<std::uint8_t>& tiles) const;
 
   private:
     Result<void> fit_atlas(const FrameContext& frame, int side_px);

@@ -45,6 +45,25 @@ void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_li
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
 }
 
+void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
+                std::span<const PixelRect> rects) {
+    if (rects.empty()) return;
+    std::vector<VkImageCopy> regions;
+    regions.reserve(rects.size());
+    for (const PixelRect& rect : rects) {
+        VkImageCopy region{};
+        region.srcSubresource = {aspect, 0, 0, 1};
+        region.dstSubresource = {aspect, 0, 0, 1};
+        region.srcOffset = {rect.x, rect.y, 0};
+        region.dstOffset = region.srcOffset;
+        region.extent = {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height), 1};
+        regions.push_back(region);
+    }
+    vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<std::uint32_t>(regions.size()),
+                   regions.data());
+}
+
 void set_scissor(VkCommandBuffer commands, const PixelRect& rect) {
     const VkRect2D scissor{{rect.x, rect.y},
                            {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height)}};

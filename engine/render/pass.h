@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include "engine/render/shadow_region.h"
 #include "engine/vk/vulkan.h"
@@ -23,6 +24,10 @@ struct PassDepth {
 // Begins rendering with viewport and scissor over the whole extent. vkCmdEndRendering ends it.
 void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<PassColour> colours,
                 const PassDepth& depth);
+
+// The parts of both images inside the rectangles; laid out as copy source and copy target.
+void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
+                std::span<const PixelRect> rects);
 
 void set_scissor(VkCommandBuffer commands, const PixelRect& rect);
 

@@ -41,13 +41,16 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
             software.sectors = software.sectors * 3 / 4;
             software.max_rings /= 2;
             software.ring_error_px *= 2.0F;
+            software.sector_error_px *= 2.0F;
             return software;
         case QualityStep::kOneCore:
             return software;
         case QualityStep::kTwoCores:
+            software.lights_movers_at_vertices = false;
             software.sectors = software.sectors * 5 / 4;
             software.max_rings = std::min(software.max_rings * 3 / 2, kMaxRings);
             software.ring_error_px *= 0.6F;
+            software.sector_error_px *= 0.6F;
             return software;
         case QualityStep::kIntegratedGpu: {
             RendererDesc desc = still_desc(colour_format);

@@ -28,7 +28,9 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
             .cached = true,
             .shades_on_host = true,
             .transfer = Transfer::kSquareRoot,
+            .lights_movers_at_vertices = true,
             .sectors = height_px > 800 ? 72 : 48,
+            .sector_error_px = 0.35F,
             .max_rings = 128,
             .ring_error_px = 0.25F};  // its edges are not smoothed, so a finer line would not be seen
 }
@@ -55,6 +57,7 @@ struct Renderer::Impl {
     MoverPass movers;
     EdgePass edges;
     OverlayPass overlay;
+    std::vector<std::uint8_t> overlay_tiles;
 };
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -142,14 +145,22 @@ void Renderer::Impl::upload(const Scene& scene) {
 
 void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
     enter("still life");
-    still.record_copy(frame, target.image);
-    enter("shade");
-    shadow.record_shaded(frame, target.image);
+    still.record_depth_copy(frame);
+    if (shadow.host_shades()) {
+        shadow.record_shaded(frame, target);
+        shadow.note_drawn_over(frame.built.moving_tiles);
+    } else {
+        still.record_copy(frame, target.image);
+        shadow.record_reading(frame);
+    }
     begin_pass(frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
                {.view = frame.images.depth.view(),
                 .load = VK_ATTACHMENT_LOAD_OP_LOAD,
                 .store = VK_ATTACHMENT_STORE_OP_STORE});
-    shadow.draw_shade(frame);
+    if (!shadow.host_shades()) {
+        enter("shade");
+        shadow.draw_shade(frame);
+    }
     const PixelRect& moving = frame.built.moving;
     if (moving.width > 0 && moving.height > 0) {
         set_scissor(frame.commands, moving);
@@ -217,6 +228,11 @@ Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& t
     if (scene_is_seen) record_scene(scene, target);
     enter("overlay");
     overlay.record(frame, target, scene_is_seen);
+    if (shadow.host_shades() && scene_is_seen) {
+        overlay.want_drawn({static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
+                           overlay_tiles);
+        shadow.note_drawn_over(overlay_tiles);
+    }
     clock.end(frame.device, commands);
     const vk::ImageState done{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
                               target.final_layout};

@@ -32,8 +32,10 @@ struct RendererDesc {
     // cached layers and kSquareRoot.
     bool shades_on_host = false;
     Transfer transfer = Transfer::kExactSrgb;
-    int sectors = 128;           // of a lathe: 48 at 720p, 72 at 1080p
-    int max_rings = 256;         // hard cap, 16 to kMaxRings
+    bool lights_movers_at_vertices = false;  // not at pixels: their triangles are hardly larger
+    int sectors = 128;  // of a lathe, evenly; or at most so many, fewer and uneven where an edge may lie
+    float sector_error_px = 0.0F;  // that far from its circle
+    int max_rings = 256;           // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
     bool smooths_outlines = true;  // of what moves; cached only, others have samples for it
     bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests

@@ -104,19 +104,20 @@ struct Lanes {
 // Whole blocks only: the last of a line begins earlier, and a rectangle that is narrower than one is shaded
 // with its neighbours.
 [[gnu::always_inline]] inline void shade_rect(const ShadeLayers& layers, const ShadowMask& mask,
-                                              const vec4& rect, std::uint32_t* into) {
+                                              const PixelRect& rect, std::uint32_t* into) {
     const auto width = static_cast<std::size_t>(layers.width);
     const auto left = static_cast<std::size_t>(rect.x);
-    const auto right = std::max(static_cast<std::size_t>(rect.z), kBlock);
-    for (auto y = static_cast<std::size_t>(rect.y); y < static_cast<std::size_t>(rect.w); ++y) {
+    const auto right = std::max(static_cast<std::size_t>(rect.x + rect.width), kBlock);
+    const auto bottom = static_cast<std::size_t>(rect.y + rect.height);
+    for (auto y = static_cast<std::size_t>(rect.y); y < bottom; ++y) {
         for (std::size_t x = left; x < right; x += kBlock)
             shade_block(layers, mask, y * width + std::min(x, right - kBlock), into);
     }
 }
 
-using ShadeRect = void (*)(const ShadeLayers&, const ShadowMask&, const vec4&, std::uint32_t*);
+using ShadeRect = void (*)(const ShadeLayers&, const ShadowMask&, const PixelRect&, std::uint32_t*);
 
-void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const vec4& rect,
+void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const PixelRect& rect,
                       std::uint32_t* into) {
     shade_rect(layers, mask, rect, into);
 }
@@ -124,7 +125,7 @@ void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const v
 #if defined(__x86_64__)
 // The same lines, eight lanes at a time; without fused multiply-add, so the same bits.
 [[gnu::target("avx2")]] void shade_rect_avx2(const ShadeLayers& layers, const ShadowMask& mask,
-                                             const vec4& rect, std::uint32_t* into) {
+                                             const PixelRect& rect, std::uint32_t* into) {
     shade_rect(layers, mask, rect, into);
 }
 
@@ -147,10 +148,10 @@ std::uint32_t mask_place(std::uint32_t packed_coords) {
     return (texel << 16U) | ((down & 0xFFU) << 8U) | (across & 0xFFU);
 }
 
-void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const vec4> rects,
+void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const PixelRect> rects,
                   std::span<std::uint32_t> into) {
     static const ShadeRect shade = best_for_this_processor();
-    for (const vec4& rect : rects)
+    for (const PixelRect& rect : rects)
         shade(layers, mask, rect, into.data());
 }
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/math/math.h"
 #include "engine/render/shadow_mask.h"
+#include "engine/render/shadow_region.h"
 
 namespace onggi::render {
 
@@ -28,10 +28,10 @@ struct ShadeLayers {
 
 constexpr int kShadeBlockPx = 16;  // pixels that are shaded side by side
 
-// Writes the shaded picture inside the rectangles (x0, y0, x1, y1 in whole pixels, inside the picture), and
+// Writes the shaded picture inside the rectangles, which lie inside the picture, and
 // here and there a few pixels beside one, to `into`, laid out as the layers are. Square-root transfer. The
 // same bits on every processor. Precondition: the layers are at least kShadeBlockPx wide.
-void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const vec4> rects,
+void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const PixelRect> rects,
                   std::span<std::uint32_t> into);
 
 }  // namespace onggi::render

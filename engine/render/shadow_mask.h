@@ -18,4 +18,8 @@ constexpr std::uint32_t kUnshaded = 0x00FF00FFU;
 // From the same numbers that the shader reads.
 void fill_shadow_mask(const shaders::FrameData& frame, ShadowMask& mask);
 
+// A texel that differs by one step of 255 stays as it was before: nobody sees that, and it need not be shaded
+// again. It never comes to more than that step, because what is compared with is what is shown.
+void keep_what_is_alike(const ShadowMask& before, ShadowMask& now);
+
 }  // namespace onggi::render

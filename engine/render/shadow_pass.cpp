@@ -28,18 +28,14 @@ void ShadowPass::record(const FrameContext& frame) {
     has_mask_ = true;
 }
 
-void ShadowPass::record_shaded(const FrameContext& frame, VkImage target) {
-    if (host_shades_) {
-        host_.record(frame, target);
-    } else if (frame.desc.shades_on_host && !frame.stats.still_life_drawn) {
-        // Layers that are drawn in every frame, as at dusk, are not worth reading.
-        host_.read_layers(frame);
-    }
+void ShadowPass::record_reading(const FrameContext& frame) {
+    // Layers that are drawn in every frame, as at dusk, are not worth reading.
+    if (frame.desc.shades_on_host && !frame.stats.still_life_drawn) host_.read_layers(frame);
 }
 
 void ShadowPass::draw_shade(const FrameContext& frame) const {
     const std::vector<vec4>& rects = frame.built.shade;
-    if (host_shades_ || rects.empty()) return;
+    if (rects.empty()) return;
     frame.bind(frame.pipelines.shade);
     for (std::size_t first = 0; first < rects.size(); first += shaders::kShadeRects) {
         const std::size_t count = std::min<std::size_t>(rects.size() - first, shaders::kShadeRects);

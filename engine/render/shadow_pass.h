@@ -19,10 +19,17 @@ class ShadowPass {
     void update(FrameContext& frame, const Scene& scene);
     // The mask, if update() asked for it.
     void record(const FrameContext& frame);
-    // Cached: the shade over the still life, which has been copied into the target. The first before the
-    // caller's pass, the second in it, before whatever moves; one of them does something.
-    void record_shaded(const FrameContext& frame, VkImage target);
+    // Cached: whether the processor shades this frame. Then record_shaded() makes the whole still life in the
+    // target, which wants to hear what is drawn over it; else the caller copies it, and draw_shade() inside a
+    // pass, before whatever moves, lays the shade over it.
+    [[nodiscard]] bool host_shades() const { return host_shades_; }
+    void record_shaded(const FrameContext& frame, const vk::TargetImage& target) {
+        host_.record(frame, target);
+    }
+    void note_drawn_over(std::span<const std::uint8_t> tiles) { host_.note_drawn_over(tiles); }
     void draw_shade(const FrameContext& frame) const;
+    // After the copy: the layers to where the processor finds them in the next frame, if it is to shade.
+    void record_reading(const FrameContext& frame);
 
   private:
     std::uint64_t drawn_ = 0;  // hash of what the mask shows

@@ -98,12 +98,15 @@ void StillPass::record_copy(const FrameContext& frame, VkImage target) const {
     vk::copy(commands, images.still_key.handle(), target, kColourAspect, {{0, 0}, frame.extent});
     vk::barrier(commands, images.still_key, vk::state::kCopySource, vk::state::kSampled);
     vk::barrier(commands, target, kColourAspect, vk::state::kCopyTarget, vk::state::kColour);
-    const PixelRect& moving = frame.built.moving;
-    if (moving.width > 0 && moving.height > 0) {
+}
+
+void StillPass::record_depth_copy(const FrameContext& frame) const {
+    const VkCommandBuffer commands = frame.commands;
+    const FrameImages& images = frame.images;
+    if (!frame.built.moving_rects.empty()) {
         vk::barrier(commands, images.depth, vk::state::kDiscard, vk::state::kCopyTarget);
-        vk::copy(commands, images.still_depth.handle(), images.depth.handle(), VK_IMAGE_ASPECT_DEPTH_BIT,
-                 {{moving.x, moving.y},
-                  {static_cast<std::uint32_t>(moving.width), static_cast<std::uint32_t>(moving.height)}});
+        copy_rects(commands, images.still_depth.handle(), images.depth.handle(), VK_IMAGE_ASPECT_DEPTH_BIT,
+                   frame.built.moving_rects);
         vk::barrier(commands, images.depth, vk::state::kCopyTarget, vk::state::kDepth);
     } else {
         vk::barrier(commands, images.depth, vk::state::kDiscard, vk::state::kDepth);

@@ -26,8 +26,9 @@ class StillPass {
 
     // The still life's shadow map, and the layers when cached, if update() asked for them.
     void record(const FrameContext& frame);
-    // Cached: the picture whole into the target, its depth where something moves.
+    // Cached: the picture whole into the target; its depth where something moves.
     void record_copy(const FrameContext& frame, VkImage target) const;
+    void record_depth_copy(const FrameContext& frame) const;
     // Direct: meshes and backdrop inside the caller's pass; front to back, so after what stands before them.
     void draw(const FrameContext& frame) const;
     // The same while the camera moves between plates.

@@ -2,6 +2,7 @@
 // behind it, so that all drawing code is the same with and without a display. Main thread only.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "engine/core/result.h"
@@ -9,13 +10,16 @@
 
 namespace onggi::vk {
 
-// The image to draw this frame into. Its contents are undefined; leave it in `final_layout`.
+// The image to draw this frame into; leave it in `final_layout`.
 struct TargetImage {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
     VkExtent2D extent{};
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_UNDEFINED;
     bool can_be_read = false;  // copied from, once drawn
+    // How many frames it was given for before. 0: its contents are undefined. Else it still is as the last of
+    // them left it, in `final_layout`.
+    std::uint64_t frames_before = 0;
 };
 
 class FrameTarget {

@@ -36,6 +36,7 @@ class Offscreen final : public FrameTarget {
     const Device* device_;
     Image image_;
     Timeline timeline_;
+    std::uint64_t frames_begun_ = 0;
 };
 
 }  // namespace onggi::vk

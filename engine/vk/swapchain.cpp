@@ -100,7 +100,8 @@ Result<bool> Swapchain::rebuild() {
                               : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
     // The caller paces; where the screen can take the newest image and drop the rest, nothing blocks.
     info.presentMode = has_mailbox ? VK_PRESENT_MODE_MAILBOX_KHR : VK_PRESENT_MODE_FIFO_KHR;
-    info.clipped = VK_TRUE;
+    // What was drawn into an image must still be there when it comes back, hidden by another window or not.
+    info.clipped = VK_FALSE;
     info.oldSwapchain = swapchain_;
     VkSwapchainKHR fresh = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(*device_, vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &fresh));
@@ -171,7 +172,8 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
                                      .view = frames_[frame_].view.get(),
                                      .extent = extent_,
                                      .final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
-                                     .can_be_read = can_be_read_});
+                                     .can_be_read = can_be_read_,
+                                     .frames_before = frames_[frame_].begun++});
 }
 
 Result<void> Swapchain::end(VkCommandBuffer commands) {

@@ -2,6 +2,7 @@
 // minimised. Main thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -49,6 +50,7 @@ class Swapchain final : public FrameTarget {
         VkImage image = VK_NULL_HANDLE;
         Unique<VkImageView, vkDestroyImageView> view;
         Semaphore drawn;  // one an image: the one before it may still be waited on by the screen
+        std::uint64_t begun = 0;
     };
 
     Swapchain(const Device& device, const Surface& surface) : device_(&device), surface_(surface.handle()) {}

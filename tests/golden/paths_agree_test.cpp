@@ -61,7 +61,8 @@ class RenderPaths : public testing::TestWithParam<GoldenScene> {
     }
 
     // The last of some frames. With the cache the first is shaded by shaders; the still life is read back
-    // with the second, so that the third is shaded by the processor.
+    // with the second, so that the third is shaded by the processor, and those after it only where something
+    // has changed.
     asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene, bool cached, int frames = 1) {
         render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, scene.height);
         desc.cached = cached;
@@ -97,6 +98,9 @@ TEST_P(RenderPaths, AgreeOnTheWorkshopWithinFourLevelsOfEightBits) {
     // A level of a bright layer is two of the penumbra that is mixed from it and from a dark one.
     for (const int frames : {1, 3})
         expect_alike(direct, draw(*opened.scene, GetParam(), true, frames), 4);
+    // Where the shade hardly changes it stays as it is, a step of its mask off at most: two levels in the
+    // dark.
+    expect_alike(direct, draw(*opened.scene, GetParam(), true, 6), 6);
 }
 
 TEST_P(RenderPaths, AgreeOnTheStillLifeWithinTwoLevelsOfEightBits) {

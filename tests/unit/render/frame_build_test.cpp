@@ -37,10 +37,10 @@ TEST_F(FrameBuild, NeverDrawsMoreRingsThanTheCap) {
 
 TEST_F(FrameBuild, DrawsAStripBetweenEachTwoRows) {
     const BuiltFrame& built = build();
-    const auto sectors = static_cast<std::size_t>(desc_.sectors);
+    const auto sectors = static_cast<std::size_t>(built.sectors);
     EXPECT_EQ(built.vertices.size(), built.rows.size() * (sectors + 1));
     LatheFaces all;
-    take_all_faces(built.rows.size(), desc_.sectors, all);
+    take_all_faces(built.rows.size(), built.sectors, all);
     EXPECT_EQ(all.indices.size(), (built.rows.size() - 1) * sectors * 6);
     EXPECT_EQ(*std::max_element(all.indices.begin(), all.indices.end()),
               built.rows.size() * (sectors + 1) - 1);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/render/lathe_sectors.h"
 #include "engine/render/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"
 
@@ -27,7 +28,7 @@ struct Outlines {
         fill_rows(lathe, profile, samples, chosen, rows);
         fill_vertices(
             {.lathe = lathe, .profile = profile, .samples = samples, .chosen = chosen, .rows = rows}, {},
-            kSectors, vertices);
+            even_sectors(lathe, kSectors), vertices);
         add_grid_edges(vertices, kSectors, false, {camera, kWidth, kHeight}, edges);
     }
     Camera camera;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/render/lathe_sectors.h"
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {
@@ -20,7 +21,8 @@ struct Built {
         fill_rows(lathe, profile, samples, chosen, rows);
         fill_vertices(
             {.lathe = lathe, .profile = profile, .samples = samples, .chosen = chosen, .rows = rows},
-            {.towards_light = glm::normalize(vec3(-1.0F, 1.0F, 0.5F))}, kSectors, vertices);
+            {.towards_light = glm::normalize(vec3(-1.0F, 1.0F, 0.5F))}, even_sectors(lathe, kSectors),
+            vertices);
     }
     [[nodiscard]] const shaders::VertexData& at(std::size_t row, int sector) const {
         return vertices[row * (kSectors + 1) + static_cast<std::size_t>(sector)];

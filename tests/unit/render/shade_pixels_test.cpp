@@ -107,7 +107,7 @@ TEST(ShadePixels, MixesLightAsTheShaderDoesAndLeavesTheRestAlone) {
         texel = static_cast<std::uint32_t>(random()) & 0x00FF00FFU;
     constexpr std::uint32_t kUntouched = 0x01020304U;
     std::vector<std::uint32_t> into(kPixels, kUntouched);
-    const std::vector<vec4> rects{{3.0F, 2.0F, 61.0F, 9.0F}, {40.0F, 20.0F, 70.0F, 40.0F}};
+    const std::vector<PixelRect> rects{{3, 2, 58, 7}, {40, 20, 30, 20}};
     shade_pixels({kWidth, kHeight, with_key, without_key, places}, *mask, rects, into);
 
     const auto byte = [](std::uint32_t texel, unsigned at) { return (texel >> (8U * at)) & 0xFFU; };
@@ -147,7 +147,7 @@ TEST(ShadePixels, StaysInThePictureWhereARectangleIsNarrowerThanABlock) {
     mask->fill(0U);
     constexpr std::uint32_t kUntouched = 0x01020304U;
     std::vector<std::uint32_t> into(kPixels + kShadeBlockPx, kUntouched);
-    const std::vector<vec4> rects{{0.0F, 0.0F, 1.0F, 1.0F}, {15.0F, 1.0F, 16.0F, 2.0F}};
+    const std::vector<PixelRect> rects{{0, 0, 1, 1}, {15, 1, 1, 1}};
     shade_pixels({kWidth, 2, layer, layer, places}, *mask, rects, into);
     EXPECT_NE(into.front(), kUntouched);
     EXPECT_NE(into[kPixels - 1], kUntouched);
@@ -165,7 +165,7 @@ TEST(ShadePixels, CopiesWhatIsNotInShadeByteForByte) {
     auto mask = std::make_unique<ShadowMask>();
     mask->fill(kUnshaded);
     std::vector<std::uint32_t> into(kWidth, 0U);
-    const std::vector<vec4> whole{{0.0F, 0.0F, 64.0F, 1.0F}};
+    const std::vector<PixelRect> whole{{0, 0, 64, 1}};
     shade_pixels({kWidth, 1, with_key, without_key, places}, *mask, whole, into);
     EXPECT_EQ(into, with_key);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/render/lathe_sectors.h"
 #include "engine/render/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"
 
@@ -70,7 +71,7 @@ TEST(CoveredByLathe, IsNeverWiderThanThePot) {
     fill_rows(lathe, profile, samples, chosen, rows);
     std::vector<shaders::VertexData> vertices;
     fill_vertices({.lathe = lathe, .profile = profile, .samples = samples, .chosen = chosen, .rows = rows},
-                  {}, 64, vertices);
+                  {}, even_sectors(lathe, 64), vertices);
     const Camera camera{.eye_mm = {0.0F, 200.0F, 700.0F}, .target_mm = {0.0F, 50.0F, 0.0F}};
     const std::vector<Covered> lines = covered_by_lathe(vertices, chosen.inside, 64, camera, kWidth, kHeight);
     ASSERT_EQ(lines.size(), static_cast<std::size_t>(kHeight));

@@ -1,0 +1,148 @@
+#include "engine/render/shade_tiles.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace onggi::render {
+namespace {
+
+constexpr std::size_t kAcross = shaders::kMaskTexels;
+constexpr std::size_t kSums = kAcross + 1;
+
+}  // namespace
+
+PixelRect rect_about(vec2 low, vec2 high) {
+    // Far outside of any picture a float has no place in an int.
+    constexpr float kFarPx = 1e6F;
+    const glm::ivec2 from(glm::floor(glm::clamp(low, -kFarPx, kFarPx)));
+    const glm::ivec2 to(glm::ceil(glm::clamp(high, -kFarPx, kFarPx)));
+    return {from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
+void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted) {
+    if (rect.width <= 0 || rect.height <= 0) return;
+    const int left = std::max(rect.x, 0) / kTileWidthPx;
+    const int top = std::max(rect.y, 0) / kTileHeightPx;
+    const int right = std::min((rect.x + rect.width - 1 + kTileWidthPx) / kTileWidthPx, grid.across());
+    const int bottom = std::min((rect.y + rect.height - 1 + kTileHeightPx) / kTileHeightPx, grid.down());
+    for (int row = top; row < bottom; ++row) {
+        for (int column = left; column < right; ++column)
+            wanted[static_cast<std::size_t>(row * grid.across() + column)] = 1;
+    }
+}
+
+void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
+                    std::vector<PixelRect>& rects) {
+    rects.clear();
+    const auto across = static_cast<std::size_t>(grid.across());
+    std::size_t above = 0;  // the first rectangle that ends where this row of tiles begins
+    for (int row = 0; row < grid.down(); ++row) {
+        const int y = row * kTileHeightPx;
+        const int height = std::min(kTileHeightPx, grid.height_px - y);
+        const std::span<const std::uint8_t> tiles =
+            wanted.subspan(static_cast<std::size_t>(row) * across, across);
+        const std::size_t first = rects.size();
+        for (std::size_t at = 0; at < across;) {
+            if (tiles[at] == 0) {
+                ++at;
+                continue;
+            }
+            const int x = static_cast<int>(at) * kTileWidthPx;
+            while (at < across && tiles[at] != 0)
+                ++at;
+            const int width = std::min(static_cast<int>(at) * kTileWidthPx, grid.width_px) - x;
+            rects.push_back({x, y, width, height});
+        }
+        // A row of tiles that is as the one above makes its rectangles longer.
+        const std::size_t here = rects.size() - first;
+        const bool is_as_above =
+            here > 0 && here == first - above &&
+            std::equal(rects.begin() + static_cast<std::ptrdiff_t>(first), rects.end(),
+                       rects.begin() + static_cast<std::ptrdiff_t>(above),
+                       [](const PixelRect& low, const PixelRect& high) {
+                           return low.x == high.x && low.width == high.width && high.y + high.height == low.y;
+                       });
+        if (is_as_above) {
+            rects.resize(first);
+            for (std::size_t grown = above; grown < first; ++grown)
+                rects[grown].height += height;
+        } else {
+            above = first;
+        }
+    }
+}
+
+void ShadeTiles::learn(const TileGrid& grid, std::span<const std::uint32_t> places) {
+    grid_ = grid;
+    reach_.assign(grid.count(), {});
+    is_stale_.assign(grid.count(), 1);
+    numbers_.assign(grid.count(), ++last_number_);
+    const auto width = static_cast<std::size_t>(grid.width_px);
+    const auto across = static_cast<std::size_t>(grid.across());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(grid.height_px); ++y) {
+        Reach* const row = &reach_[y / kTileHeightPx * across];
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::uint32_t texel = places[y * width + x] >> 16U;
+            const auto u = static_cast<std::uint8_t>(texel % kAcross);
+            const auto v = static_cast<std::uint8_t>(texel / kAcross);
+            Reach& reach = row[x / kTileWidthPx];
+            reach.left = std::min(reach.left, u);
+            reach.top = std::min(reach.top, v);
+            // A place lies between a texel and the next, both ways.
+            reach.right = std::max(reach.right, static_cast<std::uint8_t>(u + 1));
+            reach.bottom = std::max(reach.bottom, static_cast<std::uint8_t>(v + 1));
+        }
+    }
+}
+
+void ShadeTiles::note_mask(const ShadowMask& before, const ShadowMask& now) {
+    // Sums over all texels above and to the left, so that a tile's reach costs four of them.
+    changed_above_left_.assign(kSums * kSums, 0);
+    for (std::size_t v = 0; v < kAcross; ++v) {
+        std::uint16_t in_row = 0;
+        for (std::size_t u = 0; u < kAcross; ++u) {
+            in_row = static_cast<std::uint16_t>(in_row + (before[v * kAcross + u] != now[v * kAcross + u]));
+            changed_above_left_[(v + 1) * kSums + u + 1] =
+                static_cast<std::uint16_t>(changed_above_left_[v * kSums + u + 1] + in_row);
+        }
+    }
+    if (changed_above_left_.back() == 0) return;
+    const auto sum = [&](std::size_t u, std::size_t v) { return int{changed_above_left_[v * kSums + u]}; };
+    for (std::size_t tile = 0; tile < reach_.size(); ++tile) {
+        const Reach& reach = reach_[tile];
+        const std::size_t right = std::size_t{reach.right} + 1;
+        const std::size_t bottom = std::size_t{reach.bottom} + 1;
+        const int changed =
+            sum(right, bottom) - sum(reach.left, bottom) - sum(right, reach.top) + sum(reach.left, reach.top);
+        if (changed > 0) is_stale_[tile] = 1;
+    }
+}
+
+void ShadeTiles::take(std::vector<PixelRect>& rects) {
+    rects_of_tiles(grid_, is_stale_, rects);
+    if (rects.empty()) return;
+    ++last_number_;
+    for (std::size_t tile = 0; tile < is_stale_.size(); ++tile) {
+        if (is_stale_[tile] != 0) numbers_[tile] = last_number_;
+    }
+    std::fill(is_stale_.begin(), is_stale_.end(), std::uint8_t{0});
+}
+
+void HeldTiles::take_missing(const ShadeTiles& picture, std::vector<PixelRect>& rects) {
+    grid_ = picture.grid();
+    const std::span<const std::uint64_t> wanted = picture.numbers();
+    numbers_.resize(wanted.size(), 0);
+    missing_.resize(wanted.size());
+    for (std::size_t tile = 0; tile < wanted.size(); ++tile)
+        missing_[tile] = numbers_[tile] == wanted[tile] ? 0 : 1;
+    std::copy(wanted.begin(), wanted.end(), numbers_.begin());
+    rects_of_tiles(grid_, missing_, rects);
+}
+
+void HeldTiles::note_drawn_over(std::span<const std::uint8_t> tiles) {
+    for (std::size_t tile = 0; tile < std::min(tiles.size(), numbers_.size()); ++tile) {
+        if (tiles[tile] != 0) numbers_[tile] = 0;
+    }
+}
+
+}  // namespace onggi::render

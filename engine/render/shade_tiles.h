@@ -1,0 +1,85 @@
+// The picture as tiles: which of them a changed shadow mask makes another picture of, and which a target
+// still holds as they are, so that what has not changed is neither shaded nor copied again. Any thread; one
+// user at a time. Pixels.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/shadow_mask.h"
+#include "engine/render/shadow_region.h"
+
+namespace onggi::render {
+
+constexpr int kTileWidthPx = 32;
+constexpr int kTileHeightPx = 8;
+
+// How a picture is laid out in tiles, row by row; those at the right and at the bottom may be cut off.
+struct TileGrid {
+    int width_px = 0;
+    int height_px = 0;
+
+    [[nodiscard]] int across() const { return (width_px + kTileWidthPx - 1) / kTileWidthPx; }
+    [[nodiscard]] int down() const { return (height_px + kTileHeightPx - 1) / kTileHeightPx; }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(across() * down()); }
+};
+
+// The pixels that a box with these corners, in pixels, touches.
+[[nodiscard]] PixelRect rect_about(vec2 low, vec2 high);
+
+// Wants the tiles that a rectangle touches, part of which may lie outside the picture.
+void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted);
+
+// Rectangles, none over another, that are together the wanted tiles (one entry a tile, 0 or not).
+void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
+                    std::vector<PixelRect>& rects);
+
+// A shaded picture's tiles. Each has a number, another whenever its pixels become others.
+class ShadeTiles {
+  public:
+    // For layers of this size, each of whose pixels lies at a place of the mask (mask_place()). Every tile
+    // has to be shaded.
+    void learn(const TileGrid& grid, std::span<const std::uint32_t> places);
+    // The mask becomes another: the tiles that read a texel which differs have to be shaded.
+    void note_mask(const ShadowMask& before, const ShadowMask& now);
+    // The tiles that have to be shaded, as rectangles; from here on they count as shaded.
+    void take(std::vector<PixelRect>& rects);
+
+    [[nodiscard]] const TileGrid& grid() const { return grid_; }
+    [[nodiscard]] std::span<const std::uint64_t> numbers() const { return numbers_; }
+
+  private:
+    // Texels of the mask that a tile reads, both ends included.
+    struct Reach {
+        std::uint8_t left = 255;
+        std::uint8_t right = 0;
+        std::uint8_t top = 255;
+        std::uint8_t bottom = 0;
+    };
+
+    TileGrid grid_;
+    std::vector<Reach> reach_;
+    std::vector<std::uint8_t> is_stale_;
+    std::vector<std::uint64_t> numbers_;
+    std::uint64_t last_number_ = 0;  // never used again, so that a target cannot take new layers for old
+    std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes
+};
+
+// What a target shows of a shaded picture.
+class HeldTiles {
+  public:
+    // Nothing of it is known.
+    void forget() { numbers_.clear(); }
+    // What has to be copied so that it shows the picture, as rectangles; from here on it does.
+    void take_missing(const ShadeTiles& picture, std::vector<PixelRect>& rects);
+    // Something has been drawn over pixels of these tiles (one entry a tile).
+    void note_drawn_over(std::span<const std::uint8_t> tiles);
+
+  private:
+    TileGrid grid_;
+    std::vector<std::uint64_t> numbers_;  // 0: something else
+    std::vector<std::uint8_t> missing_;
+};
+
+}  // namespace onggi::render
