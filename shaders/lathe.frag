@@ -39,7 +39,10 @@ void main() {
     vec3 l = light_from.xyz;
     vec2 profile = unpacked16(texelFetch(outline_normals, ivec2(clamp(int(outline.z * float(kProfileTexels)), 0, kProfileTexels - 1), 0), 0)) * 2.0 - 1.0;
     // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
-    vec4 slip = texture(detail, detail_at.xy);
+    // Live on a processor by one texel: it is about as large as a pixel there, and four cost three times as much.
+    ivec2 texels = textureSize(detail, 0);
+    vec4 slip = kTransfer == 1 ? texelFetch(detail, ivec2(floor(detail_at.xy * vec2(texels))) & (texels - 1), 0)
+                               : texture(detail, detail_at.xy);
     float streaks = gloss_of.x;
     vec2 lean = (slip.gb - 0.5) * streaks;
     vec2 outward = outline.xy;

@@ -73,4 +73,25 @@ std::vector<std::uint8_t> detail_texture() {
     return texels;
 }
 
+std::vector<std::uint8_t> coarser_detail(std::span<const std::uint8_t> texels, int across, int up) {
+    const int width = kSize / across;
+    const int height = kSize / up;
+    const int count = width * height;
+    std::vector<std::uint8_t> coarse;
+    coarse.reserve(static_cast<std::size_t>(4 * across * up));
+    for (int y = 0; y < up; ++y) {
+        for (int x = 0; x < across; ++x) {
+            for (int channel = 0; channel < 4; ++channel) {
+                int sum = 0;
+                for (int i = 0; i < count; ++i) {
+                    const int at = (y * height + i / width) * kSize + x * width + i % width;
+                    sum += texels[static_cast<std::size_t>(4 * at + channel)];
+                }
+                coarse.push_back(static_cast<std::uint8_t>((sum + count / 2) / count));
+            }
+        }
+    }
+    return coarse;
+}
+
 }  // namespace onggi::render

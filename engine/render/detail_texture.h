@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace onggi::render {
@@ -12,5 +13,10 @@ constexpr int kDetailTexels = 512;
 // kDetailTexels squared, RGBA: lighter or darker, lean round, lean up, thickness of the film; 128 is the
 // mean. It repeats both ways.
 [[nodiscard]] std::vector<std::uint8_t> detail_texture();
+
+// The same with fewer texels, each the mean of those it stands for: finer than the pixels it is seen by, a
+// texture flickers, and falls out of the processor's cache. Both numbers divide kDetailTexels.
+[[nodiscard]] std::vector<std::uint8_t> coarser_detail(std::span<const std::uint8_t> texels, int across,
+                                                       int up);
 
 }  // namespace onggi::render

@@ -3,7 +3,6 @@
 #include <initializer_list>
 #include <utility>
 
-#include "engine/render/detail_texture.h"
 #include "engine/render/pipelines.h"
 #include "shaders/frame_data.h"
 
@@ -26,29 +25,31 @@ Result<void> create_all(const vk::Device& device, std::initializer_list<Wish> wi
 
 }  // namespace
 
-Result<void> create_fixed_images(const vk::Device& device, FrameImages& images) {
+Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, FrameImages& images) {
     constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT;
-    return create_all(device, {{images.normals,
-                                {.name = "outline normals",
-                                 .format = kPackedFormat,
-                                 .extent = {shaders::kProfileTexels, 1},
-                                 .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
-                               {images.detail,
-                                {.name = "slip",
-                                 .format = kDetailFormat,
-                                 .extent = {kDetailTexels, kDetailTexels},
-                                 .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
-                               {images.mask,
-                                {.name = "shadow mask",
-                                 .format = kMaskFormat,
-                                 .extent = {shaders::kMaskTexels, shaders::kMaskTexels},
-                                 .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}},
-                               {images.key_map,
-                                {.name = "still life's shadow map",
-                                 .format = kDepthFormat,
-                                 .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
-                                 .usage = kRead | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                 .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+    return create_all(
+        device,
+        {{images.normals,
+          {.name = "outline normals",
+           .format = kPackedFormat,
+           .extent = {shaders::kProfileTexels, 1},
+           .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
+         {images.detail,
+          {.name = "slip",
+           .format = kDetailFormat,
+           .extent = {static_cast<std::uint32_t>(desc.slip_across), static_cast<std::uint32_t>(desc.slip_up)},
+           .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
+         {images.mask,
+          {.name = "shadow mask",
+           .format = kMaskFormat,
+           .extent = {shaders::kMaskTexels, shaders::kMaskTexels},
+           .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}},
+         {images.key_map,
+          {.name = "still life's shadow map",
+           .format = kDepthFormat,
+           .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
+           .usage = kRead | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+           .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
 }
 
 Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,

@@ -24,7 +24,7 @@ struct FrameImages {
     vk::Image drawn;  // cached: the part of the picture whose outlines are smoothed
 };
 
-Result<void> create_fixed_images(const vk::Device& device, FrameImages& images);
+Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, FrameImages& images);
 Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,
                                  FrameImages& images);
 

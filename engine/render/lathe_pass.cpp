@@ -61,7 +61,8 @@ Result<void> LathePass::create(const FrameContext& frame) {
 
 Result<void> LathePass::upload_slip(const FrameContext& frame) {
     const vk::Image& detail = frame.images.detail;
-    const std::vector<std::uint8_t> texels = detail_texture();
+    const std::vector<std::uint8_t> texels =
+        coarser_detail(detail_texture(), frame.desc.slip_across, frame.desc.slip_up);
     auto staging = vk::Buffer::create(
         frame.device,
         {.name = "slip upload", .size = texels.size(), .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
@@ -71,7 +72,7 @@ Result<void> LathePass::upload_slip(const FrameContext& frame) {
         vk::barrier(once, detail, vk::state::kUndefined, vk::state::kCopyTarget);
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageExtent = {kDetailTexels, kDetailTexels, 1};
+        region.imageExtent = {detail.extent().width, detail.extent().height, 1};
         vkCmdCopyBufferToImage(once, staging->handle(), detail.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                1, &region);
         vk::barrier(once, detail, vk::state::kCopyTarget, vk::state::kSampled);

@@ -23,16 +23,19 @@ RendererDesc still_desc(VkFormat colour_format) {
 
 RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px) {
     if (!device_is_cpu) return still_desc(colour_format);
+    const bool is_large = height_px > 800;
     return {.colour_format = colour_format,
             .samples = 1,
             .cached = true,
             .shades_on_host = true,
             .transfer = Transfer::kSquareRoot,
             .lights_movers_at_vertices = true,
-            .sectors = height_px > 800 ? 72 : 48,
+            .sectors = is_large ? 72 : 48,
             .sector_error_px = 0.35F,
             .max_rings = 128,
-            .ring_error_px = 0.25F};  // its edges are not smoothed, so a finer line would not be seen
+            .ring_error_px = 0.25F,  // its edges are not smoothed, so a finer line would not be seen
+            .slip_across = is_large ? 512 : 256,
+            .slip_up = is_large ? 256 : 128};
 }
 
 struct Renderer::Impl {
@@ -91,7 +94,7 @@ Result<void> Renderer::Impl::create() {
     auto made = create_pipelines(device, frame.desc);
     if (!made) return made.error();
     frame.pipelines = std::move(*made);
-    if (auto fixed = create_fixed_images(device, frame.images); !fixed) return fixed;
+    if (auto fixed = create_fixed_images(device, frame.desc, frame.images); !fixed) return fixed;
     auto allocated = device.allocate_commands("frame");
     if (!allocated) return allocated.error();
     frame.commands = *allocated;

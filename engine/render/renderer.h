@@ -37,6 +37,8 @@ struct RendererDesc {
     float sector_error_px = 0.0F;  // that far from its circle
     int max_rings = 256;           // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
+    int slip_across = 512;  // texels of the slip's texture, powers of two up to 512; no finer than a pixel
+    int slip_up = 512;
     bool smooths_outlines = true;  // of what moves; cached only, others have samples for it
     bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests
     bool measures_parts = false;   // FrameStats::parts, which costs a software device a few per cent

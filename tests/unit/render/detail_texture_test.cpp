@@ -49,5 +49,24 @@ TEST(DetailTexture, RunsLongRoundThePotAndThinUpIt) {
     EXPECT_GT(up, 2 * along);
 }
 
+TEST(DetailTexture, KeepsItsMeanAndItsStreaksWithFewerTexels) {
+    const auto texels = detail_texture();
+    EXPECT_EQ(coarser_detail(texels, kDetailTexels, kDetailTexels), texels);
+    constexpr int kAcross = 256;
+    constexpr int kUp = 128;
+    const auto coarse = coarser_detail(texels, kAcross, kUp);
+    ASSERT_EQ(coarse.size(), std::size_t{4} * kAcross * kUp);
+    const auto at = [](const std::vector<std::uint8_t>& from, int across, int x, int y, int channel) {
+        return static_cast<int>(from[static_cast<std::size_t>((y * across + x) * 4 + channel)]);
+    };
+    for (int channel = 0; channel < 4; ++channel) {
+        // Of two across and four up.
+        int sum = 0;
+        for (int i = 0; i < 8; ++i)
+            sum += at(texels, kDetailTexels, 2 * 100 + i % 2, 4 * 70 + i / 2, channel);
+        EXPECT_NEAR(at(coarse, kAcross, 100, 70, channel), sum / 8.0, 0.5) << channel;
+    }
+}
+
 }  // namespace
 }  // namespace onggi::render
