@@ -1,6 +1,7 @@
 #include "engine/jobs/thread_setup.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -132,6 +133,20 @@ Granted WakefulCores::request() noexcept {
 
 void WakefulCores::release() noexcept {
     if (file_ >= 0) close(std::exchange(file_, -1));
+}
+
+void keep_heaps_small() {
+#ifdef __GLIBC__
+    constexpr int kLargeBytes = 256 * 1024;  // else it grows with what is freed, up to 32 MB
+    mallopt(M_ARENA_MAX, 2);
+    mallopt(M_MMAP_THRESHOLD, kLargeBytes);
+#endif
+}
+
+void give_back_freed_memory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 RealTimeReport set_up_this_thread(const RealTimeRequest& request) {

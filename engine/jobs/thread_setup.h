@@ -91,6 +91,16 @@ struct RealTimeReport {
     [[nodiscard]] std::vector<RealTimeLack> lacks() const;
 };
 
+// Keeps what the process takes near what it uses: threads share two heaps instead of having one each, and
+// large blocks lie apart, so that each goes back to the system as it is freed. The tick allocates nothing and
+// does not notice. Before any other thread starts.
+void keep_heaps_small();
+
+// Hands memory that was freed back to the system. To be called after what takes much for a while, such as a
+// driver that compiles, and before memory is locked: locked pages cannot be handed back. Any thread but a
+// tick's.
+void give_back_freed_memory();
+
 // The calling thread: pins itself to the core, locks the process's memory, touches its stack, and asks for
 // SCHED_FIFO last, so that nothing slow happens under it. Goes on after a refusal and records it. Wakeful
 // cores are not the thread's but its owner's to hold.

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 
+#include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
 #include "game/app/devices_command.h"
 #include "game/app/doctor_command.h"
@@ -13,6 +14,7 @@
 int main(int argc, char** argv) {
     // A file that may not grow further is then a failed write with a message, not a silent end.
     std::signal(SIGXFSZ, SIG_IGN);
+    onggi::jobs::keep_heaps_small();
 
     CLI::App program{"A potter's wheel one can feel", "onggi"};
     int exit_status = 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <variant>
 
+#include "engine/jobs/thread_setup.h"
 #include "engine/window/window.h"
 #include "game/wheel/live_screen.h"
 #include "game/wheel/plate_loader.h"
@@ -77,7 +78,9 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         auto warmed = draw({.radii_mm = lump}, dt_s, nullptr);
         if (!warmed) return warmed.error();
     }
-    return screen->wait();
+    auto done = screen->wait();
+    jobs::give_back_freed_memory();  // 40 MB of the driver's compiler
+    return done;
 }
 
 // Another shape of window may want other plates. Until they are read, those that are there show their middle.
