@@ -138,16 +138,17 @@ wheel::PotView FrameCase::pot() const {
             .wheel_turning = true};
 }
 
-Result<FrameTime> FrameCase::frame() {
+Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     throw_a_little();
     const wheel::PotView shown = pot();
     const double processor_s = processor_now_s();
     const auto start = std::chrono::steady_clock::now();
     const render::Scene& scene = opened_.scene->apply(shown, desc_.width, desc_.height, kFrameS);
     camera_moves_ = scene.glide.has_value();
-    const render::Overlay overlay{
+    const render::Overlay line{
         .list = &list_, .uploads = uploads_, .atlas_side_px = atlas_.side_px(), .covers = false};
-    const auto drawn = renderer_->draw(scene, *target_, desc_.with_text ? &overlay : nullptr);
+    if (overlay == nullptr && desc_.with_text) overlay = &line;
+    const auto drawn = renderer_->draw(scene, *target_, overlay);
     if (!drawn) return drawn.error();
     if (!*drawn) return failed("frame: expected one to be drawn, found none");
     if (auto waited = target_->wait(); !waited) return waited.error();

@@ -41,8 +41,9 @@ class FrameCase {
     FrameCase(const FrameCase&) = delete;
     FrameCase& operator=(const FrameCase&) = delete;
 
-    // Draws the next frame, a sixtieth of a second after the last, and waits for it.
-    Result<FrameTime> frame();
+    // Draws the next frame, a sixtieth of a second after the last, and waits for it. Over it lies a line of text,
+    // or what is given.
+    Result<FrameTime> frame(const render::Overlay* overlay = nullptr);
 
     [[nodiscard]] wheel::WheelScene& scene() { return *opened_.scene; }
     [[nodiscard]] const render::FrameStats& stats() const { return renderer_->stats(); }
