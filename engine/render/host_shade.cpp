@@ -103,15 +103,15 @@ bool HostShade::shade(FrameContext& frame, std::uint64_t shadow) {
 HeldTiles& HostShade::held_by(const vk::TargetImage& target) {
     const auto is_it = [&](const Target& known) { return known.image == target.image; };
     const auto known = std::find_if(targets_.begin(), targets_.end(), is_it);
-    target_ = static_cast<std::size_t>(known - targets_.begin());
+    auto at = static_cast<std::size_t>(known - targets_.begin());
     if (known == targets_.end()) {
         // Handles of images that are gone are used again, so that few are ever known.
         constexpr std::size_t kMostTargets = 16;
         if (targets_.size() == kMostTargets) targets_.erase(targets_.begin());
-        target_ = targets_.size();
+        at = targets_.size();
         targets_.emplace_back();
     }
-    Target& found = targets_[target_];
+    Target& found = targets_[at];
     // Another handle's image, or one in which a frame was made in another way since.
     const bool is_as_left = target.frames_before > 0 && target.frames_before == found.frame + 1;
     if (!is_as_left) found.held.forget();
@@ -120,8 +120,10 @@ HeldTiles& HostShade::held_by(const vk::TargetImage& target) {
     return found.held;
 }
 
-void HostShade::record(const FrameContext& frame, const vk::TargetImage& target) {
-    held_by(target).take_missing(tiles_, rects_);
+void HostShade::record(const FrameContext& frame, const vk::TargetImage& target,
+                       std::span<const std::uint64_t> overlay) {
+    held_by(target).take_missing(tiles_, {.moving = frame.built.moving_tiles, .overlay = overlay}, rects_,
+                                 overlay_wanted_);
     regions_.clear();
     for (const PixelRect& rect : rects_) {
         VkBufferImageCopy region{};

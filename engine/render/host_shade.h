@@ -28,12 +28,11 @@ class HostShade {
     // The device is idle. True when the layers are here and `shadow` has been laid over them, which takes
     // time only where it is another; `frame.built` must be this frame's.
     [[nodiscard]] bool shade(FrameContext& frame, std::uint64_t shadow);
-    // What shade() made into the target, whole, and lays it out as colour.
-    void record(const FrameContext& frame, const vk::TargetImage& target);
-    // The caller draws over these tiles (one entry each) of the target that record() was for.
-    void note_drawn_over(std::span<const std::uint8_t> tiles) {
-        targets_[target_].held.note_drawn_over(tiles);
-    }
+    // What shade() made into the target, whole but for what is laid over it, and lays it out as colour.
+    void record(const FrameContext& frame, const vk::TargetImage& target,
+                std::span<const std::uint64_t> overlay);
+    // After record(): the tiles on which the overlay has to be drawn, one entry each.
+    [[nodiscard]] std::span<const std::uint8_t> overlay_wanted() const { return overlay_wanted_; }
 
   private:
     enum class State {
@@ -62,7 +61,7 @@ class HostShade {
     bool has_mask_ = false;
     ShadeTiles tiles_;  // of `shaded_`
     std::vector<Target> targets_;
-    std::size_t target_ = 0;
+    std::vector<std::uint8_t> overlay_wanted_;
     std::vector<PixelRect> rects_;
     std::vector<VkBufferImageCopy> regions_;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/core/hash.h"
 #include "engine/render/pass.h"
 #include "shaders/shaders.h"
 
@@ -118,25 +119,35 @@ Result<void> OverlayPass::fill(const FrameContext& frame, const ui::DrawList& li
     return {};
 }
 
-void OverlayPass::want_drawn(const TileGrid& grid, std::vector<std::uint8_t>& tiles) const {
-    tiles.assign(grid.count(), 0);
-    if (overlay_ == nullptr) return;
-    const std::span<const ui::Vertex> vertices = overlay_->list->vertices();
-    const std::span<const std::uint32_t> indices = overlay_->list->indices();
-    for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {
-        vec2 low = vertices[indices[first]].position_px;
-        vec2 high = low;
-        for (std::size_t corner = first + 1; corner < first + 3; ++corner) {
-            low = glm::min(low, vertices[indices[corner]].position_px);
-            high = glm::max(high, vertices[indices[corner]].position_px);
-        }
-        want_tiles(grid, rect_about(low, high), tiles);
+void OverlayPass::note_tiles(const FrameContext& frame) {
+    if (!frame.desc.shades_on_host) return;
+    if (!overlay_->uploads.empty() || atlas_is_new_) ++atlas_state_;
+    StateHash state;
+    state.add_word(hash_);
+    state.add_word(atlas_state_);
+    tiles_.learn({static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
+                 *overlay_->list, state.value());
+}
+
+Result<void> OverlayPass::keep(const FrameContext& frame, std::span<const std::uint8_t> tiles) {
+    if (overlay_ == nullptr) return {};
+    tiles_.take(*overlay_->list, tiles, kept_indices_, runs_);
+    const auto indices = std::as_bytes(std::span(kept_indices_));
+    if (auto made = make_room(frame.device, indices_, "overlay indices", indices.size(),
+                              VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+        !made) {
+        return made;
     }
+    if (!indices.empty()) indices_.write(indices);
+    return {};
 }
 
 Result<void> OverlayPass::fit(const FrameContext& frame, const Overlay* overlay) {
     overlay_ = overlay;
-    if (overlay_ == nullptr) return {};
+    if (overlay_ == nullptr) {
+        tiles_.clear();
+        return {};
+    }
     if (auto fitted = fit_atlas(frame, overlay_->atlas_side_px); !fitted) return fitted;
     VkDeviceSize upload_bytes = 0;
     for (const ui::Atlas::Upload& upload : overlay_->uploads)
@@ -155,6 +166,11 @@ Result<void> OverlayPass::fit(const FrameContext& frame, const Overlay* overlay)
     if (overlay_->covers) {
         if (auto fitted = fit_kept(frame); !fitted) return fitted;
     }
+    note_tiles(frame);
+    runs_.clear();
+    const PixelRect whole{0, 0, static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
+    for (const ui::Run& run : overlay_->list->runs())
+        runs_.push_back({whole, run});
     return fill(frame, *overlay_->list);
 }
 
@@ -194,13 +210,14 @@ void OverlayPass::draw_list(const FrameContext& frame, VkImageView view, bool ke
                     .atlas_per_px = vec2(1.0F / side)};
     vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof push, &push);
-    if (!overlay_->list->indices().empty()) {
+    if (!runs_.empty()) {
         const VkBuffer vertices = vertices_.handle();
         constexpr VkDeviceSize kStart = 0;
         vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &kStart);
         vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
     }
-    for (const ui::Run& run : overlay_->list->runs()) {
+    for (const auto& [inside, run] : runs_) {
+        set_scissor(commands, inside);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           run.from_atlas ? pictures_.get() : boxes_.get());
         vkCmdDrawIndexed(commands, run.index_count, 1, run.first_index, 0, 0);
@@ -211,7 +228,7 @@ void OverlayPass::draw_list(const FrameContext& frame, VkImageView view, bool ke
 void OverlayPass::record(const FrameContext& frame, const vk::TargetImage& target, bool after_scene) {
     if (overlay_ == nullptr) return;
     if (after_scene) {
-        if (!overlay_->list->runs().empty()) {
+        if (!runs_.empty()) {
             vk::barrier(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, vk::state::kColour,
                         vk::state::kColour);
             draw_list(frame, target.view, true);

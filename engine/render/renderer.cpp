@@ -49,6 +49,7 @@ struct Renderer::Impl {
     void record_cached(const Scene& scene, const vk::TargetImage& target);
     void record_direct(const Scene& scene, const vk::TargetImage& target);
 
+    [[nodiscard]] bool is_cached(const Scene& scene) const { return frame.desc.cached && !scene.glide; }
     void enter(const char* part) { clock.enter(frame.device, frame.commands, part); }
 
     FrameContext frame;
@@ -60,7 +61,6 @@ struct Renderer::Impl {
     MoverPass movers;
     EdgePass edges;
     OverlayPass overlay;
-    std::vector<std::uint8_t> overlay_tiles;
 };
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -150,8 +150,7 @@ void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& ta
     enter("still life");
     still.record_depth_copy(frame);
     if (shadow.host_shades()) {
-        shadow.record_shaded(frame, target);
-        shadow.note_drawn_over(frame.built.moving_tiles);
+        shadow.record_shaded(frame, target, overlay.content());
     } else {
         still.record_copy(frame, target.image);
         shadow.record_reading(frame);
@@ -212,7 +211,7 @@ void Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& tar
     still.record(frame);
     enter("shadow mask");
     shadow.record(frame);
-    if (frame.desc.cached && !scene.glide) {
+    if (is_cached(scene)) {
         record_cached(scene, target);
     } else {
         record_direct(scene, target);
@@ -230,12 +229,10 @@ Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& t
     overlay.record_uploads(frame);
     if (scene_is_seen) record_scene(scene, target);
     enter("overlay");
-    overlay.record(frame, target, scene_is_seen);
-    if (shadow.host_shades() && scene_is_seen) {
-        overlay.want_drawn({static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
-                           overlay_tiles);
-        shadow.note_drawn_over(overlay_tiles);
+    if (scene_is_seen && is_cached(scene) && shadow.host_shades()) {
+        if (auto kept = overlay.keep(frame, shadow.overlay_wanted()); !kept) return kept;
     }
+    overlay.record(frame, target, scene_is_seen);
     clock.end(frame.device, commands);
     const vk::ImageState done{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
                               target.final_layout};

@@ -20,15 +20,7 @@ PixelRect rect_about(vec2 low, vec2 high) {
 }
 
 void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted) {
-    if (rect.width <= 0 || rect.height <= 0) return;
-    const int left = std::max(rect.x, 0) / kTileWidthPx;
-    const int top = std::max(rect.y, 0) / kTileHeightPx;
-    const int right = std::min((rect.x + rect.width - 1 + kTileWidthPx) / kTileWidthPx, grid.across());
-    const int bottom = std::min((rect.y + rect.height - 1 + kTileHeightPx) / kTileHeightPx, grid.down());
-    for (int row = top; row < bottom; ++row) {
-        for (int column = left; column < right; ++column)
-            wanted[static_cast<std::size_t>(row * grid.across() + column)] = 1;
-    }
+    for_tiles(grid, rect, [&](std::size_t tile) { wanted[tile] = 1; });
 }
 
 void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
@@ -128,21 +120,26 @@ void ShadeTiles::take(std::vector<PixelRect>& rects) {
     std::fill(is_stale_.begin(), is_stale_.end(), std::uint8_t{0});
 }
 
-void HeldTiles::take_missing(const ShadeTiles& picture, std::vector<PixelRect>& rects) {
-    grid_ = picture.grid();
+void HeldTiles::take_missing(const ShadeTiles& picture, const LaidOver& over, std::vector<PixelRect>& rects,
+                             std::vector<std::uint8_t>& overlay_wanted) {
     const std::span<const std::uint64_t> wanted = picture.numbers();
-    numbers_.resize(wanted.size(), 0);
-    missing_.resize(wanted.size());
-    for (std::size_t tile = 0; tile < wanted.size(); ++tile)
-        missing_[tile] = numbers_[tile] == wanted[tile] ? 0 : 1;
-    std::copy(wanted.begin(), wanted.end(), numbers_.begin());
-    rects_of_tiles(grid_, missing_, rects);
-}
-
-void HeldTiles::note_drawn_over(std::span<const std::uint8_t> tiles) {
-    for (std::size_t tile = 0; tile < std::min(tiles.size(), numbers_.size()); ++tile) {
-        if (tiles[tile] != 0) numbers_[tile] = 0;
+    const std::size_t count = wanted.size();
+    if (numbers_.size() != count) {
+        numbers_.assign(count, 0);
+        overlay_.assign(count, 0);
     }
+    missing_.assign(count, 0);
+    overlay_wanted.assign(count, 0);
+    for (std::size_t tile = 0; tile < count; ++tile) {
+        const std::uint64_t content = over.overlay.empty() ? 0 : over.overlay[tile];
+        const bool moves = !over.moving.empty() && over.moving[tile] != 0;
+        const bool is_in_the_way = moves && overlay_[tile] != 0;
+        if (numbers_[tile] != wanted[tile] || overlay_[tile] != content || is_in_the_way) missing_[tile] = 1;
+        if (content != 0 && (missing_[tile] != 0 || moves)) overlay_wanted[tile] = 1;
+        numbers_[tile] = moves ? 0 : wanted[tile];
+        overlay_[tile] = content;
+    }
+    rects_of_tiles(picture.grid(), missing_, rects);
 }
 
 }  // namespace onggi::render

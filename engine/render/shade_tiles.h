@@ -3,6 +3,8 @@
 // user at a time. Pixels.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,12 +25,27 @@ struct TileGrid {
     [[nodiscard]] int across() const { return (width_px + kTileWidthPx - 1) / kTileWidthPx; }
     [[nodiscard]] int down() const { return (height_px + kTileHeightPx - 1) / kTileHeightPx; }
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(across() * down()); }
+    friend bool operator==(const TileGrid&, const TileGrid&) = default;
 };
 
 // The pixels that a box with these corners, in pixels, touches.
 [[nodiscard]] PixelRect rect_about(vec2 low, vec2 high);
 
-// Wants the tiles that a rectangle touches, part of which may lie outside the picture.
+// Calls with the number of each tile that a rectangle touches, part of which may lie outside the picture.
+template <typename Visit>
+void for_tiles(const TileGrid& grid, const PixelRect& rect, Visit visit) {
+    if (rect.width <= 0 || rect.height <= 0) return;
+    const int left = std::max(rect.x, 0) / kTileWidthPx;
+    const int top = std::max(rect.y, 0) / kTileHeightPx;
+    const int right = std::min((rect.x + rect.width - 1 + kTileWidthPx) / kTileWidthPx, grid.across());
+    const int bottom = std::min((rect.y + rect.height - 1 + kTileHeightPx) / kTileHeightPx, grid.down());
+    for (int row = top; row < bottom; ++row) {
+        for (int column = left; column < right; ++column)
+            visit(static_cast<std::size_t>(row * grid.across() + column));
+    }
+}
+
+// Wants the tiles that a rectangle touches.
 void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted);
 
 // Rectangles, none over another, that are together the wanted tiles (one entry a tile, 0 or not).
@@ -66,19 +83,26 @@ class ShadeTiles {
     std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes
 };
 
-// What a target shows of a shaded picture.
+// What lies over a shaded picture in this frame, one entry a tile.
+struct LaidOver {
+    std::span<const std::uint8_t>
+        moving;  // not 0: something is drawn there that may be elsewhere in the next
+    std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: none
+};
+
+// What a target shows: of which of a shaded picture's tiles, and with what over it.
 class HeldTiles {
   public:
     // Nothing of it is known.
     void forget() { numbers_.clear(); }
-    // What has to be copied so that it shows the picture, as rectangles; from here on it does.
-    void take_missing(const ShadeTiles& picture, std::vector<PixelRect>& rects);
-    // Something has been drawn over pixels of these tiles (one entry a tile).
-    void note_drawn_over(std::span<const std::uint8_t> tiles);
+    // What has to be copied so that, with this laid over it, it shows the picture, as rectangles; and on
+    // which tiles (one entry each) the overlay has to be drawn. From here on it shows that.
+    void take_missing(const ShadeTiles& picture, const LaidOver& over, std::vector<PixelRect>& rects,
+                      std::vector<std::uint8_t>& overlay_wanted);
 
   private:
-    TileGrid grid_;
     std::vector<std::uint64_t> numbers_;  // 0: something else
+    std::vector<std::uint64_t> overlay_;
     std::vector<std::uint8_t> missing_;
 };
 

@@ -19,14 +19,15 @@ class ShadowPass {
     void update(FrameContext& frame, const Scene& scene);
     // The mask, if update() asked for it.
     void record(const FrameContext& frame);
-    // Cached: whether the processor shades this frame. Then record_shaded() makes the whole still life in the
-    // target, which wants to hear what is drawn over it; else the caller copies it, and draw_shade() inside a
-    // pass, before whatever moves, lays the shade over it.
+    // Cached: whether the processor shades this frame. Then record_shaded() makes the still life in the
+    // target, and knows where the overlay lies there already; else the caller copies it, and draw_shade()
+    // inside a pass, before whatever moves, lays the shade over it.
     [[nodiscard]] bool host_shades() const { return host_shades_; }
-    void record_shaded(const FrameContext& frame, const vk::TargetImage& target) {
-        host_.record(frame, target);
+    void record_shaded(const FrameContext& frame, const vk::TargetImage& target,
+                       std::span<const std::uint64_t> overlay) {
+        host_.record(frame, target, overlay);
     }
-    void note_drawn_over(std::span<const std::uint8_t> tiles) { host_.note_drawn_over(tiles); }
+    [[nodiscard]] std::span<const std::uint8_t> overlay_wanted() const { return host_.overlay_wanted(); }
     void draw_shade(const FrameContext& frame) const;
     // After the copy: the layers to where the processor finds them in the next frame, if it is to shade.
     void record_reading(const FrameContext& frame);

@@ -41,8 +41,8 @@ class FrameCase {
     FrameCase(const FrameCase&) = delete;
     FrameCase& operator=(const FrameCase&) = delete;
 
-    // Draws the next frame, a sixtieth of a second after the last, and waits for it. Over it lies a line of text,
-    // or what is given.
+    // Draws the next frame, a sixtieth of a second after the last, and waits for it. Over it lies a line of
+    // text, or what is given.
     Result<FrameTime> frame(const render::Overlay* overlay = nullptr);
 
     [[nodiscard]] wheel::WheelScene& scene() { return *opened_.scene; }

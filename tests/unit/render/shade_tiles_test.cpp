@@ -125,39 +125,85 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
     }
 }
 
-TEST_F(ShadedTiles, AreCopiedOnlyWhereATargetShowsSomethingElse) {
-    HeldTiles target;
-    target.take_missing(tiles_, rects_);
-    EXPECT_EQ(counted(rects_), std::vector<int>(places_.size(), 1));
-    target.take_missing(tiles_, rects_);
-    EXPECT_TRUE(rects_.empty());
+// A target that is drawn into frame by frame.
+class HeldPictureTiles : public ShadedTiles {
+  protected:
+    std::vector<PixelRect> copied(const LaidOver& over = {}) {
+        std::vector<PixelRect> rects;
+        target_.take_missing(tiles_, over, rects, overlay_wanted_);
+        return rects;
+    }
+    static std::vector<std::uint8_t> tiles_at(const PixelRect& rect) {
+        std::vector<std::uint8_t> tiles(kGrid.count(), 0);
+        want_tiles(kGrid, rect, tiles);
+        return tiles;
+    }
+    // An overlay of this number there.
+    static std::vector<std::uint64_t> overlay_at(const PixelRect& rect, std::uint64_t number) {
+        std::vector<std::uint64_t> overlay;
+        for (const std::uint8_t tile : tiles_at(rect))
+            overlay.push_back(tile * number);
+        return overlay;
+    }
+    const std::vector<int> whole_ = std::vector<int>(places_.size(), 1);
+    HeldTiles target_;
+    std::vector<std::uint8_t> overlay_wanted_;
+};
+constexpr PixelRect kOneTile{kTileWidthPx, kTileHeightPx, kTileWidthPx, kTileHeightPx};
+constexpr PixelRect kTwoTiles{kTileWidthPx, kTileHeightPx, 2 * kTileWidthPx, kTileHeightPx};
 
-    std::vector<std::uint8_t> over(kGrid.count(), 0);
-    want_tiles(kGrid, {kTileWidthPx, kTileHeightPx, 1, 1}, over);
-    target.note_drawn_over(over);
-    target.take_missing(tiles_, rects_);
-    ASSERT_EQ(rects_.size(), 1U);
-    EXPECT_EQ(rects_[0], (PixelRect{kTileWidthPx, kTileHeightPx, kTileWidthPx, kTileHeightPx}));
+TEST_F(HeldPictureTiles, AreCopiedOnlyWhereTheTargetShowsSomethingElse) {
+    EXPECT_EQ(counted(copied()), whole_);
+    EXPECT_TRUE(copied().empty());
+
+    const std::vector<std::uint8_t> moving = tiles_at(kOneTile);
+    EXPECT_TRUE(copied({.moving = moving}).empty()) << "nothing is in the way of what is drawn there first";
+    EXPECT_EQ(copied(), std::vector<PixelRect>{kOneTile});
+    EXPECT_TRUE(copied().empty());
 
     (*now_)[places_[0] >> 16U] = 0;
     tiles_.note_mask(*before_, *now_);
     std::vector<PixelRect> shaded;
     tiles_.take(shaded);
-    target.take_missing(tiles_, rects_);
-    EXPECT_EQ(rects_, shaded);
+    EXPECT_EQ(copied(), shaded);
 
-    target.forget();
-    target.take_missing(tiles_, rects_);
-    EXPECT_EQ(counted(rects_), std::vector<int>(places_.size(), 1));
+    target_.forget();
+    EXPECT_EQ(counted(copied()), whole_);
 }
 
-TEST_F(ShadedTiles, OfOtherLayersAreNeverTakenForThoseATargetHolds) {
-    HeldTiles target;
-    target.take_missing(tiles_, rects_);
+TEST_F(HeldPictureTiles, OfOtherLayersAreNeverTakenForThoseTheTargetHolds) {
+    static_cast<void>(copied());
     tiles_.learn(kGrid, places_);
     tiles_.take(rects_);
-    target.take_missing(tiles_, rects_);
-    EXPECT_EQ(counted(rects_), std::vector<int>(places_.size(), 1));
+    EXPECT_EQ(counted(copied()), whole_);
+}
+
+TEST_F(HeldPictureTiles, KeepAnOverlayThatStaysAsItIs) {
+    static_cast<void>(copied());
+    const std::vector<std::uint64_t> overlay = overlay_at(kTwoTiles, 7);
+    EXPECT_TRUE(copied({.moving = {}, .overlay = overlay}).size() == 1U);
+    EXPECT_EQ(overlay_wanted_, tiles_at(kTwoTiles));
+    EXPECT_TRUE(copied({.moving = {}, .overlay = overlay}).empty());
+    EXPECT_EQ(std::count(overlay_wanted_.begin(), overlay_wanted_.end(), 1), 0);
+
+    // Another in its place, and then none.
+    const std::vector<std::uint64_t> other = overlay_at(kOneTile, 8);
+    EXPECT_EQ(copied({.moving = {}, .overlay = other}), std::vector<PixelRect>{kTwoTiles});
+    EXPECT_EQ(overlay_wanted_, tiles_at(kOneTile));
+    EXPECT_EQ(copied(), std::vector<PixelRect>{kOneTile});
+}
+
+TEST_F(HeldPictureTiles, AreCopiedUnderAnOverlayBeforeItIsDrawnAgain) {
+    const std::vector<std::uint64_t> overlay = overlay_at(kTwoTiles, 7);
+    static_cast<void>(copied({.moving = {}, .overlay = overlay}));
+    // Else it would lie there twice.
+    const std::vector<std::uint8_t> moving = tiles_at(kOneTile);
+    EXPECT_EQ(copied({.moving = moving, .overlay = overlay}), std::vector<PixelRect>{kOneTile});
+    EXPECT_EQ(overlay_wanted_, tiles_at(kOneTile));
+    // And so it is in the frame after, where nothing moves there any more.
+    EXPECT_EQ(copied({.moving = {}, .overlay = overlay}), std::vector<PixelRect>{kOneTile});
+    EXPECT_EQ(overlay_wanted_, tiles_at(kOneTile));
+    EXPECT_TRUE(copied({.moving = {}, .overlay = overlay}).empty());
 }
 
 TEST(ShadowMaskTexels, StayWhereTheyDifferByAStepAndNeverDriftFurther) {
