@@ -8,9 +8,13 @@ void SimulatedDevice::set_target(const ToolState& target) noexcept {
 }
 
 Result<void> SimulatedDevice::open() {
+    rest();
+    return {};
+}
+
+void SimulatedDevice::rest() noexcept {
     velocity_mm_s_ = force_n_ = dvec3(0.0);
     at_rest_ = true;
-    return {};
 }
 
 DeviceCapabilities SimulatedDevice::capabilities() const {

@@ -42,6 +42,9 @@ class SimulatedDevice final : public Hand {
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     void write(const dvec3& force_n) noexcept override { force_n_ = force_n; }
 
+    // Haptic thread, or before open: the next read starts at rest at the target.
+    void rest() noexcept;
+
     [[nodiscard]] bool is_here() const noexcept override { return true; }
     [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
     void take_over(const ToolState& tool) noexcept override;

@@ -9,14 +9,15 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/files/asset_folder.h"
-#include "engine/files/read_file.h"
 #include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line.h"
+#include "game/app/demonstrations.h"
 #include "game/app/end_signal.h"
 #include "game/app/hand_devices.h"
 #include "game/app/haptic_core.h"
@@ -49,22 +50,6 @@ struct KioskOptions {
     std::string gallery;
     std::optional<double> volume = {};
 };
-
-// What the wheel shows by itself while nobody is there; without it the wheel waits with its lump.
-std::optional<haptics::Gesture> demonstration() {
-    constexpr std::size_t kMostBytes = std::size_t{16} << 20U;
-    const auto folder = files::find_asset("gestures/attract.csv");
-    if (!folder) {
-        remark(folder.error().message);
-        return std::nullopt;
-    }
-    const auto text = files::read_file(*folder, kMostBytes);
-    const auto gesture =
-        text ? haptics::parse_gesture(*text, "attract.csv") : Result<haptics::Gesture>(text.error());
-    if (gesture) return *gesture;
-    remark(gesture.error().message);
-    return std::nullopt;
-}
 
 // Any number that is another one after a tick.
 std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
@@ -159,7 +144,13 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     hand.set_target({.position_mm = kRestingMm});
     parameters.safety = haptics::limits_for(device->capabilities());
     const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
-    auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(device), false);
+    std::vector<std::string> show_lacks;
+    const Show show = load_show(start, show_lacks);
+    for (const std::string& line : show_lacks)
+        remark(line);
+    auto first_hand =
+        std::make_unique<DemonstrationHand>(std::move(device), show.recordings, parameters.rate_hz());
+    auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(first_hand), false);
     if (!devices) return devices.error();
     haptic::HapticJobOptions job_options;
     job_options.real_time = real_time;
@@ -175,7 +166,6 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const StopGuard stop_guard(job);
     for (const std::string& line : job.refusals())
         remark(line);
-    const std::optional<haptics::Gesture> shown = demonstration();
     KioskSound sound(options.volume.value_or(settings->config.sound.volume / kLoudestStep),
                      options.volume.has_value());
     Result<void> played;
@@ -188,7 +178,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                           .keeper = keeper,
                           .sound = sound,
                           .settings = *settings,
-                          .demonstration = shown,
+                          .show = show,
                           .start = start_report,
                           .rate_hz = parameters.rate_hz()});
         played = visit.start();

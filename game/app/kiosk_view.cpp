@@ -43,8 +43,8 @@ bool looks_the_same(const screens::View& a, const screens::View& b) {
            s.house_language == t.house_language && s.device_lost == t.device_lost &&
            s.force_rests == t.force_rests && a.width_px == b.width_px && a.height_px == b.height_px &&
            a.hint == b.hint && a.seconds_left == b.seconds_left && a.pot == b.pot &&
-           a.attract_exhibit == b.attract_exhibit && near(a.outline_px, b.outline_px) &&
-           glm::length(a.hint_at_px - b.hint_at_px) < 3.0F &&
+           a.attract_exhibit == b.attract_exhibit && a.attract_turn == b.attract_turn &&
+           near(a.outline_px, b.outline_px) && glm::length(a.hint_at_px - b.hint_at_px) < 3.0F &&
            glm::length(a.second_hint_at_px - b.second_hint_at_px) < 3.0F &&
            a.scene_edges_px == b.scene_edges_px && s.throwing.looks_in == t.throwing.looks_in &&
            std::lround(a.thinnest_mm * 10.0) == std::lround(b.thinnest_mm * 10.0) && same_warning_place &&
@@ -123,7 +123,7 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
         const double turn_s = kAttractThrowsS + kAttractPotS;
         const auto turn = static_cast<std::size_t>(in_turn / turn_s);
         const bool pot_now = std::fmod(in_turn, turn_s) >= kAttractThrowsS;
-        if (pot_now) view.attract_turn = static_cast<int>(turn);
+        view.attract_turn = static_cast<int>(turn);
         if (pot_now) view.attract_exhibit = static_cast<int>(turn % view.exhibits->size());
     }
     const SceneEdges edges = scene_edges(aimed_.framing, view.width_px, view.height_px);

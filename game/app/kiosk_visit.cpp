@@ -51,6 +51,32 @@ void KioskVisit::fresh_clay() {
     if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
     clay_.expect_lump(run_);
     hand_.leave_clay();
+    shown_.reset();
+}
+
+void KioskVisit::begin_show() {
+    fresh_clay();
+    demo_since_s_ = now_s_;
+    const std::vector<Recording>& recordings = parts_.show.recordings;
+    shown_ = recordings.empty() ? 0 : shows_begun_++ % recordings.size();
+    // Refused where many states are on their way: then it is tried again when this one should be over.
+    if (!recordings.empty())
+        static_cast<void>(parts_.job.put(first_state_of(recordings[*shown_], *shown_), run_));
+}
+
+bool KioskVisit::play_show(const haptic::Snapshot& snapshot) {
+    constexpr double kRestS = 3.0;
+    const Show& show = parts_.show;
+    if (show.recordings.empty() && !show.gesture) return false;
+    const double length_s =
+        show.recordings.empty() ? show.gesture->duration_s() : show.recordings[shown_.value_or(0)].seconds();
+    // A recording goes by the ticks of its clay, which may be late.
+    const double since_s = now_s_ - demo_since_s_;
+    const auto played =
+        snapshot.run == run_ ? played_s(snapshot.tick, shown_.value_or(0), parts_.rate_hz) : std::nullopt;
+    if (!shown_ || played.value_or(since_s) > length_s + kRestS) begin_show();
+    if (show.gesture) parts_.hand.set_target(show.gesture->at(std::min(now_s_ - demo_since_s_, length_s)));
+    return true;
 }
 
 void KioskVisit::rearm_force() {
@@ -72,8 +98,7 @@ void KioskVisit::carry_out(const Effect& effect) {
     switch (effect.kind) {
         case Effect::Kind::kStartDemo:
             demo_runs_ = true;
-            demo_since_s_ = now_s_;
-            fresh_clay();
+            begin_show();
             break;
         case Effect::Kind::kFreshClay:
             demo_runs_ = false;
@@ -227,19 +252,10 @@ void KioskVisit::move_hand(const haptic::Snapshot& snapshot, double dt_s) {
     // Under the staff's panel nothing moves by itself, so that a hand can be tested.
     if (state_.panel == Panel::kPin || state_.panel == Panel::kStaff) {
         parts_.hand.set_target({.position_mm = kRestingMm});
+        if (demo_runs_ && shown_) fresh_clay();
         return;
     }
-    if (demo_runs_ && parts_.demonstration) {
-        const haptics::Gesture& gesture = *parts_.demonstration;
-        const double at_s = now_s_ - demo_since_s_;
-        constexpr double kRestS = 3.0;
-        if (at_s > gesture.duration_s() + kRestS) {
-            demo_since_s_ = now_s_;
-            fresh_clay();
-        }
-        parts_.hand.set_target(gesture.at(std::min(at_s, gesture.duration_s())));
-        return;
-    }
+    if (demo_runs_ && play_show(snapshot)) return;
     const kiosk::Throwing& throwing = state_.throwing;
     haptics::ToolState tool =
         hand_.wish({throwing.tool, throwing.water, throwing.speed}, *snapshot.shape, dt_s);
@@ -254,6 +270,7 @@ Result<void> KioskVisit::frame(double now_s) {
     const double since_last_ms = kMsPerS * (now_s - now_s_);
     const double dt_s = std::clamp(now_s - now_s_, 0.0, 0.1);
     now_s_ = now_s;
+    if (!std::exchange(has_begun_, true)) state_ = kiosk::first_state(parts_.settings.rules, now_s);
     const haptic::Snapshot& snapshot = parts_.job.newest_snapshot();
     desk_.see_frame(now_s, since_last_ms, snapshot);
     tell({Event::Kind::kTick});

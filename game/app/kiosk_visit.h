@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/gesture.h"
 #include "engine/haptics/simulated_device.h"
+#include "game/app/demonstrations.h"
 #include "game/app/force_view.h"
 #include "game/app/gamepad_hand.h"
 #include "game/app/hand_devices.h"
@@ -42,7 +42,7 @@ struct VisitParts {
     KioskKeeper& keeper;
     KioskSound& sound;
     const KioskSettings& settings;
-    const std::optional<haptics::Gesture>& demonstration;
+    const Show& show;
     StartReport start{};  // what the staff is told of falls before
     double rate_hz;       // of the haptic job
 };
@@ -88,6 +88,9 @@ class KioskVisit {
     [[nodiscard]] std::optional<screens::Band> warning_band(const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::optional<dvec3> place_at(vec2 px) const;
     void fresh_clay();
+    void begin_show();
+    // False: there is nothing to show.
+    bool play_show(const haptic::Snapshot& snapshot);
     void rearm_force();
     void say(const std::string& line);
     void name_window(const kiosk::State& shown);
@@ -107,8 +110,10 @@ class KioskVisit {
     std::vector<screens::ShelfPot> day_;  // the last few pots that were kept
     std::shared_ptr<const screens::View> asked_;
     double now_s_ = 0.0;
-    double demo_since_s_ = 0.0;
     bool demo_runs_ = true;
+    double demo_since_s_ = 0.0;
+    std::optional<std::size_t> shown_;  // the recording, or 0 for the gesture, that is on the wheel
+    std::size_t shows_begun_ = 0;
     std::uint64_t run_ = 0;  // of the lump that was asked for last, as Snapshot::run counts
     std::string title_;
     std::string caption_;
@@ -121,6 +126,7 @@ class KioskVisit {
     StaffDesk desk_;
     std::uint64_t frames_shown_ = 0;
     std::uint64_t pots_kept_ = 0;
+    bool has_begun_ = false;  // the clock is known from the first frame on
     bool had_device_ = false;
     bool full_screen_ = false;
     bool quits_ = false;

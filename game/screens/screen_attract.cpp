@@ -50,6 +50,17 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
     }
 }
 
+// That nobody's pot is being made: there is room for one language at a time, so each has its turn.
+void wheel_shows(Page& page, const Rect& rect) {
+    const int place = page.view().attract_turn % static_cast<int>(page.view().languages->size());
+    page.words(rect, {.text = page.language(place).shown("attract.auto"),
+                      .size = 28.0F,
+                      .line = 40.0F,
+                      .colour = design::kSlip3,
+                      .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
+                      .language = place});
+}
+
 // What it is, when and where from, and how high, in one language.
 void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int language) {
     const kiosk::Language& tongue = page.language(language);
@@ -131,6 +142,7 @@ void draw_attract(Page& page) {
         page.across({0.42F * width, 0.0F, 0.14F * width, height}, night(0.45F), kClear);
         page.down({0.0F, 0.7F * height, width, 0.3F * height}, kClear, night(0.55F));
         begin_lines(page, {64.0F, 128.0F, 400.0F, 400.0F}, 50.0F, ui::Align::kStart, 26.0F);
+        wheel_shows(page, {64.0F, height - 104.0F, 400.0F, 80.0F});
     } else if (page.shape() == Shape::kTall) {
         page.down({0.0F, 0.0F, width, 0.22F * height}, night(0.30F), kClear);
         page.down({0.0F, 0.56F * height, width, 0.17F * height}, kClear, night(0.94F));

@@ -9,6 +9,7 @@ namespace onggi::screens {
 namespace {
 
 constexpr double kChangeS = 0.24;
+constexpr double kAttractChangeS = 0.6;  // from the throwing to a museum's pot and back
 constexpr double kChangeStillS = 0.12;
 constexpr float kRiseU = 12.0F;
 constexpr double kHintInS = 0.4;
@@ -26,6 +27,16 @@ bool is_other_screen(const Composed& one, const Composed& other) {
     const kiosk::State& b = other.view->state;
     return a.screen != b.screen || a.panel != b.panel || a.comfort.language != b.comfort.language ||
            one.view->attract_exhibit != other.view->attract_exhibit || a.firing != b.firing;
+}
+
+// How long the one goes over into the other.
+double change_s(const Composed& before, const Composed& now) {
+    if (is_still(now)) return kChangeStillS;
+    const auto is_shown_by_itself = [](const Composed& one) {
+        return one.view->state.screen == kiosk::Screen::kAttract &&
+               one.view->state.panel == kiosk::Panel::kNone;
+    };
+    return is_shown_by_itself(before) && is_shown_by_itself(now) ? kAttractChangeS : kChangeS;
 }
 
 }  // namespace
@@ -52,7 +63,7 @@ void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
 }
 
 bool Stage::changes(double now_s) const {
-    return before_ != nullptr && now_s - since_s_ < kChangeS;
+    return before_ != nullptr && now_s - since_s_ < change_s(*before_, *now_);
 }
 
 int Stage::target_at(vec2 px) const {
@@ -109,8 +120,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     if (frame.hint && hint_alpha_ <= 0.0) hint_s_ = frame.now_s;
     hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / kHintInS : -step_s / kHintOutS), 0.0, 1.0);
 
-    const double lasts_s = is_still(*now_) ? kChangeStillS : kChangeS;
-    const double along = before_ ? (frame.now_s - since_s_) / lasts_s : 1.0;
+    const double along = before_ ? (frame.now_s - since_s_) / change_s(*before_, *now_) : 1.0;
     if (along >= 1.0) before_.reset();
     // Twice, because taking a painting in may have emptied the half in which an earlier one lay.
     for (int look = 0; look < 3; ++look) {

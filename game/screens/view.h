@@ -80,7 +80,7 @@ struct View {
     std::shared_ptr<const std::vector<Exhibit>> exhibits;
     std::shared_ptr<const FiredPot> pot;
     std::shared_ptr<const std::vector<ShelfPot>> shelf;
-    int attract_turn = 0;      // how many of them have been shown
+    int attract_turn = 0;      // how many times the throwing and then a pot have been shown
     int attract_exhibit = -1;  // shown turning, instead of the throwing; -1: none
     // The target's outline over the scene, pixels: left side and right side from below, then the rim.
     std::vector<std::vector<vec2>> outline_px;

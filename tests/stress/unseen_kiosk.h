@@ -58,7 +58,7 @@ class UnseenKiosk {
                                                          .keeper = *keeper_,
                                                          .sound = sound_,
                                                          .settings = settings_,
-                                                         .demonstration = demonstration_,
+                                                         .show = show_,
                                                          .rate_hz = kRateHz});
         EXPECT_TRUE(visit_->start());
     }
@@ -134,7 +134,7 @@ class UnseenKiosk {
     std::unique_ptr<haptic::HapticJob> job_;
     std::unique_ptr<KioskKeeper> keeper_;
     KioskSound sound_{0.0};
-    std::optional<haptics::Gesture> demonstration_;
+    Show show_;
     std::unique_ptr<KioskVisit> visit_;
     double now_s_ = 1000.0;
 };

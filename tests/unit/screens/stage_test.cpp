@@ -61,6 +61,19 @@ TEST_F(Theatre, FadesFromOneScreenToTheNextInUnderThreeTenths) {
     EXPECT_EQ(draw(2.6).hash(), after);
 }
 
+TEST_F(Theatre, FadesSlowlyBetweenTheThrowingAndAMuseumsPotAndQuicklyToAVisitor) {
+    stage_.take(composed("attract"), 0.0);
+    static_cast<void>(draw(1.0));
+    stage_.take(composed("attract-heritage"), 1.0);
+    EXPECT_TRUE(stage_.changes(1.55));
+    const std::uint64_t nearly = draw(1.55).hash();
+    EXPECT_NE(draw(1.65).hash(), nearly);
+    EXPECT_FALSE(stage_.changes(1.65));
+    stage_.take(composed("choose"), 2.0);
+    static_cast<void>(draw(2.1));
+    EXPECT_FALSE(stage_.changes(2.25)) << "who has touched it does not wait";
+}
+
 TEST_F(Theatre, ChangesAtOnceWhatIsNoOtherScreen) {
     stage_.take(composed("glaze-0"), 0.0);
     static_cast<void>(draw(1.0));

@@ -1,0 +1,90 @@
+// What the wheel shows by itself while nobody is there: recorded sessions, one after another, each on the
+// clay that it was thrown on and by its own hand, tick by tick. A hand on a spring, as a mouse is, would be
+// pushed back by the clay and make another pot. mm, s, Hz.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/haptics/gesture.h"
+#include "engine/haptics/hand.h"
+#include "engine/haptics/simulated_device.h"
+#include "engine/record/session.h"
+#include "game/haptic/tick.h"
+
+namespace onggi::app {
+
+struct Recording {
+    std::string name;  // of its file
+    record::Session session;
+
+    [[nodiscard]] double seconds() const {
+        return static_cast<double>(session.tick_count()) / session.header().rate_hz;
+    }
+};
+
+struct Show {
+    std::vector<Recording> recordings;
+    std::optional<haptics::Gesture> gesture;  // where there are no recordings; without it the wheel waits
+};
+
+// The recordings that `folder`/shown.txt names, a line each, in that order; those that cannot be played on
+// clay like `lump` are left out, with a remark each. Where none is left, the gesture in the file. Main
+// thread, blocks.
+[[nodiscard]] Show load_show(const std::filesystem::path& folder, const std::filesystem::path& gesture,
+                             const haptic::HapticState& lump, std::vector<std::string>& remarks);
+// The program's own.
+[[nodiscard]] Show load_show(const haptic::HapticState& lump, std::vector<std::string>& remarks);
+
+// Ticks of a recorded clay are counted from here on, so that the number of a tick says what is shown and how
+// far it has come, and no history of a visitor's clay takes it for its own.
+constexpr std::uint64_t kShownTicks = std::uint64_t{1} << 31U;
+constexpr std::uint64_t kTicksEach = std::uint64_t{1} << 25U;  // an hour and a half at 6 kHz
+constexpr std::size_t kMostRecordings = 32;
+
+// What the recording at that place begins with, to be put on the wheel.
+[[nodiscard]] std::unique_ptr<haptic::HapticState> first_state_of(const Recording& recording,
+                                                                  std::size_t place);
+// How long the recording at that place has played at that tick, s; none: it is not on the wheel.
+[[nodiscard]] std::optional<double> played_s(std::uint64_t tick, std::size_t place, double rate_hz);
+
+// The kiosk's first hand: the visitor's, by mouse or touch, and on a recorded clay the recorded one.
+class DemonstrationHand final : public haptics::Hand {
+  public:
+    // The recordings outlive it. rate_hz: of the loop.
+    DemonstrationHand(std::unique_ptr<haptics::SimulatedDevice> person,
+                      const std::vector<Recording>& recordings, double rate_hz);
+
+    Result<void> open() override { return person_->open(); }
+    void close() noexcept override { person_->close(); }
+    [[nodiscard]] haptics::DeviceCapabilities capabilities() const override {
+        return person_->capabilities();
+    }
+    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override;
+    void write(const dvec3& force_n) noexcept override { person_->write(force_n); }
+
+    [[nodiscard]] bool is_here() const noexcept override { return true; }
+    [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
+    void take_over(const haptics::ToolState& tool) noexcept override { person_->take_over(tool); }
+
+  private:
+    struct Player {
+        record::SessionCursor now;
+        record::SessionCursor next;
+        double ticks_a_tick = 1.0;  // of the recording, in one of the loop
+    };
+    [[nodiscard]] static haptics::ToolState at(Player& player, std::uint64_t tick) noexcept;
+
+    std::unique_ptr<haptics::SimulatedDevice> person_;
+    std::vector<Player> players_;  // haptic thread only
+    haptics::MotionSense sense_{1.0};
+    bool plays_ = false;
+    bool is_moving_ = false;
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,155 @@
+// What the wheel shows by itself: which recordings, what where one is missing, and that the kiosk's loop
+// makes of them the pots that they made when they were recorded.
+#include "game/app/demonstrations.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <utility>
+
+#include "game/haptic/job.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRecordings = fs::path(ONGGI_SOURCE_DIR) / "assets/demonstrations";
+const fs::path kGesture = fs::path(ONGGI_SOURCE_DIR) / "assets/gestures/attract.csv";
+
+haptic::HapticState lump() {
+    return haptic::HapticState(clay::StudioClay(clay::StudioLump{}));
+}
+
+void list(const fs::path& folder, const std::string& names) {
+    std::ofstream(folder / "shown.txt") << names;
+}
+
+std::vector<std::string> names_of(const Show& show) {
+    std::vector<std::string> names;
+    for (const Recording& recording : show.recordings)
+        names.push_back(recording.name);
+    return names;
+}
+
+TEST(Show, IsTheRecordingsOfTheListInItsOrder) {
+    std::vector<std::string> remarks;
+    const Show show = load_show(kRecordings, kGesture, lump(), remarks);
+    EXPECT_EQ(names_of(show), (std::vector<std::string>{"cylinder", "vase", "bowl", "moon_jar_half",
+                                                        "moon_jar", "collapse"}));
+    EXPECT_FALSE(show.gesture);
+    EXPECT_TRUE(remarks.empty()) << remarks.front();
+}
+
+TEST(Show, GoesOnWithTheNextWhereOneIsMissingOrDamagedOrOfOtherClay) {
+    const test::TemporaryFolder folder;
+    fs::copy_file(kRecordings / "bowl.onggi", folder / "bowl.onggi");
+    std::string damaged = test::content_of(kRecordings / "vase.onggi");
+    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+    std::ofstream(folder / "damaged.onggi", std::ios::binary) << damaged;
+    list(folder.path(), "none\ndamaged\nbowl\n");
+    std::vector<std::string> remarks;
+    EXPECT_EQ(names_of(load_show(folder.path(), kGesture, lump(), remarks)),
+              std::vector<std::string>{"bowl"});
+    ASSERT_EQ(remarks.size(), 2U);
+    EXPECT_NE(remarks[0].find("none.onggi"), std::string::npos);
+    EXPECT_NE(remarks[1].find("damaged.onggi: "), std::string::npos);
+
+    remarks.clear();
+    const haptic::HapticState coarse(clay::StudioClay({.rings = 1000}));
+    const Show gesture = load_show(folder.path(), kGesture, coarse, remarks);
+    EXPECT_TRUE(gesture.recordings.empty());
+    ASSERT_EQ(remarks.size(), 4U);
+    EXPECT_NE(remarks[2].find("bowl.onggi: expected studio clay of 1000 rings"), std::string::npos)
+        << remarks[2];
+}
+
+TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
+    const test::TemporaryFolder folder;
+    list(folder.path(), "");
+    std::vector<std::string> remarks;
+    EXPECT_TRUE(load_show(folder.path(), kGesture, lump(), remarks).gesture);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_NE(remarks[0].find("expected a recorded session to show, found none"), std::string::npos);
+    const Show nothing = load_show(folder / "none", folder / "none.csv", lump(), remarks);
+    EXPECT_TRUE(nothing.recordings.empty());
+    EXPECT_FALSE(nothing.gesture);
+    EXPECT_EQ(remarks.size(), 4U);
+}
+
+// The kiosk's loop, on a clock of its own.
+class Wheel : public testing::Test {
+  protected:
+    static constexpr double kRateHz = 1000.0;
+
+    void load(const std::string& name) {
+        auto loaded = load_show(kRecordings, kGesture, lump(), remarks_);
+        for (Recording& recording : loaded.recordings)
+            if (recording.name == name) show_.recordings.push_back(std::move(recording));
+        ASSERT_EQ(show_.recordings.size(), 1U);
+        auto person = std::make_unique<haptics::SimulatedDevice>();
+        person_ = person.get();
+        person_->set_target({.position_mm = kAway});
+        haptic::HapticParameters parameters;
+        parameters.set_rate_hz(kRateHz);
+        parameters.studio.forgiving = true;
+        work_ = std::make_unique<haptic::HapticWork>(
+            lump(), parameters,
+            std::make_unique<DemonstrationHand>(std::move(person), show_.recordings, kRateHz),
+            haptic::HapticJobOptions{});
+    }
+    void tick(std::uint64_t ticks) {
+        haptic::TickRecord record;
+        haptic::BlockHash hash;
+        for (std::uint64_t k = 0; k < ticks; ++k) {
+            ASSERT_TRUE(work_->tick(period_));
+            ++period_.index;
+            ++period_.tick;
+            while (work_->take_record(record)) {
+            }
+            while (work_->take_hash(hash)) {
+            }
+        }
+    }
+
+    static constexpr dvec3 kAway{250.0, 300.0, 0.0};
+    std::vector<std::string> remarks_;
+    Show show_;
+    haptics::SimulatedDevice* person_ = nullptr;
+    std::unique_ptr<haptic::HapticWork> work_;
+    jobs::Period period_{.dt_s = 1.0 / kRateHz};
+};
+
+TEST_F(Wheel, MakesThePotOfTheRecordingAndKnowsWhenItIsOver) {
+    load("moon_jar");
+    tick(100);
+    const Recording& jar = show_.recordings.front();
+    ASSERT_TRUE(work_->put(first_state_of(jar, 0), 0));
+    const auto ticks = static_cast<std::uint64_t>(jar.seconds() * kRateHz);
+    tick(ticks);
+    const haptic::Snapshot& end = work_->newest_snapshot();
+    EXPECT_NEAR(played_s(end.tick, 0, kRateHz).value_or(0.0), jar.seconds(), 0.01);
+    EXPECT_FALSE(played_s(end.tick, 1, kRateHz));
+    // Of the sessions' own test: 171.3 mm high, at the recorded rate.
+    EXPECT_NEAR(work_->state().height_mm(), 171.3, 0.3);
+    EXPECT_EQ(end.body, clay::ClayBody::kPorcelain);
+    EXPECT_EQ(end.fault, haptics::Fault::kNone);
+}
+
+TEST_F(Wheel, IsTheVisitorsAgainWithTheNextLump) {
+    load("bowl");
+    ASSERT_TRUE(work_->put(first_state_of(show_.recordings.front(), 0), 0));
+    tick(4000);
+    EXPECT_GT(glm::length(work_->state().tool.position_mm - kAway), 50.0) << "the recorded hand works";
+    ASSERT_TRUE(work_->send(haptic::Command::kFreshLump));
+    tick(1);
+    EXPECT_EQ(work_->state().tool.position_mm, kAway) << "not through the clay from where it was";
+    EXPECT_FALSE(played_s(work_->newest_snapshot().tick, 0, kRateHz));
+    person_->set_target({.position_mm = {200.0, 300.0, 0.0}});
+    tick(500);
+    EXPECT_NEAR(work_->state().tool.position_mm.x, 200.0, 1.0);
+}
+
+}  // namespace
+}  // namespace onggi::app
