@@ -78,9 +78,9 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
         service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
                                 visit.pots_kept()));
-        sound.hear(job.newest_snapshot());
         const auto language = static_cast<std::size_t>(visit.state().comfort.language);
-        voice.ask((*settings.languages)[language].code(), kiosk::spoken_key(visit.state()));
+        voice.ask((*settings.languages)[language].code(),
+                  visit.is_closed() ? std::string_view() : kiosk::spoken_key(visit.state()));
         sound.say(voice.line());
         if (const std::string line = voice.news(); !line.empty()) remark("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);

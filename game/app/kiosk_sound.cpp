@@ -80,9 +80,9 @@ void KioskSound::set_volume(double volume) {
     }
 }
 
-void KioskSound::hear(const haptic::Snapshot& snapshot) {
+void KioskSound::hear(const haptic::Snapshot& snapshot, bool is_muted) {
     if (!output_) return;
-    sound::SoundScene scene = scene_of(snapshot, volume_);
+    sound::SoundScene scene = scene_of(snapshot, is_muted ? 0.0 : volume_);
     scene.chimes = chimes_;
     output_->play(scene);
 }

@@ -36,7 +36,8 @@ class KioskSound {
     explicit KioskSound(double volume, bool is_fixed = false,
                         MakePlace make_place = sound::make_openal_place);
 
-    void hear(const haptic::Snapshot& snapshot);
+    // Silent while it is muted, whatever the volume; the test of the loudspeakers too.
+    void hear(const haptic::Snapshot& snapshot, bool is_muted = false);
     // Speaks a line over the wheel, once; null: stops.
     void say(const std::shared_ptr<const sound::SpokenLine>& line);
     // From the next frame on; 0 to 1. Nothing where it is fixed.

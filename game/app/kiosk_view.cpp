@@ -72,7 +72,7 @@ void KioskVisit::aim_camera(const haptic::Snapshot& snapshot) {
     if (sight.width_px <= 0 || sight.height_px <= 0) return;
     const bool shows_room = asked_ && asked_->attract_exhibit < 0 && state_.panel == kiosk::Panel::kNone;
     CameraWish wish = camera_.wish(state_, shows_room, snapshot.shape->height_mm, sight);
-    wish.evening = evening_at(parts_.settings.config, minute_of_day());
+    wish.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
     if (wish == aimed_) return;
     aimed_ = wish;
     parts_.view.look_at(wish.view);
@@ -88,6 +88,11 @@ const std::string& KioskVisit::caption(const haptic::Snapshot& snapshot) {
     if (heard == caption_ || now_s_ - caption_s_ < kReadS) return caption_;
     caption_s_ = now_s_;
     return caption_ = heard;
+}
+
+bool KioskVisit::is_closed() const {
+    return state_.screen == kiosk::Screen::kAttract && state_.panel == kiosk::Panel::kNone &&
+           !kiosk::is_open(parts_.settings.config, parts_.minute_of_day());
 }
 
 void KioskVisit::compose(const haptic::Snapshot& snapshot) {
@@ -135,7 +140,7 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     } else {
         desk_.leave();
     }
-    view.closed = state_.screen == kiosk::Screen::kAttract && !kiosk::is_open(config, minute_of_day());
+    view.closed = is_closed();
     if (asked_ && looks_the_same(*asked_, view)) return;
     asked_ = std::make_shared<const screens::View>(std::move(view));
     composer_.ask(asked_);

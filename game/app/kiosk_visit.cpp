@@ -279,6 +279,7 @@ Result<void> KioskVisit::frame(double now_s) {
     take_fault(snapshot);
     take_answers();
     move_hand(snapshot, dt_s);
+    parts_.sound.hear(snapshot, is_closed());
     aim_camera(snapshot);
     compose(snapshot);
     stage_.take(composer_.latest(), now_s_);

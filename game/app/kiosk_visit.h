@@ -2,6 +2,7 @@
 // the state machine's effects out and hands the screens what they show. Main thread.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "game/app/kiosk_pot.h"
 #include "game/app/kiosk_settings.h"
 #include "game/app/kiosk_sound.h"
+#include "game/app/kiosk_staff.h"
 #include "game/app/log_lines.h"
 #include "game/app/staff_desk.h"
 #include "game/app/start_log.h"
@@ -43,8 +45,9 @@ struct VisitParts {
     KioskSound& sound;
     const KioskSettings& settings;
     const Show& show;
-    StartReport start{};  // what the staff is told of falls before
-    double rate_hz;       // of the haptic job
+    StartReport start{};                                      // what the staff is told of falls before
+    double rate_hz;                                           // of the haptic job
+    std::function<int()> minute_of_day = app::minute_of_day;  // local time, for the opening hours
 };
 
 class KioskVisit {
@@ -59,6 +62,8 @@ class KioskVisit {
     // And the program shall start anew.
     [[nodiscard]] bool restarts() const { return restarts_; }
     [[nodiscard]] const kiosk::State& state() const { return state_; }
+    // Nobody is there and the museum is closed: the screen is dim and the wheel silent.
+    [[nodiscard]] bool is_closed() const;
     // What the visitor sees; null before the first. For scripted visitors, who look for the button they want.
     [[nodiscard]] const screens::Composed* shown() const { return stage_.shown(); }
     [[nodiscard]] std::uint64_t frames_shown() const { return frames_shown_; }

@@ -122,11 +122,12 @@ Finding probe_fonts(const std::vector<fs::path>& folders) {
         packages.insert(std::string(family.package));
     }
     if (missing.empty()) return {.subject = "fonts", .found = "all families of the visitor's screens"};
-    // The throwing window of this version draws no text, so nothing is lost yet.
-    return {.subject = "fonts",
-            .verdict = Verdict::kNote,
-            .found = fmt::format("without {} (packages {}); this version draws no text and misses none",
-                                 fmt::join(missing, ", "), fmt::join(packages, ", "))};
+    return {
+        .subject = "fonts",
+        .verdict = Verdict::kLacking,
+        .found = fmt::format("without {}", fmt::join(missing, ", ")),
+        .cost = "the kiosk's words are set in other fonts, or are empty boxes where none has their letters",
+        .remedy = fmt::format("apt-get install {}", fmt::join(packages, " "))};
 }
 
 }  // namespace onggi::app

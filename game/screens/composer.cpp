@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "game/screens/screens.h"
 
@@ -72,12 +73,20 @@ void Composer::finish() noexcept {
 std::string missing_fonts() {
     const std::array<std::string, 4> families{"NanumSquareRound", "NanumMyeongjo", "Noto Sans Arabic",
                                               "Noto Naskh Arabic"};
-    const std::vector<std::string> missing = ui::Painter().missing_families(families);
+    ui::Painter painter;
+    const std::vector<std::string> missing = painter.missing_families(families);
     if (missing.empty()) return {};
-    return fmt::format(
-        "fonts: expected {}, found none; others stand in for them until fonts-nanum and "
-        "fonts-noto-core are installed",
-        fmt::join(missing, ", "));
+    constexpr std::array<std::pair<const char*, const char*>, 3> kScripts{
+        {{"Latin", "A"}, {"Korean", "\uac00"}, {"Arabic", "\u0639"}}};
+    std::vector<const char*> without;
+    for (const auto& [script, letter] : kScripts)
+        if (painter.measure({.words = letter, .style = {}}).unknown_glyphs > 0) without.push_back(script);
+    const std::string others =
+        without.empty() ? "; others stand in for them"
+                        : fmt::format(", nor any other font with {} letters; boxes stand in for those words",
+                                      fmt::join(without, ", "));
+    return fmt::format("fonts: expected {}, found none{} until fonts-nanum and fonts-noto-core are installed",
+                       fmt::join(missing, ", "), others);
 }
 
 }  // namespace onggi::screens

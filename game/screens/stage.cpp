@@ -9,7 +9,7 @@ namespace onggi::screens {
 namespace {
 
 constexpr double kChangeS = 0.24;
-constexpr double kAttractChangeS = 0.6;  // from the throwing to a museum's pot and back
+constexpr double kAttractChangeS = 0.6;  // from the throwing to a museum's pot and back, and to the night
 constexpr double kChangeStillS = 0.12;
 constexpr float kRiseU = 12.0F;
 constexpr double kHintInS = 0.4;
@@ -26,7 +26,8 @@ bool is_other_screen(const Composed& one, const Composed& other) {
     const kiosk::State& a = one.view->state;
     const kiosk::State& b = other.view->state;
     return a.screen != b.screen || a.panel != b.panel || a.comfort.language != b.comfort.language ||
-           one.view->attract_exhibit != other.view->attract_exhibit || a.firing != b.firing;
+           one.view->attract_exhibit != other.view->attract_exhibit ||
+           one.view->closed != other.view->closed || a.firing != b.firing;
 }
 
 // How long the one goes over into the other.

@@ -49,7 +49,7 @@ class FailedPot : public testing::Test {
     }
 
     test::TemporaryFolder folder;
-    UnseenKiosk kiosk{folder.path(), wet_bowl(), false};
+    UnseenKiosk kiosk{folder.path(), {.lump = wet_bowl(), .forgiving = false}};
 };
 
 TEST_F(FailedPot, GoesBackToJustBeforeAndStandsWhereTheWheelIsSlowed) {

@@ -11,16 +11,14 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <random>
 #include <set>
 #include <string>
 
-#include "engine/record/session.h"
-#include "game/app/left_over.h"
 #include "game/app/start_log.h"
 #include "tests/stress/interrupted_wheel.h"
+#include "tests/stress/whole.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi {
@@ -68,54 +66,6 @@ std::string live_and_die(const fs::path& gallery, unsigned seed, std::size_t aft
     return all;
 }
 
-void expect_whole_pot(const fs::path& pot) {
-    for (const char* name : {"pot.onggi", "pot.glb", "pot.stl", "pot.png"})
-        ASSERT_TRUE(fs::exists(pot / name)) << pot / name;
-    const auto session = record::parse_session(test::content_of(pot / "pot.onggi"), pot.string());
-    ASSERT_TRUE(session) << session.error().message;
-    EXPECT_TRUE(session->is_complete()) << pot;
-    const std::string glb = test::content_of(pot / "pot.glb");
-    ASSERT_EQ(glb.substr(0, 4), "glTF") << pot;
-    std::uint32_t size = 0;
-    std::memcpy(&size, glb.data() + 8, sizeof size);
-    EXPECT_EQ(size, glb.size()) << pot;
-    const std::string stl = test::content_of(pot / "pot.stl");
-    ASSERT_GT(stl.size(), 84U) << pot;
-    std::memcpy(&size, stl.data() + 80, sizeof size);
-    EXPECT_EQ(84U + 50U * std::size_t{size}, stl.size()) << pot;
-    const std::string png = test::content_of(pot / "pot.png");
-    ASSERT_GT(png.size(), 12U) << pot;
-    EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND") << pot;
-}
-
-struct Found {
-    bool is_any = false;
-    std::uint64_t ticks = 0;
-};
-
-// What the next life will find. On a copy: it is the next life's to take.
-Found expect_whole_visit(const fs::path& gallery, const fs::path& copy) {
-    Found found;
-    fs::remove_all(copy);
-    if (!fs::exists(gallery / "state")) return found;
-    fs::copy(gallery / "state", copy);
-    haptic::HapticParameters parameters;
-    parameters.set_rate_hz(stress::kRateHz);
-    std::vector<std::string> remarks;
-    const auto pot = app::LeftOver::find(copy, stress::start(), parameters, remarks);
-    for (const std::string& line : remarks)
-        ADD_FAILURE() << line;
-    if (!pot) return found;
-    for (;;) {
-        const auto more = pot->work(10'000);
-        EXPECT_TRUE(more) << more.error().message;
-        if (!more || !*more) break;
-    }
-    found.is_any = pot->is_worth_it();
-    found.ticks = pot->history().ticks();
-    return found;
-}
-
 TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     const test::TemporaryFolder folder;
     const fs::path gallery = folder / "gallery";
@@ -127,6 +77,8 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     int while_saving = 0;
     int picked_up = 0;
     int resumed = 0;
+    haptic::HapticParameters parameters;
+    parameters.set_rate_hz(stress::kRateHz);
     for (int kill = 0; kill < kills(); ++kill) {
         const std::string said = live_and_die(gallery, static_cast<unsigned>(chance()), 1 + chance() % 5,
                                               static_cast<int>(chance() % 600));
@@ -136,17 +88,9 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
         while_saving += said.back() == stress::kSaves ? 1 : 0;
         resumed += static_cast<int>(std::count(said.begin(), said.end(), stress::kResumed));
 
-        for (const auto& day : fs::directory_iterator(gallery)) {
-            if (!day.is_directory()) continue;
-            for (const auto& pot : fs::directory_iterator(day.path())) {
-                const std::string name = pot.path().filename().string();
-                // What is beside is taken away at the next start.
-                if (!name.starts_with("pot-") || pot.path().extension() == ".part") continue;
-                expect_whole_pot(pot.path());
-                seen.insert((day.path() / name).string());
-            }
-        }
-        const Found found = expect_whole_visit(gallery, folder / "copy");
+        stress::expect_whole_pots(gallery, seen);
+        const stress::Found found =
+            stress::expect_whole_visit(gallery, folder / "copy", stress::start(), parameters);
         picked_up += found.is_any ? 1 : 0;
         threw_on_picked_up += found.is_any && said.back() == stress::kThrewOn ? 1 : 0;
         const auto log = app::read_start_log(test::content_of(gallery / "state/starts"), "starts");

@@ -6,13 +6,15 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <random>
 #include <thread>
 #include <utility>
 
-#include "engine/files/asset_folder.h"
+#include "game/app/demonstrations.h"
 #include "game/app/kiosk_sound.h"
+#include "game/app/kiosk_staff.h"
 #include "game/app/kiosk_visit.h"
 
 namespace onggi::app {
@@ -21,28 +23,41 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 constexpr double kRateHz = 1000.0;
 
+struct UnseenOptions {
+    clay::StudioClay lump = clay::StudioClay(clay::StudioLump{});  // every lump is that
+    bool forgiving = true;                                         // it bears more than real clay
+    bool plain = true;                                             // no photographed room
+    bool shows = false;                                            // recordings, while nobody is there
+    kiosk::Config config = {};                                     // but its gallery
+    std::function<int()> minute_of_day = app::minute_of_day;
+    KioskSound::MakePlace loudspeaker = {};  // none: no sound
+};
+
 class UnseenKiosk {
   public:
-    // Every lump is that clay; it bears more than real clay where it is forgiving.
-    explicit UnseenKiosk(const std::filesystem::path& gallery,
-                         clay::StudioClay lump = clay::StudioClay(clay::StudioLump{}), bool forgiving = true)
-        : start_(std::move(lump)) {
+    explicit UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options = {})
+        : start_(std::move(options.lump)) {
         auto settings = load_settings("");
         EXPECT_TRUE(settings);
         settings_ = std::move(*settings);
+        settings_.config = std::move(options.config);
         settings_.config.gallery.folder = gallery.string();
         settings_.config.gallery.least_free_mb = 1.0;
         settings_.config.gallery.most_pots = 100'000;
-        auto view =
-            wheel::LiveView::open({.width = kWidth, .height = kHeight, .headless = true, .plain = true});
+        auto view = wheel::LiveView::open(
+            {.width = kWidth, .height = kHeight, .headless = true, .plain = options.plain});
         EXPECT_TRUE(view) << view.error().message;
         view_ = std::move(*view);
         parameters_.set_rate_hz(kRateHz);
-        parameters_.studio.forgiving = forgiving;
+        parameters_.studio.forgiving = options.forgiving;
         auto device = std::make_unique<haptics::SimulatedDevice>();
         hand_ = device.get();
         parameters_.safety = haptics::limits_for(device->capabilities());
-        auto devices = HandDevices::make("mouse", std::move(device), false);
+        std::vector<std::string> remarks;
+        if (options.shows) show_ = load_show(start_, remarks);
+        EXPECT_TRUE(remarks.empty());
+        auto first_hand = std::make_unique<DemonstrationHand>(std::move(device), show_.recordings, kRateHz);
+        auto devices = HandDevices::make("mouse", std::move(first_hand), false);
         EXPECT_TRUE(devices);
         devices_ = std::make_unique<HandDevices>(std::move(*devices));
         job_ = std::make_unique<haptic::HapticJob>(start_, parameters_, devices_->take(),
@@ -51,15 +66,17 @@ class UnseenKiosk {
                                                 gallery / "statistics");
         EXPECT_TRUE(job_->start());
         EXPECT_TRUE(keeper_->start());
+        if (options.loudspeaker) sound_ = std::make_unique<KioskSound>(0.5, true, options.loudspeaker);
         visit_ = std::make_unique<KioskVisit>(VisitParts{.view = *view_,
                                                          .job = *job_,
                                                          .hand = *hand_,
                                                          .devices = *devices_,
                                                          .keeper = *keeper_,
-                                                         .sound = sound_,
+                                                         .sound = *sound_,
                                                          .settings = settings_,
                                                          .show = show_,
-                                                         .rate_hz = kRateHz});
+                                                         .rate_hz = kRateHz,
+                                                         .minute_of_day = std::move(options.minute_of_day)});
         EXPECT_TRUE(visit_->start());
     }
     ~UnseenKiosk() {
@@ -76,6 +93,9 @@ class UnseenKiosk {
         const auto shown = visit_->frame(now_s_);
         ASSERT_TRUE(shown) << shown.error().message;
     }
+    [[nodiscard]] double now_s() const { return now_s_; }
+    // The last frame.
+    [[nodiscard]] asset::Image picture() { return view_->read_back().value(); }
     // Frames until it is so; the clock of the visit goes by dt_s a frame. At most a minute of real time.
     template <typename Condition>
     bool until(Condition&& condition, double dt_s = 1.0 / 60.0) {
@@ -88,8 +108,35 @@ class UnseenKiosk {
     }
     void point(double x_px, double y_px) { view_->feed(window::PointerEvent{x_px, y_px}); }
     void hold(bool pressed) { view_->feed(window::ButtonEvent{window::MouseButton::kLeft, pressed}); }
+    // A finger anywhere.
+    void touch() {
+        point(0.5 * kWidth, 0.5 * kHeight);
+        hold(true);
+        frame();
+        hold(false);
+    }
+    // What the screen shows, which is a little later than what the visit has come to.
+    [[nodiscard]] std::optional<kiosk::Screen> shown_screen() const {
+        if (visit_->shown() == nullptr) return std::nullopt;
+        return visit_->shown()->view->state.screen;
+    }
+    [[nodiscard]] int shown_exhibit() const {
+        return visit_->shown() != nullptr ? visit_->shown()->view->attract_exhibit : -1;
+    }
+    [[nodiscard]] bool shown_closed() const {
+        return visit_->shown() != nullptr && visit_->shown()->view->closed;
+    }
     // Presses that button of the screen that is shown, as soon as it is there.
     bool press(kiosk::Button button, int value = 0) {
+        if (!point_at(button, value)) return false;
+        hold(true);
+        frame();
+        hold(false);
+        frame();
+        return true;
+    }
+    // The pointer over it.
+    bool point_at(kiosk::Button button, int value = 0) {
         const screens::Target* target = nullptr;
         const auto is_there = [&] {
             const screens::Composed* shown = visit_->shown();
@@ -103,10 +150,6 @@ class UnseenKiosk {
         const float px = visit_->shown()->composition.px_per_u;
         const vec2 middle = px * target->rect.centre();
         point(double{middle.x}, double{middle.y});
-        hold(true);
-        frame();
-        hold(false);
-        frame();
         return true;
     }
     // A hand that presses the wall in, with the pointer.
@@ -133,7 +176,7 @@ class UnseenKiosk {
     std::unique_ptr<HandDevices> devices_;
     std::unique_ptr<haptic::HapticJob> job_;
     std::unique_ptr<KioskKeeper> keeper_;
-    KioskSound sound_{0.0};
+    std::unique_ptr<KioskSound> sound_ = std::make_unique<KioskSound>(0.0);
     Show show_;
     std::unique_ptr<KioskVisit> visit_;
     double now_s_ = 1000.0;

@@ -49,9 +49,10 @@ TEST(SystemProbes, FindTheWorkshopOfThisSourceTreeOrSayWhatIsLost) {
 
 TEST(SystemProbes, NameTheFontsThatAreMissing) {
     const Finding nothing = probe_fonts({"/no/such/folder"});
-    EXPECT_EQ(nothing.verdict, Verdict::kNote);
+    EXPECT_EQ(nothing.verdict, Verdict::kLacking);
     EXPECT_NE(nothing.found.find("NanumSquareRound"), std::string::npos);
-    EXPECT_NE(nothing.found.find("fonts-noto-core"), std::string::npos);
+    EXPECT_FALSE(nothing.cost.empty());
+    EXPECT_NE(nothing.remedy.find("fonts-noto-core"), std::string::npos);
 }
 
 TEST(Findings, SayWhoHearsTheStopKey) {

@@ -53,6 +53,10 @@ const char* word_of(onggi::kiosk::Button button) {
             return "another";
         case Button::kFinish:
             return "finish";
+        case Button::kResumeGo:
+            return "resume-go";
+        case Button::kResumeFresh:
+            return "resume-fresh";
         default:
             return "other";
     }

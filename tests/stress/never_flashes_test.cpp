@@ -1,0 +1,80 @@
+// The attract screen never flashes, and what a visitor's touch brings does not either: a whole turn of
+// throwing and museum's pot is drawn on a clock of its own, in the photographed room, and its light is
+// measured.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/stress/unseen_kiosk.h"
+#include "tests/support/flash_meter.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Screen;
+
+// The wheel goes by real time, so that it turns more slowly than the clock here: with ONGGI_REAL_TIME=1 it
+// does not, for a minute.
+//
+// Twenty looks a second while nothing goes over into another picture, sixty while it does. Not quite, so that
+// nothing regular hides between them.
+constexpr double kSlowS = 0.0487;
+constexpr double kQuickS = 0.0163;
+
+class NeverFlashes : public testing::Test {
+  protected:
+    // Looks on for that long.
+    void watch(double seconds, double dt_s) {
+        for (const double end_s = kiosk.now_s() + seconds; kiosk.now_s() < end_s;) {
+            kiosk.frame(dt_s);
+            if (std::getenv("ONGGI_REAL_TIME") != nullptr)
+                std::this_thread::sleep_until(begun + std::chrono::duration<double>(kiosk.now_s() - begin_s));
+            meter.see(kiosk.now_s(), kiosk.picture());
+        }
+    }
+    // Screens are composed beside the frame, in real time.
+    void watch_until(Screen screen) {
+        for (int look = 0; look < 600 && kiosk.shown_screen() != screen; ++look) {
+            watch(kQuickS, kQuickS);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        ASSERT_EQ(kiosk.shown_screen(), screen);
+        watch(1.0, kQuickS);
+    }
+
+    test::TemporaryFolder folder;
+    UnseenKiosk kiosk{folder.path(), {.plain = false, .shows = true}};
+    support::FlashMeter meter;
+    const std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+    const double begin_s = kiosk.now_s();
+};
+
+TEST_F(NeverFlashes, WhileNobodyIsThereAndWhenSomebodyComes) {
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kAttract; }, 0.0));
+    const auto shows_pot = [&] { return kiosk.shown_exhibit() >= 0; };
+    watch(24.5, kSlowS);
+    EXPECT_FALSE(shows_pot());
+    watch(2.0, kQuickS);
+    EXPECT_TRUE(shows_pot()) << "a museum's pot has come";
+    watch(18.0, kSlowS);
+    watch(2.0, kQuickS);
+    EXPECT_FALSE(shows_pot()) << "and has gone";
+    kiosk.touch();
+    watch_until(Screen::kChoose);
+    kiosk.point_at(Button::kFree);
+    kiosk.hold(true);
+    watch(0.1, kQuickS);
+    kiosk.hold(false);
+    watch_until(Screen::kThrow);
+    std::printf("%s\n", meter.in_words().c_str());
+    EXPECT_TRUE(meter.is_calm()) << meter.in_words();
+    EXPECT_GT(meter.largest_step(), 1e-4) << "it is no standing picture that was measured";
+}
+
+}  // namespace
+}  // namespace onggi::app
