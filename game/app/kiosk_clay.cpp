@@ -5,7 +5,14 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kSunkShare = 0.8;  // of the height at which it still stood
+constexpr double kSunkShare = 0.8;     // of the height at which it still stood
+constexpr double kSpreadShare = 1.12;  // of the width: a bowl that spins apart hardly sinks
+constexpr double kFirmly = 0.7;        // of what the clay bears: it stands again
+
+double widest_mm(const haptic::PotShape& shape) {
+    const auto outer = shape.outer_mm();
+    return outer.empty() ? 0.0 : 2.0 * double{*std::max_element(outer.begin(), outer.end())};
+}
 
 }  // namespace
 
@@ -35,15 +42,22 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
                   .warning = warning_of(snapshot.load, before)};
     const clay::studio::Failure& failure = snapshot.load.failure;
     const double height_mm = snapshot.shape->height_mm;
-    if (failure.cause == clay::studio::Cause::kNone) {
-        standing_mm_ = height_mm;
+    const double width_mm = widest_mm(*snapshot.shape);
+    const bool ever_failed = failure.cause != clay::studio::Cause::kNone;
+    // Clay that gave way a little and was saved may be pressed down and drawn out as any other.
+    if (!ever_failed || (snapshot.load.index < kFirmly && !failure.torn)) {
+        standing_height_mm_ = height_mm;
+        standing_width_mm_ = width_mm;
         failing_tick_ = 0;
-        has_said_ = false;
+        if (!ever_failed) has_said_ = false;
         return news;
     }
     if (failing_tick_ == 0) failing_tick_ = std::max<std::uint64_t>(1, snapshot.tick);
-    // Clay that gives way a little is no failure yet: the pot has to have sunk, or a piece come off.
-    const bool gave_way = failure.torn || height_mm < kSunkShare * standing_mm_;
+    // Clay that gives way a little is no failure yet: the pot has to have sunk, or to be spun apart, or a
+    // piece come off.
+    const bool is_sunk = height_mm < kSunkShare * standing_height_mm_;
+    const bool is_spread = snapshot.load.index >= 1.0 && width_mm > kSpreadShare * standing_width_mm_;
+    const bool gave_way = failure.torn || is_sunk || is_spread;
     if (gave_way && !has_said_) {
         has_said_ = true;
         news.gave_way = warning_for(failure.cause);

@@ -40,7 +40,9 @@ class KioskClay {
     std::optional<std::uint64_t> puts_before_;  // as Snapshot::states_put counts
     std::uint64_t failing_tick_ = 0;
     bool has_said_ = false;
-    double standing_mm_ = 0.0;  // its height before it began to fail
+    // Before it began to fail.
+    double standing_height_mm_ = 0.0;
+    double standing_width_mm_ = 0.0;
 };
 
 }  // namespace onggi::app

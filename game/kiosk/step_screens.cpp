@@ -80,8 +80,12 @@ void press_throw(Turn& turn, const Event& event) {
 
 void press_failure(Turn& turn, const Event& event) {
     if (event.button == Button::kBeforeCollapse) {
-        turn.state.throwing.warning = Warning::kNone;
-        turn.state.throwing.progress_s = turn.now_s;
+        Throwing& throwing = turn.state.throwing;
+        throwing.warning = Warning::kNone;
+        throwing.progress_s = turn.now_s;
+        // What was spun apart would be again before anybody had slowed the wheel.
+        if (throwing.collapse == Warning::kFast)
+            throwing.speed = std::max(1, std::min(throwing.speed - 1, Throwing().speed));
         turn.add(Effect::Kind::kBeforeCollapse);
         turn.show(Screen::kThrow);
     } else if (event.button == Button::kNewClay) {

@@ -3,6 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
+
+#include "engine/haptics/simulated_device.h"
+#include "game/app/performance.h"
+#include "game/haptic/job.h"
+
 namespace onggi::app {
 namespace {
 
@@ -34,9 +41,10 @@ haptic::Snapshot seen(const haptic::PotShape& shape, std::uint64_t tick) {
     return snapshot;
 }
 
-haptic::Snapshot sunken(const haptic::PotShape& shape, std::uint64_t tick) {
+haptic::Snapshot sunken(const haptic::PotShape& shape, std::uint64_t tick, double load = 1.1) {
     haptic::Snapshot snapshot = seen(shape, tick);
     snapshot.load.failure.cause = Cause::kWeight;
+    snapshot.load.index = load;
     return snapshot;
 }
 
@@ -51,6 +59,66 @@ TEST(KioskClay, SaysOnceThatThePotGaveWayAndWhenThatBegan) {
     EXPECT_EQ(clay.look(sunken(low, 20000), Warning::kNone)->gave_way, Warning::kThin);
     EXPECT_EQ(clay.began_to_fail_tick(), 8000U) << "two seconds before 20000 it was failing already";
     EXPECT_FALSE(clay.look(sunken(low, 20100), Warning::kNone)->gave_way);
+}
+
+TEST(KioskClay, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
+    KioskClay clay;
+    clay.expect_lump(1);
+    const haptic::PotShape standing = clay_of(1, 100.0, 100.0, true);
+    (void)clay.look(seen(standing, 4000), Warning::kNone);
+    EXPECT_FALSE(clay.look(sunken(clay_of(1, 99.0, 108.0, true), 5000), Warning::kNone)->gave_way);
+    EXPECT_TRUE(clay.look(sunken(clay_of(1, 97.0, 113.0, true), 5100), Warning::kNone)->gave_way);
+    EXPECT_EQ(clay.began_to_fail_tick(), 5000U);
+}
+
+TEST(KioskClay, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
+    KioskClay clay;
+    clay.expect_lump(1);
+    const haptic::PotShape standing = clay_of(1, 100.0, 50.0, true);
+    (void)clay.look(seen(standing, 4000), Warning::kNone);
+    (void)clay.look(sunken(clay_of(1, 97.0, 51.0, true), 5000), Warning::kNone);
+    EXPECT_FALSE(clay.look(sunken(clay_of(1, 95.0, 52.0, true), 6000, 0.5), Warning::kNone)->gave_way);
+    EXPECT_EQ(clay.began_to_fail_tick(), 0U);
+    EXPECT_FALSE(clay.look(sunken(clay_of(1, 70.0, 70.0, true), 9000, 0.5), Warning::kNone)->gave_way)
+        << "by the visitor's hand";
+    EXPECT_FALSE(clay.look(sunken(clay_of(1, 69.0, 71.0, true), 9100), Warning::kNone)->gave_way);
+    EXPECT_TRUE(clay.look(sunken(clay_of(1, 50.0, 80.0, true), 9200), Warning::kNone)->gave_way);
+}
+
+// The real clay in the real loop, on a clock of its own: a wide bowl, softened, and the wheel at the speed
+// that the kiosk's highest step asks for.
+TEST(KioskClay, SeesARealBowlSpinApartWhileItStillStandsHigh) {
+    auto loaded = load_session(ONGGI_SOURCE_DIR "/assets/demonstrations/collapse.onggi");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    haptic::HapticState& bowl = loaded->start.state;
+    record::SessionCursor hand(loaded->session);
+    constexpr std::uint64_t kDrawnWide = 27'250;  // of 500 a second; then its pedal goes down
+    for (std::uint64_t tick = 0; tick < kDrawnWide; ++tick)
+        haptic::tick(bowl, hand.at(tick), loaded->start.parameters);
+    bowl.studio()->set_liquidity(0.8);
+    bowl.ticks = 0;
+    const double standing_mm = bowl.height_mm();
+    haptic::HapticParameters parameters;
+    auto device = std::make_unique<haptics::SimulatedDevice>();
+    device->set_target(
+        {.position_mm = {250.0, 300.0, 0.0}, .wheel_button = true, .wheel_speed_rev_min = 180.0});
+    haptic::HapticWork work(bowl, parameters, std::move(device), {});
+    jobs::Period period{.dt_s = parameters.dt_s()};
+    KioskClay clay;
+    clay.expect_lump(0);
+    std::optional<Warning> gave_way;
+    haptic::TickRecord record;
+    haptic::BlockHash hash;
+    while (!gave_way && period.tick < 8000) {
+        for (int tick = 0; tick < 16; ++tick, ++period.tick, ++period.index)
+            ASSERT_TRUE(work.tick(period));
+        while (work.take_record(record) || work.take_hash(hash)) {
+        }
+        if (const auto news = clay.look(work.newest_snapshot(), Warning::kNone)) gave_way = news->gave_way;
+    }
+    EXPECT_EQ(gave_way, Warning::kFast);
+    EXPECT_GT(work.state().height_mm(), 0.9 * standing_mm) << "it hardly sank";
+    EXPECT_LT(period.tick, 2500U) << "of a second each thousand";
 }
 
 TEST(KioskClay, IsSilentWhileTheEarlierStateIsOnItsWay) {

@@ -172,6 +172,17 @@ TEST(Kiosk, ForgivesACollapse) {
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
 }
 
+TEST(Kiosk, SlowsTheWheelThatSpunThePotApart) {
+    Visitor visitor;
+    visitor.starts_to_throw().presses(Button::kSpeedMore).presses(Button::kSpeedMore);
+    visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kFast)).presses(Button::kBeforeCollapse);
+    EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed);
+    visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kFast)).presses(Button::kBeforeCollapse);
+    EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed - 1);
+    visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kThin)).presses(Button::kBeforeCollapse);
+    EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed - 1) << "by no fault of the wheel's";
+}
+
 TEST(Kiosk, SaysWhatThePotGaveWayBy) {
     for (const Warning cause : {Warning::kThin, Warning::kWet, Warning::kFast}) {
         Visitor visitor;
