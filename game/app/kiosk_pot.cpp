@@ -18,19 +18,35 @@ constexpr double kRaisedShare = 1.15;  // of the height when it was opened
 constexpr double kWarnsAt = 0.85;
 constexpr double kRelaxesAt = 0.70;
 
-struct Shown {
+// A pot of the tables for which there are words.
+struct Known {
     std::string_view id;
     const char* name_key;
     const char* museum_key;
     const char* date_key;
     int glaze;
 };
-// In the order of the choose screen: the least tall first.
+// Those of the choose screen, in its order: the least tall first.
 constexpr std::array kShown{
-    Shown{"ido-kizaemon", "pot.ido", "mus.daitoku", "date.joseon16", finish::kIdoGlaze},
-    Shown{"buncheong-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon15", 2},
-    Shown{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
-    Shown{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1}};
+    Known{"ido-kizaemon", "pot.ido", "mus.daitoku", "date.joseon16", finish::kIdoGlaze},
+    Known{"buncheong-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon15", 2},
+    Known{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
+    Known{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1}};
+// The others, which a visitor's pot may resemble: their museums are not named there.
+constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseon18", 1},
+                                Known{"moon-jar-met", "pot.moon", "", "date.joseon18", 1},
+                                Known{"maebyeong-68", "pot.maebyeong", "", "date.goryeo12", 0},
+                                Known{"buncheong-small-bowl", "pot.buncheong", "", "date.joseon", 2},
+                                Known{"joseon-bowl", "pot.bowl", "", "date.joseon16", 1},
+                                Known{"meiping-ngv", "pot.meiping", "", "date.ming16", 0},
+                                Known{"kylix-met", "pot.kylix", "", "date.athens6", 3},
+                                Known{"kylix-ringling", "pot.kylix", "", "date.athens", 3},
+                                Known{"lekythos-boston", "pot.lekythos", "", "date.athens5", 3},
+                                Known{"lekythos-met", "pot.lekythos", "", "date.athens5", 3},
+                                Known{"amphora-met", "pot.amphora", "", "date.athens", 3},
+                                Known{"olla-cas", "pot.olla", "", "date.acoma19", 5},
+                                Known{"olla-sar", "pot.olla", "", "date.acoma19", 5}};
+constexpr int kBareGlaze = 5;
 
 std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
     constexpr int kSteps = 40;
@@ -100,7 +116,7 @@ double thinnest_wall_mm(const haptic::PotShape& shape) {
 }
 
 screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
-                            const std::vector<std::size_t>& shown) {
+                            const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives) {
     const clay::ClayBody body = clay.lump().body;
     const clay::PotMeasures measures = clay::measure_pot(clay.rings(), body, clay::Firing::kGlaze);
     const heritage::PotForm form = heritage::form_of(clay);
@@ -125,13 +141,8 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
         pot.shape.inside.push_back({0.6F * pot.shape.inside.back().x, floor_mm});
         pot.shape.inside.push_back({0.0F, floor_mm});
     }
-    double least = 2.0;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const double unlike = heritage::unlikeness(form, heritage::form_of(targets[shown[i]]));
-        if (unlike >= least) continue;
-        least = unlike;
-        pot.nearest = static_cast<int>(i);
-    }
+    if (!targets.empty() && relatives && relatives->size() == targets.size())
+        pot.relative = {relatives, &(*relatives)[heritage::nearest(form, targets).target]};
     return pot;
 }
 
@@ -158,30 +169,51 @@ ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px) {
     return ui::Painter().paint(sketch);
 }
 
-std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
-                                          std::vector<std::size_t>& places) {
+namespace {
+
+screens::Exhibit exhibit_of(const heritage::Target& target, const Known* known) {
     constexpr float kWallMm = 5.0F;
     constexpr float kFloorMm = 9.0F;
+    screens::Exhibit exhibit;
+    // Words that are no key stand for themselves, in every language.
+    exhibit.name_key = known != nullptr ? known->name_key : target.name;
+    exhibit.museum_key = known != nullptr ? known->museum_key : target.place;
+    exhibit.date_key = known != nullptr ? known->date_key : target.culture_date;
+    exhibit.height_mm = target.height_mm;
+    exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
+    exhibit.half_size = heritage::thrown_size(target, clay::ClayBody::kStoneware).fraction == 0.5;
+    exhibit.glaze = known != nullptr ? known->glaze : kBareGlaze;
+    exhibit.shape = screens::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
+    return exhibit;
+}
+
+}  // namespace
+
+std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
+                                          std::vector<std::size_t>& places) {
     std::vector<screens::Exhibit> exhibits;
     places.clear();
-    for (const Shown& shown : kShown) {
+    for (const Known& shown : kShown) {
         for (std::size_t place = 0; place < targets.size(); ++place) {
-            const heritage::Target& target = targets[place];
-            if (target.id != shown.id) continue;
-            screens::Exhibit exhibit;
-            exhibit.name_key = shown.name_key;
-            exhibit.museum_key = shown.museum_key;
-            exhibit.date_key = shown.date_key;
-            exhibit.height_mm = target.height_mm;
-            exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
-            exhibit.half_size = heritage::thrown_size(target, clay::ClayBody::kStoneware).fraction == 0.5;
-            exhibit.glaze = shown.glaze;
-            exhibit.shape = screens::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
-            exhibits.push_back(std::move(exhibit));
+            if (targets[place].id != shown.id) continue;
+            exhibits.push_back(exhibit_of(targets[place], &shown));
             places.push_back(place);
         }
     }
     return exhibits;
+}
+
+std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets) {
+    std::vector<screens::Exhibit> relatives;
+    for (const heritage::Target& target : targets) {
+        const auto has_id = [&](const Known& one) { return one.id == target.id; };
+        const auto shown = std::find_if(kShown.begin(), kShown.end(), has_id);
+        const auto other = std::find_if(kRelatives.begin(), kRelatives.end(), has_id);
+        relatives.push_back(exhibit_of(target, shown != kShown.end()       ? &*shown
+                                               : other != kRelatives.end() ? &*other
+                                                                           : nullptr));
+    }
+    return relatives;
 }
 
 std::vector<vec2> wet_outline(const heritage::Target& target) {

@@ -39,10 +39,11 @@ class Lesson {
 // Thickness of the thinnest wall above the floor; 0 where nothing is hollow.
 [[nodiscard]] double thinnest_wall_mm(const haptic::PotShape& shape);
 
-// The pot as it comes out of the kiln.
-[[nodiscard]] screens::FiredPot fired_pot(const clay::StudioClay& clay,
-                                          const std::vector<heritage::Target>& targets,
-                                          const std::vector<std::size_t>& shown);
+// The pot as it comes out of the kiln, and what it resembles most of all `targets`, as relatives_of() shows
+// them; no relative where those are not theirs.
+[[nodiscard]] screens::FiredPot fired_pot(
+    const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
+    const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives);
 // A portrait on the evening museum's wall, square.
 [[nodiscard]] ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px);
 
@@ -50,6 +51,8 @@ class Lesson {
 // gets where each stands in the tables.
 [[nodiscard]] std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
                                                         std::vector<std::size_t>& places);
+// All of them, in the tables' order; those that the program has no words for speak for themselves.
+[[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets);
 // Its outline at the size at which it is thrown, wet: radius and height from below.
 [[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
 

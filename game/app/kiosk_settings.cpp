@@ -110,6 +110,8 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     }
     settings.exhibits = std::make_shared<const std::vector<screens::Exhibit>>(
         exhibits_of(settings.targets, settings.exhibit_places));
+    settings.relatives =
+        std::make_shared<const std::vector<screens::Exhibit>>(relatives_of(settings.targets));
     settings.rules.target_count = static_cast<int>(settings.exhibits->size());
     return settings;
 }

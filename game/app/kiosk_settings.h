@@ -29,6 +29,7 @@ struct KioskSettings {
     std::vector<heritage::Target> targets;
     std::vector<std::size_t> exhibit_places;  // of each exhibit, in `targets`
     std::shared_ptr<const std::vector<screens::Exhibit>> exhibits;
+    std::shared_ptr<const std::vector<screens::Exhibit>> relatives;  // all of `targets`, in their order
     std::vector<std::string> remarks;  // what is not as it should be, and does not matter enough to stop
 };
 

@@ -221,7 +221,7 @@ void KioskVisit::take_answers() {
         switch (answer->kind) {
             case KeeperAnswer::Kind::kCutOff:
                 pot_ = std::make_shared<const screens::FiredPot>(
-                    fired_pot(*answer->clay, parts_.settings.targets, parts_.settings.exhibit_places));
+                    fired_pot(*answer->clay, parts_.settings.targets, parts_.settings.relatives));
                 break;
             case KeeperAnswer::Kind::kSaved:
                 if (pot_) day_.insert(day_.begin(), {pot_->shape, state_.glaze});

@@ -67,13 +67,6 @@ void measures_card(Page& page, const Rect& card) {
     }
 }
 
-const Exhibit* nearest(const View& view) {
-    if (!view.pot || view.pot->nearest < 0) return nullptr;
-    const auto& all = *view.exhibits;
-    const auto place = static_cast<std::size_t>(view.pot->nearest);
-    return place < all.size() ? &all[place] : nullptr;
-}
-
 void height_bracket(Page& page, float x, float foot_y, float height) {
     ui::Sketch sketch;
     sketch.add(ui::Shape{.path = fmt::format("M10 2 V{0:.1f} M1.5 2 H18.5 M1.5 {0:.1f} H18.5", height),
@@ -152,7 +145,7 @@ void draw_your_pot(Page& page) {
     page.languages_token();
     if (!view.pot) return;
 
-    const Exhibit* const relative = nearest(view);
+    const Exhibit* const relative = view.pot->relative.get();
     const float own_box = relative == nullptr ? stage.width - 100.0F
                           : tall              ? 250.0F
                           : square            ? 190.0F

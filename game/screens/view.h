@@ -32,7 +32,7 @@ struct FiredPot {
     double width_mm = 0.0;
     double weight_g = 0.0;
     double capacity_l = 0.0;
-    int nearest = -1;  // exhibit; -1: none
+    std::shared_ptr<const Exhibit> relative{};  // the museum's pot that it resembles most; null: none
 };
 
 // Another pot on the day's shelf.

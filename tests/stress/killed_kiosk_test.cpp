@@ -164,7 +164,7 @@ class RealKiosk : public testing::Test {
         ASSERT_TRUE(life.comes_to("your-pot"));
         pause_s(0.4);
         life.press("your-pot keep");
-        pause_s(any(0.0, 0.8));
+        pause_s(any(0.0, 4.0));
     }
 
     test::TemporaryFolder folder;
@@ -207,6 +207,9 @@ TEST_F(RealKiosk, KilledAtAnyMomentLeavesPotsWholeAndOffersTheVisitAgain) {
         kills(), died[Moment::kThrowing], died[Moment::kThrewOn], died[Moment::kSaving],
         died[Moment::kAnything], pots.size(), offered);
     EXPECT_GT(offered, 0) << "nothing was proved";
+    if (kills() >= 40) {
+        EXPECT_GT(pots.size(), 0U);
+    }
 }
 
 TEST_F(RealKiosk, WithoutAnyFontSaysSoAndGoesOn) {

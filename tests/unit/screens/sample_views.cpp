@@ -188,7 +188,7 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
                                                          .width_mm = 152.0,
                                                          .weight_g = 730.0,
                                                          .capacity_l = 1.7,
-                                                         .nearest = 3});
+                                                         .relative = {base.exhibits, &base.exhibits->at(3)}});
     base.shelf = std::make_shared<const std::vector<ShelfPot>>(
         std::vector<ShelfPot>{{jar(), 3}, {sample_exhibits()->at(0).shape, 4}, {jar(), 2}, {jar(), 5}});
     base.can_look_in = true;
@@ -282,7 +282,7 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
     add("your-pot", Screen::kYourPot, nothing);
     add("your-pot-alone", Screen::kYourPot, [](View& view) {
         FiredPot pot = *view.pot;
-        pot.nearest = -1;
+        pot.relative.reset();
         view.pot = std::make_shared<const FiredPot>(pot);
     });
     add("keep", Screen::kKeep, [](View& view) { view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14}; });
