@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kVisits = "visits.csv";
 constexpr const char* kBreaks = "attract_breaks.csv";
 constexpr const char* kStarts = "starts.csv";
+constexpr int kMostKept = 1000;  // in one visit; more no hand of this program wrote
 
 // A line that begins with the day and the hour; `rest` follows.
 Result<void> append(const fs::path& folder, const char* name, std::string_view header,
@@ -72,9 +73,9 @@ void for_each_line(const fs::path& file, const std::string& day, std::size_t cel
 }  // namespace
 
 Result<void> note_visit(const fs::path& folder, const VisitNote& note) {
-    return append(folder, kVisits, "day,hour,dwell_s,ended_on,thrown,kept",
-                  fmt::format(",{},{},{},{}", note.dwell_s, kiosk::name_of(note.last), note.thrown ? 1 : 0,
-                              note.kept ? 1 : 0));
+    return append(
+        folder, kVisits, "day,hour,dwell_s,ended_on,thrown,kept",
+        fmt::format(",{},{},{},{}", note.dwell_s, kiosk::name_of(note.last), note.thrown ? 1 : 0, note.kept));
 }
 
 Result<void> note_attract_break(const fs::path& folder) {
@@ -105,11 +106,11 @@ UseOfDay use_of(const fs::path& folder, const std::string& day) {
         const auto dwell_s = number_of(cells[2]);
         const auto thrown = number_of(cells[4]);
         const auto kept = number_of(cells[5]);
-        if (!dwell_s || !thrown || !kept) return;
+        if (!dwell_s || !thrown || !kept || *kept > kMostKept) return;
         UseOfHour& there = use.hours[hour];
         ++there.visits;
         there.thrown += *thrown > 0 ? 1 : 0;
-        there.kept += *kept > 0 ? 1 : 0;
+        there.kept += *kept;
         there.dwell_s += *dwell_s;
     });
     return use;

@@ -16,7 +16,7 @@ struct VisitNote {
     int dwell_s = 0;
     kiosk::Screen last = kiosk::Screen::kAttract;  // where it ended
     bool thrown = false;                           // clay was put on for it
-    bool kept = false;                             // and a pot was kept
+    int kept = 0;                                  // pots of it that were kept: its completions
 };
 
 // Appends to folder/visits.csv, with a line of names first where the file is new. System lacks: no permission
@@ -31,7 +31,7 @@ struct UseOfHour {
     int breaks = 0;  // of the attract screen
     int visits = 0;  // that ended in this hour
     int thrown = 0;
-    int kept = 0;
+    int kept = 0;      // pots, of which a visit may keep several
     long dwell_s = 0;  // of all of them
 
     friend bool operator==(const UseOfHour&, const UseOfHour&) = default;

@@ -159,7 +159,8 @@ void KioskVisit::carry_out(const Effect& effect) {
                 (*parts_.settings.languages)[static_cast<std::size_t>(state_.house_language)].code()});
             break;
         case Effect::Kind::kVisitBegan:
-            thrown_ = kept_ = false;
+            thrown_ = false;
+            kept_ = 0;
             parts_.keeper.note_attract_break();
             break;
         case Effect::Kind::kVisitEnded:
@@ -226,7 +227,7 @@ void KioskVisit::take_answers() {
             case KeeperAnswer::Kind::kSaved:
                 if (pot_) day_.insert(day_.begin(), {pot_->shape, state_.glaze});
                 if (day_.size() > kMostOnShelf) day_.pop_back();
-                kept_ = true;
+                ++kept_;
                 ++pots_kept_;
                 tell({Event::Kind::kSaved, Button::kNone, answer->number});
                 break;

@@ -127,7 +127,7 @@ class KioskVisit {
     LogLines log_;
     kiosk::Screen left_ = kiosk::Screen::kAttract;  // before the step that is carried out
     bool thrown_ = false;                           // clay was put on in this visit
-    bool kept_ = false;                             // and a pot was kept
+    int kept_ = 0;                                  // pots of it
     StaffDesk desk_;
     std::uint64_t frames_shown_ = 0;
     std::uint64_t pots_kept_ = 0;

@@ -84,6 +84,35 @@ bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
     return true;
 }
 
+void keep_a_pot(UnseenKiosk& kiosk, std::mt19937& chance) {
+    ASSERT_TRUE(kiosk.press(Button::kFree));
+    kiosk.throw_a_little(chance);
+    ASSERT_TRUE(kiosk.press(Button::kDone));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+    ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
+    ASSERT_TRUE(kiosk.press(Button::kKeep));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }));
+}
+
+TEST(Visitors, AreOneVisitAndTwoCompletionsWhereTheyKeepTwoPots) {
+    const test::TemporaryFolder folder;
+    UnseenKiosk kiosk(folder.path());
+    std::mt19937 chance(20261122);
+    kiosk.touch();
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
+    keep_a_pot(kiosk, chance);
+    ASSERT_TRUE(kiosk.press(Button::kAnother));
+    keep_a_pot(kiosk, chance);
+    ASSERT_TRUE(kiosk.press(Button::kFinish));
+    const fs::path statistics = folder / "statistics";
+    EXPECT_TRUE(kiosk.until([&] { return use_of(statistics, today()).total().visits == 1; }));
+    const UseOfHour use = use_of(statistics, today()).total();
+    EXPECT_EQ(use.breaks, 1);
+    EXPECT_EQ(use.thrown, 1);
+    EXPECT_EQ(use.kept, 2);
+    EXPECT_GT(use.dwell_s, 0);
+}
+
 std::size_t pots_in(const fs::path& gallery) {
     std::size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(gallery))
