@@ -16,6 +16,7 @@ struct SoundScene {
     double place = 0.0;          // where the tool is, -1 left to 1 right
     std::uint32_t slaps = 0;     // counts lumps thrown on the wheel: each new one is heard once
     std::uint32_t chimes = 0;    // counts tests of the loudspeakers: left, right, then both, once for each
+    bool kiln_burns = false;     // a pot is fired: a low roar that comes and goes
     double volume = 0.5;         // 0 silent to 1
 };
 

@@ -36,6 +36,7 @@ Synthesiser::Wanted Synthesiser::wanted_of(const SoundScene& scene) noexcept {
             .wetness = bounded(scene.wetness, 0.0, 1.0),
             .hardness = scene.is_hard_tool ? 1.0 : 0.0,
             .place = bounded(scene.place, -1.0, 1.0),
+            .kiln = scene.kiln_burns ? 1.0 : 0.0,
             .volume = bounded(scene.volume, 0.0, 1.0)};
 }
 
@@ -92,6 +93,14 @@ double Synthesiser::slap(double noise) noexcept {
     return loudness * (0.55 * thump + 0.35 * fall * splat);
 }
 
+// Fire behind a door: all that is low of it, never even.
+double Synthesiser::fire(double noise) noexcept {
+    const double level = kiln_.value();
+    if (level == 0.0) return 0.0;
+    const double slow = std::clamp(flicker_.step(noise, 3.0, 0.5).band * 60.0, -1.0, 1.0);
+    return level * (1.0 + 0.45 * slow) * roar_.step(noise, 140.0 + 50.0 * slow, 0.9).low;
+}
+
 // Left, right, then both, each a tone of its own: who tests hears which loudspeaker is dead or crossed over.
 Sample Synthesiser::chime() noexcept {
     if (chime_age_s_ >= kChimeEndsS) return {};
@@ -120,10 +129,11 @@ void Synthesiser::render(const SoundScene& scene, std::span<Sample> block) noexc
         wetness_.towards(wanted.wetness);
         hardness_.towards(wanted.hardness);
         const double place = place_.towards(wanted.place);
+        kiln_.towards(wanted.kiln);
         const double volume = volume_.towards(wanted.volume);
 
         const double noise = noise_.next();
-        const double middle = motor() + slap(noise);
+        const double middle = motor() + slap(noise) + fire(noise);
         const double side = clay(noise);
         const Sample test = chime();
         const auto out = [&](double wheel, float tone) {

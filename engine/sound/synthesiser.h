@@ -1,6 +1,6 @@
 // The sound of a potter's wheel out of nothing: motor, wet clay under a hand, the scrape of a tool, a lump
-// slapped down. Pure: the same scenes in the same order give the same samples, however they are cut into
-// blocks. One thread at a time; no allocation, no lock, no libm.
+// slapped down, a kiln. Pure: the same scenes in the same order give the same samples, however they are cut
+// into blocks. One thread at a time; no allocation, no lock, no libm.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,13 @@ class Synthesiser {
   private:
     // The scene as the voices use it: bounded, and free of what is no number.
     struct Wanted {
-        double rev_min, motor_load, press, slip, wetness, hardness, place, volume;
+        double rev_min, motor_load, press, slip, wetness, hardness, place, kiln, volume;
     };
     static Wanted wanted_of(const SoundScene& scene) noexcept;
     double motor() noexcept;
     double clay(double noise) noexcept;
     double slap(double noise) noexcept;
+    double fire(double noise) noexcept;
     Sample chime() noexcept;
 
     Glide rev_min_{0.06};
@@ -42,6 +43,7 @@ class Synthesiser {
     Glide wetness_{0.2};
     Glide hardness_{0.05};
     Glide place_{0.08};
+    Glide kiln_{0.25};
     Glide volume_{0.015};
 
     Noise noise_{0x6f6e6767U};
@@ -51,6 +53,8 @@ class Synthesiser {
     Filter squelch_;  // how it comes and goes
     Filter edge_;     // the scrape
     Filter chatter_;  // how that comes and goes
+    Filter roar_;     // the kiln
+    Filter flicker_;  // how it comes and goes
     std::uint32_t slaps_ = 0;
     bool knows_slaps_ = false;
     double slap_age_s_ = 1e9;

@@ -80,10 +80,11 @@ void KioskSound::set_volume(double volume) {
     }
 }
 
-void KioskSound::hear(const haptic::Snapshot& snapshot, bool is_muted) {
+void KioskSound::hear(const haptic::Snapshot& snapshot, bool is_muted, bool kiln_burns) {
     if (!output_) return;
     sound::SoundScene scene = scene_of(snapshot, is_muted ? 0.0 : volume_);
     scene.chimes = chimes_;
+    scene.kiln_burns = kiln_burns;
     output_->play(scene);
 }
 

@@ -37,7 +37,7 @@ class KioskSound {
                         MakePlace make_place = sound::make_openal_place);
 
     // Silent while it is muted, whatever the volume; the test of the loudspeakers too.
-    void hear(const haptic::Snapshot& snapshot, bool is_muted = false);
+    void hear(const haptic::Snapshot& snapshot, bool is_muted = false, bool kiln_burns = false);
     // Speaks a line over the wheel, once; null: stops.
     void say(const std::shared_ptr<const sound::SpokenLine>& line);
     // From the next frame on; 0 to 1. Nothing where it is fixed.

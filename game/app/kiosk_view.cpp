@@ -90,6 +90,11 @@ const std::string& KioskVisit::caption(const haptic::Snapshot& snapshot) {
     return caption_ = heard;
 }
 
+bool KioskVisit::kiln_burns() const {
+    return state_.screen == kiosk::Screen::kFiring && state_.firing == kiosk::FiringStage::kFire &&
+           state_.panel == kiosk::Panel::kNone;
+}
+
 bool KioskVisit::is_closed() const {
     return state_.screen == kiosk::Screen::kAttract && state_.panel == kiosk::Panel::kNone &&
            !kiosk::is_open(parts_.settings.config, parts_.minute_of_day());
@@ -122,6 +127,7 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();
     if (config.sound.captions && state_.screen == kiosk::Screen::kThrow) view.heard = caption(snapshot);
+    if (config.sound.captions && kiln_burns()) view.heard = "cap.kiln";
     if (state_.screen == kiosk::Screen::kAttract && !view.exhibits->empty()) {
         // The throwing, then one of the pots, and again with the next.
         const double in_turn = std::max(0.0, now_s_ - state_.screen_s);

@@ -280,7 +280,7 @@ Result<void> KioskVisit::frame(double now_s) {
     take_fault(snapshot);
     take_answers();
     move_hand(snapshot, dt_s);
-    parts_.sound.hear(snapshot, is_closed());
+    parts_.sound.hear(snapshot, is_closed(), kiln_burns());
     aim_camera(snapshot);
     compose(snapshot);
     stage_.take(composer_.latest(), now_s_);

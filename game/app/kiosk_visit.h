@@ -89,6 +89,7 @@ class KioskVisit {
     // What the visitor asked to see, or is being taught by; none: nothing.
     [[nodiscard]] std::optional<screens::ForceFrame> force_frame(const haptic::Snapshot& snapshot,
                                                                  const wheel::PotView& pot) const;
+    [[nodiscard]] bool kiln_burns() const;
     void aim_camera(const haptic::Snapshot& snapshot);
     [[nodiscard]] std::optional<screens::Band> warning_band(const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::optional<dvec3> place_at(vec2 px) const;

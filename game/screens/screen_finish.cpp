@@ -146,6 +146,15 @@ void draw_firing(Page& page) {
             page.sprite({place.centre().x - 80.0F, place.y + 52.0F, 160.0F, 6.0F}, std::move(bar));
         }
     }
+    // In the kiln, where nothing shrinks any more, there is room for what is heard.
+    const bool is_heard = stage == FiringStage::kFire && !view.heard.empty();
+    page.words(tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
+                    : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}),
+               {.text = page.t(is_heard ? view.heard : "fin.note"),
+                .size = 26.0F,
+                .line = 32.0F,
+                .colour = ui::hex(0xdcc7ac),
+                .align = ui::Align::kCentre});
     const float button = 180.0F;
     page.token(tall ? Rect{0.5F * (width - 280.0F), height - 130.0F, 280.0F, 80.0F}
                     : page.mirrored({width - 32.0F - button, words_y - 4.0F, button, 66.0F}),

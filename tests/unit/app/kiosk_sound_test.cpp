@@ -54,7 +54,7 @@ TEST(KioskSound, SaysInWordsWhatIsHeard) {
     EXPECT_EQ(caption_key({.wheel_rev_min = 110.0, .contact_n = 1.0, .wetness = 0.1}), "cap.wheel");
     EXPECT_EQ(caption_key({.contact_n = 1.0, .wetness = 0.8}), "") << "nothing passes under the hand";
     for (const kiosk::Language& language : kiosk::built_in_languages())
-        for (const char* key : {"cap.wheel", "cap.water"})
+        for (const char* key : {"cap.wheel", "cap.water", "cap.kiln"})
             EXPECT_TRUE(language.has(key)) << language.code() << ' ' << key;
 }
 

@@ -276,6 +276,10 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         add("firing-" + std::to_string(stage), Screen::kFiring,
             [&](View& view) { view.state.firing = static_cast<kiosk::FiringStage>(stage); });
     }
+    add("firing-heard", Screen::kFiring, [](View& view) {
+        view.state.firing = kiosk::FiringStage::kFire;
+        view.heard = "cap.kiln";
+    });
     for (int glaze = 0; glaze < 6; ++glaze) {
         add("glaze-" + std::to_string(glaze), Screen::kGlaze, [&](View& view) { view.state.glaze = glaze; });
     }

@@ -44,6 +44,19 @@ TEST(Synthesiser, IsExactlySilentWhenNothingMoves) {
         ASSERT_EQ(sample, 0.0) << "and again after it has come to rest";
 }
 
+TEST(Synthesiser, RoarsLowAndUnevenlyWhileTheKilnBurns) {
+    constexpr SoundScene kFiring{.kiln_burns = true, .volume = 1.0};
+    EXPECT_LT(level_db(heard(kFiring)), -18.0);
+    EXPECT_GT(level_db(heard(kFiring)), -34.0);
+    EXPECT_LT(brightness_hz(heard(kFiring)), brightness_hz(heard(kPressing)));
+    EXPECT_LT(brightness_hz(heard(kFiring)), 300.0);
+    Synthesiser synthesiser;
+    played(synthesiser, kFiring, 1.0);
+    const auto fading = left_of(played(synthesiser, {.volume = 1.0}, 6.0));
+    EXPECT_LT(largest_step(fading), 0.02) << "no click";
+    EXPECT_EQ(fading.back(), 0.0) << "and then exactly nothing";
+}
+
 TEST(Synthesiser, IsCalm) {
     for (const SoundScene& scene : {kTurning, kPressing}) {
         EXPECT_LT(level_db(heard(scene)), -18.0);
