@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -91,20 +90,6 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     return {};
 }
 
-// Words grow where the settings ask for it, but not out of their boxes: what stays too small is said.
-std::string too_small_text(const kiosk::Config& config, int width_px, int height_px) {
-    const double px_per_mm = screens::px_per_mm(width_px, height_px, config.screen.diagonal_inch);
-    const double degrees =
-        screens::smallest_text_degrees(width_px, height_px, px_per_mm, config.screen.distance_mm);
-    if (degrees >= screens::kLeastCapitalDegrees) return {};
-    const double share = screens::kLeastCapitalDegrees / degrees;
-    return fmt::format(
-        "screen: expected capitals of {} degrees, found {:.2f} in the smallest words at {:.0f} mm from "
-        "{:.0f} inches; a panel of {:.0f} inches or a distance of {:.0f} mm would do",
-        screens::kLeastCapitalDegrees, degrees, config.screen.distance_mm, config.screen.diagonal_inch,
-        std::ceil(config.screen.diagonal_inch * share), std::floor(config.screen.distance_mm / share));
-}
-
 // How a kiosk ended.
 enum class KioskEnd { kDone, kStartAnew };
 
@@ -129,8 +114,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
         remark(line);
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
     if (const std::string lack = screens::missing_fonts(); !lack.empty()) remark(lack);
-    if (const std::string lack = too_small_text(settings->config, (*view)->width(), (*view)->height());
-        !lack.empty())
+    for (const std::string& lack : panel_lacks(settings->config, (*view)->width(), (*view)->height()))
         remark(lack);
 
     const jobs::RealTimeRequest real_time{.core = core};

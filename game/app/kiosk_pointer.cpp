@@ -30,7 +30,7 @@ int KioskPointer::target_count() const {
 
 int KioskPointer::target_at(vec2 px) const {
     for (int i = target_count() - 1; i >= 0; --i) {
-        if (composition_->targets[static_cast<std::size_t>(i)].rect.contains(px / composition_->px_per_u))
+        if (composition_->targets[static_cast<std::size_t>(i)].lies_under(px / composition_->px_per_u))
             return i;
     }
     return -1;

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "engine/files/asset_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk_pot.h"
+#include "game/screens/legibility.h"
 
 namespace onggi::app {
 namespace {
@@ -76,6 +78,32 @@ void take_kept_house(KioskSettings& settings) {
                      [&](const kiosk::Language& one) { return one.code() == kept->languages.first; });
     if (known != settings.languages->end())
         settings.rules.default_language = static_cast<int>(known - settings.languages->begin());
+}
+
+// Words grow where the settings ask for it, but not out of their boxes; targets do not.
+std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px) {
+    const double inches = config.screen.diagonal_inch;
+    const double px_per_mm = screens::px_per_mm(width_px, height_px, inches);
+    const double degrees =
+        screens::smallest_text_degrees(width_px, height_px, px_per_mm, config.screen.distance_mm);
+    std::vector<std::string> lacks;
+    if (degrees < screens::kLeastCapitalDegrees) {
+        const double share = screens::kLeastCapitalDegrees / degrees;
+        lacks.push_back(fmt::format(
+            "screen: expected capitals of {} degrees, found {:.2f} in the smallest words at {:.0f} mm from "
+            "{} inches; a panel of {:.0f} inches or a distance of {:.0f} mm would do",
+            screens::kLeastCapitalDegrees, degrees, config.screen.distance_mm, inches,
+            std::ceil(inches * share), std::floor(config.screen.distance_mm / share)));
+    }
+    const double target_mm = screens::smallest_target_mm(width_px, height_px, px_per_mm);
+    if (target_mm < screens::kLeastTargetMm) {
+        lacks.push_back(fmt::format(
+            "screen: expected targets of {:.0f} mm, found {:.1f} in the smallest on {} inches; a panel of "
+            "{:.0f} inches would do",
+            screens::kLeastTargetMm, target_mm, inches,
+            std::ceil(inches * screens::kLeastTargetMm / target_mm)));
+    }
+    return lacks;
 }
 
 Result<KioskSettings> load_settings(const std::string& config_file) {

@@ -45,6 +45,10 @@ struct HouseWish {
 Result<void> keep_house(const std::filesystem::path& folder, const HouseWish& house);
 void take_kept_house(KioskSettings& settings);
 
+// What a picture of that size cannot keep on the panel and at the distance of the settings: a line each for
+// words that stay too small to be read and targets that are too small to be touched.
+[[nodiscard]] std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px);
+
 // `config_file` empty: defaults. Bad input: what the file, or a table of its languages folder, says wrong; a
 // language of the order that neither is built in nor has a table.
 Result<KioskSettings> load_settings(const std::string& config_file);

@@ -41,6 +41,9 @@ struct Target {
     ui::Rect rect;
     std::string name;      // spoken, and shown beside the scanning ring
     bool repeats = false;  // while held
+    ui::Rect also{};       // what it stands for, in the picture: touching that presses it too
+
+    [[nodiscard]] bool lies_under(vec2 at) const { return rect.contains(at) || also.contains(at); }
 };
 
 // For the audit: a text as it stands.

@@ -52,9 +52,9 @@ inline constexpr float kMargin = 32.0F;
 inline constexpr float kTokenHeight = 66.0F;
 inline constexpr float kStepperWidth = 164.0F;
 inline constexpr float kLeastTextSize = 26.0F;
+inline constexpr float kLeastTarget = 50.0F;  // the ends of a stepper, the staff's keys
 // A 24 inch panel of 1080 lines, on which u was chosen.
 inline constexpr float kMmPerU = 0.4151F;
-inline constexpr float kLeastTargetMm = 20.0F;
 // Height of a capital in ems, of the lowest of the families: Noto Sans and Serif.
 inline constexpr double kCapitalShare = 0.719;
 

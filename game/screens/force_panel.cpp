@@ -18,6 +18,8 @@ constexpr float kRow = 38.0F;
 constexpr float kPlotHeight = 58.0F;
 constexpr float kNewtonWidth = 26.0F;
 constexpr float kUnitWidth = 44.0F;
+constexpr float kNumberWidth = 78.0F;
+constexpr float kRateWidth = 90.0F;
 constexpr float kAir = 16.0F;
 
 struct Places {
@@ -39,7 +41,7 @@ Places places_on(const Page& page) {
                 {plot_x, plot_y + 34.0F, half, 38.0F},
                 {plot_x, plot_y + 114.0F, half, 38.0F}};
     }
-    const float width = page.shape() == Shape::kSquare ? 304.0F : 330.0F;
+    const float width = page.shape() == Shape::kSquare ? 308.0F : 330.0F;
     const Rect panel{24.0F, 124.0F, width, 2.0F * kAir + 4.0F * kRow + 2.0F * (kRow + kPlotHeight) + 20.0F};
     const Rect forces{panel.x + kAir, panel.y + kAir, width - 2.0F * kAir, 4.0F * kRow};
     const float first_y = forces.bottom() + 8.0F + kRow;
@@ -49,17 +51,16 @@ Places places_on(const Page& page) {
 
 // Name, number, unit in one line; gives the place of the number. Never mirrored inside: the panel is.
 vec2 line(Page& page, const Rect& rect, const std::string& name, const std::string& unit, float unit_width,
-          float name_x) {
+          float number_width, float name_x) {
     const bool rtl = page.right_to_left();
     const Rect unit_box{rtl ? rect.x : rect.right() - unit_width, rect.y, unit_width, kRow};
     page.fixed_words(
         unit_box,
         {.text = unit, .size = 26.0F, .line = 32.0F, .colour = design::kSlip2, .align = ui::Align::kStart});
-    constexpr float kNumberWidth = 74.0F;
-    const Rect name_box{rtl ? rect.x + unit_width + kNumberWidth : rect.x + name_x, rect.y,
-                        rect.width - name_x - unit_width - kNumberWidth, kRow};
+    const Rect name_box{rtl ? rect.x + unit_width + number_width : rect.x + name_x, rect.y,
+                        rect.width - name_x - unit_width - number_width, kRow};
     page.fixed_words(name_box, {.text = name, .size = 26.0F, .line = 32.0F});
-    const float right = rtl ? unit_box.right() + kNumberWidth - 6.0F : unit_box.x - 6.0F;
+    const float right = rtl ? unit_box.right() + number_width - 6.0F : unit_box.x - 6.0F;
     return {right, rect.y + 16.0F};
 }
 
@@ -96,20 +97,37 @@ void add_panel(Page& page, ForceParts& parts) {
         const Rect row{at.forces.x, at.forces.y + kRow * static_cast<float>(force), at.forces.width, kRow};
         const float key_x = page.right_to_left() ? row.right() - kKeyWidth : row.x;
         page.sprite({key_x, row.y, kKeyWidth, 32.0F}, key_of(force));
-        parts.value_at[force] =
-            line(page, row, page.t(kNames[force]), page.t("unit.n"), kNewtonWidth, kKeyWidth + 4.0F);
+        parts.value_at[force] = line(page, row, page.t(kNames[force]), page.t("unit.n"), kNewtonWidth,
+                                     kNumberWidth, kKeyWidth + 4.0F);
     }
     const auto above = [](const Rect& plot) { return Rect{plot.x, plot.y - kRow + 2.0F, plot.width, kRow}; };
-    parts.full_at =
-        line(page, above(at.force_plot), page.t("force.plot"), page.t("unit.n"), kNewtonWidth, 0.0F);
-    parts.rate_at =
-        line(page, above(at.rate_plot), page.t("force.rate"), page.t("unit.hz"), kUnitWidth, 0.0F);
+    parts.full_at = line(page, above(at.force_plot), page.t("force.plot"), page.t("unit.n"), kNewtonWidth,
+                         kNumberWidth, 0.0F);
+    parts.rate_at = line(page, above(at.rate_plot), page.t("force.rate"), page.t("unit.hz"), kUnitWidth,
+                         kRateWidth, 0.0F);
     for (const Rect& plot : {at.force_plot, at.rate_plot}) {
         ui::Sketch frame;
         frame.add(
             ui::Box{{0.0F, 0.0F, plot.width, plot.height}, 4.0F, ui::Fill::flat(ui::hex(0x000000, 0.4F))});
         page.sprite(plot, std::move(frame));
     }
+    // The widest that the numbers become, in the room that line() leaves them.
+    const auto loose = [&](const std::string& number, vec2 right_middle, float room) {
+        float wide = 0.0F;
+        for (const char letter : number)
+            wide += letter == '.' ? parts.point.rect.width : parts.digits[8].rect.width;
+        const Rect within{right_middle.x - room + 6.0F, right_middle.y - 16.0F, room - 6.0F, kRow};
+        page.keep_loose({.words = page.digits(number),
+                         .rect = {right_middle.x - wide, within.y, wide, 30.0F},
+                         .size = 26.0F,
+                         .colour = design::kWhiteSlip,
+                         .within = within,
+                         .on_pot = true});
+    };
+    for (const vec2& at_value : parts.value_at)
+        loose("8.88", at_value, kNumberWidth);
+    loose("88.8", parts.full_at, kNumberWidth);
+    loose("8888", parts.rate_at, kRateWidth);
     parts.force_plot = at.force_plot;
     parts.rate_plot = at.rate_plot;
     parts.has_panel = true;

@@ -28,6 +28,10 @@ double smallest_text_degrees(int width_px, int height_px, double px_per_mm, doub
     return capital_degrees(double{design::kLeastTextSize}, mm_per_u, distance_mm);
 }
 
+double smallest_target_mm(int width_px, int height_px, double px_per_mm) {
+    return double{design::kLeastTarget} * double{px_per_u_of(width_px, height_px)} / px_per_mm;
+}
+
 float legible_scale(double mm_per_u, double distance_mm) {
     constexpr double kMostScale = 2.0;
     const double capital_mm = distance_mm * std::tan(kLeastCapitalDegrees / kDegreesPerRad);

@@ -5,6 +5,7 @@
 namespace onggi::screens {
 
 constexpr double kLeastCapitalDegrees = 0.7;
+constexpr double kLeastTargetMm = 20.0;
 
 // Of a panel of that diagonal, which the picture fills.
 [[nodiscard]] double px_per_mm(int width_px, int height_px, double diagonal_inch);
@@ -14,6 +15,9 @@ constexpr double kLeastCapitalDegrees = 0.7;
 
 // Of the smallest words there are on a screen.
 [[nodiscard]] double smallest_text_degrees(int width_px, int height_px, double px_per_mm, double distance_mm);
+
+// The smaller side of the smallest target there is on a screen, mm.
+[[nodiscard]] double smallest_target_mm(int width_px, int height_px, double px_per_mm);
 
 // How many times larger than designed words have to be to be read from there; 1 where the design will do, 2
 // at most: beyond it no box holds a word.

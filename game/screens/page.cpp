@@ -24,8 +24,21 @@ Page::Page(const View& view, ui::Painter& painter, PaintingStore& store)
     composition_.mm_per_u = composition_.px_per_u / static_cast<float>(view.px_per_mm);
     composition_.bounds = {0.0F, 0.0F, static_cast<float>(view.width_px) / composition_.px_per_u,
                            static_cast<float>(view.height_px) / composition_.px_per_u};
-    text_scale_ = (0.5F + 0.5F * static_cast<float>(view.state.comfort.text_size)) *
-                  legible_scale(double{composition_.mm_per_u}, view.distance_mm);
+    legible_scale_ = legible_scale(double{composition_.mm_per_u}, view.distance_mm);
+    text_scale_ = (0.5F + 0.5F * static_cast<float>(view.state.comfort.text_size)) * legible_scale_;
+}
+
+float Page::smaller(float size, float base) const {
+    constexpr float kStep = 0.96F;
+    constexpr float kLargeText = 1.5F;  // where the middle of the three sizes begins
+    const float least = base * legible_scale_;
+    const float below = 0.9999F * size;
+    if (size <= 1.0001F * least) return kStep * size;
+    float next = least;
+    while (next / kStep < below)
+        next /= kStep;
+    const float large = kLargeText * least;
+    return large > next && large < below ? large : next;
 }
 
 const kiosk::Language& Page::language(int place) const {
@@ -135,7 +148,7 @@ float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     ui::Text text;
     ui::TextSize size;
     // As large as asked for, or as large as fits.
-    for (;; words.size = std::max(least, words.size * 0.96F)) {
+    for (;; words.size = std::max(least, smaller(words.size, wanted.size))) {
         words.line = words.size * line_ratio;
         text = {.words = words.text, .style = style(words), .width = rect.width};
         size = painter_.measure(text);

@@ -72,6 +72,11 @@ class Page {
     [[nodiscard]] bool right_to_left() const { return language().right_to_left(); }
     [[nodiscard]] const View& view() const { return view_; }
     [[nodiscard]] float text_scale() const { return text_scale_; }
+    // The next smaller size to try for words, or the next smaller of their scale (base 1). The same steps
+    // whatever it begins with, so that nobody gets smaller words by asking for larger ones.
+    [[nodiscard]] float smaller(float size, float base) const;
+    // All that can be pressed stands in the lower half, for who sits or is small.
+    [[nodiscard]] bool is_low() const { return view_.state.comfort.reach; }
     [[nodiscard]] float px_per_u() const { return composition_.px_per_u; }
 
     // Words of the visitor's language, or of another.
@@ -98,6 +103,8 @@ class Page {
                 vec2 way = vec2(0.0F));
     // One line that the stage places itself: at least so wide, on a dark chip or on nothing.
     [[nodiscard]] Item loose_words(const Words& words, float least_width, bool on_chip);
+    // Words that the stage sets there from frame to frame: what a test must know of them.
+    void keep_loose(Writing writing) { composition_.writings.push_back(std::move(writing)); }
     void keep_forces(std::shared_ptr<const ForceParts> parts) { composition_.forces = std::move(parts); }
     void picture(const ui::Rect& rect, std::shared_ptr<const ui::Painting> painting, std::uint64_t key);
 
@@ -122,8 +129,10 @@ class Page {
     // A dark niche, or a paper one where it is chosen.
     int card_niche(const ui::Rect& rect, bool chosen, kiosk::Button button, int value,
                    const std::string& name);
-    void languages_token();
-    void look_in_token();
+    // Opens the choice of languages; with low controls it stands at `low` (of a left-to-right screen). Gives
+    // where it is.
+    ui::Rect languages_token(const ui::Rect& low);
+    void look_in_token(const ui::Rect& languages);
     // Dark where the photographed room ends, and a soft edge to it.
     void scene_ends();
     // A language by its own name, in its own letters.
@@ -148,13 +157,14 @@ class Page {
                          vec2 foot);
     void ledge(float y);
 
+    // Touching this place of the picture presses the newest target too.
+    void also_touched_at(const ui::Rect& rect) { composition_.targets.back().also = rect; }
     void keep_clear(const ui::Rect& pot) { composition_.pots.push_back(pot); }
     [[nodiscard]] Composition take();
 
   private:
     // The shadow of a pot, and the rect that its picture covers.
     ui::Rect stand(const PotShape& shape, float u_per_mm, vec2 foot);
-    [[nodiscard]] ui::Rect languages_place() const;
     [[nodiscard]] ui::TextStyle style(const Words& words) const;
     void name_ring(const ui::Rect& ring, const std::string& name);
     int add_target(const ui::Rect& rect, kiosk::Button button, int value, std::string name, bool repeats);
@@ -166,6 +176,7 @@ class Page {
     Composition composition_;
     Shape shape_ = Shape::kWide;
     float text_scale_ = 1.0F;
+    float legible_scale_ = 1.0F;  // of it, what the distance asks for
 };
 
 }  // namespace onggi::screens

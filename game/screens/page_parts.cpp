@@ -74,10 +74,11 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
     Words words{.text = std::string(name), .size = 30.0F, .line = 38.0F, .bold = true, .colour = ink};
     const float room = rect.width - 36.0F - icon_side - gap;
     // One line, as large as it can be, clear of the rounded corners.
+    const float base = words.size;
     words.size *= text_scale_;
     while (words.size > design::kLeastTextSize &&
            (words_width(words) > room || words.size * 1.25F > rect.height - 8.0F)) {
-        words.size = std::max(design::kLeastTextSize, words.size * 0.96F);
+        words.size = std::max(design::kLeastTextSize, smaller(words.size, base));
     }
     words.line = words.size * 1.26F;
     const float wide = words_width(words);
@@ -173,23 +174,8 @@ int Page::card_niche(const Rect& rect, bool chosen, kiosk::Button button, int va
     return target;
 }
 
-Rect Page::languages_place() const {
-    const bool low = view_.state.comfort.reach && view_.state.screen == kiosk::Screen::kThrow;
-    if (!low) return mirrored({width() - 32.0F - 150.0F, 28.0F, 150.0F, 60.0F});
-    // Brought low, it stands over the hand's keys, or across from them.
-    switch (shape_) {
-        case Shape::kTall:
-            return mirrored({width() - 32.0F - 150.0F, 490.0F, 150.0F, 60.0F});
-        case Shape::kSquare:
-            return mirrored({32.0F, 300.0F, 150.0F, 60.0F});
-        case Shape::kWide:
-            break;
-    }
-    return mirrored({32.0F, 478.0F, 150.0F, 60.0F});
-}
-
-void Page::languages_token() {
-    const Rect rect = languages_place();
+Rect Page::languages_token(const Rect& low) {
+    const Rect rect = mirrored(is_low() ? low : Rect{width() - 32.0F - 150.0F, 28.0F, 150.0F, 60.0F});
     const int target = add_target(rect, kiosk::Button::kLanguages, 0, t("lang.title"), false);
     ui::Sketch sketch;
     const Rect body{0.0F, 0.0F, rect.width, rect.height};
@@ -209,19 +195,15 @@ void Page::languages_token() {
     letter("A", 71.0F, design::kUiFamily);
     letter("ع", 105.0F, design::kUiFamilyArabic);
     sprite(rect, std::move(sketch), target);
+    return rect;
 }
 
-void Page::look_in_token() {
+void Page::look_in_token(const Rect& languages) {
     const bool inside = view_.state.throwing.looks_in;
-    const bool low = view_.state.comfort.reach;
-    const Rect languages = languages_place();
-    const bool low_wide = low && shape_ == Shape::kWide;
-    const bool is_right_of = low_wide != right_to_left();
-    const Rect rect = low && !low_wide
-                          ? Rect{languages.x + (right_to_left() ? 0.0F : languages.width - 84.0F),
-                                 languages.bottom() + 12.0F, 84.0F, 66.0F}
-                          : Rect{is_right_of ? languages.right() + 16.0F : languages.x - 100.0F,
-                                 languages.y - 3.0F, 84.0F, 66.0F};
+    // Towards the middle of the picture.
+    const bool is_right_of = languages.centre().x < 0.5F * width();
+    const Rect rect{is_right_of ? languages.right() + 16.0F : languages.x - 100.0F, languages.y - 3.0F, 84.0F,
+                    66.0F};
     token(rect, inside ? Look::kToken : Look::kOutline, kiosk::Button::kLookIn,
           t(inside ? "ctl.front" : "ctl.inside"), 0, Icon::kLookIn, false);
 }

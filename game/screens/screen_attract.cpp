@@ -189,7 +189,7 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     // All of them as large as the whole card bears, not the first at the cost of the last.
     float scale = page.text_scale();
     float size_room = 0.0F;
-    for (;; scale = std::max(1.0F, 0.96F * scale)) {
+    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
         float room = 8.0F;
         bool is_too_wide = false;
         for (const Words& words : lines) {
@@ -231,10 +231,14 @@ void draw_choose(Page& page) {
                                                                       .title = true,
                                                                       .colour = design::kSlip,
                                                                       .least_size = 40.0F});
-    page.languages_token();
+    const float foot_y = height - 77.0F;
+    page.languages_token({width - 182.0F, foot_y, 150.0F, 60.0F});
+    // Brought low, a tall screen has its cards side by side, as the others always have.
+    const bool in_rows = tall && !page.is_low();
 
-    // With the largest text a few of them, and a way to the others.
-    const bool is_paged = page.text_scale() > 1.9F && static_cast<int>(choices.size()) > kiosk::kShelfShown;
+    // With the largest text, or where the cards are brought low, a few of them, and a way to the others.
+    const bool is_paged = (page.text_scale() > 1.9F || ((tall || square) && page.is_low())) &&
+                          static_cast<int>(choices.size()) > kiosk::kShelfShown;
     const int first = is_paged ? std::clamp(view.state.shelf_first, 0,
                                             static_cast<int>(choices.size()) - kiosk::kShelfShown)
                                : 0;
@@ -242,15 +246,19 @@ void draw_choose(Page& page) {
     const auto choice_at = [&](int i) -> const Choice& {
         return choices[static_cast<std::size_t>(first + i)];
     };
-    const float scale = tall ? 0.52F : square ? 0.60F : 0.76F;
-    const auto pot = [&](const Choice& choice, vec2 foot) {
+    const float scale = tall ? (in_rows ? 0.52F : 0.66F) : square ? 0.60F : 0.76F;
+    const auto pot = [&](const Choice& choice, vec2 foot) -> Rect {
         const bool free = choice.exhibit == nullptr;
         const Rect rect =
             page.pot(free ? fresh_lump() : choice.exhibit->shape,
                      free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
         page.keep_clear(rect);
+        // Where a finger finds it, however flat a bowl is.
+        const float wide = std::max(rect.width, design::kLeastTarget);
+        const float high = std::max(rect.height, design::kLeastTarget);
+        return {foot.x - 0.5F * wide, rect.bottom() - high, wide, high};
     };
-    if (tall) {
+    if (in_rows) {
         const float top = 116.0F;
         const float step =
             std::min(is_paged ? 350.0F : 212.0F, (height - top - 100.0F) / static_cast<float>(count));
@@ -258,12 +266,13 @@ void draw_choose(Page& page) {
             const float y = top + step * static_cast<float>(i);
             const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
             page.down(shelf, design::kShelf, design::kShelfEdge);
-            pot(choice_at(i), {shelf.centre().x, shelf.y + 5.0F});
+            const Rect touched = pot(choice_at(i), {shelf.centre().x, shelf.y + 5.0F});
             draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F, step - 14.0F}), choice_at(i),
                       first + i);
+            page.also_touched_at(touched);
         }
     } else {
-        const float shelf_y = square ? 306.0F : 340.0F;
+        const float shelf_y = tall ? 606.0F : square ? (page.is_low() ? 346.0F : 306.0F) : 340.0F;
         const float card_top = shelf_y + 40.0F;
         const float card_height = height - card_top - 84.0F;
         const float gap = 10.0F;
@@ -273,11 +282,11 @@ void draw_choose(Page& page) {
         for (int i = 0; i < count; ++i) {
             const Rect card = page.mirrored(
                 {24.0F + static_cast<float>(i) * (card_width + gap), card_top, card_width, card_height});
-            pot(choice_at(i), {card.centre().x, shelf_y + 9.0F});
+            const Rect touched = pot(choice_at(i), {card.centre().x, shelf_y + 9.0F});
             draw_card(page, card, choice_at(i), first + i);
+            page.also_touched_at(touched);
         }
     }
-    const float foot_y = height - 77.0F;
     page.token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}), Look::kOutline, kiosk::Button::kBack,
                page.t("ctl.back"), 0, page.right_to_left() ? Icon::kRight : Icon::kLeft);
     if (is_paged) {
@@ -287,22 +296,25 @@ void draw_choose(Page& page) {
         page.token(page.mirrored({322.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfNext,
                    page.t("choose.next"), 0, rtl ? Icon::kLeft : Icon::kRight, false);
     }
-    // The scale, drawn and in words.
+    // The scale, drawn and in words; where the token of languages is brought low, it makes room.
+    const bool is_on_top = tall && page.is_low();
+    const float scale_y = is_on_top ? 30.0F : foot_y;
+    const float scale_right = width - 32.0F - (page.is_low() && !tall ? 170.0F : 0.0F);
     const float bar = 100.0F * scale;
-    const Rect bar_rect = page.mirrored({width - 32.0F - bar, foot_y + 22.0F, bar, 14.0F});
+    const Rect bar_rect = page.mirrored({scale_right - bar, scale_y + 22.0F, bar, 14.0F});
     ui::Sketch sketch;
     sketch.add(ui::Shape{.path = fmt::format("M1.5 1.5 V12.5 H{0:.1f} V1.5", bar - 1.5F),
                          .stroke = design::kSlip2,
                          .stroke_width = 3.0F});
     page.sprite(bar_rect, std::move(sketch));
-    page.words(page.mirrored({width - 32.0F - bar - 132.0F, foot_y + 8.0F, 120.0F, 36.0F}),
+    page.words(page.mirrored({scale_right - bar - 132.0F, scale_y + 8.0F, 120.0F, 36.0F}),
                {.text = page.measure("100", "unit.mm"),
                 .size = 26.0F,
                 .line = 34.0F,
                 .colour = design::kSlip2,
                 .align = ui::Align::kEnd});
-    const float note_width = width - 32.0F - bar - 132.0F - 220.0F;
-    if (page.text_scale() < 1.9F && note_width > 200.0F) {
+    const float note_width = scale_right - bar - 132.0F - 220.0F;
+    if (page.text_scale() < 1.9F && !is_paged && note_width > 200.0F) {
         page.words(page.mirrored({212.0F, foot_y - (note_width < 420.0F ? 6.0F : -8.0F), note_width,
                                   note_width < 420.0F ? 68.0F : 36.0F}),
                    {.text = page.t("choose.scale"),

@@ -28,15 +28,17 @@ void draw_failure(Page& page) {
     const float width = page.width();
     const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
     page.scene_ends();
-    page.down({0.0F, 0.0F, width, 128.0F}, night(0.93F), night(0.88F));
-    page.down({0.0F, 128.0F, width, 92.0F}, night(0.88F), night(0.0F));
+    // Deeper for larger text, so that the title does not take the second line's room.
+    const float deep = 128.0F + 24.0F * static_cast<float>(page.view().state.comfort.text_size - 1);
+    page.down({0.0F, 0.0F, width, deep}, night(0.93F), night(0.88F));
+    page.down({0.0F, deep, width, 92.0F}, night(0.88F), night(0.0F));
     const float title = page.words({60.0F, 18.0F, width - 120.0F, 76.0F}, {.text = page.t("fail.title"),
                                                                            .size = 50.0F,
                                                                            .line = 66.0F,
                                                                            .title = true,
                                                                            .align = ui::Align::kCentre,
                                                                            .least_size = 40.0F});
-    page.words({60.0F, 20.0F + title, width - 120.0F, 132.0F - 20.0F - title},
+    page.words({60.0F, 20.0F + title, width - 120.0F, deep - 16.0F - title},
                {.text = page.t(why_of(page.view().state.throwing.collapse)),
                 .size = 30.0F,
                 .line = 40.0F,

@@ -183,7 +183,10 @@ void draw_glazes(Page& page) {
     page.words(
         page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
         {.text = page.t("glz.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
-    page.languages_token();
+    // Brought low, it stands across from the token that takes the glaze, or beside it.
+    page.languages_token(tall     ? Rect{width - 182.0F, shelf_y + 150.0F, 150.0F, 60.0F}
+                         : square ? Rect{32.0F, 397.0F, 150.0F, 60.0F}
+                                  : Rect{32.0F, 383.0F, 150.0F, 60.0F});
     page.shelf(shelf_y, 34.0F);
     const finish::GlazeMaterial& chosen = finish::glaze_at(glaze);
     const float box_width = tall ? 560.0F : square ? 420.0F : 360.0F;

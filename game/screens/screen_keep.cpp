@@ -133,7 +133,8 @@ void draw_your_pot(Page& page) {
     const float height = page.height();
     const bool tall = page.shape() == Shape::kTall;
     const bool square = page.shape() == Shape::kSquare;
-    const float shelf_y = tall ? 590.0F : square ? 546.0F : 546.0F;
+    const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the token of languages, brought low
+    const float shelf_y = tall ? 590.0F - raised : 546.0F;
     const float foot_y = shelf_y + 14.0F;
     const Rect stage = page.mirrored({0.0F, 0.0F, tall ? width : square ? 560.0F : 760.0F, shelf_y});
     page.museum({stage.centre().x, 0.42F * height}, {0.44F * width, 0.62F * height}, 0.30F);
@@ -142,7 +143,7 @@ void draw_your_pot(Page& page) {
     page.words(
         page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
         {.text = page.t("your.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
-    page.languages_token();
+    page.languages_token({width - 182.0F, tall ? height - 182.0F : square ? 480.0F : 474.0F, 150.0F, 60.0F});
     if (!view.pot) return;
 
     const Exhibit* const relative = view.pot->relative.get();
@@ -186,7 +187,7 @@ void draw_your_pot(Page& page) {
     }
     const float card_x = tall ? 40.0F : stage.width + 10.0F;
     const float card_width = tall ? width - 80.0F : width - 32.0F - card_x;
-    const Rect card = page.mirrored({card_x, tall ? 740.0F : 118.0F, card_width, 320.0F});
+    const Rect card = page.mirrored({card_x, (tall ? 740.0F : 118.0F) - raised, card_width, 320.0F});
     measures_card(page, card);
     if (relative != nullptr) {
         near_words(
@@ -227,8 +228,8 @@ void draw_keep(Page& page) {
             const float half = other.shape.radius_mm() * scale + 12.0F;
             const bool left = i % 2 == 0;
             const float x = left ? reach[0] - half : reach[1] + half;
-            if (x - half < 24.0F || x + half > (has_phone && !tall ? width - 460.0F : width - 24.0F))
-                continue;
+            const float taken = tall ? 24.0F : has_phone ? 460.0F : page.is_low() ? 206.0F : 24.0F;
+            if (x - half < 24.0F || x + half > width - taken) continue;
             page.pot(other.shape, finish::glaze_at(other.glaze), scale, {mirrored_x(x), foot_y}, 0.76F);
             (left ? reach[0] : reach[1]) += left ? -2.0F * half : 2.0F * half;
         }
@@ -251,7 +252,10 @@ void draw_keep(Page& page) {
                 .bold = full,
                 .title = !full,
                 .least_size = full ? 26.0F : 40.0F});
-    page.languages_token();
+    // Brought low, it stands under the phone's card, or beside the last token.
+    const float finish_width = tall ? width - 120.0F - (page.is_low() ? 168.0F : 0.0F) : 190.0F;
+    page.languages_token(
+        {tall ? 60.0F + finish_width + 18.0F : width - 182.0F, tall ? 1194.0F : 432.0F, 150.0F, 60.0F});
     const float words_y = tall ? 930.0F : shelf_y + 54.0F;
     if (kept) {
         const Rect rect = page.mirrored({36.0F, words_y,
@@ -268,22 +272,22 @@ void draw_keep(Page& page) {
     }
     if (has_phone) {
         phone_card(page, tall     ? Rect{110.0F, 600.0F, 500.0F, 318.0F}
-                         : square ? page.mirrored({612.0F, 124.0F, 380.0F, 392.0F})
-                                  : page.mirrored({844.0F, 104.0F, 404.0F, 392.0F}));
+                         : square ? page.mirrored({612.0F, page.is_low() ? 28.0F : 124.0F, 380.0F, 392.0F})
+                                  : page.mirrored({844.0F, page.is_low() ? 28.0F : 104.0F, 404.0F, 392.0F}));
     }
     if (view.state.keeping.outcome == kiosk::Keeping::Outcome::kSaving) return;
     if (tall) {
         page.token({60.0F, 1090.0F, width - 120.0F, 84.0F}, Look::kPrimary, kiosk::Button::kAnother,
                    page.t("keep.again"));
-        page.token({60.0F, 1190.0F, width - 120.0F, 68.0F}, Look::kOutline, kiosk::Button::kFinish,
-                   page.t("keep.end"));
+        page.token(page.mirrored({60.0F, 1190.0F, finish_width, 68.0F}), Look::kOutline,
+                   kiosk::Button::kFinish, page.t("keep.end"));
         return;
     }
     const float y = height - (square ? 118.0F : 130.0F);
     const float again = square ? 240.0F : 264.0F;
     page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary,
                kiosk::Button::kAnother, page.t("keep.again"));
-    page.token(page.mirrored({width - 32.0F - again - 18.0F - 190.0F, y, 190.0F, 78.0F}), Look::kOutline,
+    page.token(page.mirrored({width - 50.0F - again - finish_width, y, finish_width, 78.0F}), Look::kOutline,
                kiosk::Button::kFinish, page.t("keep.end"));
 }
 

@@ -106,22 +106,28 @@ void draw_language(Page& page) {
                                                        .align = ui::Align::kCentre,
                                                        .language = 0,
                                                        .least_size = 40.0F});
-    const int columns = tall ? 1 : std::min(count, 4);
+    // Brought low, all of it stands close together in the lower half; more than four languages need more.
+    const bool low = page.is_low();
+    const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
+    const int rows = (count + columns - 1) / columns;
     const float gap = 24.0F;
     const float wide =
         std::min(tall ? 480.0F : 330.0F,
                  (width - 64.0F - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-    const float high = tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
+    const float between = low ? 12.0F : 16.0F;
+    const float high = low ? (tall ? 84.0F : 80.0F) : tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
     const float left =
         0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
+    const float top =
+        low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between) : 140.0F;
     float bottom = 0.0F;
     for (int i = 0; i < count; ++i) {
         const Rect rect{left + static_cast<float>(i % columns) * (wide + gap),
-                        140.0F + static_cast<float>(i / columns) * (high + 16.0F), wide, high};
+                        top + static_cast<float>(i / columns) * (high + between), wide, high};
         page.language_token(rect, i, i == comfort.language);
         bottom = std::max(bottom, rect.bottom());
     }
-    const float y = tall ? bottom + 70.0F : 352.0F;
+    const float y = low ? bottom + 14.0F : tall ? bottom + 70.0F : 352.0F;
     const bool reversed = page.right_to_left();
     const auto stepper = [&](const Rect& place, Icon icon, int dots, int on, Button less, Button more,
                              const char* key) {
@@ -151,7 +157,7 @@ void draw_language(Page& page) {
         stepper({x + stepper_width + gap, y, stepper_width, 84.0F}, Icon::kSound, kiosk::kMostVolume,
                 comfort.volume, Button::kSoundLess, Button::kSoundMore, "lang.sound");
     }
-    const float toggles_y = tall ? y + 200.0F : y;
+    const float toggles_y = tall ? y + (low ? 162.0F : 200.0F) : y;
     const float toggles_x = tall ? 0.5F * (width - 3.0F * toggle_width - 2.0F * gap)
                                  : 0.5F * (width + 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap) -
                                        3.0F * toggle_width - 2.0F * gap;
@@ -161,7 +167,8 @@ void draw_language(Page& page) {
            Button::kLeftHand, "lang.left");
     toggle({toggles_x + 2.0F * (toggle_width + gap), toggles_y, toggle_width, 84.0F}, Icon::kStill,
            comfort.still, Button::kStill, "lang.still");
-    page.token({0.5F * (width - 280.0F), height - (tall ? 160.0F : 120.0F), 280.0F, 84.0F}, Look::kPrimary,
+    const float done_y = height - (low ? 98.0F : tall ? 160.0F : 120.0F);
+    page.token({0.5F * (width - 280.0F), done_y, 280.0F, low ? 80.0F : 84.0F}, Look::kPrimary,
                Button::kComfortDone, page.t("lang.done"));
 }
 

@@ -282,21 +282,32 @@ void warning_card(Page& page) {
                             : view.state.throwing.warning == kiosk::Warning::kWet ? "warn.wet"
                                                                                   : "warn.fast";
     page.card(card, design::kHanji, design::kHanji);
-    const float head = page.words(
-        {card.x + 20.0F, card.y + 14.0F, card.width - 40.0F, card.height - 62.0F},
-        {.text = page.t(key), .size = 30.0F, .line = 40.0F, .bold = true, .colour = design::kRust}, true);
-    page.words({card.x + 20.0F, card.y + 18.0F + head, card.width - 40.0F, card.height - head - 26.0F},
-               {.text = page.t(std::string(key) + "2"), .size = 28.0F, .line = 38.0F, .colour = design::kInk},
-               true);
+    Words head{.text = page.t(key), .size = 30.0F, .line = 40.0F, .bold = true, .colour = design::kRust};
+    Words advice{
+        .text = page.t(std::string(key) + "2"), .size = 28.0F, .line = 38.0F, .colour = design::kInk};
+    // Both as large as the card bears, not the first at the cost of the second.
+    const Rect inner{card.x + 20.0F, card.y + 14.0F, card.width - 40.0F, card.height - 22.0F};
+    float scale = page.text_scale();
+    float head_height = 0.0F;
+    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
+        const ui::TextSize one = page.words_size(head, scale, inner.width);
+        const ui::TextSize other = page.words_size(advice, scale, inner.width);
+        head_height = one.height + 4.0F;
+        if (scale <= 1.0F) break;
+        if (head_height + other.height <= inner.height && !one.too_wide && !other.too_wide) break;
+    }
+    for (Words* words : {&head, &advice}) {
+        words->size *= scale;
+        words->line *= scale;
+    }
+    page.fixed_words({inner.x, inner.y, inner.width, inner.height - 40.0F}, head);
+    page.fixed_words({inner.x, inner.y + head_height, inner.width, inner.height - head_height}, advice);
 }
 
 void hand_pad(Page& page) {
-    // Right above the ledge, where it is not further up than who sits can reach.
-    const float above = page.shape() == Shape::kWide     ? 288.0F
-                        : page.shape() == Shape::kSquare ? 262.0F
-                                                         : 272.0F;
+    // Right above the ledge and as on a keyboard, because a cross would leave the lower half.
     const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
-    const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_y(page) - above, 264.0F, 252.0F});
+    const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_y(page) - 172.0F, 264.0F, 164.0F});
     const bool out_is_right = !page.view().state.comfort.left_hand;
     page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,
                Icon::kUp, false, true);
@@ -304,7 +315,7 @@ void hand_pad(Page& page) {
                page.t(out_is_right ? "ctl.in" : "ctl.out"), 0, Icon::kLeft, false, true);
     page.token({pad.x + 184.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandRight,
                page.t(out_is_right ? "ctl.out" : "ctl.in"), 0, Icon::kRight, false, true);
-    page.token({pad.x + 92.0F, pad.y + 176.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandDown,
+    page.token({pad.x + 92.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandDown,
                page.t("ctl.down"), 0, Icon::kDown, false, true);
 }
 
@@ -350,9 +361,12 @@ void draw_throw(Page& page) {
     }
     if (has_hand_pad(view)) hand_pad(page);  // the ring comes to it before it comes to what ends the throwing
     controls(page);
-    page.languages_token();
+    // Brought low, they stand over the hand's keys, or across from them.
+    const Rect languages =
+        page.languages_token(page.shape() == Shape::kTall ? Rect{page.width() - 182.0F, 648.0F, 150.0F, 60.0F}
+                                                          : Rect{32.0F, 478.0F, 150.0F, 60.0F});
     add_forces(page);
-    if (view.can_look_in) page.look_in_token();
+    if (view.can_look_in) page.look_in_token(languages);
     const float middle = 0.5F * page.width();
     if (view.state.device_lost || view.state.force_rests) {
         const bool tall = page.shape() == Shape::kTall;

@@ -72,7 +72,7 @@ int Stage::target_at(vec2 px) const {
     const Composition& composition = now_->composition;
     const vec2 at = px / composition.px_per_u;
     for (std::size_t i = composition.targets.size(); i-- > 0;) {
-        if (composition.targets[i].rect.contains(at)) return static_cast<int>(i);
+        if (composition.targets[i].lies_under(at)) return static_cast<int>(i);
     }
     return -1;
 }

@@ -115,6 +115,25 @@ TEST(KioskSettings, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
         << settings.remarks.front();
 }
 
+TEST(KioskSettings, SayWhatTheirPanelCannotKeep) {
+    kiosk::Config config;
+    EXPECT_TRUE(panel_lacks(config, 1920, 1080).empty()) << "24 inches at 600 mm";
+    EXPECT_TRUE(panel_lacks(config, 3840, 2160).empty());
+    EXPECT_TRUE(panel_lacks(config, 1080, 1920).empty());
+    config.screen.distance_mm = 800.0;
+    ASSERT_EQ(panel_lacks(config, 1920, 1080).size(), 1U);
+    EXPECT_EQ(panel_lacks(config, 1920, 1080).front(),
+              "screen: expected capitals of 0.7 degrees, found 0.56 in the smallest words at 800 mm from 24 "
+              "inches; a panel of 31 inches or a distance of 635 mm would do");
+    config.screen.diagonal_inch = 15.6;
+    ASSERT_EQ(panel_lacks(config, 1920, 1080).size(), 2U);
+    config.screen.distance_mm = 400.0;  // near enough to read it, and too small to touch
+    ASSERT_EQ(panel_lacks(config, 1920, 1080).size(), 1U);
+    EXPECT_EQ(panel_lacks(config, 1920, 1080).front(),
+              "screen: expected targets of 20 mm, found 13.5 in the smallest on 15.6 inches; a panel of 24 "
+              "inches would do");
+}
+
 TEST(KioskTickRate, IsTheFinerOneWhereDeadlinesAreKeptUnlessTheSettingsSayAnother) {
     EXPECT_EQ(tick_rate_hz(0.0, true), 4000.0);
     EXPECT_EQ(tick_rate_hz(0.0, false), 1000.0);

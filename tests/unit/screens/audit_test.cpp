@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "game/screens/screens.h"
 #include "tests/unit/screens/audit_checks.h"
@@ -30,14 +33,86 @@ class Audit : public testing::TestWithParam<Case> {
     ui::Painter painter_;
 };
 
+// Every way in which a visitor may have set the screens up.
+std::vector<SampleWish> ways_of(const Case& one, int text_size) {
+    std::vector<SampleWish> ways;
+    for (const int way : {0, 1, 2, 3, 4, 5, 6, 7}) {
+        ways.push_back({.width_px = one.width_px,
+                        .height_px = one.height_px,
+                        .language = one.language,
+                        .text_size = text_size,
+                        .reach = (way & 1) != 0,
+                        .left_hand = (way & 2) != 0,
+                        .scans = (way & 4) != 0,
+                        .staff = way == 0});
+    }
+    return ways;
+}
+
+std::string words_for(const SampleWish& way) {
+    return fmt::format("text {}{}{}{}", way.text_size, way.reach ? ", reach" : "",
+                       way.left_hand ? ", left hand" : "", way.scans ? ", ring" : "");
+}
+
+// With the ring on the n-th of its targets, round and round.
+SampleView with_ring(const SampleView& sample, std::size_t n, std::size_t targets) {
+    View view = *sample.view;
+    view.focus = targets == 0 ? -1 : static_cast<int>(n % targets);
+    return {sample.name, std::make_shared<const View>(std::move(view))};
+}
+
 TEST_P(Audit, FindsNothingInAnyLayout) {
+    PaintingStore store(painter_, PaintingStore::Paints::kNothing);
+    std::size_t ring = 0;
+    for (int text_size = 1; text_size <= kiosk::kMostTextSize; ++text_size) {
+        for (const SampleWish& way : ways_of(GetParam(), text_size)) {
+            for (const SampleView& sample : sample_views(way)) {
+                SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(way)));
+                Composition screen = compose(*sample.view, painter_, store);
+                audit_layout(sample, screen);
+                if (!way.scans) continue;
+                const SampleView ringed = with_ring(sample, ++ring, screen.targets.size());
+                audit_layout(ringed, compose(*ringed.view, painter_, store));
+            }
+        }
+    }
+}
+
+// Words may keep their size where their box has no room for more, but none is smaller for who asks for larger
+// ones, and taken together they are clearly larger.
+TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
     const Case& one = GetParam();
     PaintingStore store(painter_, PaintingStore::Paints::kNothing);
-    for (int text_size = 1; text_size <= kiosk::kMostTextSize; ++text_size) {
-        for (const SampleView& sample :
-             sample_views({one.width_px, one.height_px, one.language, text_size})) {
-            SCOPED_TRACE(fmt::format("{}, text {}", sample.name, text_size));
-            audit_layout(sample, compose(*sample.view, painter_, store));
+    for (const bool reach : {false, true}) {
+        std::map<std::string, float> first;
+        std::map<std::string, float> before;
+        for (int text_size = 1; text_size <= kiosk::kMostTextSize; ++text_size) {
+            double grown = 0.0;
+            int count = 0;
+            for (const SampleView& sample : sample_views({.width_px = one.width_px,
+                                            .height_px = one.height_px,
+                                            .language = one.language,
+                                            .text_size = text_size,
+                                            .reach = reach,
+                                            .staff = false})) {
+                std::map<std::string, int> again;
+                for (const Writing& text : compose(*sample.view, painter_, store).writings) {
+                    const std::string key =
+                        fmt::format("{} {} {}", sample.name, text.words, again[text.words]++);
+                    const auto smaller = before.find(key);
+                    if (smaller != before.end()) {
+                        EXPECT_GE(text.size, smaller->second - 0.01F) << key << ", text " << text_size;
+                    }
+                    before[key] = text.size;
+                    const float size = first.emplace(key, text.size).first->second;
+                    if (sample.view->state.screen == kiosk::Screen::kAttract) continue;
+                    grown += double{text.size} / double{size};
+                    ++count;
+                }
+            }
+            constexpr std::array kLeastGrown{0.99, 1.12, 1.16};  // of the whole screens' words
+            EXPECT_GT(grown / count, kLeastGrown[static_cast<std::size_t>(text_size - 1)])
+                << "text " << text_size;
         }
     }
 }
@@ -45,16 +120,23 @@ TEST_P(Audit, FindsNothingInAnyLayout) {
 TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
     const Case& one = GetParam();
     PaintingStore store(painter_);
-    // A quarter of the size each way, and the same layout.
-    for (const int text_size : {1, 3}) {
-        for (const SampleView& sample :
-             sample_views({one.width_px / 4, one.height_px / 4, one.language, text_size})) {
-            SCOPED_TRACE(fmt::format("{}, text {}", sample.name, text_size));
-            const Composition composition = compose(*sample.view, painter_, store);
-            audit_contrast(sample, composition);
-            audit_room(sample, composition);
+    // A quarter of the size each way, and the same layout. The staff's panel keeps its size of text.
+    const auto audit = [&](SampleWish wish) {
+        wish.width_px = one.width_px / 4;
+        wish.height_px = one.height_px / 4;
+        wish.language = one.language;
+        std::size_t ring = 0;
+        for (const SampleView& sample : sample_views(wish)) {
+            SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(wish)));
+            const SampleView ringed = wish.scans ? with_ring(sample, ++ring, 12) : sample;
+            const Composition composition = compose(*ringed.view, painter_, store);
+            audit_contrast(ringed, composition);
+            audit_room(ringed, composition);
         }
-    }
+    };
+    for (const int text_size : {1, 2, 3})
+        audit({.text_size = text_size, .staff = text_size == 1});
+    audit({.text_size = 3, .reach = true, .left_hand = true, .scans = true, .staff = false});
 }
 
 // Unoptimised, one audit takes a minute: there the code runs once, and the optimised builds judge the rest.

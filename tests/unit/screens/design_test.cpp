@@ -5,6 +5,7 @@
 
 #include "engine/ui/path.h"
 #include "game/screens/icons.h"
+#include "game/screens/legibility.h"
 
 namespace onggi::screens::design {
 namespace {
@@ -18,6 +19,7 @@ struct Pair {
 
 TEST(Design, KeepsEveryPairOfColoursApart) {
     const Colour window = ui::hex(0xf5f9fd);
+    const Colour chip = ui::over(kNight.with_alpha(0.86F), window);
     const Pair kPairs[] = {
         {"ink on hanji", kInk, kHanji, 4.5F},
         {"ink on porcelain", kInk, kPorcelain, 4.5F},
@@ -38,6 +40,10 @@ TEST(Design, KeepsEveryPairOfColoursApart) {
          4.5F},
         {"slip on the least scrim before the window", kSlip, ui::over(kNight.with_alpha(0.66F), window),
          4.5F},
+        {"stiffness by name on its chip before the window", kStiffness, chip, 4.5F},
+        {"viscosity by name on its chip before the window", kViscosity, chip, 4.5F},
+        {"friction by name on its chip before the window", kFriction, chip, 4.5F},
+        {"the sum by name on its chip before the window", kWhiteSlip, chip, 4.5F},
         {"amber on night", kAmber, kNight, 3.0F},
         {"a niche's edge on the wall", kNicheEdge, kWallDark, 3.0F},
         {"an outline's core on its halo before the window", kOutline,
@@ -49,8 +55,8 @@ TEST(Design, KeepsEveryPairOfColoursApart) {
 }
 
 TEST(Design, HasTargetsOfTwentyMillimetres) {
-    EXPECT_GE(kTokenHeight * kMmPerU, kLeastTargetMm);
-    EXPECT_GE(50.0F * kMmPerU, kLeastTargetMm) << "the ends of a stepper";
+    EXPECT_GE(double{kTokenHeight * kMmPerU}, kLeastTargetMm);
+    EXPECT_GE(double{kLeastTarget * kMmPerU}, kLeastTargetMm) << "the ends of a stepper";
 }
 
 TEST(Design, WritesCapitalsOfSevenTenthsOfADegree) {

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "game/screens/design.h"
+#include "game/screens/layout.h"
+
 namespace onggi::screens {
 namespace {
 
@@ -176,13 +179,16 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
     View base;
     base.width_px = wish.width_px;
     base.height_px = wish.height_px;
-    const float u =
-        static_cast<float>(wish.height_px > wish.width_px ? wish.width_px : wish.height_px) / 720.0F;
-    base.px_per_mm = static_cast<double>(u) / 0.4151;
+    base.px_per_mm = double{px_per_u_of(wish.width_px, wish.height_px) / design::kMmPerU};
     base.languages = languages();
     base.exhibits = sample_exhibits();
     base.state.comfort.language = place_of(wish.language);
     base.state.comfort.text_size = wish.text_size;
+    base.state.comfort.reach = wish.reach;
+    base.state.comfort.left_hand = wish.left_hand;
+    base.state.comfort.still = wish.still;
+    base.scans = wish.scans;
+    base.focus = wish.scans ? 0 : -1;
     base.pot = std::make_shared<const FiredPot>(FiredPot{.shape = jar(),
                                                          .height_mm = 168.0,
                                                          .width_mm = 152.0,
@@ -311,6 +317,7 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.state.panel = kiosk::Panel::kLanguage;
         view.state.comfort.still = true;
     });
+    if (!wish.staff) return all;
     add("pin", Screen::kThrow, [](View& view) {
         view.state.panel = kiosk::Panel::kPin;
         view.state.staff.digits = 2;

@@ -19,6 +19,11 @@ struct SampleWish {
     int height_px = 720;
     std::string language = "en";  // of en, ko, ar
     int text_size = 1;
+    bool reach = false;
+    bool left_hand = false;
+    bool scans = false;  // the ring stands on the first target
+    bool still = false;
+    bool staff = true;  // their panel too
 };
 
 // One of each screen and panel, with what it needs.

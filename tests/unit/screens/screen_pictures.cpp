@@ -1,5 +1,5 @@
 // Paints every screen into a folder, to be looked at: screen_pictures FOLDER [LANGUAGE [WIDTH HEIGHT [TEXT
-// [NAME]]]]; with a NAME only those that begin so.
+// [NAME [WAYS]]]]]; with a NAME only those that begin so; WAYS: r low controls, l left hand, s one switch.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -20,10 +20,14 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = word(1, "out/screens");
     std::error_code error;
     std::filesystem::create_directories(folder, error);
+    const std::string ways = word(7, "");
     const screens::SampleWish wish{.width_px = std::atoi(word(3, "1280").c_str()),
                                    .height_px = std::atoi(word(4, "720").c_str()),
                                    .language = word(2, "en"),
-                                   .text_size = std::atoi(word(5, "1").c_str())};
+                                   .text_size = std::atoi(word(5, "1").c_str()),
+                                   .reach = ways.find('r') != std::string::npos,
+                                   .left_hand = ways.find('l') != std::string::npos,
+                                   .scans = ways.find('s') != std::string::npos};
     ui::Painter painter;
     screens::PaintingStore store(painter);
     for (const screens::SampleView& sample : screens::sample_views(wish)) {

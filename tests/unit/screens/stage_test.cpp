@@ -99,6 +99,22 @@ TEST_F(Theatre, FindsTheTargetUnderAFinger) {
     EXPECT_EQ(stage_.target_at({320.0F, 180.0F}), -1);
 }
 
+TEST_F(Theatre, TakesATouchedPotForItsCard) {
+    const auto screen = composed("choose");
+    stage_.take(screen, 0.0);
+    const Composition& composition = screen->composition;
+    int touched = 0;
+    for (std::size_t i = 0; i < composition.targets.size(); ++i) {
+        const Target& target = composition.targets[i];
+        if (target.button != kiosk::Button::kFree && target.button != kiosk::Button::kTarget) continue;
+        EXPECT_LT(target.also.bottom(), target.rect.y) << "above its card: " << target.name;
+        EXPECT_EQ(stage_.target_at(target.also.centre() * composition.px_per_u), static_cast<int>(i))
+            << target.name;
+        ++touched;
+    }
+    EXPECT_EQ(touched, 5) << "the clay, and four pots";
+}
+
 TEST_F(Theatre, BringsTheGhostAndTakesItAway) {
     stage_.take(composed("throw-0"), 0.0);
     const std::size_t without = draw(1.0).vertices().size();
