@@ -14,6 +14,7 @@ constexpr double kChangeStillS = 0.12;
 constexpr float kRiseU = 12.0F;
 constexpr double kHintInS = 0.4;
 constexpr double kHintOutS = 0.18;
+constexpr double kHintStillS = 0.12;
 constexpr double kLoopS = 2.6;
 constexpr double kRestS = 0.5;
 constexpr float kHintAlpha = 0.88F;
@@ -119,7 +120,9 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     if (!now_) return list_;
     fit_atlas();
     if (frame.hint && hint_alpha_ <= 0.0) hint_s_ = frame.now_s;
-    hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / kHintInS : -step_s / kHintOutS), 0.0, 1.0);
+    const double comes_s = is_still(*now_) ? kHintStillS : kHintInS;
+    const double goes_s = is_still(*now_) ? kHintStillS : kHintOutS;
+    hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / comes_s : -step_s / goes_s), 0.0, 1.0);
 
     const double along = before_ ? (frame.now_s - since_s_) / change_s(*before_, *now_) : 1.0;
     if (along >= 1.0) before_.reset();

@@ -108,6 +108,37 @@ press_in() {
         ;;
     esac
 }
+# The passages that a visitor may take on the way; each waits for what it expects.
+
+# Another language and back, and the controls in the lower half, all on the panel of languages. The codes as
+# screen_targets numbers them: ko, en, ar.
+other_language=ko
+other_value=0
+own_value=$(case $language in ko) echo 0 ;; en) echo 1 ;; *) echo 2 ;; esac)
+[ "$language" = ko ] && { other_language=en; other_value=1; }
+through_languages() {
+    press choose languages; on_screen 'choose - language'
+    press language language "$other_value"; settles
+    "$targets" "$other_language" "$width" "$height" >targets
+    on_screen 'choose - language'
+    press language language "$own_value"; settles
+    "$targets" "$language" "$width" "$height" >targets
+    press language reach; settles
+    "$targets" "$language" "$width" "$height" 1 r >targets
+    on_screen 'choose - language'
+    press language comfort-done; on_screen choose
+    # A pot of a museum to throw, and what was touched taken back.
+    press choose target 0; on_screen throw
+    press_in
+    press throw-0 undo; settles
+    on_screen throw
+    press throw-0 languages; on_screen 'throw - language'
+    press language reach; settles
+    "$targets" "$language" "$width" "$height" >targets
+    press language comfort-done; on_screen throw
+}
+# What was pressed has been shown: a frame or two, also under a sanitizer.
+settles() { sleep 0.5; }
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
