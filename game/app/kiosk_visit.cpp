@@ -323,6 +323,10 @@ Result<void> KioskVisit::frame(double now_s) {
 void KioskVisit::name_window(const kiosk::State& shown) {
     std::string title = "Onggi - " + std::string(kiosk::name_of(shown.screen));
     if (shown.panel != Panel::kNone) title += " - " + std::string(kiosk::name_of(shown.panel));
+    if (shown.panel == Panel::kLanguage) {
+        title += " " + (*parts_.settings.languages)[static_cast<std::size_t>(shown.comfort.language)].code();
+        if (shown.comfort.reach) title += " low";
+    }
     if (pointer_.focus() >= 0) title += " [" + std::to_string(pointer_.focus()) + "]";
     if (title == title_) return;
     title_ = title;

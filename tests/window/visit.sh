@@ -16,7 +16,9 @@ clay_level=54  # per cent of the height: low on the lump
 rm -rf "$3"
 mkdir -p "$3"
 cd "$3"
-"$targets" "$language" "$width" "$height" >targets
+# lay_out LANGUAGE [low]: where the buttons are from now on.
+lay_out() { "$targets" "$1" "$width" "$height" 1 "${2:-}" >targets; }
+lay_out "$language"
 
 kiosk=
 server=
@@ -30,8 +32,11 @@ first = "$language"
 folder = "gallery"
 least_free_mb = 1
 TOML
-"$onggi" kiosk --config kiosk.toml --size "$size" --device mouse >kiosk.log 2>&1 &
-kiosk=$!
+open_kiosk() {
+    "$onggi" kiosk --config kiosk.toml --size "$size" --device mouse >>kiosk.log 2>&1 &
+    kiosk=$!
+}
+open_kiosk
 fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
 
 # wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
@@ -108,37 +113,34 @@ press_in() {
         ;;
     esac
 }
-# The passages that a visitor may take on the way; each waits for what it expects.
-
-# Another language and back, and the controls in the lower half, all on the panel of languages. The codes as
-# screen_targets numbers them: ko, en, ar.
-other_language=ko
-other_value=0
-own_value=$(case $language in ko) echo 0 ;; en) echo 1 ;; *) echo 2 ;; esac)
-[ "$language" = ko ] && { other_language=en; other_value=1; }
+# Another language, its own again, and all controls in the lower half: from the choice of pots and back to it.
 through_languages() {
-    press choose languages; on_screen 'choose - language'
-    press language language "$other_value"; settles
-    "$targets" "$other_language" "$width" "$height" >targets
-    on_screen 'choose - language'
-    press language language "$own_value"; settles
-    "$targets" "$language" "$width" "$height" >targets
-    press language reach; settles
-    "$targets" "$language" "$width" "$height" 1 r >targets
-    on_screen 'choose - language'
+    local own other=ko value=0
+    own=$(case $language in ko) echo 0 ;; en) echo 1 ;; *) echo 2 ;; esac)  # as screen_targets numbers them
+    [ "$language" = ko ] && other=en && value=1
+    press choose languages; on_screen "choose - language $language"
+    press language language "$value"; on_screen "choose - language $other"
+    lay_out "$other"
+    press language language "$own"; on_screen "choose - language $language"
+    lay_out "$language"
+    press language reach; on_screen "choose - language $language low"
+    lay_out "$language" low
     press language comfort-done; on_screen choose
-    # A pot of a museum to throw, and what was touched taken back.
-    press choose target 0; on_screen throw
-    press_in
-    press throw-0 undo; settles
-    on_screen throw
-    press throw-0 languages; on_screen 'throw - language'
-    press language reach; settles
-    "$targets" "$language" "$width" "$height" >targets
-    press language comfort-done; on_screen throw
 }
-# What was pressed has been shown: a frame or two, also under a sanitizer.
-settles() { sleep 0.5; }
+# The power goes while somebody throws, and comes back.
+through_a_failure_of_power() {
+    wait_for "journal of the visit" bash -c 'grep -qs . gallery/state/visit-*'
+    sleep 1.5  # it is on the disk once a second
+    kill -9 "$kiosk"
+    wait "$kiosk" 2>/dev/null || true
+    open_kiosk
+    wait_for "window" xdotool search --name '^Onggi'
+    on_screen attract
+    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
+    click $((width / 2)) $((height / 2))
+    on_screen resume
+    press resume resume-go; on_screen throw
+}
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
@@ -169,10 +171,31 @@ keys) xdotool key Tab ;;
 switch) xdotool key space ;;
 esac
 on_screen choose
-press choose free; on_screen throw
+[ "$hand" = keys ] && through_languages
+case $hand in
+touch)  # the pot itself, above its card
+    at choose target 0
+    click "$x" $((height * 42 / 100))
+    ;;
+keys) press choose target 1 ;;
+*) press choose free ;;
+esac
+on_screen throw
 press_in
 sleep 0.5
 on_screen throw
+least_mm=51
+most_mm=999
+case $hand in
+mouse)  # all of it is taken back, and nothing is pressed in again
+    press throw-0 undo
+    sleep 1
+    on_screen throw
+    least_mm=49
+    most_mm=50
+    ;;
+touch) through_a_failure_of_power ;;
+esac
 if [ "$hand" != switch ]; then  # whom it takes half a minute
     press $throwing look-in
     sleep 2
@@ -192,9 +215,11 @@ for file in pot.onggi pot.glb pot.stl pot.png; do
     [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
 done
 [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"
-# Clay that was pressed in low down stands higher; a lump that nobody touched is 49.6 mm high.
+# Clay that was pressed in low down stands higher; a lump that nobody touched is 49.6 mm high, and one from which the
+# touch was taken back.
 height_mm=$(grep -ao '"wet_height_mm":[0-9]*' "$pot/pot.glb" | cut -d: -f2)
-[ "${height_mm:-0}" -ge 51 ] || fail "expected clay of more than 51 mm that the hand has pressed in, found $height_mm mm"
+[ "${height_mm:-0}" -ge "$least_mm" ] && [ "$height_mm" -le "$most_mm" ] ||
+    fail "expected clay of $least_mm mm or more as the hand has left it, $most_mm at most, found $height_mm mm"
 "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
 sleep 0.6
 on_screen keep

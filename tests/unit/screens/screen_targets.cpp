@@ -1,5 +1,5 @@
 // Says where the targets of every screen are, for scripts that play a visitor: screen_targets [LANGUAGE
-// [WIDTH HEIGHT [TEXT]]]. A line each: screen, button, value, place in the ring's order, x and y of its
+// [WIDTH HEIGHT [TEXT [low]]]]. A line each: screen, button, value, place in the ring's order, x and y of its
 // middle in pixels.
 #include <fmt/format.h>
 
@@ -57,6 +57,8 @@ const char* word_of(onggi::kiosk::Button button) {
             return "resume-go";
         case Button::kResumeFresh:
             return "resume-fresh";
+        case Button::kBeforeCollapse:
+            return "before-collapse";
         default:
             return "other";
     }
@@ -72,7 +74,8 @@ int main(int argc, char** argv) {
     const screens::SampleWish wish{.width_px = std::atoi(word(2, "1280").c_str()),
                                    .height_px = std::atoi(word(3, "720").c_str()),
                                    .language = word(1, "en"),
-                                   .text_size = std::atoi(word(4, "1").c_str())};
+                                   .text_size = std::atoi(word(4, "1").c_str()),
+                                   .reach = word(5, "") == "low"};
     ui::Painter painter;
     screens::PaintingStore store(painter, screens::PaintingStore::Paints::kNothing);
     for (const screens::SampleView& sample : screens::sample_views(wish)) {
