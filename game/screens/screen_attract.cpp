@@ -314,11 +314,10 @@ void draw_choose(Page& page) {
                 .colour = design::kSlip2,
                 .align = ui::Align::kEnd});
     const float note_width = scale_right - bar - 132.0F - 220.0F;
-    // Whose ring goes round by itself reads here how it is stopped.
     if (page.text_scale() < 1.9F && !is_paged && note_width > 200.0F) {
         page.words(page.mirrored({212.0F, foot_y - (note_width < 420.0F ? 6.0F : -8.0F), note_width,
                                   note_width < 420.0F ? 68.0F : 36.0F}),
-                   {.text = page.t(view.scans ? "a11y.scan" : "choose.scale"),
+                   {.text = page.t("choose.scale"),
                     .size = 26.0F,
                     .line = 34.0F,
                     .colour = design::kSlip2,
