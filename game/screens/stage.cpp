@@ -41,6 +41,32 @@ double change_s(const Composed& before, const Composed& now) {
     return is_shown_by_itself(before) && is_shown_by_itself(now) ? kAttractChangeS : kChangeS;
 }
 
+bool are_alike(const Item& a, const Item& b) {
+    const bool stand_still = a.role == Role::kStill && b.role == Role::kStill && !a.turning && !b.turning;
+    return stand_still && a.rect == b.rect && a.key == b.key &&
+           (a.painting == nullptr) == (b.painting == nullptr) && a.corners == b.corners;
+}
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+// Drops from the partners of some items those that lie over an item without one: it would come to lie over
+// them. True if there were any.
+bool drop_covered(const std::vector<Item>& items, std::vector<std::size_t>& partner,
+                  std::vector<std::size_t>& partner_of_other) {
+    bool dropped = false;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (partner[i] == kNone) continue;
+        for (std::size_t under = 0; under < i && partner[i] != kNone; ++under) {
+            const ui::Rect common = overlap(items[i].rect, items[under].rect);
+            if (partner[under] != kNone || common.width * common.height <= 0.0F) continue;
+            partner_of_other[partner[i]] = kNone;
+            partner[i] = kNone;
+            dropped = true;
+        }
+    }
+    return dropped;
+}
+
 }  // namespace
 
 // A screen of another size is painted anew, and may need more room or less.
@@ -60,8 +86,34 @@ void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
         since_s_ = now_s;
     }
     now_ = std::move(composed);
+    find_alike();
     // Pots of screens that are gone.
     if (turning_.size() > 16) turning_.clear();
+}
+
+void Stage::find_alike() {
+    alike_before_.clear();
+    alike_now_.clear();
+    if (!before_) return;
+    const std::vector<Item>& old_items = before_->composition.items;
+    const std::vector<Item>& new_items = now_->composition.items;
+    std::vector<std::size_t> of_old(old_items.size(), kNone);
+    std::vector<std::size_t> of_new(new_items.size(), kNone);
+    for (std::size_t i = 0; i < new_items.size(); ++i) {
+        for (std::size_t k = 0; k < old_items.size() && of_new[i] == kNone; ++k) {
+            if (of_old[k] != kNone || !are_alike(new_items[i], old_items[k])) continue;
+            of_new[i] = k;
+            of_old[k] = i;
+        }
+    }
+    for (bool settles = false; !settles;) {
+        const bool dropped = drop_covered(new_items, of_new, of_old);
+        settles = !drop_covered(old_items, of_old, of_new) && !dropped;
+    }
+    for (const std::size_t partner : of_old)
+        alike_before_.push_back(partner != kNone ? 1 : 0);
+    for (const std::size_t partner : of_new)
+        alike_now_.push_back(partner != kNone ? 1 : 0);
 }
 
 bool Stage::changes(double now_s) const {
@@ -133,32 +185,36 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     }
     if (!before_) {
         covers_ = now_->composition.covers;
-        add(*now_, frame, 1.0F, 0.0F);
+        add(*now_, frame, {});
     } else {
         const float share = static_cast<float>(along * (2.0 - along));  // eased out
         const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - share);
         const bool from_wall = before_->composition.covers;
         const bool to_wall = now_->composition.covers;
         covers_ = from_wall && to_wall;
-        if (to_wall) {
-            add(*before_, frame, 1.0F, 0.0F);
-            add(*now_, frame, share, rise);
+        // A wall is the first item. Another wall, or one where there was none, comes over what was there.
+        const bool is_other_wall = to_wall && (alike_now_.empty() || alike_now_.front() == 0);
+        add(*now_, frame, {.part = Part::kAlike});
+        if (is_other_wall) {
+            add(*before_, frame, {.part = Part::kOthers});
+            add(*now_, frame, {share, rise, Part::kOthers});
         } else {
-            add(*now_, frame, from_wall ? 1.0F : share, rise);
-            add(*before_, frame, 1.0F - share, 0.0F);
+            add(*now_, frame, {from_wall && !to_wall ? 1.0F : share, rise, Part::kOthers});
+            add(*before_, frame, {1.0F - share, 0.0F, Part::kOthers});
         }
     }
     uploads_ = atlas_.take_uploads();
     return list_;
 }
 
-void Stage::add(const Composed& composed, const StageFrame& frame, float alpha, float rise_u) {
+void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& fade) {
     const Composition& composition = composed.composition;
     const float scale = composition.px_per_u;
     const bool is_now = &composed == now_.get();
-    if (is_now && frame.band != nullptr && alpha >= 1.0F) add_band(*frame.band, frame, scale);
-    const bool shows_forces =
-        is_now && frame.forces != nullptr && composition.forces != nullptr && alpha >= 1.0F;
+    const std::vector<char>& alike = is_now ? alike_now_ : alike_before_;
+    const bool is_whole = is_now && fade.part != Part::kAlike && fade.alpha >= 1.0F;
+    if (is_whole && frame.band != nullptr) add_band(*frame.band, frame, scale);
+    const bool shows_forces = is_whole && frame.forces != nullptr && composition.forces != nullptr;
     const ForcePainter force_painter{
         .list = list_,
         .px_per_u = scale,
@@ -169,9 +225,11 @@ void Stage::add(const Composed& composed, const StageFrame& frame, float alpha, 
     const double in_loop = std::fmod(std::max(0.0, frame.now_s - hint_s_), kLoopS);
     const double moved = std::clamp(in_loop / (kLoopS - kRestS), 0.0, 1.0);
     const float way = is_still(composed) ? 0.0F : static_cast<float>(moved * moved * (3.0 - 2.0 * moved));
-    for (const Item& item : composition.items) {
-        float item_alpha = alpha;
-        vec2 shift(0.0F, composition.covers ? 0.0F : rise_u);
+    for (std::size_t i = 0; i < composition.items.size(); ++i) {
+        if (fade.part != Part::kAll && (alike[i] != 0) != (fade.part == Part::kAlike)) continue;
+        const Item& item = composition.items[i];
+        float item_alpha = fade.alpha;
+        vec2 shift(0.0F, composition.covers ? 0.0F : fade.rise_u);
         if (item.role == Role::kHint) {
             item_alpha *= static_cast<float>(hint_alpha_) * kHintAlpha;
             shift += way * item.way;

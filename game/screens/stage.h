@@ -52,7 +52,15 @@ class Stage {
 
   private:
     void fit_atlas();
-    void add(const Composed& composed, const StageFrame& frame, float alpha, float rise_u);
+    // How much of a composition is seen, how far it still has to rise, and which part of it is drawn.
+    enum class Part { kAll, kAlike, kOthers };
+    struct Fade {
+        float alpha = 1.0F;
+        float rise_u = 0.0F;
+        Part part = Part::kAll;
+    };
+    void add(const Composed& composed, const StageFrame& frame, const Fade& fade);
+    void find_alike();
     void add_band(const Band& band, const StageFrame& frame, float u_px);
     [[nodiscard]] std::optional<ui::Rect> place_of(const Item& item);
     [[nodiscard]] bool all_placed(const Composed& composed);
@@ -69,6 +77,9 @@ class Stage {
     std::shared_ptr<const TurnedPots> turned_;
     std::shared_ptr<const Composed> now_;
     std::shared_ptr<const Composed> before_;  // fading out
+    // Items that both show alike at the same place, which need not fade; one entry each.
+    std::vector<char> alike_before_;
+    std::vector<char> alike_now_;
     double since_s_ = 0.0;
     bool covers_ = false;
     double hint_alpha_ = 0.0;

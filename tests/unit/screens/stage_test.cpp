@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 #include <thread>
+#include <tuple>
+#include <utility>
 
 #include "game/screens/screens.h"
 #include "tests/unit/screens/sample_views.h"
@@ -15,8 +17,9 @@ namespace {
 
 class Theatre : public testing::Test {
   protected:
-    std::shared_ptr<const Composed> composed(const std::string& name) {
-        for (const SampleView& sample : samples_) {
+    std::shared_ptr<const Composed> composed(const std::string& name, const std::string& language = "en") {
+        for (const SampleView& sample :
+             sample_views({.width_px = 640, .height_px = 360, .language = language})) {
             if (sample.name == name)
                 return std::make_shared<const Composed>(
                     Composed{sample.view, compose(*sample.view, painter_, store_)});
@@ -26,7 +29,6 @@ class Theatre : public testing::Test {
     const ui::DrawList& draw(double now_s, int pressed = -1, bool hint = false) {
         return stage_.draw({.now_s = now_s, .hint = hint, .pressed = pressed});
     }
-    const std::vector<SampleView> samples_ = sample_views({.width_px = 640, .height_px = 360});
     ui::Painter painter_;
     PaintingStore store_{painter_};
     Stage stage_;
@@ -72,6 +74,42 @@ TEST_F(Theatre, FadesSlowlyBetweenTheThrowingAndAMuseumsPotAndQuicklyToAVisitor)
     stage_.take(composed("choose"), 2.0);
     static_cast<void>(draw(2.1));
     EXPECT_FALSE(stage_.changes(2.25)) << "who has touched it does not wait";
+}
+
+// How many vertices of one list the other has too, at the same place in the same colour.
+std::size_t shared_vertices(const std::vector<ui::Vertex>& list, const std::vector<ui::Vertex>& other) {
+    return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](const ui::Vertex& vertex) {
+        return std::any_of(other.begin(), other.end(), [&](const ui::Vertex& one) {
+            return one.position_px == vertex.position_px && one.atlas_px == vertex.atlas_px &&
+                   one.rgba == vertex.rgba;
+        });
+    }));
+}
+
+TEST_F(Theatre, LeavesWhatTwoScreensShowAlikeAndFadesTheRest) {
+    const auto drawn = [&](double now_s) {
+        const ui::DrawList& list = draw(now_s);
+        return std::vector<ui::Vertex>(list.vertices().begin(), list.vertices().end());
+    };
+    // The ledge and its keys in another language; two screens before the same wall.
+    for (const auto& [from, to, least] :
+         {std::tuple{"throw-0", "throw-0", 0.15}, {"choose", "glaze-0", 0.02}}) {
+        const bool is_translated = std::string(from) == to;
+        Stage fresh;
+        std::swap(stage_, fresh);
+        stage_.take(composed(from), 0.0);
+        const std::vector<ui::Vertex> before = drawn(1.0);
+        stage_.take(composed(to, is_translated ? "ko" : "en"), 2.0);
+        ASSERT_TRUE(stage_.changes(2.1));
+        const std::vector<ui::Vertex> half_way = drawn(2.1);
+        const std::vector<ui::Vertex> after = drawn(2.6);
+        EXPECT_LT(half_way.size(), before.size() + after.size()) << from << " to " << to;
+        const double share =
+            static_cast<double>(shared_vertices(after, half_way)) / static_cast<double>(after.size());
+        EXPECT_GT(share, least) << from << " to " << to;
+        EXPECT_LT(share, 1.0) << from << " to " << to << ": something fades";
+        EXPECT_LT(shared_vertices(before, half_way), before.size());
+    }
 }
 
 TEST_F(Theatre, ChangesAtOnceWhatIsNoOtherScreen) {
