@@ -186,18 +186,6 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
     }
 }
 
-void build_shade(const Scene& scene, const StillBounds& still, const EdgeView& view, BuiltFrame& built) {
-    constexpr std::size_t kMostCorners = 32;
-    const std::vector<dvec2> outline =
-        shade_outline(scene, still.lowest_mm, view.width_px, view.height_px, kMostCorners);
-    const std::vector<Covered> covered =
-        built.rows.empty() || scene.lathe->cut
-            ? std::vector<Covered>()
-            : covered_by_lathe(built.vertices, built.choice.inside, built.sectors, view.camera, view.width_px,
-                               view.height_px);
-    built.shade = shade_rects(outline, covered, view.width_px, view.height_px);
-}
-
 void build_tiles(const Scene& scene, std::span<const Box> moving, const EdgeView& view, BuiltFrame& built) {
     const TileGrid grid{view.width_px, view.height_px};
     std::vector<std::uint8_t>& tiles = built.moving_tiles;
@@ -271,10 +259,22 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
         }
         build_shadow_steps(scene.key, built);
     }
-    build_shade(scene, still, view, built);
     const std::vector<Box> moving = moving_boxes(scene);
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
     if (desc.cached) build_tiles(scene, moving, view, built);
+}
+
+std::vector<vec4> pixels_in_shade(const Scene& scene, const StillBounds& still, const BuiltFrame& built,
+                                  int width_px, int height_px) {
+    constexpr std::size_t kMostCorners = 32;
+    const std::vector<dvec2> outline =
+        shade_outline(scene, still.lowest_mm, width_px, height_px, kMostCorners);
+    const std::vector<Covered> covered =
+        built.rows.empty() || scene.lathe->cut
+            ? std::vector<Covered>()
+            : covered_by_lathe(built.vertices, built.choice.inside, built.sectors, scene.camera, width_px,
+                               height_px);
+    return shade_rects(outline, covered, width_px, height_px);
 }
 
 shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale) {

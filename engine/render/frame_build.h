@@ -31,9 +31,8 @@ struct BuiltFrame {
     std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
     std::uint32_t section_count = 0;
     bool shows_load = false;
-    LatheFaces faces;         // none: no lathe
-    std::vector<vec4> shade;  // where the cached still life is drawn over with shadow, see shade_rects()
-    PixelRect moving;         // where anything that moves can be seen
+    LatheFaces faces;  // none: no lathe
+    PixelRect moving;  // where anything that moves can be seen
     // Cached only: the tiles in which that is, one entry a tile; the same, and those of them in which an
     // outline is smoothed, with what the smoothing reads, as rectangles.
     std::vector<std::uint8_t> moving_tiles;
@@ -53,6 +52,11 @@ struct StillBounds {
 // Into `built`, whose memory is used again.
 void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
                  int height_px, BuiltFrame& built);
+
+// Where the cached still life is drawn over with shadow by a shader: see shade_rects(). `built` is the frame
+// of the same scene and size.
+[[nodiscard]] std::vector<vec4> pixels_in_shade(const Scene& scene, const StillBounds& still,
+                                                const BuiltFrame& built, int width_px, int height_px);
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale);
 

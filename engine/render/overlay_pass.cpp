@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/core/hash.h"
 #include "engine/render/pass.h"
 #include "shaders/shaders.h"
 
@@ -122,11 +121,8 @@ Result<void> OverlayPass::fill(const FrameContext& frame, const ui::DrawList& li
 void OverlayPass::note_tiles(const FrameContext& frame) {
     if (!frame.desc.shades_on_host) return;
     if (!overlay_->uploads.empty() || atlas_is_new_) ++atlas_state_;
-    StateHash state;
-    state.add_word(hash_);
-    state.add_word(atlas_state_);
     tiles_.learn({static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
-                 *overlay_->list, state.value());
+                 *overlay_->list, hash_, atlas_state_);
 }
 
 Result<void> OverlayPass::keep(const FrameContext& frame, std::span<const std::uint8_t> tiles) {

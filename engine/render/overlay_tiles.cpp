@@ -24,10 +24,13 @@ bool touch(const PixelRect& a, const PixelRect& b) {
 
 }  // namespace
 
-void OverlayTiles::learn(const TileGrid& grid, const ui::DrawList& list, std::uint64_t state) {
-    if (content_.size() == grid.count() && grid == grid_ && state == state_) return;
+void OverlayTiles::learn(const TileGrid& grid, const ui::DrawList& list, std::uint64_t list_hash,
+                         std::uint64_t atlas_state) {
+    const bool is_known = content_.size() == grid.count() && grid == grid_;
+    if (is_known && list_hash == list_hash_ && atlas_state == atlas_state_) return;
     grid_ = grid;
-    state_ = state;
+    list_hash_ = list_hash;
+    atlas_state_ = atlas_state;
     const std::span<const std::uint32_t> indices = list.indices();
     content_.assign(grid.count(), 0);
     rects_.clear();
@@ -36,7 +39,7 @@ void OverlayTiles::learn(const TileGrid& grid, const ui::DrawList& list, std::ui
     for (const ui::Run& run : list.runs()) {
         for (std::size_t at = run.first_index; at < std::size_t{run.first_index} + run.index_count; at += 3) {
             StateHash of_triangle;
-            of_triangle.add_word(state);
+            of_triangle.add_word(atlas_state);
             of_triangle.add_word(run.from_atlas ? 1 : 0);
             for (const std::uint32_t corner : indices.subspan(at, 3)) {
                 static_assert(sizeof(ui::Vertex) == 2 * sizeof(vec2) + sizeof(std::uint32_t));

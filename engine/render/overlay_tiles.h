@@ -19,8 +19,10 @@ struct ClippedRun {
 
 class OverlayTiles {
   public:
-    // `state` is another whenever the list is, or what lies in the atlas; with the same, nothing is done.
-    void learn(const TileGrid& grid, const ui::DrawList& list, std::uint64_t state);
+    // `list_hash` is the list's own; `atlas_state` is another whenever what lies in the atlas is. With the
+    // same of both nothing is done.
+    void learn(const TileGrid& grid, const ui::DrawList& list, std::uint64_t list_hash,
+               std::uint64_t atlas_state);
     void clear() { content_.clear(); }
 
     // One entry a tile, or none at all: 0 where nothing lies, else a number for all that lies there.
@@ -32,7 +34,8 @@ class OverlayTiles {
 
   private:
     TileGrid grid_;
-    std::uint64_t state_ = 0;
+    std::uint64_t list_hash_ = 0;
+    std::uint64_t atlas_state_ = 0;
     std::vector<std::uint64_t> content_;
     std::vector<PixelRect> rects_;  // about each triangle
     std::vector<PixelRect> wanted_;

@@ -33,7 +33,7 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
             .sectors = is_large ? 72 : 48,
             .sector_error_px = 0.35F,
             .max_rings = 128,
-            .ring_error_px = 0.25F,  // its edges are not smoothed, so a finer line would not be seen
+            .ring_error_px = 0.25F,  // a finer line would not be seen
             .slip_across = is_large ? 512 : 256,
             .slip_up = is_large ? 256 : 128};
 }
@@ -140,7 +140,7 @@ void Renderer::Impl::upload(const Scene& scene) {
                 static_cast<int>(frame.extent.height), built);
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
     still.update(frame, scene);
-    shadow.update(frame, scene);
+    shadow.update(frame, scene, still.bounds());
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
     lathe.upload(frame);
     edges.upload(frame);

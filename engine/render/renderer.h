@@ -33,8 +33,8 @@ struct RendererDesc {
     bool shades_on_host = false;
     Transfer transfer = Transfer::kExactSrgb;
     bool lights_movers_at_vertices = false;  // not at pixels: their triangles are hardly larger
-    int sectors = 128;  // of a lathe, evenly; or at most so many, fewer and uneven where an edge may lie
-    float sector_error_px = 0.0F;  // that far from its circle
+    int sectors = 128;                       // of a lathe, at most
+    float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly
     int max_rings = 256;           // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
     int slip_across = 512;  // texels of the slip's texture, powers of two up to 512; no finer than a pixel

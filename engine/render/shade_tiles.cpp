@@ -12,6 +12,7 @@ constexpr std::size_t kSums = kAcross + 1;
 }  // namespace
 
 PixelRect rect_about(vec2 low, vec2 high) {
+    if (!(low.x <= high.x && low.y <= high.y)) return {};  // no numbers
     // Far outside of any picture a float has no place in an int.
     constexpr float kFarPx = 1e6F;
     const glm::ivec2 from(glm::floor(glm::clamp(low, -kFarPx, kFarPx)));

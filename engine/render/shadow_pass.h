@@ -16,7 +16,7 @@ class ShadowPass {
     Result<void> fit(const FrameContext& frame);
     // Decides who shades and whether the mask has to be made again, and notes it in the stats. After
     // StillPass::update(); the device is idle.
-    void update(FrameContext& frame, const Scene& scene);
+    void update(FrameContext& frame, const Scene& scene, const StillBounds& still);
     // The mask, if update() asked for it.
     void record(const FrameContext& frame);
     // Cached: whether the processor shades this frame. Then record_shaded() makes the still life in the
@@ -35,6 +35,7 @@ class ShadowPass {
   private:
     std::uint64_t drawn_ = 0;  // hash of what the mask shows
     bool has_mask_ = false;
+    std::vector<vec4> rects_;  // that a shader shades
     HostShade host_;
     bool host_shades_ = false;  // this frame
 };

@@ -6,6 +6,7 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
+#include "tests/golden/drawing_test.h"
 #include "tests/golden/golden_scenes.h"
 
 namespace onggi::golden {
@@ -14,29 +15,16 @@ namespace {
 constexpr int kWidth = 640;
 constexpr int kHeight = 360;
 
-class HeldPicture : public testing::Test {
+class HeldPicture : public DrawingTest {
   protected:
     void SetUp() override {
-        auto instance = vk::Instance::create({.validation = true});
-        ASSERT_TRUE(instance) << instance.error().message;
-        instance_ = std::move(*instance);
-        auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
-        ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = vk::Device::create(*instance_, *chosen, false);
-        ASSERT_TRUE(device) << device.error().message;
-        device_ = std::move(*device);
+        DrawingTest::SetUp();
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
         for (const GoldenScene& scene : golden_scenes()) {
             if (scene.name == "pulling") pulling_ = scene;
         }
         ASSERT_FALSE(pulling_.name.empty());
-    }
-    void TearDown() override {
-        opened_ = {};
-        device_.reset();
-        for (const std::string& message : instance_->messages())
-            ADD_FAILURE() << message;
     }
     [[nodiscard]] std::unique_ptr<render::Renderer> renderer() const {
         return render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, kHeight))
@@ -64,8 +52,6 @@ class HeldPicture : public testing::Test {
         return worst;
     }
 
-    std::unique_ptr<vk::Instance> instance_;
-    std::unique_ptr<vk::Device> device_;
     wheel::OpenedScene opened_;
     GoldenScene pulling_;
 };

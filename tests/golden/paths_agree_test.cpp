@@ -8,6 +8,7 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
+#include "tests/golden/drawing_test.h"
 #include "tests/golden/golden_scenes.h"
 
 namespace onggi::golden {
@@ -42,24 +43,8 @@ std::vector<GoldenScene> scenes_of_both_paths() {
     return chosen;
 }
 
-class RenderPaths : public testing::TestWithParam<GoldenScene> {
+class RenderPaths : public DrawingTest, public testing::WithParamInterface<GoldenScene> {
   protected:
-    void SetUp() override {
-        auto instance = vk::Instance::create({.validation = true});
-        ASSERT_TRUE(instance) << instance.error().message;
-        instance_ = std::move(*instance);
-        auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
-        ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = vk::Device::create(*instance_, *chosen, false);
-        ASSERT_TRUE(device) << device.error().message;
-        device_ = std::move(*device);
-    }
-    void TearDown() override {
-        device_.reset();
-        for (const std::string& message : instance_->messages())
-            ADD_FAILURE() << message;
-    }
-
     // The last of some frames. With the cache the first is shaded by shaders; the still life is read back
     // with the second, so that the third is shaded by the processor, and those after it only where something
     // has changed.
@@ -86,9 +71,6 @@ class RenderPaths : public testing::TestWithParam<GoldenScene> {
         }
         return {.width = scene.width, .height = scene.height, .rgba = (*target)->read_back().value()};
     }
-
-    std::unique_ptr<vk::Instance> instance_;
-    std::unique_ptr<vk::Device> device_;
 };
 
 TEST_P(RenderPaths, AgreeOnTheWorkshopWithinFourLevelsOfEightBits) {

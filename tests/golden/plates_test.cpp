@@ -8,6 +8,7 @@
 
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
+#include "tests/golden/drawing_test.h"
 
 namespace onggi::golden {
 namespace {
@@ -30,12 +31,10 @@ std::shared_ptr<const render::Plate> grey_plate(std::uint8_t level) {
     return std::make_shared<const render::Plate>(std::move(plate));
 }
 
-class Plates : public testing::Test {
+class Plates : public DrawingTest {
   protected:
     void SetUp() override {
-        instance_ = vk::Instance::create({.validation = true}).value();
-        device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(), false)
-                      .value();
+        DrawingTest::SetUp();
         renderer_ =
             render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, kHeight))
                 .value();
@@ -58,8 +57,12 @@ class Plates : public testing::Test {
         return pixels[std::size_t{4} * (kHeight / 2 * kWidth + kWidth / 2)];
     }
 
-    std::unique_ptr<vk::Instance> instance_;
-    std::unique_ptr<vk::Device> device_;
+    void TearDown() override {
+        target_.reset();
+        renderer_.reset();
+        DrawingTest::TearDown();
+    }
+
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<vk::Offscreen> target_;
 };
@@ -76,8 +79,6 @@ TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
     EXPECT_GT(meanwhile, before + 30);
     EXPECT_LT(meanwhile, first - 30);
     EXPECT_EQ(drawn(here, there), first);
-    for (const std::string& message : instance_->messages())
-        ADD_FAILURE() << message;
 }
 
 // What the processor shaded in a large picture is no part of a small one that looks past the shadow.

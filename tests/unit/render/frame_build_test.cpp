@@ -63,7 +63,7 @@ TEST_F(FrameBuild, DrawsNoLatheWhereThereIsNone) {
     scene_.lathe = Lathe{};
     EXPECT_TRUE(build().faces.indices.empty());
     scene_.spheres.clear();
-    EXPECT_TRUE(build().shade.empty());
+    EXPECT_TRUE(pixels_in_shade(scene_, {.lowest_mm = -100.0F}, build(), 1280, 720).empty());
 }
 
 TEST_F(FrameBuild, CastsShadowsOfNoMoreSpheresThanTheShaderKnows) {

@@ -42,7 +42,7 @@ TEST(OverlayTiles, NumberWhatLiesOnEachAndNothingElse) {
     list.add_box(inside(1, 0), kPaper);
     list.add_box(inside(5, 9), kPaper);
     OverlayTiles tiles;
-    tiles.learn(kGrid, list, 1);
+    tiles.learn(kGrid, list, list.hash(), 1);
     const std::span<const std::uint64_t> content = tiles.content();
     EXPECT_EQ(content[tile(0, 0)], content[tile(2, 0)]) << "the same box alone";
     EXPECT_NE(content[tile(1, 0)], content[tile(0, 0)]) << "with another over it";
@@ -56,7 +56,7 @@ TEST(OverlayTiles, AreDrawnInsideThoseThatAreWanted) {
     list.add_box(inside(1, 0), kPaper);
     list.add_picture(inside(5, 9), {.x = 0.0F, .y = 0.0F, .width = 5.0F, .height = 3.0F}, 1.0F);
     OverlayTiles tiles;
-    tiles.learn(kGrid, list, 1);
+    tiles.learn(kGrid, list, list.hash(), 1);
     const Drawn one = drawn(tiles, list, {tile(2, 0)});
     ASSERT_EQ(one.runs.size(), 1U);
     EXPECT_EQ(one.runs[0].inside, (PixelRect{2 * kTileWidthPx, 0, kTileWidthPx, kTileHeightPx}));
@@ -75,7 +75,7 @@ TEST(OverlayTiles, ChangeTheirNumberWithPlaceColourAndAtlas) {
         ui::DrawList list;
         list.add_box(rect, colour);
         OverlayTiles tiles;
-        tiles.learn(kGrid, list, atlas_state);
+        tiles.learn(kGrid, list, list.hash(), atlas_state);
         return tiles.content()[tile(1, 1)];
     };
     const ui::Rect rect = inside(1, 1);
@@ -87,12 +87,28 @@ TEST(OverlayTiles, ChangeTheirNumberWithPlaceColourAndAtlas) {
     EXPECT_NE(number(rect, kPaper, 3), number(rect, kPaper, 4));
 }
 
+TEST(OverlayTiles, KeepTheirNumberWhereSomethingElseMoves) {
+    OverlayTiles tiles;
+    const auto numbers = [&](const ui::Rect& moving) {
+        ui::DrawList list;
+        list.add_box(inside(1, 1), kPaper);
+        list.add_box(moving, kPaper);
+        tiles.learn(kGrid, list, list.hash(), 3);
+        return std::vector<std::uint64_t>(tiles.content().begin(), tiles.content().end());
+    };
+    const std::vector<std::uint64_t> before = numbers(inside(4, 4));
+    const std::vector<std::uint64_t> after = numbers(inside(4, 5));
+    EXPECT_EQ(after[tile(1, 1)], before[tile(1, 1)]);
+    EXPECT_EQ(after[tile(4, 4)], 0U);
+    EXPECT_NE(after[tile(4, 5)], 0U);
+}
+
 TEST(OverlayTiles, LeaveOutWhatLiesBesideThePicture) {
     ui::DrawList list;
     list.add_box({.x = -50.0F, .y = 10.0F, .width = 20.0F, .height = 20.0F}, kPaper);
     list.add_box({.x = 4.0F, .y = 1e9F, .width = 20.0F, .height = 20.0F}, kPaper);
     OverlayTiles tiles;
-    tiles.learn(kGrid, list, 1);
+    tiles.learn(kGrid, list, list.hash(), 1);
     EXPECT_EQ(std::count(tiles.content().begin(), tiles.content().end(), 0U),
               static_cast<std::ptrdiff_t>(kGrid.count()));
 }
