@@ -24,6 +24,8 @@
 #include "mover_lit_frag.h"
 #include "mover_lit_vert.h"
 #include "mover_vert.h"
+#include "painted_frag.h"
+#include "painted_vert.h"
 #include "plate_frag.h"
 #include "plate_layers_frag.h"
 #include "plate_surface_frag.h"
@@ -69,6 +71,8 @@ const Spirv kPlateSurfaceFrag = plate_surface_frag;
 const Spirv kPlateSurfaceLayersFrag = plate_surface_layers_frag;
 const Spirv kShadeVert = shade_vert;
 const Spirv kShadeFrag = shade_frag;
+const Spirv kPaintedVert = painted_vert;
+const Spirv kPaintedFrag = painted_frag;
 const Spirv kUiVert = ui_vert;
 const Spirv kUiFrag = ui_frag;
 const Spirv kUiPictureFrag = ui_picture_frag;

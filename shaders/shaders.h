@@ -47,6 +47,8 @@ extern const Spirv kPlateSurfaceFrag;
 extern const Spirv kPlateSurfaceLayersFrag;
 extern const Spirv kShadeVert;
 extern const Spirv kShadeFrag;
+extern const Spirv kPaintedVert;
+extern const Spirv kPaintedFrag;
 extern const Spirv kUiVert;
 extern const Spirv kUiFrag;
 extern const Spirv kUiPictureFrag;

@@ -9,10 +9,6 @@
 namespace onggi::render {
 namespace {
 
-std::span<std::uint32_t> texels_of(const vk::Buffer& buffer) {
-    return {reinterpret_cast<std::uint32_t*>(buffer.mapped()), buffer.size() / sizeof(std::uint32_t)};
-}
-
 void copy_to_host(const FrameContext& frame, const vk::Image& image, const vk::Buffer& into) {
     const VkCommandBuffer commands = frame.commands;
     vk::barrier(commands, image, vk::state::kSampled, vk::state::kCopySource);
@@ -67,7 +63,7 @@ void HostShade::read_layers(const FrameContext& frame) {
 }
 
 void HostShade::take_layers() {
-    const std::span<std::uint32_t> places = texels_of(places_);
+    const std::span<std::uint32_t> places = places_.as<std::uint32_t>();
     std::transform(places.begin(), places.end(), places.begin(), mask_place);
     // Nothing of what was shaded before fits these layers, which may be of another size.
     tiles_.learn({static_cast<int>(extent_.width), static_cast<int>(extent_.height)}, places);
@@ -93,59 +89,11 @@ bool HostShade::shade(FrameContext& frame, std::uint64_t shadow) {
     tiles_.take(rects_);
     shade_pixels({.width = static_cast<int>(extent_.width),
                   .height = static_cast<int>(extent_.height),
-                  .with_key = texels_of(with_key_),
-                  .without_key = texels_of(without_key_),
-                  .places = texels_of(places_)},
-                 *mask_, rects_, texels_of(shaded_));
+                  .with_key = with_key_.as<std::uint32_t>(),
+                  .without_key = without_key_.as<std::uint32_t>(),
+                  .places = places_.as<std::uint32_t>()},
+                 *mask_, rects_, shaded_.as<std::uint32_t>());
     return true;
-}
-
-HeldTiles& HostShade::held_by(const vk::TargetImage& target) {
-    const auto is_it = [&](const Target& known) { return known.image == target.image; };
-    const auto known = std::find_if(targets_.begin(), targets_.end(), is_it);
-    auto at = static_cast<std::size_t>(known - targets_.begin());
-    if (known == targets_.end()) {
-        // Handles of images that are gone are used again, so that few are ever known.
-        constexpr std::size_t kMostTargets = 16;
-        if (targets_.size() == kMostTargets) targets_.erase(targets_.begin());
-        at = targets_.size();
-        targets_.emplace_back();
-    }
-    Target& found = targets_[at];
-    // Another handle's image, or one in which a frame was made in another way since.
-    const bool is_as_left = target.frames_before > 0 && target.frames_before == found.frame + 1;
-    if (!is_as_left) found.held.forget();
-    found.image = target.image;
-    found.frame = target.frames_before;
-    return found.held;
-}
-
-void HostShade::record(const FrameContext& frame, const vk::TargetImage& target,
-                       std::span<const std::uint64_t> overlay) {
-    held_by(target).take_missing(tiles_, {.moving = frame.built.moving_tiles, .overlay = overlay}, rects_,
-                                 overlay_wanted_);
-    regions_.clear();
-    for (const PixelRect& rect : rects_) {
-        VkBufferImageCopy region{};
-        region.bufferOffset = VkDeviceSize{4} * (static_cast<VkDeviceSize>(rect.y) * extent_.width +
-                                                 static_cast<VkDeviceSize>(rect.x));
-        region.bufferRowLength = extent_.width;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageOffset = {rect.x, rect.y, 0};
-        region.imageExtent = {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height),
-                              1};
-        regions_.push_back(region);
-    }
-    constexpr VkImageAspectFlags kColourAspect = VK_IMAGE_ASPECT_COLOR_BIT;
-    vk::ImageState before = vk::state::kDiscard;
-    if (target.frames_before > 0) before.layout = target.final_layout;
-    vk::barrier(frame.commands, target.image, kColourAspect, before, vk::state::kCopyTarget);
-    if (!regions_.empty()) {
-        vkCmdCopyBufferToImage(frame.commands, shaded_.handle(), target.image,
-                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                               static_cast<std::uint32_t>(regions_.size()), regions_.data());
-    }
-    vk::barrier(frame.commands, target.image, kColourAspect, vk::state::kCopyTarget, vk::state::kColour);
 }
 
 }  // namespace onggi::render

@@ -13,6 +13,9 @@ struct Overlay {
     const ui::DrawList* list = nullptr;
     std::span<const ui::Atlas::Upload> uploads{};
     int atlas_side_px = 0;
+    // A screen that covers all is fading in or out over the scene, or is about to: the scene may stand still
+    // meanwhile.
+    bool scene_rests = false;
     bool covers = false;  // every pixel: the scene is not drawn at all, and an unchanged list is only copied
 };
 

@@ -22,17 +22,6 @@ constexpr std::array kAttributes{
 constexpr std::array kBindings{
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 
-// As large as asked for, or half as large again as what is there: it grows a few times and then stays.
-Result<void> make_room(const vk::Device& device, vk::Buffer& buffer, const char* name, VkDeviceSize bytes,
-                       VkBufferUsageFlags usage) {
-    if (bytes <= buffer.size()) return {};
-    auto larger = vk::Buffer::create(
-        device, {.name = name, .size = std::max(bytes, buffer.size() * 3 / 2), .usage = usage});
-    if (!larger) return larger.error();
-    buffer = std::move(*larger);
-    return {};
-}
-
 VkDeviceSize bytes_of(const ui::Painting& painting) {
     return painting.rgba.size();
 }
@@ -103,13 +92,13 @@ Result<void> OverlayPass::fit_kept(const FrameContext& frame) {
 Result<void> OverlayPass::fill(const FrameContext& frame, const ui::DrawList& list) {
     const auto vertices = std::as_bytes(list.vertices());
     const auto indices = std::as_bytes(list.indices());
-    if (auto made = make_room(frame.device, vertices_, "overlay vertices", vertices.size(),
-                              VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    if (auto made = vk::make_room(frame.device, vertices_, "overlay vertices", vertices.size(),
+                                  VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
         !made) {
         return made;
     }
-    if (auto made = make_room(frame.device, indices_, "overlay indices", indices.size(),
-                              VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    if (auto made = vk::make_room(frame.device, indices_, "overlay indices", indices.size(),
+                                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
         !made) {
         return made;
     }
@@ -118,38 +107,15 @@ Result<void> OverlayPass::fill(const FrameContext& frame, const ui::DrawList& li
     return {};
 }
 
-void OverlayPass::note_tiles(const FrameContext& frame) {
-    if (!frame.desc.shades_on_host) return;
-    if (!overlay_->uploads.empty() || atlas_is_new_) ++atlas_state_;
-    tiles_.learn({static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
-                 *overlay_->list, hash_, atlas_state_);
-}
-
-Result<void> OverlayPass::keep(const FrameContext& frame, std::span<const std::uint8_t> tiles) {
-    if (overlay_ == nullptr) return {};
-    tiles_.take(*overlay_->list, tiles, kept_indices_, runs_);
-    const auto indices = std::as_bytes(std::span(kept_indices_));
-    if (auto made = make_room(frame.device, indices_, "overlay indices", indices.size(),
-                              VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-        !made) {
-        return made;
-    }
-    if (!indices.empty()) indices_.write(indices);
-    return {};
-}
-
 Result<void> OverlayPass::fit(const FrameContext& frame, const Overlay* overlay) {
     overlay_ = overlay;
-    if (overlay_ == nullptr) {
-        tiles_.clear();
-        return {};
-    }
+    if (overlay_ == nullptr) return {};
     if (auto fitted = fit_atlas(frame, overlay_->atlas_side_px); !fitted) return fitted;
     VkDeviceSize upload_bytes = 0;
     for (const ui::Atlas::Upload& upload : overlay_->uploads)
         upload_bytes += bytes_of(*upload.painting);
-    if (auto made =
-            make_room(frame.device, staging_, "atlas upload", upload_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    if (auto made = vk::make_room(frame.device, staging_, "atlas upload", upload_bytes,
+                                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
         !made) {
         return made;
     }
@@ -162,11 +128,6 @@ Result<void> OverlayPass::fit(const FrameContext& frame, const Overlay* overlay)
     if (overlay_->covers) {
         if (auto fitted = fit_kept(frame); !fitted) return fitted;
     }
-    note_tiles(frame);
-    runs_.clear();
-    const PixelRect whole{0, 0, static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
-    for (const ui::Run& run : overlay_->list->runs())
-        runs_.push_back({whole, run});
     return fill(frame, *overlay_->list);
 }
 
@@ -206,14 +167,13 @@ void OverlayPass::draw_list(const FrameContext& frame, VkImageView view, bool ke
                     .atlas_per_px = vec2(1.0F / side)};
     vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof push, &push);
-    if (!runs_.empty()) {
+    if (!overlay_->list->runs().empty()) {
         const VkBuffer vertices = vertices_.handle();
         constexpr VkDeviceSize kStart = 0;
         vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &kStart);
         vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
     }
-    for (const auto& [inside, run] : runs_) {
-        set_scissor(commands, inside);
+    for (const ui::Run& run : overlay_->list->runs()) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           run.from_atlas ? pictures_.get() : boxes_.get());
         vkCmdDrawIndexed(commands, run.index_count, 1, run.first_index, 0, 0);
@@ -224,7 +184,7 @@ void OverlayPass::draw_list(const FrameContext& frame, VkImageView view, bool ke
 void OverlayPass::record(const FrameContext& frame, const vk::TargetImage& target, bool after_scene) {
     if (overlay_ == nullptr) return;
     if (after_scene) {
-        if (!runs_.empty()) {
+        if (!overlay_->list->runs().empty()) {
             vk::barrier(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, vk::state::kColour,
                         vk::state::kColour);
             draw_list(frame, target.view, true);

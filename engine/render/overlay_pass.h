@@ -1,11 +1,9 @@
-// Draws the overlay after the scene: two pipelines, one texture, one vertex buffer. Main thread.
+// Has the device draw the overlay after the scene: two pipelines, one texture, one vertex buffer. Where the
+// device is the processor, PaintedOverlay stands in its place. Main thread.
 #pragma once
-
-#include <vector>
 
 #include "engine/render/frame_context.h"
 #include "engine/render/overlay.h"
-#include "engine/render/overlay_tiles.h"
 #include "engine/vk/buffer.h"
 #include "engine/vk/frame_target.h"
 #include "engine/vk/image.h"
@@ -22,17 +20,11 @@ class OverlayPass {
     void record_uploads(const FrameContext& frame);
     // The target is laid out as colour, as the scene left it; or in any way when nothing has been drawn.
     void record(const FrameContext& frame, const vk::TargetImage& target, bool after_scene);
-    // What lies where, for who knows what the target shows already; nothing where every frame is drawn whole.
-    [[nodiscard]] std::span<const std::uint64_t> content() const { return tiles_.content(); }
-    // Draws in this frame only on these tiles (one entry each). Between fit() and record(); the device is
-    // idle.
-    Result<void> keep(const FrameContext& frame, std::span<const std::uint8_t> tiles);
 
   private:
     Result<void> fit_atlas(const FrameContext& frame, int side_px);
     Result<void> fit_kept(const FrameContext& frame);
     Result<void> fill(const FrameContext& frame, const ui::DrawList& list);
-    void note_tiles(const FrameContext& frame);
     void draw_list(const FrameContext& frame, VkImageView view, bool keep_what_is_there) const;
 
     vk::BoundSet set_;
@@ -49,10 +41,6 @@ class OverlayPass {
     std::uint64_t kept_hash_ = 0;
     const Overlay* overlay_ = nullptr;  // of this frame
     std::uint64_t hash_ = 0;
-    OverlayTiles tiles_;
-    std::uint64_t atlas_state_ = 0;  // counts what has been put into it
-    std::vector<std::uint32_t> kept_indices_;
-    std::vector<ClippedRun> runs_;  // of this frame
 };
 
 }  // namespace onggi::render

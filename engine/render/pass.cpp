@@ -64,6 +64,22 @@ void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspec
                    regions.data());
 }
 
+void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
+                    std::vector<VkBufferImageCopy>& regions) {
+    regions.clear();
+    for (const PixelRect& rect : rects) {
+        VkBufferImageCopy region{};
+        region.bufferOffset = VkDeviceSize{4} * (static_cast<VkDeviceSize>(rect.y) * width_px +
+                                                 static_cast<VkDeviceSize>(rect.x));
+        region.bufferRowLength = width_px;
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageOffset = {rect.x, rect.y, 0};
+        region.imageExtent = {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height),
+                              1};
+        regions.push_back(region);
+    }
+}
+
 void set_scissor(VkCommandBuffer commands, const PixelRect& rect) {
     const VkRect2D scissor{{rect.x, rect.y},
                            {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height)}};

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <span>
+#include <vector>
 
 #include "engine/render/shadow_region.h"
 #include "engine/vk/vulkan.h"
@@ -28,6 +29,11 @@ void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_li
 // The parts of both images inside the rectangles; laid out as copy source and copy target.
 void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
                 std::span<const PixelRect> rects);
+
+// The same rectangles of a picture of this width whose rows lie one after another in a buffer, four bytes a
+// pixel, and of a colour image.
+void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
+                    std::vector<VkBufferImageCopy>& regions);
 
 void set_scissor(VkCommandBuffer commands, const PixelRect& rect);
 

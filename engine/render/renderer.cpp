@@ -2,9 +2,12 @@
 #include "engine/render/renderer.h"
 
 #include "engine/render/edge_pass.h"
+#include "engine/render/host_frame.h"
 #include "engine/render/lathe_pass.h"
 #include "engine/render/mover_pass.h"
 #include "engine/render/overlay_pass.h"
+#include "engine/render/painted_overlay.h"
+#include "engine/render/resting_scene.h"
 #include "engine/render/shadow_pass.h"
 #include "engine/render/still_pass.h"
 #include "engine/vk/check.h"
@@ -38,15 +41,25 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
             .slip_up = is_large ? 256 : 128};
 }
 
+// What an overlay lies on; or covers, drawn because it will be seen when the overlay has begun to fade.
+enum class Under { kScene, kCoveredScene, kRestingScene, kNothing };
+
+bool draws_scene(Under under) {
+    return under == Under::kScene || under == Under::kCoveredScene;
+}
+
 struct Renderer::Impl {
     Impl(vk::Device& owner, const RendererDesc& wanted) : frame{.device = owner, .desc = wanted} {}
 
     Result<void> create();
     Result<void> fit_to(const Scene& scene, VkExtent2D extent);
+    Under look_under(const Overlay* wanted);
+    Result<void> fit_overlay(const Overlay* wanted);
     void upload(const Scene& scene);
-    Result<void> record(const Scene& scene, const vk::TargetImage& target, bool scene_is_seen);
-    void record_scene(const Scene& scene, const vk::TargetImage& target);
-    void record_cached(const Scene& scene, const vk::TargetImage& target);
+    Result<void> record_painted(const Scene& scene, const vk::TargetImage& target, Under under);
+    Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
+    Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
+    Result<void> record_cached(const Scene& scene, const vk::TargetImage& target);
     void record_direct(const Scene& scene, const vk::TargetImage& target);
 
     [[nodiscard]] bool is_cached(const Scene& scene) const { return frame.desc.cached && !scene.glide; }
@@ -61,6 +74,10 @@ struct Renderer::Impl {
     MoverPass movers;
     EdgePass edges;
     OverlayPass overlay;
+    PaintedOverlay painted;  // in its place, where the processor shades
+    HostFrame host_frame;
+    RestingScene resting;
+    bool will_rest = false;  // this frame's overlay says that the scene may
 };
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -117,7 +134,7 @@ Result<void> Renderer::Impl::create() {
     if (auto created = movers.create(frame); !created) return created;
     if (auto created = edges.create(frame); !created) return created;
     if (auto created = lathe.create(frame); !created) return created;
-    return overlay.create(frame);
+    return frame.desc.shades_on_host ? painted.create(frame) : overlay.create(frame);
 }
 
 // Whatever the size and the contents of the picture ask for. The device is idle.
@@ -126,12 +143,30 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
         if (auto made = create_sized_images(frame.device, frame.desc, wanted, frame.images); !made)
             return made;
         frame.extent = wanted;
+        resting.forget();
         still.resized(frame);
         edges.resized(frame);
     }
     if (auto fitted = still.fit(frame, scene); !fitted) return fitted;
     if (auto fitted = shadow.fit(frame); !fitted) return fitted;
     return movers.fit(frame, scene);
+}
+
+Under Renderer::Impl::look_under(const Overlay* wanted) {
+    const bool covers = wanted != nullptr && wanted->covers;
+    will_rest = frame.desc.shades_on_host && wanted != nullptr && wanted->scene_rests;
+    if (!will_rest) {
+        resting.forget();
+        return covers ? Under::kNothing : Under::kScene;
+    }
+    const HostShade* const shaded = shadow.host_shade();
+    const bool is_here = shaded != nullptr && resting.take(*shaded);
+    if (covers) return is_here ? Under::kNothing : Under::kCoveredScene;
+    return is_here ? Under::kRestingScene : Under::kScene;
+}
+
+Result<void> Renderer::Impl::fit_overlay(const Overlay* wanted) {
+    return frame.desc.shades_on_host ? painted.fit(frame, wanted) : overlay.fit(frame, wanted);
 }
 
 void Renderer::Impl::upload(const Scene& scene) {
@@ -146,11 +181,13 @@ void Renderer::Impl::upload(const Scene& scene) {
     edges.upload(frame);
 }
 
-void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
+Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
     enter("still life");
     still.record_depth_copy(frame);
-    if (shadow.host_shades()) {
-        shadow.record_shaded(frame, target, overlay.content());
+    const HostShade* const shaded = shadow.host_shade();
+    if (shaded != nullptr) {
+        const HostPicture still_life{shaded->shaded(), shaded->tiles().numbers(), frame.built.moving_tiles};
+        if (auto brought = host_frame.record(frame, target, still_life, painted); !brought) return brought;
     } else {
         still.record_copy(frame, target.image);
         shadow.record_reading(frame);
@@ -159,7 +196,7 @@ void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& ta
                {.view = frame.images.depth.view(),
                 .load = VK_ATTACHMENT_LOAD_OP_LOAD,
                 .store = VK_ATTACHMENT_STORE_OP_STORE});
-    if (!shadow.host_shades()) {
+    if (shaded == nullptr) {
         enter("shade");
         shadow.draw_shade(frame);
     }
@@ -174,6 +211,9 @@ void Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& ta
     vkCmdEndRendering(frame.commands);
     enter("outlines");
     edges.record(frame, target);
+    if (shaded == nullptr || !will_rest) return {};
+    enter("resting scene");
+    return resting.record_reading(frame, target, *shaded);
 }
 
 void Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& target) {
@@ -201,7 +241,7 @@ void Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& ta
     vkCmdEndRendering(commands);
 }
 
-void Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& target) {
+Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& target) {
     const VkDescriptorSet set = frame.set();
     vkCmdBindDescriptorSets(frame.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, frame.pipelines.layout.get(), 0,
                             1, &set, 0, nullptr);
@@ -211,28 +251,43 @@ void Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& tar
     still.record(frame);
     enter("shadow mask");
     shadow.record(frame);
-    if (is_cached(scene)) {
-        record_cached(scene, target);
-    } else {
-        record_direct(scene, target);
-    }
+    if (is_cached(scene)) return record_cached(scene, target);
+    record_direct(scene, target);
+    return {};
 }
 
-Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& target, bool scene_is_seen) {
+// The device is the processor: most of the overlay is in the target already, with what lies under it.
+Result<void> Renderer::Impl::record_painted(const Scene& scene, const vk::TargetImage& target, Under under) {
+    if (under == Under::kNothing || under == Under::kCoveredScene) {
+        host_frame.record_covered(frame, target, painted, under == Under::kCoveredScene);
+        return {};
+    }
+    if (under == Under::kRestingScene) return host_frame.record(frame, target, resting.picture(), painted);
+    if (is_cached(scene) && shadow.host_shade() != nullptr)
+        return painted.record(frame, target, host_frame.drawn_over());
+    return painted.record(frame, target);
+}
+
+Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& target, Under under) {
     const VkCommandBuffer commands = frame.commands;
     VkCommandBufferBeginInfo begin{};
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     ONGGI_VK_TRY(vkBeginCommandBuffer(commands, &begin));
     clock.begin(frame.device, commands);
-    enter("overlay's pictures");
-    overlay.record_uploads(frame);
-    if (scene_is_seen) record_scene(scene, target);
-    enter("overlay");
-    if (scene_is_seen && is_cached(scene) && shadow.host_shades()) {
-        if (auto kept = overlay.keep(frame, shadow.overlay_wanted()); !kept) return kept;
+    if (!frame.desc.shades_on_host) {
+        enter("overlay's pictures");
+        overlay.record_uploads(frame);
     }
-    overlay.record(frame, target, scene_is_seen);
+    if (draws_scene(under)) {
+        if (auto recorded = record_scene(scene, target); !recorded) return recorded;
+    }
+    enter("overlay");
+    if (frame.desc.shades_on_host) {
+        if (auto recorded = record_painted(scene, target, under); !recorded) return recorded;
+    } else {
+        overlay.record(frame, target, under == Under::kScene);
+    }
     clock.end(frame.device, commands);
     const vk::ImageState done{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
                               target.final_layout};
@@ -250,15 +305,15 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     if (!begun) return begun.error();
     if (!*begun) return false;
     const vk::TargetImage& image = **begun;
-    const bool scene_is_seen = overlay == nullptr || !overlay->covers;
     std::vector<PassTime> parts = std::move(impl_->frame.stats.parts);
     const double device_ms = impl_->clock.read(impl_->frame.device, parts);  // the target has waited for it
     if (auto fitted = impl_->fit_to(scene, image.extent); !fitted) return fitted.error();
-    if (scene_is_seen) impl_->upload(scene);
+    const Under under = impl_->look_under(overlay);
+    if (draws_scene(under)) impl_->upload(scene);
     impl_->frame.stats.device_ms = device_ms;
     impl_->frame.stats.parts = std::move(parts);
-    if (auto fitted = impl_->overlay.fit(impl_->frame, overlay); !fitted) return fitted.error();
-    if (auto recorded = impl_->record(scene, image, scene_is_seen); !recorded) return recorded.error();
+    if (auto fitted = impl_->fit_overlay(overlay); !fitted) return fitted.error();
+    if (auto recorded = impl_->record(scene, image, under); !recorded) return recorded.error();
     if (auto ended = target.end(impl_->frame.commands); !ended) return ended.error();
     return true;
 }

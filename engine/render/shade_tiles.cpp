@@ -121,26 +121,4 @@ void ShadeTiles::take(std::vector<PixelRect>& rects) {
     std::fill(is_stale_.begin(), is_stale_.end(), std::uint8_t{0});
 }
 
-void HeldTiles::take_missing(const ShadeTiles& picture, const LaidOver& over, std::vector<PixelRect>& rects,
-                             std::vector<std::uint8_t>& overlay_wanted) {
-    const std::span<const std::uint64_t> wanted = picture.numbers();
-    const std::size_t count = wanted.size();
-    if (numbers_.size() != count) {
-        numbers_.assign(count, 0);
-        overlay_.assign(count, 0);
-    }
-    missing_.assign(count, 0);
-    overlay_wanted.assign(count, 0);
-    for (std::size_t tile = 0; tile < count; ++tile) {
-        const std::uint64_t content = over.overlay.empty() ? 0 : over.overlay[tile];
-        const bool moves = !over.moving.empty() && over.moving[tile] != 0;
-        const bool is_in_the_way = moves && overlay_[tile] != 0;
-        if (numbers_[tile] != wanted[tile] || overlay_[tile] != content || is_in_the_way) missing_[tile] = 1;
-        if (content != 0 && (missing_[tile] != 0 || moves)) overlay_wanted[tile] = 1;
-        numbers_[tile] = moves ? 0 : wanted[tile];
-        overlay_[tile] = content;
-    }
-    rects_of_tiles(picture.grid(), missing_, rects);
-}
-
 }  // namespace onggi::render

@@ -1,6 +1,5 @@
-// The picture as tiles: which of them a changed shadow mask makes another picture of, and which a target
-// still holds as they are, so that what has not changed is neither shaded nor copied again. Any thread; one
-// user at a time. Pixels.
+// The picture as tiles, and which of them a changed shadow mask makes another picture of, so that what has
+// not changed is not shaded again. Any thread; one user at a time. Pixels.
 #pragma once
 
 #include <algorithm>
@@ -81,29 +80,6 @@ class ShadeTiles {
     std::vector<std::uint64_t> numbers_;
     std::uint64_t last_number_ = 0;  // never used again, so that a target cannot take new layers for old
     std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes
-};
-
-// What lies over a shaded picture in this frame, one entry a tile.
-struct LaidOver {
-    std::span<const std::uint8_t>
-        moving;  // not 0: something is drawn there that may be elsewhere in the next
-    std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: none
-};
-
-// What a target shows: of which of a shaded picture's tiles, and with what over it.
-class HeldTiles {
-  public:
-    // Nothing of it is known.
-    void forget() { numbers_.clear(); }
-    // What has to be copied so that, with this laid over it, it shows the picture, as rectangles; and on
-    // which tiles (one entry each) the overlay has to be drawn. From here on it shows that.
-    void take_missing(const ShadeTiles& picture, const LaidOver& over, std::vector<PixelRect>& rects,
-                      std::vector<std::uint8_t>& overlay_wanted);
-
-  private:
-    std::vector<std::uint64_t> numbers_;  // 0: something else
-    std::vector<std::uint64_t> overlay_;
-    std::vector<std::uint8_t> missing_;
 };
 
 }  // namespace onggi::render

@@ -19,15 +19,9 @@ class ShadowPass {
     void update(FrameContext& frame, const Scene& scene, const StillBounds& still);
     // The mask, if update() asked for it.
     void record(const FrameContext& frame);
-    // Cached: whether the processor shades this frame. Then record_shaded() makes the still life in the
-    // target, and knows where the overlay lies there already; else the caller copies it, and draw_shade()
-    // inside a pass, before whatever moves, lays the shade over it.
-    [[nodiscard]] bool host_shades() const { return host_shades_; }
-    void record_shaded(const FrameContext& frame, const vk::TargetImage& target,
-                       std::span<const std::uint64_t> overlay) {
-        host_.record(frame, target, overlay);
-    }
-    [[nodiscard]] std::span<const std::uint8_t> overlay_wanted() const { return host_.overlay_wanted(); }
+    // Cached: what the processor shaded; null if it does not shade this frame. Then the caller copies the
+    // still life, and draw_shade() inside a pass, before whatever moves, lays the shade over it.
+    [[nodiscard]] const HostShade* host_shade() const { return host_shades_ ? &host_ : nullptr; }
     void draw_shade(const FrameContext& frame) const;
     // After the copy: the layers to where the processor finds them in the next frame, if it is to shade.
     void record_reading(const FrameContext& frame);

@@ -3,14 +3,11 @@
 #include <utility>
 
 namespace onggi::render {
-namespace {
 
 bool overlap(const ui::Atlas::Upload& a, const ui::Atlas::Upload& b) {
     return a.x < b.x + b.painting->width && b.x < a.x + a.painting->width && a.y < b.y + b.painting->height &&
            b.y < a.y + a.painting->height;
 }
-
-}  // namespace
 
 void UploadLedger::bring(std::span<const Upload> uploads, int side_px) {
     if (side_px != side_px_) {

@@ -9,6 +9,9 @@
 
 namespace onggi::render {
 
+// Whether one lies over part of the other.
+[[nodiscard]] bool overlap(const ui::Atlas::Upload& a, const ui::Atlas::Upload& b);
+
 class UploadLedger {
   public:
     using Upload = ui::Atlas::Upload;

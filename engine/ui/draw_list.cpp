@@ -78,8 +78,10 @@ void DrawList::add_line(std::span<const vec2> points, float width_px, const Colo
     }
 }
 
-void DrawList::add_picture(const Rect& rect, const Rect& in_atlas_px, float alpha) {
+void DrawList::add_picture(vec2 corner_px, const Rect& in_atlas_px, float alpha) {
     if (alpha <= 0.0F) return;
+    const vec2 corner = glm::round(corner_px);
+    const Rect rect{corner.x, corner.y, in_atlas_px.width, in_atlas_px.height};
     const std::uint32_t first = begin(true);
     const std::uint32_t white = packed({1.0F, 1.0F, 1.0F, alpha});
     const Rect& from = in_atlas_px;

@@ -1,5 +1,6 @@
 #include "engine/vk/buffer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/vk/check.h"
@@ -41,6 +42,16 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(buffer_, other.buffer_);
     std::swap(size_, other.size_);
     std::swap(allocation_, other.allocation_);
+}
+
+Result<void> make_room(const Device& device, Buffer& buffer, std::string_view name, VkDeviceSize bytes,
+                       VkBufferUsageFlags usage) {
+    if (bytes <= buffer.size()) return {};
+    auto larger = Buffer::create(
+        device, {.name = name, .size = std::max(bytes, buffer.size() * 3 / 2), .usage = usage});
+    if (!larger) return larger.error();
+    buffer = std::move(*larger);
+    return {};
 }
 
 }  // namespace onggi::vk

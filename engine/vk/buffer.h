@@ -32,6 +32,12 @@ class Buffer {
     // Null unless the host can see it.
     [[nodiscard]] std::byte* mapped() const { return static_cast<std::byte*>(allocation_.mapped); }
 
+    // The whole of it. Precondition: host-visible.
+    template <typename T>
+    [[nodiscard]] std::span<T> as() const {
+        return {reinterpret_cast<T*>(mapped()), size_ / sizeof(T)};
+    }
+
     // Precondition: host-visible and large enough.
     void write(std::span<const std::byte> bytes, std::size_t offset = 0) const {
         if (!bytes.empty()) std::memcpy(mapped() + offset, bytes.data(), bytes.size());
@@ -46,5 +52,10 @@ class Buffer {
     VkDeviceSize size_ = 0;
     Allocation allocation_;
 };
+
+// Makes a buffer, which the device no longer uses, as large as asked for, or half as large again as it is: it
+// grows a few times and then stays. What is in it is lost when it grows.
+Result<void> make_room(const Device& device, Buffer& buffer, std::string_view name, VkDeviceSize bytes,
+                       VkBufferUsageFlags usage);
 
 }  // namespace onggi::vk

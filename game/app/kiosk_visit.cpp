@@ -300,6 +300,7 @@ Result<void> KioskVisit::frame(double now_s) {
     const render::Overlay overlay{.list = &list,
                                   .uploads = stage_.uploads(),
                                   .atlas_side_px = stage_.atlas_side_px(),
+                                  .scene_rests = stage_.scene_rests(),
                                   .covers = stage_.covers()};
     if (!demo_runs_ && (state_.panel != Panel::kNone || state_.screen != Screen::kThrow))
         pot.hand.shown = pot.second_hand.shown = false;

@@ -142,9 +142,7 @@ void draw_number(const std::string& number, vec2 right_middle, const ForceParts&
         const auto from = painter.place(item);
         if (!from) continue;
         at.x -= from->width;
-        painter.list.add_picture(
-            {std::round(at.x), std::round(at.y - 0.5F * from->height), from->width, from->height}, *from,
-            1.0F);
+        painter.list.add_picture({at.x, at.y - 0.5F * from->height}, *from, 1.0F);
     }
 }
 

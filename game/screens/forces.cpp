@@ -123,8 +123,7 @@ void draw_names(const std::vector<Named>& named, const ForceParts& parts, const 
     for (std::size_t i = 0; i < named.size(); ++i) {
         const auto from = painter.place(parts.names[static_cast<std::size_t>(named[i].force)]);
         if (!from) continue;
-        const vec2 at = glm::round(vec2(boxes[i].x, boxes[i].y));
-        painter.list.add_picture({at.x, at.y, from->width, from->height}, *from, 1.0F);
+        painter.list.add_picture({boxes[i].x, boxes[i].y}, *from, 1.0F);
     }
 }
 

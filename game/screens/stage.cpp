@@ -167,6 +167,7 @@ std::optional<ui::Rect> Stage::place_of(const Item& item) {
 const ui::DrawList& Stage::draw(const StageFrame& frame) {
     list_.clear();
     covers_ = false;
+    scene_rests_ = false;
     const double step_s = std::clamp(frame.now_s - last_s_, 0.0, 0.1);
     last_s_ = frame.now_s;
     if (!now_) return list_;
@@ -188,23 +189,38 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
         add(*now_, frame, {});
     } else {
         const float share = static_cast<float>(along * (2.0 - along));  // eased out
-        const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - share);
         const bool from_wall = before_->composition.covers;
         const bool to_wall = now_->composition.covers;
         covers_ = from_wall && to_wall;
-        // A wall is the first item. Another wall, or one where there was none, comes over what was there.
-        const bool is_other_wall = to_wall && (alike_now_.empty() || alike_now_.front() == 0);
-        add(*now_, frame, {.part = Part::kAlike});
-        if (is_other_wall) {
-            add(*before_, frame, {.part = Part::kOthers});
-            add(*now_, frame, {share, rise, Part::kOthers});
+        scene_rests_ = from_wall != to_wall;
+        // Nothing has faded yet: as it was before, and time to make the scene that comes.
+        const bool still_covers = from_wall && !to_wall && share <= 0.0F;
+        if (still_covers) {
+            covers_ = true;
+            add(*before_, frame, {});
         } else {
-            add(*now_, frame, {from_wall && !to_wall ? 1.0F : share, rise, Part::kOthers});
-            add(*before_, frame, {1.0F - share, 0.0F, Part::kOthers});
+            add_changing(frame, share);
         }
     }
     uploads_ = atlas_.take_uploads();
     return list_;
+}
+
+// Both compositions, the one on its way in and the other on its way out.
+void Stage::add_changing(const StageFrame& frame, float share) {
+    const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - share);
+    const bool from_wall = before_->composition.covers;
+    const bool to_wall = now_->composition.covers;
+    // A wall is the first item. Another wall, or one where there was none, comes over what was there.
+    const bool is_other_wall = to_wall && (alike_now_.empty() || alike_now_.front() == 0);
+    add(*now_, frame, {.part = Part::kAlike});
+    if (is_other_wall) {
+        add(*before_, frame, {.part = Part::kOthers});
+        add(*now_, frame, {share, rise, Part::kOthers});
+    } else {
+        add(*now_, frame, {from_wall && !to_wall ? 1.0F : share, rise, Part::kOthers});
+        add(*before_, frame, {1.0F - share, 0.0F, Part::kOthers});
+    }
 }
 
 void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& fade) {
@@ -248,9 +264,7 @@ void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& f
         const auto place = has_pressed ? atlas_.place(item.pressed_key, painting) : place_of(item);
         if (!place) continue;
         if (pressed && !has_pressed) shift.y += 4.0F;
-        // On whole pixels, as it was painted.
-        const vec2 at = glm::round((vec2(item.rect.x, item.rect.y) + shift) * scale);
-        list_.add_picture({at.x, at.y, place->width, place->height}, *place, item_alpha);
+        list_.add_picture((vec2(item.rect.x, item.rect.y) + shift) * scale, *place, item_alpha);
     }
     if (shows_forces && composition.forces->has_panel)
         draw_force_panel(*frame.forces, *composition.forces, force_painter);

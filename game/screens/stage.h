@@ -41,6 +41,8 @@ class Stage {
 
     // Nothing of the scene is seen this frame.
     [[nodiscard]] bool covers() const { return covers_; }
+    // A screen that covers all is on its way in or out: whoever draws the scene may let it stand still.
+    [[nodiscard]] bool scene_rests() const { return scene_rests_; }
     // What the last draw() needs in the texture; to be handed on with it.
     [[nodiscard]] std::span<const ui::Atlas::Upload> uploads() const { return uploads_; }
     [[nodiscard]] int atlas_side_px() const { return atlas_.side_px(); }
@@ -60,6 +62,7 @@ class Stage {
         Part part = Part::kAll;
     };
     void add(const Composed& composed, const StageFrame& frame, const Fade& fade);
+    void add_changing(const StageFrame& frame, float share);
     void find_alike();
     void add_band(const Band& band, const StageFrame& frame, float u_px);
     [[nodiscard]] std::optional<ui::Rect> place_of(const Item& item);
@@ -82,6 +85,7 @@ class Stage {
     std::vector<char> alike_now_;
     double since_s_ = 0.0;
     bool covers_ = false;
+    bool scene_rests_ = false;
     double hint_alpha_ = 0.0;
     double hint_s_ = 0.0;
     double last_s_ = 0.0;

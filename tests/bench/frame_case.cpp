@@ -94,9 +94,8 @@ void FrameCase::write_a_line() {
     const auto place = atlas_.place(sketch.hash(), painting);
     uploads_ = atlas_.take_uploads();
     if (!place) return;
-    const ui::Rect on_screen{0.5F * (static_cast<float>(desc_.width) - place->width), 40.0F * px_per_u,
-                             place->width, place->height};
-    list_.add_picture(on_screen, *place, 1.0F);
+    const vec2 corner(0.5F * (static_cast<float>(desc_.width) - place->width), 40.0F * px_per_u);
+    list_.add_picture(corner, *place, 1.0F);
 }
 
 // It shrinks by a hair each frame and grows back.

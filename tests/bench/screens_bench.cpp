@@ -64,6 +64,7 @@ void screen_frames(benchmark::State& state, const Screens& shown, bool counts_ch
             const render::Overlay overlay{.list = &list,
                                           .uploads = stage.uploads(),
                                           .atlas_side_px = stage.atlas_side_px(),
+                                          .scene_rests = stage.scene_rests(),
                                           .covers = stage.covers()};
             const auto taken = (*opened)->frame(&overlay);
             if (!taken) return fail(state, taken.error().message.c_str());

@@ -1,7 +1,11 @@
 // The live picture copies only what a target does not show already: what was drawn there before must be gone.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
@@ -35,11 +39,14 @@ class HeldPicture : public DrawingTest {
     }
     // The hand somewhere up the pot, and a box of the overlay somewhere across the picture.
     void draw(render::Renderer& renderer, vk::Offscreen& target, double lift_mm, float box_px) {
-        GoldenScene shown = pulling_;
-        shown.tool_position_mm.y += lift_mm;
         ui::DrawList list;
         list.add_box({.x = box_px, .y = 20.5F, .width = 90.0F, .height = 33.0F}, {.r = 1.0F, .a = 0.7F});
-        const render::Overlay overlay{.list = &list, .atlas_side_px = 64};
+        draw(renderer, target, lift_mm, {.list = &list, .atlas_side_px = 64});
+    }
+    void draw(render::Renderer& renderer, vk::Offscreen& target, double lift_mm,
+              const render::Overlay& overlay) {
+        GoldenScene shown = pulling_;
+        shown.tool_position_mm.y += lift_mm;
         const auto drawn =
             renderer.draw(opened_.scene->apply(shown.pot(), kWidth, kHeight), target, &overlay);
         ASSERT_TRUE(drawn && *drawn);
@@ -98,6 +105,95 @@ TEST_F(HeldPicture, ShowsEachOfTwoTargetsWhole) {
         draw(*drawn, *right, 20.0 - frame, 30.0F);
     }
     EXPECT_EQ(furthest(left->read_back().value(), right->read_back().value()), 0);
+}
+
+// A box, a polygon, a line and a picture, over what moves and beside it. The device shades a box as two
+// triangles, the processor from side to side: the same as long as the corners lie in a plane.
+ui::DrawList sample_list(float alpha) {
+    ui::DrawList list;
+    const ui::Colour ink{.r = 0.1F, .g = 0.2F, .b = 0.9F, .a = alpha};
+    list.add_box({.x = 10.25F, .y = 250.0F, .width = 600.0F, .height = 90.5F},
+                 {ink, ink, ink.with_alpha(0.0F), ink.with_alpha(0.0F)});
+    list.add_polygon(std::array{vec2(300.0F, 20.0F), vec2(420.5F, 160.0F), vec2(250.0F, 200.25F)}, ink);
+    list.add_line(std::array{vec2(20.0F, 30.0F), vec2(330.0F, 300.0F)}, 5.0F, ink);
+    list.add_picture({280.0F, 120.0F}, {.x = 8.0F, .y = 16.0F, .width = 40.0F, .height = 30.0F}, alpha);
+    return list;
+}
+
+std::vector<ui::Atlas::Upload> sample_picture() {
+    ui::Painting painting{.width = 40, .height = 30, .rgba = {}};
+    for (int i = 0; i < 40 * 30; ++i) {
+        const auto alpha = static_cast<std::uint8_t>(i % 256);
+        painting.rgba.insert(painting.rgba.end(), {alpha, static_cast<std::uint8_t>(alpha / 3), 0, alpha});
+    }
+    return {{8, 16, std::make_shared<const ui::Painting>(std::move(painting))}};
+}
+
+constexpr int kAtlasSidePx = 64;
+
+TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
+    const auto uploads = sample_picture();
+    auto by_device = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
+    by_device.shades_on_host = false;
+    auto plain = render::Renderer::create(*device_, by_device).value();
+    auto painting = renderer();
+    auto wanted = target();
+    auto shown = target();
+    for (int frame = 0; frame < kFrames; ++frame) {
+        const ui::DrawList list = sample_list(0.2F + 0.05F * static_cast<float>(frame));
+        const bool is_first = frame == 0;
+        const render::Overlay overlay{
+            .list = &list,
+            .uploads = is_first ? std::span(uploads) : std::span<const ui::Atlas::Upload>(),
+            .atlas_side_px = kAtlasSidePx};
+        draw(*plain, *wanted, frame, overlay);
+        draw(*painting, *shown, frame, overlay);
+        // The shade by the processor is a step off at most, and so is each colour laid over another.
+        EXPECT_LE(furthest(wanted->read_back().value(), shown->read_back().value()), 6) << frame;
+    }
+}
+
+TEST_F(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
+    const auto uploads = sample_picture();
+    const ui::DrawList list = sample_list(0.6F);
+    const ui::DrawList more = sample_list(0.9F);
+    auto drawn = renderer();
+    auto shown = target();
+    const auto draw_list = [&](const ui::DrawList& of, double lift_mm, bool rests) {
+        draw(*drawn, *shown, lift_mm, {.list = &of, .atlas_side_px = kAtlasSidePx, .scene_rests = rests});
+    };
+    draw(*drawn, *shown, 0.0, {.list = &list, .uploads = uploads, .atlas_side_px = kAtlasSidePx});
+    for (int frame = 0; frame < 4; ++frame)
+        draw_list(more, 10.0, false);
+    const auto wanted = shown->read_back().value();
+    draw_list(list, 10.0, true);
+    for (int frame = 0; frame < 3; ++frame)
+        draw_list(frame == 2 ? more : list, 10.0 + 5.0 * frame, true);
+    EXPECT_LE(furthest(shown->read_back().value(), wanted), kMaskStep) << "the scene stands still";
+    draw_list(more, 10.0, false);
+    EXPECT_LE(furthest(shown->read_back().value(), wanted), kMaskStep);
+    draw_list(more, 25.0, false);
+    EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "it moves again";
+}
+
+// The first frame of a screen that is about to fade away still shows nothing but it.
+TEST_F(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
+    ui::DrawList wall;
+    wall.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, {.g = 0.5F});
+    ui::DrawList nothing;
+    auto drawn = renderer();
+    auto shown = target();
+    for (int frame = 0; frame < 4; ++frame)
+        draw(*drawn, *shown, 0.0, {.list = &nothing, .atlas_side_px = kAtlasSidePx});
+    const auto scene = shown->read_back().value();
+    draw(*drawn, *shown, 0.0, {.list = &wall, .atlas_side_px = kAtlasSidePx, .covers = true});
+    const auto covered = shown->read_back().value();
+    EXPECT_GT(furthest(covered, scene), 20);
+    draw(*drawn, *shown, 0.0,
+         {.list = &wall, .atlas_side_px = kAtlasSidePx, .scene_rests = true, .covers = true});
+    EXPECT_EQ(furthest(shown->read_back().value(), covered), 0);
+    draw(*drawn, *shown, 40.0, {.list = &nothing, .atlas_side_px = kAtlasSidePx, .scene_rests = true});
+    EXPECT_LE(furthest(shown->read_back().value(), scene), kMaskStep) << "as it was under the screen";
 }
 
 }  // namespace

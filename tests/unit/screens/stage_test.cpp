@@ -63,6 +63,32 @@ TEST_F(Theatre, FadesFromOneScreenToTheNextInUnderThreeTenths) {
     EXPECT_EQ(draw(2.6).hash(), after);
 }
 
+TEST_F(Theatre, LetsTheSceneRestWhileAScreenThatCoversItComesOrGoes) {
+    stage_.take(composed("choose"), 0.0);
+    const std::uint64_t covered = draw(1.0).hash();
+    EXPECT_FALSE(stage_.scene_rests());
+    stage_.take(composed("throw-0"), 2.0);
+    EXPECT_EQ(draw(2.0).hash(), covered) << "nothing has faded yet";
+    EXPECT_TRUE(stage_.covers());
+    EXPECT_TRUE(stage_.scene_rests());
+    static_cast<void>(draw(2.1));
+    EXPECT_FALSE(stage_.covers());
+    EXPECT_TRUE(stage_.scene_rests());
+    static_cast<void>(draw(2.6));
+    EXPECT_FALSE(stage_.scene_rests());
+    // In another language it is the same scene, at which somebody is at work.
+    stage_.take(composed("throw-0", "ko"), 3.0);
+    static_cast<void>(draw(3.1));
+    EXPECT_FALSE(stage_.scene_rests());
+    stage_.take(composed("firing-0", "ko"), 4.0);
+    static_cast<void>(draw(4.0));
+    EXPECT_FALSE(stage_.covers());
+    EXPECT_TRUE(stage_.scene_rests());
+    static_cast<void>(draw(4.6));
+    EXPECT_TRUE(stage_.covers());
+    EXPECT_FALSE(stage_.scene_rests());
+}
+
 TEST_F(Theatre, FadesSlowlyBetweenTheThrowingAndAMuseumsPotAndQuicklyToAVisitor) {
     stage_.take(composed("attract"), 0.0);
     static_cast<void>(draw(1.0));

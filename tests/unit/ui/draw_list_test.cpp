@@ -15,7 +15,7 @@ TEST(DrawList, JoinsWhatOnePipelineDraws) {
     DrawList list;
     list.add_box({0, 0, 10, 10}, Colour{});
     list.add_box({10, 0, 10, 10}, Colour{});
-    list.add_picture({0, 0, 5, 5}, {0, 0, 5, 5}, 1.0F);
+    list.add_picture({0, 0}, {0, 0, 5, 5}, 1.0F);
     list.add_box({0, 0, 1, 1}, Colour{});
     ASSERT_EQ(list.runs().size(), 3U);
     EXPECT_EQ(list.runs()[0].index_count, 12U);
@@ -24,7 +24,7 @@ TEST(DrawList, JoinsWhatOnePipelineDraws) {
 
 TEST(DrawList, DrawsNothingThatCannotBeSeen) {
     DrawList list;
-    list.add_picture({0, 0, 5, 5}, {0, 0, 5, 5}, 0.0F);
+    list.add_picture({0, 0}, {0, 0, 5, 5}, 0.0F);
     list.add_line(std::array{vec2(1.0F)}, 2.0F, Colour{});
     list.add_polygon(std::array{vec2(1.0F), vec2(2.0F)}, Colour{});
     EXPECT_TRUE(list.runs().empty());

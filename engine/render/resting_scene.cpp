@@ -1,0 +1,63 @@
+#include "engine/render/resting_scene.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "engine/vk/readback.h"
+
+namespace onggi::render {
+
+Result<void> RestingScene::record_reading(const FrameContext& frame, const vk::TargetImage& target,
+                                          const HostShade& shade) {
+    if (state_ != State::kNothing || !target.can_be_read) return {};
+    grid_ = shade.tiles().grid();
+    if (picture_.size() != shade.shaded().size()) {
+        auto picture = vk::Buffer::create(
+            frame.device, {.name = "resting scene",
+                           .size = shade.shaded().size(),
+                           .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                           .use = vk::MemoryUse::kReadback});
+        if (!picture) return picture.error();
+        picture_ = std::move(*picture);
+    }
+    const std::vector<std::uint8_t>& moving = frame.built.moving_tiles;
+    stands_still_.assign(grid_.count(), 0);
+    std::transform(moving.begin(), moving.end(), stands_still_.begin(),
+                   [](std::uint8_t moves) { return static_cast<std::uint8_t>(moves == 0); });
+    rects_of_tiles(grid_, moving, rects_);
+    if (!rects_.empty()) {
+        rows_in_buffer(rects_, frame.extent.width, regions_);
+        constexpr VkImageAspectFlags kAspect = VK_IMAGE_ASPECT_COLOR_BIT;
+        vk::barrier(frame.commands, target.image, kAspect, vk::state::kColour, vk::state::kCopySource);
+        vkCmdCopyImageToBuffer(frame.commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               picture_.handle(), static_cast<std::uint32_t>(regions_.size()),
+                               regions_.data());
+        vk::barrier(frame.commands, target.image, kAspect, vk::state::kCopySource, vk::state::kColour);
+        vk::barrier_to_host(frame.commands);
+    }
+    state_ = State::kOnTheWay;
+    return {};
+}
+
+bool RestingScene::take(const HostShade& shade) {
+    if (state_ == State::kOnTheWay) {
+        const auto width = static_cast<std::size_t>(grid_.width_px);
+        const auto from = shade.shaded().as<const std::uint32_t>();
+        const auto into = picture_.as<std::uint32_t>();
+        rects_of_tiles(grid_, stands_still_, rects_);
+        for (const PixelRect& rect : rects_) {
+            for (int y = rect.y; y < rect.y + rect.height; ++y) {
+                const std::size_t first =
+                    static_cast<std::size_t>(y) * width + static_cast<std::size_t>(rect.x);
+                std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), rect.width,
+                            into.begin() + static_cast<std::ptrdiff_t>(first));
+            }
+        }
+        constexpr std::uint64_t kNoShadeTile = std::uint64_t{1} << 63U;
+        numbers_.assign(grid_.count(), kNoShadeTile | ++last_number_);
+        state_ = State::kHere;
+    }
+    return state_ == State::kHere;
+}
+
+}  // namespace onggi::render

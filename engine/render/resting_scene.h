@@ -1,0 +1,39 @@
+// A scene that stands still while a screen that covers it comes or goes: drawn once more, read back, and from
+// then on brought into the frames by the processor with the overlay on it. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/frame_context.h"
+#include "engine/render/host_frame.h"
+#include "engine/render/host_shade.h"
+#include "engine/vk/frame_target.h"
+
+namespace onggi::render {
+
+class RestingScene {
+  public:
+    void forget() { state_ = State::kNothing; }
+    // The scene has been drawn into the target, which is laid out as colour, and nothing over it: copies what
+    // is not the shaded still life to where the host reads it.
+    Result<void> record_reading(const FrameContext& frame, const vk::TargetImage& target,
+                                const HostShade& shade);
+    // Whether the scene is here. The device is idle, and nothing has been shaded since it was read.
+    [[nodiscard]] bool take(const HostShade& shade);
+    [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
+
+  private:
+    enum class State { kNothing, kOnTheWay, kHere };
+
+    State state_ = State::kNothing;
+    TileGrid grid_;
+    vk::Buffer picture_;
+    std::vector<std::uint64_t> numbers_;
+    std::uint64_t last_number_ = 0;
+    std::vector<std::uint8_t> stands_still_;  // one entry a tile
+    std::vector<PixelRect> rects_;
+    std::vector<VkBufferImageCopy> regions_;
+};
+
+}  // namespace onggi::render
