@@ -10,6 +10,7 @@
 #include "engine/render/lathe_section.h"
 #include "engine/render/lathe_sectors.h"
 #include "engine/render/lathe_vertices.h"
+#include "engine/render/moving_tiles.h"
 #include "engine/render/shade_spans.h"
 #include "engine/render/sky_light.h"
 
@@ -186,24 +187,6 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
     }
 }
 
-void build_tiles(const Scene& scene, std::span<const Box> moving, const EdgeView& view, BuiltFrame& built) {
-    const TileGrid grid{view.width_px, view.height_px};
-    std::vector<std::uint8_t>& tiles = built.moving_tiles;
-    tiles.assign(grid.count(), 0);
-    for (const shaders::EdgeData& edge : built.edges) {
-        // Half a pixel to each side is smoothed, and reads the pixel beyond.
-        constexpr float kReachPx = 2.0F;
-        want_tiles(grid,
-                   rect_about(glm::min(vec2(edge.from), vec2(edge.to)) - kReachPx,
-                              glm::max(vec2(edge.from), vec2(edge.to)) + kReachPx),
-                   tiles);
-    }
-    rects_of_tiles(grid, tiles, built.edge_rects);
-    for (const Box& box : moving)
-        want_tiles(grid, pixels_of({&box, 1}, scene.camera, view.width_px, view.height_px), tiles);
-    rects_of_tiles(grid, tiles, built.moving_rects);
-}
-
 }  // namespace
 
 StillBounds bounds_of(const StillLife& still_life) {
@@ -259,9 +242,10 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
         }
         build_shadow_steps(scene.key, built);
     }
-    const std::vector<Box> moving = moving_boxes(scene);
+    std::vector<Box> moving = boxes_beside_lathe(scene);
+    if (scene.lathe) moving.push_back(lathe_box(*scene.lathe));
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
-    if (desc.cached) build_tiles(scene, moving, view, built);
+    if (desc.cached) find_moving_tiles(scene, view, built);
 }
 
 std::vector<vec4> pixels_in_shade(const Scene& scene, const StillBounds& still, const BuiltFrame& built,

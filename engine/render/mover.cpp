@@ -1,34 +1,68 @@
 #include "engine/render/mover.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 namespace onggi::render {
+namespace {
 
-void measure(MoverModel& model) {
-    vec3 low(std::numeric_limits<float>::max());
-    vec3 high(std::numeric_limits<float>::lowest());
-    for (const MoverMesh& mesh : model.meshes) {
-        for (const MoverMesh::Vertex& vertex : mesh.vertices) {
-            low = glm::min(low, vertex.position_mm);
-            high = glm::max(high, vertex.position_mm);
-        }
-    }
-    if (low.x > high.x) low = high = vec3(0.0F);
-    model.low_mm = low;
-    model.high_mm = high;
+constexpr Box kNothing{vec3(std::numeric_limits<float>::max()), vec3(std::numeric_limits<float>::lowest())};
+
+Box about(const Box& a, const Box& b) {
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-PlacedBox placed_box(const MoverModel& model, const mat4& place) {
-    PlacedBox box{vec3(std::numeric_limits<float>::max()), vec3(std::numeric_limits<float>::lowest())};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const vec3 at((corner & 1U) != 0 ? model.high_mm.x : model.low_mm.x,
-                      (corner & 2U) != 0 ? model.high_mm.y : model.low_mm.y,
-                      (corner & 4U) != 0 ? model.high_mm.z : model.low_mm.z);
-        const vec3 placed(place * vec4(at, 1.0F));
-        box.low = glm::min(box.low, placed);
-        box.high = glm::max(box.high, placed);
+// Halves some triangles, each a box, where they reach furthest, until there are few boxes enough.
+void split(std::span<Box> triangles, int halvings, std::vector<Box>& boxes) {
+    if (triangles.empty()) return;
+    Box whole = kNothing;
+    for (const Box& triangle : triangles)
+        whole = about(whole, triangle);
+    if (halvings == 0 || triangles.size() == 1) {
+        boxes.push_back(whole);
+        return;
     }
-    return box;
+    const vec3 size = whole.high - whole.low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+    std::nth_element(triangles.begin(), middle, triangles.end(), [&](const Box& a, const Box& b) {
+        return a.low[axis] + a.high[axis] < b.low[axis] + b.high[axis];
+    });
+    split({triangles.begin(), middle}, halvings - 1, boxes);
+    split({middle, triangles.end()}, halvings - 1, boxes);
+}
+
+}  // namespace
+
+void measure(MoverModel& model) {
+    constexpr int kHalvings = 5;
+    std::vector<Box> triangles;
+    for (const MoverMesh& mesh : model.meshes) {
+        for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
+            Box box = kNothing;
+            for (const std::uint32_t corner : std::span(mesh.indices).subspan(at, 3)) {
+                const vec3 point = mesh.vertices[corner].position_mm;
+                box = about(box, {point, point});
+            }
+            triangles.push_back(box);
+        }
+    }
+    model.boxes_mm.clear();
+    split(triangles, kHalvings, model.boxes_mm);
+}
+
+Box placed(const Box& box, const mat4& place) {
+    Box around = kNothing;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const vec3 at((corner & 1U) != 0 ? box.high.x : box.low.x,
+                      (corner & 2U) != 0 ? box.high.y : box.low.y,
+                      (corner & 4U) != 0 ? box.high.z : box.low.z);
+        const vec3 point(place * vec4(at, 1.0F));
+        around = about(around, {point, point});
+    }
+    return around;
 }
 
 }  // namespace onggi::render

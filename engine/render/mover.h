@@ -31,12 +31,18 @@ struct MoverMesh {
     float metalness = 0.0F;
 };
 
+// Level, upright and square: along the axes.
+struct Box {
+    vec3 low{0.0F};
+    vec3 high{0.0F};
+};
+
 // One tool: its meshes share a frame.
 struct MoverModel {
     std::vector<MoverMesh> meshes;
-    vec3 low_mm{0.0F};  // the box about all of them, see measure()
-    vec3 high_mm{0.0F};
+    std::vector<Box> boxes_mm;  // together they hold every triangle, see measure()
 };
+// Boxes about parts of it, because about the whole of an arm that lies aslant most of a box is empty.
 void measure(MoverModel& model);
 
 // All that may be shown. Uploaded when another one appears in a scene, and never during one.
@@ -50,11 +56,7 @@ struct Mover {
     float wetness = 0.0F;   // of that clay, 0 to 1
 };
 
-// The box about a model where it is placed.
-struct PlacedBox {
-    vec3 low{0.0F};
-    vec3 high{0.0F};
-};
-[[nodiscard]] PlacedBox placed_box(const MoverModel& model, const mat4& place);
+// The box about a box that is placed.
+[[nodiscard]] Box placed(const Box& box, const mat4& place);
 
 }  // namespace onggi::render

@@ -155,10 +155,10 @@ struct Sheet {
 };
 
 // An upright rectangle: first its upper left corner, then clockwise.
-using Box = std::array<ui::Vertex, 4>;
+using Quad = std::array<ui::Vertex, 4>;
 
 // Shaded along its left and right sides, and in every row from the one to the other.
-void paint_box(const Box& box, const Sheet& sheet) {
+void paint_box(const Quad& box, const Sheet& sheet) {
     const vec2 from = box[0].position_px;
     const vec2 size = box[2].position_px - from;
     const float per_px = 1.0F / size.x;
@@ -179,7 +179,7 @@ void paint_box(const Box& box, const Sheet& sheet) {
     }
 }
 
-void paint_picture(const Box& box, const Picture& picture, const Sheet& sheet) {
+void paint_picture(const Quad& box, const Picture& picture, const Sheet& sheet) {
     const int end = sheet.first_row(box[2].position_px.y);
     for (int y = sheet.first_row(box[0].position_px.y); y < end; ++y)
         lay_picture(picture, sheet.span(y, box[0].position_px.x, box[2].position_px.x));
@@ -253,9 +253,9 @@ bool may_touch(std::span<const ui::Vertex> corners, const PixelRect& inside) {
 }
 
 // The next two triangles as the one box they are.
-std::optional<Box> next_box(std::span<const ui::Vertex> vertices, std::span<const std::uint32_t> indices) {
+std::optional<Quad> next_box(std::span<const ui::Vertex> vertices, std::span<const std::uint32_t> indices) {
     if (indices.size() < 6 || indices[3] != indices[0] || indices[4] != indices[2]) return std::nullopt;
-    const Box box{vertices[indices[0]], vertices[indices[1]], vertices[indices[2]], vertices[indices[5]]};
+    const Quad box{vertices[indices[0]], vertices[indices[1]], vertices[indices[2]], vertices[indices[5]]};
     const auto at = [&](std::size_t corner) { return box[corner].position_px; };
     const bool is_upright =
         at(0).x == at(3).x && at(1).x == at(2).x && at(0).y == at(1).y && at(2).y == at(3).y;

@@ -130,20 +130,21 @@ PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_
     return {x0, y0, x1 - x0, y1 - y0};
 }
 
-std::vector<Box> moving_boxes(const Scene& scene) {
+Box lathe_box(const Lathe& lathe) {
+    const float r = widest_radius(lathe) * 1.01F;  // the polygon straddles the circle
+    return {{-r, 0.0F, -r}, {r, height_of(lathe), r}};
+}
+
+std::vector<Box> boxes_beside_lathe(const Scene& scene) {
     std::vector<Box> boxes;
-    if (scene.lathe) {
-        const float r = widest_radius(*scene.lathe) * 1.01F;  // the polygon straddles the circle
-        boxes.push_back({{-r, 0.0F, -r}, {r, height_of(*scene.lathe), r}});
-    }
     for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i) {
         const Sphere& sphere = scene.spheres[i];
         boxes.push_back({sphere.centre_mm - sphere.radius_mm, sphere.centre_mm + sphere.radius_mm});
     }
     for (const Mover& mover : scene.movers) {
         if (!scene.mover_library || mover.model >= scene.mover_library->size()) continue;
-        const PlacedBox box = placed_box((*scene.mover_library)[mover.model], mover.place);
-        boxes.push_back({box.low, box.high});
+        for (const Box& box : (*scene.mover_library)[mover.model].boxes_mm)
+            boxes.push_back(placed(box, mover.place));
     }
     return boxes;
 }

@@ -32,16 +32,13 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-// All pixels in which a box of the world can be seen, one more all round.
-struct Box {
-    vec3 low{0.0F};
-    vec3 high{0.0F};
-};
+// All pixels in which boxes of the world can be seen, one more all round.
 [[nodiscard]] PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_px,
                                   int height_px);
 
-// The boxes of what moves: the lathe, the spheres and the movers.
-[[nodiscard]] std::vector<Box> moving_boxes(const Scene& scene);
+// Boxes about what moves: the lathe; the spheres and the movers.
+[[nodiscard]] Box lathe_box(const Lathe& lathe);
+[[nodiscard]] std::vector<Box> boxes_beside_lathe(const Scene& scene);
 
 // A convex polygon about all pixels where that shadow, or the shade about the lathe's foot, can fall on
 // something between y = 0 and y = lowest_mm. Pixels, at most max_corners corners, turning the same way all

@@ -1,0 +1,67 @@
+#include "engine/render/moving_tiles.h"
+
+#include <limits>
+
+#include "engine/render/projector.h"
+#include "engine/render/shadow_region.h"
+
+namespace onggi::render {
+namespace {
+
+// The pixels between which a row of the lathe's vertices lies.
+struct Extent {
+    vec2 low{std::numeric_limits<float>::max()};
+    vec2 high{std::numeric_limits<float>::lowest()};
+};
+
+// False where part of it lies beside the eye or behind it: then it may be anywhere.
+bool want_lathe(const EdgeView& view, const TileGrid& grid, BuiltFrame& built) {
+    const Projector project(view);
+    const auto in_row = static_cast<std::size_t>(built.sectors) + 1;
+    Extent before;
+    for (std::size_t row = 0; row < built.rows.size(); ++row) {
+        Extent extent;
+        for (const shaders::VertexData& vertex : std::span(built.vertices).subspan(row * in_row, in_row)) {
+            const vec4 at = project(vec3(vertex.place));
+            if (at.w <= view.camera.near_mm) return false;
+            extent.low = glm::min(extent.low, vec2(at));
+            extent.high = glm::max(extent.high, vec2(at));
+        }
+        if (row > 0) {
+            want_tiles(grid,
+                       rect_about(glm::min(before.low, extent.low) - 1.0F,
+                                  glm::max(before.high, extent.high) + 1.0F),
+                       built.moving_tiles);
+        }
+        before = extent;
+    }
+    return true;
+}
+
+}  // namespace
+
+void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& built) {
+    const TileGrid grid{view.width_px, view.height_px};
+    std::vector<std::uint8_t>& tiles = built.moving_tiles;
+    tiles.assign(grid.count(), 0);
+    for (const shaders::EdgeData& edge : built.edges) {
+        // Half a pixel to each side is smoothed, and reads the pixel beyond.
+        constexpr float kReachPx = 2.0F;
+        want_tiles(grid,
+                   rect_about(glm::min(vec2(edge.from), vec2(edge.to)) - kReachPx,
+                              glm::max(vec2(edge.from), vec2(edge.to)) + kReachPx),
+                   tiles);
+    }
+    rects_of_tiles(grid, tiles, built.edge_rects);
+    const auto want = [&](const Box& box) {
+        want_tiles(grid, pixels_of({&box, 1}, view.camera, view.width_px, view.height_px), tiles);
+    };
+    for (const Box& box : boxes_beside_lathe(scene))
+        want(box);
+    // The faces of a cut are no rows.
+    const bool is_whole = scene.lathe && !scene.lathe->cut && want_lathe(view, grid, built);
+    if (scene.lathe && !is_whole) want(lathe_box(*scene.lathe));
+    rects_of_tiles(grid, tiles, built.moving_rects);
+}
+
+}  // namespace onggi::render
