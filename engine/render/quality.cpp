@@ -39,7 +39,7 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
     switch (step) {
         case QualityStep::kSpare:
             software.sectors = software.sectors * 3 / 4;
-            software.max_rings /= 2;
+            software.max_rings = software.max_rings * 2 / 3;
             software.ring_error_px *= 2.0F;
             software.sector_error_px *= 2.0F;
             return software;
@@ -48,7 +48,7 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
         case QualityStep::kTwoCores:
             software.lights_movers_at_vertices = false;
             software.sectors = software.sectors * 5 / 4;
-            software.max_rings = std::min(software.max_rings * 3 / 2, kMaxRings);
+            software.max_rings = std::min(software.max_rings * 5 / 2, kMaxRings);
             software.ring_error_px *= 0.6F;
             software.sector_error_px *= 0.6F;
             return software;

@@ -35,7 +35,8 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
             .lights_movers_at_vertices = true,
             .sectors = is_large ? 72 : 48,
             .sector_error_px = 0.35F,
-            .max_rings = 128,
+            // More rows than pixels in two of them would be grooves finer than a pixel, which the normals show.
+            .max_rings = is_large ? 128 : 72,
             .ring_error_px = 0.25F,  // a finer line would not be seen
             .slip_across = is_large ? 512 : 256,
             .slip_up = is_large ? 256 : 128};
