@@ -72,9 +72,9 @@ void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::Fr
     frame.picture = vec4(width, height, 1.0F / width, 1.0F / height);
     if (!scene.plate) return;
     const auto projection_of = [](const Plate& plate) {
-        return view_projection(plate.camera, plate.key.width, plate.key.height);
+        return view_projection(plate.camera, plate.width_px, plate.height_px);
     };
-    frame.plate_window = plate_window(scene.plate->camera, scene.plate->key.width, scene.plate->key.height,
+    frame.plate_window = plate_window(scene.plate->camera, scene.plate->width_px, scene.plate->height_px,
                                       scene.camera, width_px, height_px);
     frame.plate_from = projection_of(*scene.plate);
     frame.plate_to = scene.glide ? projection_of(*scene.glide->towards) : frame.plate_from;

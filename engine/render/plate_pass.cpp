@@ -92,17 +92,16 @@ Result<vk::Buffer> upload_buffer(const FrameContext& frame, const std::vector<T>
     return buffer;
 }
 
-bool holds_its_pixels(const asset::Image& image) {
-    return image.width > 0 && image.height > 0 &&
-           image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                    static_cast<std::size_t>(image.height);
-}
-
-bool is_whole(const Plate& plate) {
+bool is_whole(const Plate& plate, const PhotographPair& pair) {
+    const auto is_whole_picture = [&](const asset::Image& image) {
+        return image.width > 0 && image.height > 0 && image.width == plate.width_px &&
+               image.height == plate.height_px &&
+               image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                        static_cast<std::size_t>(image.height);
+    };
     const Relief& relief = plate.relief;
     const bool has_relief = !relief.depth_mm.empty();
-    return holds_its_pixels(plate.key) && holds_its_pixels(plate.ambient) &&
-           plate.key.width == plate.ambient.width && plate.key.height == plate.ambient.height &&
+    return is_whole_picture(pair.key) && is_whole_picture(pair.ambient) &&
            (!has_relief || (relief.columns >= 2 && relief.rows >= 2 &&
                             relief.depth_mm.size() == static_cast<std::size_t>(relief.columns) *
                                                           static_cast<std::size_t>(relief.rows)));
@@ -144,15 +143,19 @@ void PlatePass::let_go(const FrameContext& frame, const PlateSlots& slots,
 }
 
 Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::shared_ptr<const Plate> plate) {
-    if (!is_whole(*plate)) {
+    if (!plate->photographs) return failed("plate: expected its photographs, found none");
+    const auto pair = plate->photographs->pair();
+    if (!pair) return pair.error();
+    if (!is_whole(*plate, **pair)) {
         return failed("plate: expected two whole pictures of one size and a whole relief, found others");
     }
-    auto key = upload_picture(frame, plate->key, "plate with the key light");
+    auto key = upload_picture(frame, (*pair)->key, "plate with the key light");
     if (!key) return key.error();
-    auto ambient = upload_picture(frame, plate->ambient, "plate without the key light");
+    auto ambient = upload_picture(frame, (*pair)->ambient, "plate without the key light");
     if (!ambient) return ambient.error();
     auto depth = upload_depth(frame, plate->relief);
     if (!depth) return depth.error();
+    plate->photographs->let_go();
     const ReliefMesh mesh = relief_mesh(*plate);
     auto positions =
         upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);

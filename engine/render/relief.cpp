@@ -23,8 +23,8 @@ Relief flat(const Camera& camera) {
 
 ReliefMesh relief_mesh(const Plate& plate) {
     const Relief relief = plate.relief.depth_mm.empty() ? flat(plate.camera) : plate.relief;
-    const int width = plate.key.width;
-    const int height = plate.key.height;
+    const int width = plate.width_px;
+    const int height = plate.height_px;
     const dvec3 ahead = glm::normalize(dvec3(plate.camera.target_mm) - dvec3(plate.camera.eye_mm));
     ReliefMesh mesh;
     for (int row = -1; row <= relief.rows; ++row) {

@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/asset/image.h"
 #include "engine/math/math.h"
 #include "engine/render/camera.h"
 #include "engine/render/mover.h"
+#include "engine/render/photographs.h"
 
 namespace onggi::render {
 
@@ -151,8 +151,9 @@ struct Relief {
 // backdrop's; the still life then only says where things are. A picture of another shape shows their middle,
 // see plate_camera().
 struct Plate {
-    asset::Image key;
-    asset::Image ambient;
+    int width_px = 0;  // of both
+    int height_px = 0;
+    std::shared_ptr<Photographs> photographs;
     Camera camera;  // that took the whole of it
     Relief relief;
 };

@@ -11,7 +11,7 @@ constexpr double kSwayZoom = 0.045;    // nearer by that, so that nothing from o
 constexpr double kSwayRadPerS = 0.21;  // half a minute there and back
 
 render::Camera framed(const render::Plate& plate, const Framing& framing, int width_px, int height_px) {
-    return framed(render::plate_camera(plate.camera, plate.key.width, plate.key.height, width_px, height_px),
+    return framed(render::plate_camera(plate.camera, plate.width_px, plate.height_px, width_px, height_px),
                   framing);
 }
 

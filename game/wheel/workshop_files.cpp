@@ -97,17 +97,50 @@ void read_light(JsonFields& fields, const nlohmann::json& in, Workshop& workshop
     }
 }
 
-Result<asset::Image> load_picture(const std::filesystem::path& path, const PlateCamera& camera) {
-    const auto bytes = files::read_file(path, kMostPlateBytes);
+// A JPEG as its file has it.
+struct Negative {
+    std::string name;
+    std::string bytes;
+};
+
+Result<Negative> load_negative(const std::filesystem::path& path) {
+    auto bytes = files::read_file(path, kMostPlateBytes);
     if (!bytes) return bytes.error();
-    auto image = asset::decode_jpeg(std::as_bytes(std::span(*bytes)), shown(path));
+    return Negative{shown(path), std::move(*bytes)};
+}
+
+Result<asset::Image> developed(const Negative& negative, const PlateCamera& camera) {
+    auto image = asset::decode_jpeg(std::as_bytes(std::span(negative.bytes)), negative.name);
     if (!image) return image.error();
     if (image->width != camera.width_px || image->height != camera.height_px) {
         return bad_input(fmt::format("{}: expected {} x {} pixels as cameras.json says, found {} x {}",
-                                     shown(path), camera.width_px, camera.height_px, image->width,
+                                     negative.name, camera.width_px, camera.height_px, image->width,
                                      image->height));
     }
     return image;
+}
+
+// The negatives stay, a twentieth of the pictures: a device that is lost gets these again, whatever has
+// become of the files.
+Result<std::shared_ptr<render::Photographs>> load_photographs(const std::filesystem::path& folder,
+                                                              const PlateCamera& camera) {
+    auto key = load_negative(folder / (camera.name + "_key.jpg"));
+    if (!key) return key.error();
+    auto key_image = developed(*key, camera);
+    if (!key_image) return key_image.error();
+    auto ambient = load_negative(folder / (camera.name + "_ambient.jpg"));
+    if (!ambient) return ambient.error();
+    auto ambient_image = developed(*ambient, camera);
+    if (!ambient_image) return ambient_image.error();
+    return std::make_shared<render::Photographs>(
+        render::PhotographPair{std::move(*key_image), std::move(*ambient_image)},
+        [key = std::move(*key), ambient = std::move(*ambient), camera]() -> Result<render::PhotographPair> {
+            auto key_again = developed(key, camera);
+            if (!key_again) return key_again.error();
+            auto ambient_again = developed(ambient, camera);
+            if (!ambient_again) return ambient_again.error();
+            return render::PhotographPair{std::move(*key_again), std::move(*ambient_again)};
+        });
 }
 
 // NAME_relief.png, as maker/relief.py writes it. A room may come without: then the plate is flat.
@@ -186,16 +219,15 @@ Result<Workshop> load_workshop(const std::filesystem::path& folder) {
 Result<std::shared_ptr<const render::Plate>> load_plate(const Workshop& workshop, const PlateCamera& camera) {
     auto plate = std::make_shared<render::Plate>();
     const std::filesystem::path folder = workshop.folder / "plates";
-    auto key = load_picture(folder / (camera.name + "_key.jpg"), camera);
-    if (!key) return key.error();
-    auto ambient = load_picture(folder / (camera.name + "_ambient.jpg"), camera);
-    if (!ambient) return ambient.error();
+    auto photographs = load_photographs(folder, camera);
+    if (!photographs) return photographs.error();
     auto relief = load_relief(folder / (camera.name + "_relief.png"));
     if (!relief) return relief.error();
     plate->camera = camera.camera;
     plate->relief = std::move(*relief);
-    plate->key = std::move(*key);
-    plate->ambient = std::move(*ambient);
+    plate->width_px = camera.width_px;
+    plate->height_px = camera.height_px;
+    plate->photographs = std::move(*photographs);
     return std::shared_ptr<const render::Plate>(std::move(plate));
 }
 

@@ -24,9 +24,13 @@ render::Camera camera() {
 std::shared_ptr<const render::Plate> grey_plate(std::uint8_t level) {
     render::Plate plate;
     plate.camera = camera();
-    plate.key = {.width = kWidth, .height = kHeight, .rgba = {}};
-    plate.key.rgba.assign(std::size_t{4} * kWidth * kHeight, level);
-    plate.ambient = plate.key;
+    plate.width_px = kWidth;
+    plate.height_px = kHeight;
+    asset::Image grey{.width = kWidth, .height = kHeight, .rgba = {}};
+    grey.rgba.assign(std::size_t{4} * kWidth * kHeight, level);
+    const render::PhotographPair pair{grey, grey};
+    plate.photographs =
+        std::make_shared<render::Photographs>(pair, [pair] { return Result<render::PhotographPair>(pair); });
     plate.relief = {.columns = 2, .rows = 2, .depth_mm = {900.0F, 900.0F, 900.0F, 900.0F}};
     return std::make_shared<const render::Plate>(std::move(plate));
 }
@@ -73,6 +77,8 @@ TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
     const int first = drawn(here, there);
     const int before = drawn(here, nullptr);
     EXPECT_GT(first, before + 60);
+    EXPECT_FALSE(here->photographs->are_here()) << "they lie on the device";
+    EXPECT_FALSE(there->photographs->are_here());
     // What was freed is something else now.
     const auto other = grey_plate(120);
     const int meanwhile = drawn(other, nullptr);

@@ -9,8 +9,8 @@ namespace {
 
 Plate plate_of(Relief relief) {
     Plate plate;
-    plate.key = {.width = 160, .height = 90, .rgba = {}};
-    plate.ambient = plate.key;
+    plate.width_px = 160;
+    plate.height_px = 90;
     plate.camera = {
         .eye_mm = {0.0F, 285.0F, 805.0F}, .target_mm = {0.0F, 82.0F, 0.0F}, .vertical_fov_rad = 0.471F};
     plate.relief = std::move(relief);

@@ -59,7 +59,7 @@ TEST(PlateLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscape) {
     const auto portrait = shown(720, 1280);
     ASSERT_NE(portrait, nullptr);
     EXPECT_NE(portrait, landscape);
-    EXPECT_GT(portrait->key.height, portrait->key.width);
+    EXPECT_GT(portrait->height_px, portrait->width_px);
     EXPECT_EQ(scene.missing_plates(1280, 720).size(), 1U) << "the landscape's are forgotten";
     EXPECT_TRUE(scene.missing_plates(720, 1280).empty());
 }

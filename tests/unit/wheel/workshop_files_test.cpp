@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -90,7 +91,18 @@ TEST_F(WorkshopFiles, BringBothPlatesOfACamera) {
             sum += value;
         return sum / static_cast<double>(image.rgba.size());
     };
-    EXPECT_GT(brightness((*plate)->key), brightness((*plate)->ambient) + 10.0);
+    render::Photographs& photographs = *(*plate)->photographs;
+    const auto pair = photographs.pair();
+    ASSERT_TRUE(pair);
+    EXPECT_GT(brightness((*pair)->key), brightness((*pair)->ambient) + 10.0);
+
+    const render::PhotographPair first = **pair;
+    photographs.let_go();
+    EXPECT_FALSE(photographs.are_here()) << "once on the device they only cost memory";
+    const auto again = photographs.pair();
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ((*again)->key, first.key);
+    EXPECT_EQ((*again)->ambient, first.ambient);
 }
 
 TEST_F(WorkshopFiles, RejectsAMissingFile) {
