@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/render/scene.h"
 #include "shaders/frame_data.h"
 #include "shaders/shaders.h"
 
@@ -71,8 +70,9 @@ class Maker {
   public:
     explicit Maker(const vk::Device& device) : device_(device) {}
 
+    // Where there is none yet.
     void make(vk::Pipeline& into, const vk::PipelineDesc& desc) {
-        if (!error_) return;
+        if (!error_ || into.get() != VK_NULL_HANDLE) return;
         auto made = vk::create_pipeline(device_, desc);
         if (made) {
             into = std::move(*made);
@@ -138,23 +138,23 @@ void make_glide_pipelines(Maker& maker, const vk::PipelineDesc& plate_surface,
     }
 }
 
-}  // namespace
+// What not every scene shows.
+struct Needs {
+    bool own_colours = false;  // of the still life: there is no plate
+    bool spheres = false;
+    bool section = false;
+};
 
-Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc) {
-    if (auto formats = check_formats(device); !formats) return formats.error();
-    Pipelines pipelines;
-    auto set = vk::create_set(device, kBindings, "scene");
-    if (!set) return set.error();
-    pipelines.set = std::move(*set);
-    constexpr auto kPushBytes =
-        static_cast<std::uint32_t>(std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw),
-                                             sizeof(shaders::ShadeDraw), sizeof(shaders::MoverDraw)}));
-    static_assert(kPushBytes <= 128);  // what every device has
-    auto layout = vk::create_pipeline_layout(device, pipelines.set.layout.get(), kPushBytes, "scene");
-    if (!layout) return layout.error();
-    pipelines.layout = std::move(*layout);
-    if (auto samplers = create_samplers(device, pipelines); !samplers) return samplers.error();
+Needs needs_of(const Scene& scene) {
+    const auto is_shown = [](const Sphere& sphere) { return sphere.shown; };
+    return {.own_colours = scene.plate == nullptr,
+            .spheres = std::any_of(scene.spheres.begin(), scene.spheres.end(), is_shown),
+            .section = scene.lathe && scene.lathe->cut};
+}
 
+// Those that every scene may show, and those that are needed, where they are not there yet.
+Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, const Needs& needs,
+                            Pipelines& pipelines) {
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
     constexpr std::uint32_t kStands = 0;  // of the lathe: no sphere is near
     constexpr std::uint32_t kMoves = 1;   // of the lathe: one may be
@@ -191,8 +191,10 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
                           .depth_test = true,
                           .depth_write = true};
     Maker maker(device);
-    maker.make(pipelines.backdrop, screen);
-    maker.make(pipelines.still, mesh);
+    if (needs.own_colours) {
+        maker.make(pipelines.backdrop, screen);
+        maker.make(pipelines.still, mesh);
+    }
     vk::PipelineDesc plate = screen;
     plate.name = "plate";
     plate.fragment_spirv = desc.cached ? shaders::kPlateLayersFrag : shaders::kPlateFrag;
@@ -211,7 +213,7 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     mover.fragment_spirv = shaders::kMeshFrag;
     mover.constants = mover_constants;
     mover.colour_formats = picture_formats;
-    maker.make(pipelines.mover, mover);
+    if (needs.spheres) maker.make(pipelines.mover, mover);
 
     vk::PipelineDesc lathe = mover;
     lathe.name = "lathe";
@@ -236,7 +238,7 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     section.vertex_spirv = shaders::kLatheSectionVert;
     section.fragment_spirv = shaders::kLatheSectionFrag;
     section.cull = VK_CULL_MODE_NONE;
-    maker.make(pipelines.lathe_section, section);
+    if (needs.section) maker.make(pipelines.lathe_section, section);
 
     vk::PipelineDesc key_map = mesh;
     key_map.name = "still life's shadow map";
@@ -276,8 +278,40 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
         edges.depth_test = true;
         maker.make(pipelines.edges, edges);
     }
-    if (auto made = maker.outcome(); !made) return made.error();
+    return maker.outcome();
+}
+
+}  // namespace
+
+Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc) {
+    if (auto formats = check_formats(device); !formats) return formats.error();
+    Pipelines pipelines;
+    auto set = vk::create_set(device, kBindings, "scene");
+    if (!set) return set.error();
+    pipelines.set = std::move(*set);
+    constexpr auto kPushBytes =
+        static_cast<std::uint32_t>(std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw),
+                                             sizeof(shaders::ShadeDraw), sizeof(shaders::MoverDraw)}));
+    static_assert(kPushBytes <= 128);  // what every device has
+    auto layout = vk::create_pipeline_layout(device, pipelines.set.layout.get(), kPushBytes, "scene");
+    if (!layout) return layout.error();
+    pipelines.layout = std::move(*layout);
+    if (auto samplers = create_samplers(device, pipelines); !samplers) return samplers.error();
+    if (auto made = make_pipelines(device, desc, {}, pipelines); !made) return made.error();
     return pipelines;
+}
+
+Result<void> fit_pipelines(const vk::Device& device, const RendererDesc& desc, const Scene& scene,
+                           Pipelines& pipelines) {
+    const Needs needs = needs_of(scene);
+    const auto is_missing = [](bool is_needed, const vk::Pipeline& pipeline) {
+        return is_needed && pipeline.get() == VK_NULL_HANDLE;
+    };
+    if (!is_missing(needs.own_colours, pipelines.still) && !is_missing(needs.spheres, pipelines.mover) &&
+        !is_missing(needs.section, pipelines.lathe_section)) {
+        return {};
+    }
+    return make_pipelines(device, desc, needs, pipelines);
 }
 
 }  // namespace onggi::render

@@ -7,6 +7,7 @@
 
 #include "engine/core/result.h"
 #include "engine/render/renderer.h"
+#include "engine/render/scene.h"
 #include "engine/vk/pipeline.h"
 
 namespace onggi::render {
@@ -30,9 +31,10 @@ struct Pipelines {
     vk::Sampler repeated;
     vk::Sampler exact;
     vk::Sampler compared;
-    vk::Pipeline backdrop;  // into layers when cached, else into the picture
-    vk::Pipeline still;     // likewise
-    vk::Pipeline plate;     // instead of the backdrop, and of the still life's colours
+    vk::Pipeline
+        backdrop;        // into layers when cached, else into the picture; this and the next without a plate
+    vk::Pipeline still;  // likewise
+    vk::Pipeline plate;  // instead of the backdrop, and of the still life's colours
     vk::Pipeline plate_surface;
     // Instead of these two while the camera moves, by what it needs; never into layers.
     std::array<vk::Pipeline, kGlideNeeds> glide;
@@ -43,11 +45,15 @@ struct Pipelines {
     vk::Pipeline lathe;               // where no moving sphere's shadow falls
     vk::Pipeline lathe_near_spheres;  // where one may
     vk::Pipeline lathe_load;          // the same with its load shown
-    vk::Pipeline lathe_section;       // the faces of a cut
+    vk::Pipeline lathe_section;       // the faces of a cut, where there is one
     vk::Pipeline edges;               // cached only
-    vk::Pipeline mover;
+    vk::Pipeline mover;               // where a sphere is shown
 };
 
+// All but those that not every scene needs: a pipeline takes 2 MB of a software driver's memory.
 Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc);
+// Those that this scene needs besides, once.
+Result<void> fit_pipelines(const vk::Device& device, const RendererDesc& desc, const Scene& scene,
+                           Pipelines& pipelines);
 
 }  // namespace onggi::render

@@ -148,6 +148,7 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
         still.resized(frame);
         edges.resized(frame);
     }
+    if (auto made = fit_pipelines(frame.device, frame.desc, scene, frame.pipelines); !made) return made;
     if (auto fitted = still.fit(frame, scene); !fitted) return fitted;
     if (auto fitted = shadow.fit(frame); !fitted) return fitted;
     return movers.fit(frame, scene);
