@@ -46,6 +46,7 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
       snapshots_(first_snapshot(start_, parameters_)),
       shapes_(first_shape(start_)) {
     hold_to(fits_.front());
+    state_.take_memory();
 }
 
 bool HapticWork::tick(const jobs::Period& period) noexcept {
@@ -169,6 +170,7 @@ HapticWork::~HapticWork() {
 bool HapticWork::put(std::unique_ptr<HapticState> state, std::uint64_t run) {
     assert(state->clay.index() == start_.clay.index());
     assert(state->element_count() == start_.element_count());
+    state->take_memory();
     free_old_states();
     if (!states_.try_push({state.get(), run})) return false;
     static_cast<void>(state.release());  // the ring has it

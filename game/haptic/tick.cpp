@@ -142,6 +142,10 @@ void HapticState::restart_from(const HapticState& fresh) noexcept {
     ticks = fresh.ticks;
 }
 
+void HapticState::take_memory() noexcept {
+    if (clay::StudioClay* there = studio()) there->take_memory();
+}
+
 clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept {
     const bool turns = tool.wheel_button;
     clay::StudioInput input;

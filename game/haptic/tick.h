@@ -64,6 +64,8 @@ struct HapticState {
     // Puts a fresh lump on the wheel; the safety state stays. No allocation when `fresh` has the same clay
     // with as many elements.
     void restart_from(const HapticState& fresh) noexcept;
+    // As StudioClay::take_memory(): before a tick has it.
+    void take_memory() noexcept;
 };
 
 struct TickResult {

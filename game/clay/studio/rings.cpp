@@ -42,7 +42,7 @@ void for_each_pair(Rings& rings, const Rings& other, const Action& action) {
 Rings::Rings(int ring_capacity, int sector_count)
     : capacity(ring_capacity),
       sectors(sector_count),
-      residual_mm(size(ring_capacity) * size(sector_count), 0.0F),
+      residual_mm(size(ring_capacity) * size(sector_count)),
       free_rows(size(ring_capacity), 0),
       base_mm(size(ring_capacity / kBlockRings + 2), 0.0) {
     assert(ring_capacity > 0 && ring_capacity <= 8000);

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "game/clay/sparse_floats.h"
+
 namespace onggi::clay::studio {
 
 // h = V / (pi (ro^2 - ri^2)), the one expression by which every height of the room is worked out.
@@ -46,7 +48,7 @@ struct Rings {
     std::vector<float> slump_axial;        // how a unit of slump strain divides: along the wall,
     std::vector<float> slump_hoop;         // and around it
     std::vector<std::uint16_t> row;        // which row of residuals is this ring's; rows never move
-    std::vector<float> residual_mm;        // w, capacity rows of S
+    SparseFloats residual_mm;              // w, capacity rows of S
     std::vector<std::uint16_t> free_rows;  // the last free_count are free
     int free_count = 0;
     std::vector<double> base_mm;  // of each block; one more holds the top

@@ -128,6 +128,10 @@ class StudioClay {
     // many rings and sectors. No allocation.
     void restart_from(const StudioClay& start) noexcept;
 
+    // Takes all the memory that this clay may come to need: before a tick has it, so that none is the first
+    // to touch a page. Without it a clay takes what its rings use.
+    void take_memory() noexcept { rings_.residual_mm.take_memory(); }
+
     // One step of 1/f. Precondition: check(parameters) holds.
     StudioForces tick(const StudioInput& input, const StudioParameters& parameters) noexcept;
 

@@ -1,0 +1,73 @@
+#include "game/clay/sparse_floats.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+namespace onggi::clay {
+namespace {
+
+constexpr std::size_t kPage = 4096 / sizeof(float);
+
+// Zeros of the system's: large ones are pages that exist only once they are written.
+float* zeros(std::size_t count) {
+    void* const memory = std::calloc(std::max<std::size_t>(count, 1), sizeof(float));
+    if (memory == nullptr) throw std::bad_alloc();
+    return static_cast<float*>(memory);
+}
+
+// By every bit: a minus before a nought is copied too.
+bool is_zero(std::span<const float> floats) {
+    return std::all_of(floats.begin(), floats.end(),
+                       [](float value) { return std::bit_cast<std::uint32_t>(value) == 0; });
+}
+
+}  // namespace
+
+SparseFloats::SparseFloats(std::size_t count) : size_(count), floats_(zeros(count)) {}
+
+SparseFloats::SparseFloats(const SparseFloats& other) : SparseFloats(other.size_) {
+    *this = other;
+}
+
+SparseFloats& SparseFloats::operator=(const SparseFloats& other) {
+    if (this == &other) return *this;
+    if (size_ != other.size_) {
+        floats_.reset(zeros(other.size_));
+        size_ = other.size_;
+    }
+    for (std::size_t at = 0; at < size_; at += kPage) {
+        const std::size_t count = std::min(kPage, size_ - at);
+        const std::span<const float> from(other.data() + at, count);
+        const std::span<float> to(data() + at, count);
+        if (!is_zero(from) || !is_zero(to)) std::copy(from.begin(), from.end(), to.begin());
+    }
+    return *this;
+}
+
+SparseFloats::SparseFloats(SparseFloats&& other) noexcept
+    : size_(std::exchange(other.size_, 0)),
+      floats_(std::move(other.floats_)) {}
+
+SparseFloats& SparseFloats::operator=(SparseFloats&& other) noexcept {
+    size_ = std::exchange(other.size_, 0);
+    floats_ = std::move(other.floats_);
+    return *this;
+}
+
+void SparseFloats::take_memory() noexcept {
+    for (std::size_t at = 0; at < size_; at += kPage) {
+        volatile float& first = data()[at];
+        const float value = first;
+        first = value;
+    }
+}
+
+void SparseFloats::Free::operator()(float* floats) const noexcept {
+    std::free(floats);
+}
+
+}  // namespace onggi::clay

@@ -1,0 +1,37 @@
+// A long row of floats most of which stay 0: what was never written takes no memory, and a copy writes only
+// where there is something else than 0. Allocates when it is made or copied, never later. Any one thread at a
+// time.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace onggi::clay {
+
+class SparseFloats {
+  public:
+    explicit SparseFloats(std::size_t count);
+    SparseFloats(const SparseFloats& other);
+    SparseFloats& operator=(const SparseFloats& other);
+    SparseFloats(SparseFloats&& other) noexcept;
+    SparseFloats& operator=(SparseFloats&& other) noexcept;
+    ~SparseFloats() = default;
+
+    [[nodiscard]] float* data() { return floats_.get(); }
+    [[nodiscard]] const float* data() const { return floats_.get(); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+    // Takes the memory for all of it now, so that no write has to. The values stay.
+    void take_memory() noexcept;
+
+  private:
+    struct Free {
+        void operator()(float* floats) const noexcept;
+    };
+
+    std::size_t size_;
+    std::unique_ptr<float, Free> floats_;
+};
+
+}  // namespace onggi::clay

@@ -1,0 +1,80 @@
+#include "game/clay/sparse_floats.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace onggi::clay {
+namespace {
+
+constexpr std::size_t kCount = std::size_t{4} << 20U;  // 16 MB
+constexpr long kPageKb = 4;
+
+std::vector<std::uint32_t> bits(const SparseFloats& floats) {
+    std::vector<std::uint32_t> all;
+    for (std::size_t at = 0; at < floats.size(); ++at)
+        all.push_back(std::bit_cast<std::uint32_t>(floats.data()[at]));
+    return all;
+}
+
+// What the mapping takes that these lie in, by the kernel's own account.
+long memory_kb(const SparseFloats& floats) {
+    const auto place = reinterpret_cast<std::uintptr_t>(floats.data());
+    std::ifstream maps("/proc/self/smaps");
+    bool is_there = false;
+    for (std::string line; std::getline(maps, line);) {
+        std::istringstream words(line);
+        std::uintptr_t first = 0;
+        std::uintptr_t end = 0;
+        char dash = 0;
+        if (words >> std::hex >> first >> dash >> end && dash == '-')
+            is_there = first <= place && place < end;
+        if (is_there && line.starts_with("Anonymous:")) return std::stol(line.substr(10));
+    }
+    return -1;
+}
+
+TEST(SparseFloats, AreCopiedByEveryBit) {
+    SparseFloats floats(10'000);
+    floats.data()[0] = -0.0F;
+    floats.data()[4'321] = 2.5F;
+    floats.data()[9'999] = -1e-40F;
+    const SparseFloats copy(floats);
+    EXPECT_EQ(bits(copy), bits(floats));
+
+    SparseFloats other(10'000);
+    other.data()[7'000] = 1.0F;  // where the copied ones have 0
+    other = floats;
+    EXPECT_EQ(bits(other), bits(floats));
+    SparseFloats shorter(3);
+    shorter = floats;
+    EXPECT_EQ(bits(shorter), bits(floats));
+    const SparseFloats moved(std::move(shorter));
+    EXPECT_EQ(bits(moved), bits(floats));
+    other = moved;
+    EXPECT_EQ(bits(other), bits(floats));
+}
+
+TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
+    SparseFloats floats(kCount);
+    const long before_kb = memory_kb(floats);
+    ASSERT_GE(before_kb, 0);
+    floats.data()[kCount / 2] = 1.0F;
+    EXPECT_LE(memory_kb(floats) - before_kb, 2 * kPageKb);
+
+    SparseFloats copy(floats);
+    EXPECT_LE(memory_kb(copy), before_kb + 32 * kPageKb) << "the copy of a page is a page";
+    copy.take_memory();
+    constexpr long kAllKb = static_cast<long>(kCount * sizeof(float) / 1024);
+    EXPECT_GE(memory_kb(copy), kAllKb);
+    EXPECT_EQ(copy.data()[kCount / 2], 1.0F);
+}
+
+}  // namespace
+}  // namespace onggi::clay
