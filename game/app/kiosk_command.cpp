@@ -108,6 +108,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                                .full_screen = options.full_screen || settings->config.screen.full_screen,
                                .plain = start_report.is_safe_mode,
                                .draw_threads = draw_threads(core),
+                               .workshop = settings->config.screen.room,
                                .title = "Onggi"});
     if (!view) return view.error();
     for (const std::string& line : settings->remarks)

@@ -111,6 +111,7 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"screen.diagonal_inch", number(config.screen.diagonal_inch, 7.0, 120.0, "7 to 120")},
         {"screen.distance_mm", number(config.screen.distance_mm, 200.0, 5000.0, "200 to 5000")},
         {"screen.full_screen", yes_or_no(config.screen.full_screen)},
+        {"screen.room", words(config.screen.room, "a folder or a .glb file", anything)},
         {"screen.text_always_large", yes_or_no(config.screen.text_always_large)},
         {"languages.order", codes(config.languages.order)},
         {"languages.first",

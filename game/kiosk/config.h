@@ -16,6 +16,7 @@ struct Config {
         double distance_mm = 600.0;  // from the eyes; text is sized for it
         bool full_screen = false;
         bool text_always_large = false;
+        std::string room;  // a folder with its photographs, or a .glb; empty: the program's own
     } screen;
     struct {
         std::vector<std::string> order{"ko", "en", "ar"};  // codes; also the order of the attract screen

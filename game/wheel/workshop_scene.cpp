@@ -49,12 +49,13 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
 
 OpenedScene open_scene(const std::filesystem::path& folder, int width_px, int height_px) {
     OpenedScene opened;
-    if (auto scene = furnished(folder, width_px, height_px)) {
-        opened.scene = std::move(*scene);
-    } else {
-        opened.scene = std::make_unique<WheelScene>();
-        opened.lack = scene.error().message;
+    auto scene = furnished(folder, width_px, height_px);
+    if (!scene && !folder.empty()) {
+        opened.lack = scene.error().message + "; the program's own room is shown";
+        scene = furnished({}, width_px, height_px);
     }
+    if (!scene && opened.lack.empty()) opened.lack = scene.error().message;
+    opened.scene = scene ? std::move(*scene) : std::make_unique<WheelScene>();
     if (auto tools = load_tool_models()) {
         opened.scene->set_tools(std::move(*tools));
     } else if (opened.lack.empty()) {

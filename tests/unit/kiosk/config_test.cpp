@@ -23,12 +23,14 @@ TEST(Config, TakesWhatIsWritten) {
     const auto config = read_config(
         "[visit]\nidle_s = 60\n[languages]\norder = [\"en\", \"ko\"]\nfirst = \"ko\"\n[staff]\npin = "
         "\"0472\"\n"
-        "locked = true\n[hours]\nopens = \"09:30\"\ncloses = \"18:00\"\n[gallery]\nfolder = \"/srv/pots\"\n",
+        "locked = true\n[hours]\nopens = \"09:30\"\ncloses = \"18:00\"\n[gallery]\nfolder = \"/srv/pots\"\n"
+        "[screen]\nroom = \"/srv/room\"\n",
         "kiosk.toml");
     ASSERT_TRUE(config) << config.error().message;
     EXPECT_EQ(config->languages.order, (std::vector<std::string>{"en", "ko"}));
     EXPECT_EQ(config->hours.opens_min, 570);
     EXPECT_EQ(config->gallery.folder, "/srv/pots");
+    EXPECT_EQ(config->screen.room, "/srv/room");
     const Rules rules = rules_of(*config);
     EXPECT_EQ(rules.idle_s, 60.0);
     EXPECT_EQ(rules.pin, 472);
@@ -48,6 +50,7 @@ TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
     EXPECT_EQ(config->languages.first, plain.languages.first);
     EXPECT_EQ(config->gallery.most_pots, plain.gallery.most_pots);
     EXPECT_EQ(config->hours.opens_min, plain.hours.opens_min);
+    EXPECT_EQ(config->screen.room, plain.screen.room);
     EXPECT_EQ(config->staff.pin, plain.staff.pin);
     EXPECT_EQ(config->sound.volume, plain.sound.volume);
 }

@@ -186,9 +186,19 @@ TEST_F(WorkshopFiles, RejectsPlatesThatAreMissingDamagedOrOfAnotherSize) {
     EXPECT_NE(refusal().find("expected a whole JPEG"), std::string::npos);
 }
 
-TEST_F(WorkshopFiles, ThatAreSpoiledLeaveTheSmallStillLifeAndAReason) {
+TEST_F(WorkshopFiles, ThatAreSpoiledGiveWayToTheProgramsOwnRoomAndLeaveAReason) {
     put("cameras.json", "{");
     OpenedScene opened = open_scene(folder_, 640, 480);
+    EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
+    const std::vector<float> radii(100, 50.0F);
+    EXPECT_NE(opened.scene->apply({.radii_mm = radii}, 640, 480).plate, nullptr);
+}
+
+TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLifeAndAReason) {
+    put("cameras.json", "{");
+    setenv("ONGGI_ASSETS", folder_.c_str(), 1);  // which has none in it
+    OpenedScene opened = open_scene(folder_, 640, 480);
+    unsetenv("ONGGI_ASSETS");
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
     const std::vector<float> radii(100, 50.0F);
     const render::Scene& scene = opened.scene->apply({.radii_mm = radii}, 640, 480);
