@@ -1,6 +1,7 @@
 #include "engine/jobs/thread_setup.h"
 
 #include <fcntl.h>
+#include <link.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
@@ -13,6 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -36,12 +39,35 @@ std::vector<int> allowed_cores() {
     return cores;
 }
 
-Granted allow_this_thread(std::span<const int> cores) {
+cpu_set_t mask_of(std::span<const int> cores) {
     cpu_set_t mask;
     CPU_ZERO(&mask);
     for (const int core : cores)
         CPU_SET(static_cast<std::size_t>(core), &mask);
+    return mask;
+}
+
+Granted allow_this_thread(std::span<const int> cores) {
+    const cpu_set_t mask = mask_of(cores);
     return outcome(pthread_setaffinity_np(pthread_self(), sizeof mask, &mask));
+}
+
+// Of a library whose name begins so: pages that nobody has written, which the kernel can read again.
+int drop_code(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/) {
+    constexpr std::string_view kCompiler = "libLLVM";
+    const std::string_view path = library->dlpi_name;
+    const std::string_view name = path.substr(path.rfind('/') + 1);
+    if (!name.starts_with(kCompiler)) return 0;
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    for (int i = 0; i < library->dlpi_phnum; ++i) {
+        const ElfW(Phdr)& segment = library->dlpi_phdr[i];
+        if (segment.p_type != PT_LOAD || (segment.p_flags & PF_W) != 0) continue;
+        const std::uintptr_t first = (library->dlpi_addr + segment.p_vaddr) / page * page;
+        const std::uintptr_t end = library->dlpi_addr + segment.p_vaddr + segment.p_filesz;
+        void* const at = reinterpret_cast<void*>(first);  // NOLINT: where the loader has put it
+        if (munlock(at, end - first) == 0) madvise(at, end - first, MADV_DONTNEED);
+    }
+    return 0;
 }
 
 }  // namespace
@@ -110,9 +136,20 @@ Granted keep_this_thread_off_haptic_core(const CoreChoice& choice) {
     if (choice.others.size() == 1) {
         constexpr int kKeepWhatIsSet = 0;
         setenv("LP_NUM_THREADS", "0", kKeepWhatIsSet);
-        setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepWhatIsSet);
     }
     return allow_this_thread(choice.others);
+}
+
+Granted keep_all_threads_off_haptic_core(const CoreChoice& choice) {
+    if (choice.shared()) return {};
+    const cpu_set_t mask = mask_of(choice.others);
+    Granted kept = outcome(0);
+    std::error_code error;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", error)) {
+        const int thread = std::atoi(task.path().filename().c_str());
+        if (sched_setaffinity(thread, sizeof mask, &mask) != 0 && errno != ESRCH) kept = outcome(errno);
+    }
+    return error ? outcome(error.value()) : kept;
 }
 
 // Documentation/power/pm_qos_interface.rst of the kernel: the request is the file held open, a 32-bit number
@@ -147,6 +184,10 @@ void give_back_freed_memory() {
 #ifdef __GLIBC__
     malloc_trim(0);
 #endif
+}
+
+void give_back_compiler() {
+    dl_iterate_phdr(drop_code, nullptr);
 }
 
 RealTimeReport set_up_this_thread(const RealTimeRequest& request) {

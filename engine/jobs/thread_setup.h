@@ -1,6 +1,7 @@
 // Which core the haptic thread gets, what the kernel grants it, and what each refusal costs.
 // The order matters: choose the core, keep the main thread off it *before* Vulkan is created (software Vulkan
-// starts workers that inherit the mask), and only then start the haptic thread, which sets itself up.
+// starts workers that inherit the mask), all threads once it is, and only then start the haptic thread, which
+// sets itself up.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +36,14 @@ struct Granted {
 
 // Main thread, before Vulkan is created and before any other thread starts: restricts it, and all that it
 // will start, to the other cores. Where one other core is left, software Vulkan is also told to draw in its
-// callers' threads and to leave out its disk-cache thread, which would reset its own mask; variables that the
-// user has set are respected. Does nothing on a shared core.
+// callers' threads, unless the user has set that variable. Does nothing on a shared core.
 Granted keep_this_thread_off_haptic_core(const CoreChoice& choice);
+
+// The same for every thread there is, by whomever it was started: the one that keeps a driver's compiled
+// shaders on the disk takes all cores for itself. Before the haptic thread starts; what such a driver starts
+// later it makes the least urgent of all, and the haptic thread goes before it. A thread that ends meanwhile
+// is no refusal.
+Granted keep_all_threads_off_haptic_core(const CoreChoice& choice);
 
 // Asks the kernel not to let idle cores fall into a sleep from which they wake slowly, as cyclictest does.
 // Holds for the whole machine, as long as it lives. On a virtual machine no difference was measured: the host
@@ -100,6 +106,12 @@ void keep_heaps_small();
 // driver that compiles, and before memory is locked: locked pages cannot be handed back. Any thread but a
 // tick's.
 void give_back_freed_memory();
+
+// Hands back the code of the compiler that a software driver brings along: up to 50 MB, which the kernel
+// keeps or reads again as it likes, and which no lock holds any longer. To be called once the driver has
+// compiled; where it compiles again, its pages come back as they are used. Takes about a ms. Any thread but a
+// tick's.
+void give_back_compiler();
 
 // The calling thread: pins itself to the core, locks the process's memory, touches its stack, and asks for
 // SCHED_FIFO last, so that nothing slow happens under it. Goes on after a refusal and records it. Wakeful

@@ -9,13 +9,23 @@
 
 namespace onggi::app {
 
+namespace {
+
+void say_if_refused(const jobs::Granted& kept, const jobs::CoreChoice& core) {
+    if (kept.grant == jobs::Grant::kRefused)
+        remark(fmt::format("real time: the picture could not be kept off core {}", core.core));
+}
+
+}  // namespace
+
 jobs::CoreChoice leave_haptic_core() {
     const jobs::CoreChoice core = jobs::choose_haptic_core();
-    const jobs::Granted kept = jobs::keep_this_thread_off_haptic_core(core);
-    if (kept.grant == jobs::Grant::kRefused) {
-        remark(fmt::format("real time: the picture could not be kept off core {}", core.core));
-    }
+    say_if_refused(jobs::keep_this_thread_off_haptic_core(core), core);
     return core;
+}
+
+void leave_haptic_core_wholly(const jobs::CoreChoice& core) {
+    say_if_refused(jobs::keep_all_threads_off_haptic_core(core), core);
 }
 
 int draw_threads(const jobs::CoreChoice& choice) {

@@ -10,6 +10,9 @@ namespace onggi::app {
 // with.
 [[nodiscard]] jobs::CoreChoice leave_haptic_core();
 
+// Keeps all threads off it that there are, once Vulkan is created and before the haptic thread starts.
+void leave_haptic_core_wholly(const jobs::CoreChoice& core);
+
 // How many threads a software Vulkan device draws with, once that is done.
 [[nodiscard]] int draw_threads(const jobs::CoreChoice& choice);
 

@@ -111,6 +111,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                                .workshop = settings->config.screen.room,
                                .title = "Onggi"});
     if (!view) return view.error();
+    leave_haptic_core_wholly(core);
     for (const std::string& line : settings->remarks)
         remark(line);
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
@@ -139,9 +140,9 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (!devices) return devices.error();
     haptic::HapticJobOptions job_options;
     job_options.real_time = real_time;
-    // 16 s at 4 kHz: the keeper may be that late, on a machine that does other things, and no visitor's pot
-    // is lost.
-    job_options.record_capacity = std::size_t{1} << 16U;
+    // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
+    constexpr double kMostLateS = 16.0;
+    job_options.record_capacity = static_cast<std::size_t>(kMostLateS * parameters.rate_hz());
     haptic::HapticJob job(start, parameters, devices->take(), job_options);
     KioskKeeper keeper(job, start, parameters, Gallery(settings->config),
                        statistics_folder(settings->config));

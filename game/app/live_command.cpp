@@ -86,10 +86,12 @@ Result<void> play(const LiveOptions& options) {
     auto view = wheel::LiveView::open({.width = options.size.width,
                                        .height = options.size.height,
                                        .headless = options.headless,
+                                       .paper = performance->start.state.paper() != nullptr,
                                        .draw_threads = draw_threads(core),
                                        .title = "Onggi"});
     if (!view) return view.error();
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
+    leave_haptic_core_wholly(core);
 
     auto devices =
         HandDevices::make(options.device, std::make_unique<RecordedHand>(std::move(performance->hand)), true);
@@ -128,6 +130,10 @@ std::string check_wait(const std::string& word) {
     return fmt::format("expected hybrid or sleep, found {}", in_quotes(word));
 }
 
+nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
+    return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
 }  // namespace
 
 nlohmann::ordered_json live_stats(const LiveReport& report) {
@@ -144,6 +150,8 @@ nlohmann::ordered_json live_stats(const LiveReport& report) {
     stats["scheduler"] = report.real_time.scheduler();
     stats["memory_locked"] = report.real_time.memory_lock.grant == jobs::Grant::kGranted;
     stats["frames"] = report.frames;
+    stats["first_frame_s"] = number_or_null(report.first_frame_s);
+    stats["resident_mb"] = number_or_null(report.resident_mb);
     stats["frame_ms"] = percentiles(report.frame_ns, kNsPerMs);
     stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
     stats["lumps"] = report.lumps;

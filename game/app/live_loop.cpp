@@ -9,6 +9,7 @@
 #include "engine/jobs/frame_pacer.h"
 #include "game/app/command_line.h"
 #include "game/app/haptic_guard.h"
+#include "game/app/process_use.h"
 
 namespace onggi::app {
 namespace {
@@ -60,9 +61,11 @@ Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
         pacer.finish();
         if (*outcome == FrameOutcome::kStopped) job.stop_force();
         if (*outcome == FrameOutcome::kDrawn || *outcome == FrameOutcome::kStopped) ++report.frames;
+        if (report.frames == 1 && !report.first_frame_s) report.first_frame_s = since_start_s();
         open = *outcome != FrameOutcome::kClosed;
         pass_over_records(job);
     }
+    report.resident_mb = resident_mb();
     job.stop();
 
     report.rate_hz = rate_hz;

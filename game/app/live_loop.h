@@ -41,10 +41,12 @@ struct LiveReport {
     double rate_hz = 0.0;
     jobs::RealTimeReport real_time;
     jobs::TickStats ticks;
-    std::uint64_t frames = 0;           // drawn
-    jobs::Histogram frame_ns;           // what a frame took
-    jobs::Histogram frame_interval_ns;  // from the start of a frame to the start of the next
-    std::uint64_t lumps = 0;            // how many were begun
+    std::uint64_t frames = 0;             // drawn
+    std::optional<double> first_frame_s;  // when the first was there, since the process was started
+    std::optional<double> resident_mb;    // of the process, after the last
+    jobs::Histogram frame_ns;             // what a frame took
+    jobs::Histogram frame_interval_ns;    // from the start of a frame to the start of the next
+    std::uint64_t lumps = 0;              // how many were begun
     std::uint64_t dropped_records = 0;
     haptic::SafetyReport safety;
     double most_force_n = 0.0;  // that any of the hands may be told

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "engine/jobs/thread_setup.h"
+
 namespace onggi::wheel {
 namespace {
 
@@ -94,6 +96,7 @@ Result<void> LiveScreen::make_renderer() {
     auto made = render::Renderer::create(*device_, desc);
     if (!made) return made.error();
     renderer_ = std::move(*made);
+    frames_of_renderer_ = 0;
     return {};
 }
 
@@ -180,6 +183,9 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     if (!drawn) return mend(drawn.error(), scene, overlay);
     if (!*drawn) return drawn;
     ++good_frames_;
+    // By then a software driver has compiled what its frames need.
+    constexpr int kCompiledFrames = 120;
+    if (++frames_of_renderer_ == kCompiledFrames) jobs::give_back_compiler();
     const double took_ms = renderer_->stats().device_ms;
     // A moving camera costs a software core more than a picture at rest, for a second: no reason to change.
     const bool is_measured = took_ms > 0.0 && !scene.glide;

@@ -57,14 +57,16 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     workshop_lack = std::move(opened.lack);
     plates_for = {width(), height()};
 
-    // Every pipeline is compiled by drawing with it once: a lump with a ball, and one with hands, need all of
-    // them.
+    // Every pipeline is compiled by drawing with it once: a lump with hands needs most of them, and one with
+    // a ball the rest, where a ball will be shown.
     std::array<float, 200> lump{};
     std::array<float, 200> tops{};
     lump.fill(60.0F);
     for (std::size_t ring = 0; ring < tops.size(); ++ring)
         tops[ring] = static_cast<float>(ring + 1);
-    for (const bool with_hands : {false, true}) {
+    const bool has_ball = options.paper || !scene->has_tools();
+    for (const bool with_hands : {true, false}) {
+        if (!with_hands && !has_ball) continue;
         PotView pot{.radii_mm = lump};
         if (with_hands) pot.top_mm = tops;
         auto warmed = draw(pot, 0.0, nullptr);
@@ -80,6 +82,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     }
     auto done = screen->wait();
     jobs::give_back_freed_memory();  // 40 MB of the driver's compiler
+    jobs::give_back_compiler();
     return done;
 }
 

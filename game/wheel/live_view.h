@@ -28,6 +28,7 @@ struct LiveViewOptions {
     bool headless = false;  // draw into memory; no display needed
     bool full_screen = false;
     bool validation = false;
+    bool paper = false;    // the paper's clay will be shown, and its ball with it
     bool plain = false;    // no photographed room, no modelled tools, the lowest quality for good
     int draw_threads = 1;  // that a software Vulkan device may use: where the quality ladder begins
     std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own

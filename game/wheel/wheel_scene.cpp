@@ -111,6 +111,10 @@ void WheelScene::set_tools(std::shared_ptr<const render::MoverLibrary> library) 
     registry_.get<ToolShelf>(shelf_).library = std::move(library);
 }
 
+bool WheelScene::has_tools() {
+    return registry_.get<ToolShelf>(shelf_).library != nullptr;
+}
+
 const render::Camera& WheelScene::camera_now(int width_px, int height_px) {
     context_.width_px = width_px;
     context_.height_px = height_px;

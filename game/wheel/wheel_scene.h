@@ -43,6 +43,7 @@ class WheelScene {
 
     // What hands and tools look like from now on; null: balls.
     void set_tools(std::shared_ptr<const render::MoverLibrary> library);
+    [[nodiscard]] bool has_tools();  // else balls stand in for them
 
     // Where a pointer at this pixel puts the tool, mm; see LiveView::tool_target_mm.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px, int width_px, int height_px);

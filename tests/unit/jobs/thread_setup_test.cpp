@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <thread>
+#include <vector>
 
 namespace onggi::jobs {
 namespace {
@@ -68,10 +70,35 @@ TEST(ThreadSetup, TellsSoftwareVulkanToStayOffTheCoreUnlessTheUserHasSaidOtherwi
     const std::vector<int> all = cores_of_this_thread();
     const CoreChoice choice{.core = all.back() + 1, .others = {all.front()}};
     unsetenv("LP_NUM_THREADS");
-    setenv("MESA_SHADER_CACHE_DISABLE", "false", 1);
     std::thread([&] { EXPECT_EQ(keep_this_thread_off_haptic_core(choice).grant, Grant::kGranted); }).join();
     EXPECT_STREQ(std::getenv("LP_NUM_THREADS"), "0");
-    EXPECT_STREQ(std::getenv("MESA_SHADER_CACHE_DISABLE"), "false");
+    setenv("LP_NUM_THREADS", "3", 1);
+    std::thread([&] { EXPECT_EQ(keep_this_thread_off_haptic_core(choice).grant, Grant::kGranted); }).join();
+    EXPECT_STREQ(std::getenv("LP_NUM_THREADS"), "3");
+}
+
+TEST(ThreadSetup, KeepsAThreadOffTheCoreThatHasTakenAllCoresForItself) {
+    const std::vector<int> all = cores_of_this_thread();
+    const CoreChoice choice = choose_haptic_core(all);
+    if (choice.shared()) {
+        EXPECT_EQ(keep_all_threads_off_haptic_core(choice).grant, Grant::kNotAsked);
+        return;
+    }
+    std::atomic<bool> is_kept_off{false};
+    std::vector<int> found;
+    std::thread other([&] {
+        while (!is_kept_off)
+            std::this_thread::yield();
+        found = cores_of_this_thread();
+    });
+    EXPECT_EQ(keep_all_threads_off_haptic_core(choice).grant, Grant::kGranted);
+    EXPECT_EQ(cores_of_this_thread(), choice.others);
+    is_kept_off = true;
+    other.join();
+    EXPECT_EQ(found, choice.others);
+    // As it was, for the tests behind this one.
+    EXPECT_EQ(keep_all_threads_off_haptic_core({.core = all.back() + 1, .others = all}).grant,
+              Grant::kGranted);
 }
 
 TEST(ThreadSetup, RecordsWithItsReasonWhatTheKernelRefuses) {
