@@ -71,8 +71,7 @@ TEST(Live, ThrowsTheSamePotAsSimulatedTime) {
     }
 }
 
-// The whole picture, as a kiosk has it: half of what a machine of 512 MB has left. Seconds depend on the
-// machine, megabytes hardly.
+// The whole picture, in the 200 MB that a kiosk may take. Seconds depend on the machine, megabytes hardly.
 TEST(Live, TellsItsFirstFrameAndKeepsItsMemorySmall) {
     const TemporaryFolder folder;
     put_file(folder / "g.csv", kShortGesture);
