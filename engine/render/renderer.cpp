@@ -228,7 +228,8 @@ void Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& ta
         vk::barrier(commands, images.multisampled, vk::state::kDiscard, vk::state::kColour);
         colour = {.view = images.multisampled.view(), .resolve = target.view};
     }
-    begin_pass(commands, frame.extent, {colour}, {.view = images.depth.view()});
+    begin_pass(commands, frame.extent, {colour},
+               {.view = images.depth.view(), .store = VK_ATTACHMENT_STORE_OP_STORE});
     // Front to back, so that what is hidden is not shaded.
     enter("clay");
     lathe.draw(frame);
@@ -241,6 +242,9 @@ void Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& ta
         still.draw(frame);
     }
     vkCmdEndRendering(commands);
+    if (!frame.desc.cached) return;
+    enter("outlines");
+    edges.record(frame, target);
 }
 
 Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& target) {
