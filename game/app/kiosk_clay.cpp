@@ -44,8 +44,10 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
     const double height_mm = snapshot.shape->height_mm;
     const double width_mm = widest_mm(*snapshot.shape);
     const bool ever_failed = failure.cause != clay::studio::Cause::kNone;
-    // Clay that gave way a little and was saved may be pressed down and drawn out as any other.
-    if (!ever_failed || (snapshot.load.index < kFirmly && !failure.torn)) {
+    // Clay that gave way a little and was saved may be pressed down and drawn out as any other; an earlier
+    // state that was put back is judged from how it stood then.
+    const bool is_new = standing_height_mm_ == 0.0;
+    if (!ever_failed || is_new || (snapshot.load.index < kFirmly && !failure.torn)) {
         standing_height_mm_ = height_mm;
         standing_width_mm_ = width_mm;
         failing_tick_ = 0;

@@ -140,7 +140,8 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
     DeviceTick device{.dt_s = period.dt_s,
                       .late = static_cast<std::uint32_t>(std::min<std::uint64_t>(period.skipped, kMostLate)),
                       .signs = device_->signs(),
-                      .stop = stop_asked_.load(std::memory_order_relaxed)};
+                      .stop = stop_asked_.load(std::memory_order_relaxed),
+                      .comes_anew = state_was_put_};
     if (device.signs.hand != hand_ && device.signs.hand < fits_.size()) {
         hand_ = device.signs.hand;
         hold_to(fits_[hand_]);

@@ -1,5 +1,6 @@
 #include "game/haptic/tick.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "engine/core/hash.h"
@@ -63,9 +64,18 @@ void tick_paper(clay::PaperClay& clay, HapticState& state, const haptics::ToolSt
                               parameters.paper);
 }
 
+// There no hand is on any side of a wall.
+void lift_over(haptics::ToolState& tool, double height_mm) noexcept {
+    constexpr double kClearMm = 1.0;
+    const auto over_mm = [&](double radius_mm) { return height_mm + radius_mm + kClearMm; };
+    tool.position_mm.y = std::max(tool.position_mm.y, over_mm(tool.radius_mm));
+    tool.second.position_mm.y = std::max(tool.second.position_mm.y, over_mm(tool.second.radius_mm));
+}
+
 void tick_studio(clay::StudioClay& clay, HapticState& state, const haptics::ToolState& tool,
-                 const HapticParameters& parameters, TickResult& result) noexcept {
+                 const HapticParameters& parameters, bool comes_anew, TickResult& result) noexcept {
     state.tool = haptics::within_limits(tool, state.tool);
+    if (comes_anew) lift_over(state.tool, clay.height_mm());
     const clay::StudioForces forces = clay.tick(studio_input(state.tool), parameters.studio);
     result.forces = forces.hand;
     result.second_forces = forces.second;
@@ -172,7 +182,7 @@ TickResult tick(HapticState& state, const haptics::ToolState& tool, const Haptic
     if (clay::PaperClay* paper = state.paper()) {
         tick_paper(*paper, state, tool, parameters, result);
     } else {
-        tick_studio(*state.studio(), state, tool, parameters, result);
+        tick_studio(*state.studio(), state, tool, parameters, device.comes_anew, result);
     }
     result.limited_force_n = limited_force(state, tool, parameters, device, result.forces);
 

@@ -91,6 +91,9 @@ struct DeviceTick {
     haptics::HandSigns signs;
     bool stop = false;        // somebody wants no force
     dvec3 test_force_n{0.0};  // the staff's test, beside the clay's force; a motor is behind it
+    // The clay is another one and the hand is where it was. The studio's clay is told of a hand over the pot
+    // for this tick: it would take it for the hand that it remembers, come through its walls.
+    bool comes_anew = false;
 };
 
 // What the studio's clay is told when a hand does that.
@@ -98,7 +101,8 @@ struct DeviceTick {
 
 // Takes the tool, turns the wheel and the clay by one fixed step and works out the forces. Under the paper's
 // clay the wheel turns exactly while its button is held, at full speed at once; under the studio's the button
-// is the pedal. Nothing of `device` reaches the clay, so that a replay, which has none, is the same.
+// is the pedal. Nothing of `device` reaches the clay but by the tool that is recorded, so that a replay,
+// which has none, is the same.
 TickResult tick(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
                 const DeviceTick& device = {}) noexcept;
 

@@ -71,6 +71,21 @@ TEST(KioskClay, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
     EXPECT_EQ(clay.began_to_fail_tick(), 5000U);
 }
 
+TEST(KioskClay, JudgesWhatWasPutBackByHowItStandsThenThoughItGaveWayALittleBefore) {
+    KioskClay clay;
+    clay.expect_lump(1);
+    haptic::PotShape there = clay_of(1, 80.0, 50.0, true);
+    clay.expect_state(seen(there, 9000));
+    there.states_put = 1;
+    EXPECT_FALSE(clay.look(sunken(there, 4000), Warning::kNone)->gave_way);
+    haptic::PotShape wider = clay_of(1, 79.0, 53.0, true);
+    wider.states_put = 1;
+    EXPECT_FALSE(clay.look(sunken(wider, 4100), Warning::kNone)->gave_way);
+    haptic::PotShape widest = clay_of(1, 78.0, 57.0, true);
+    widest.states_put = 1;
+    EXPECT_TRUE(clay.look(sunken(widest, 4200), Warning::kNone)->gave_way);
+}
+
 TEST(KioskClay, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
     KioskClay clay;
     clay.expect_lump(1);

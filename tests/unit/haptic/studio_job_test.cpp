@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/haptics/simulated_device.h"
 #include "game/haptic/job.h"
 #include "tests/unit/haptic/studio_hand.h"
 
@@ -172,6 +173,44 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
     EXPECT_GE(taken, 4);
     loop.run(1);
     EXPECT_EQ(loop.work.newest_snapshot().states_put, 1U + static_cast<std::uint64_t>(taken));
+}
+
+// A hand that waits beside the pot when the pot of a moment ago is put back, in which it was at work: with
+// what that clay remembers of it, it would have come through the walls and would go on pressing from where it
+// is.
+TEST(StudioLoop, DoesNotTakeAHandThatHasMovedOnForOneThatCameThroughTheWall) {
+    const auto resting = [](const dvec3& place_mm) {
+        auto device = std::make_unique<haptics::SimulatedDevice>();
+        device->set_target({.position_mm = place_mm, .wheel_button = true});
+        return device;
+    };
+    HapticParameters parameters;
+    parameters.safety = haptics::limits_for(haptics::SimulatedDevice().capabilities());
+    for (const double pressing_s : {3.0, 6.0}) {  // inside; outside, from +x
+        HapticState at_work = test::studio_start();
+        clay::studio::Side side{};
+        for (std::uint64_t k = 0; static_cast<double>(k) < pressing_s * kRateHz; ++k)
+            side = tick(at_work, test::studio_hand(k, kRateHz), HapticParameters{}).side;
+        ASSERT_EQ(side, pressing_s < 4.0 ? clay::studio::Side::kIn : clay::studio::Side::kOut);
+        for (const dvec3& place_mm : {dvec3(145.0, 12.0, 142.0), dvec3(-150.0, 30.0, 1.0)}) {
+            HapticWork work(test::studio_start(), parameters, resting(place_mm), {});
+            ASSERT_TRUE(work.device().open());
+            jobs::Period period{.dt_s = 1.0 / kRateHz};
+            ASSERT_TRUE(work.tick(period));
+            ASSERT_TRUE(work.put(std::make_unique<HapticState>(at_work), 0));
+            double largest_n = 0.0;
+            for (int k = 0; k < 500; ++k) {
+                ++period.index;
+                ++period.tick;
+                ASSERT_TRUE(work.tick(period));
+                largest_n = std::max(largest_n, glm::length(work.newest_snapshot().result.limited_force_n));
+            }
+            EXPECT_EQ(work.newest_snapshot().states_put, 1U);
+            EXPECT_EQ(largest_n, 0.0) << "at " << place_mm.x << ", " << pressing_s << " s";
+            EXPECT_EQ(work.newest_snapshot().safety.speed_stops, 0U) << "the device was where it is";
+            EXPECT_NEAR(work.state().height_mm(), at_work.height_mm(), 0.3);
+        }
+    }
 }
 
 // Who asks for undo and then for new clay gets new clay, however long the undo took to work out.
