@@ -1,0 +1,176 @@
+#!/usr/bin/env bash
+# A visitor at the window, with any hand, in any language. Sourced, never run, with ONGGI TARGETS FOLDER [HAND [LANGUAGE
+# [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a picture of each
+# screen there. TARGETS: the program screen_targets, which knows where the buttons are. HAND: mouse, touch, keys or switch
+# (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does.
+source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
+onggi=$1
+targets=$2
+hand=${4:-mouse}
+language=${5:-en}
+size=${6:-1280x720}
+width=${size%x*}
+height=${size#*x}
+clay_level=54  # per cent of the height: low on the lump
+[ "$height" -gt "$width" ] && clay_level=60
+rm -rf "$3"
+mkdir -p "$3"
+cd "$3"
+# lay_out LANGUAGE [low]: where the buttons are from now on.
+lay_out() { "$targets" "$1" "$width" "$height" 1 "${2:-}" >targets; }
+lay_out "$language"
+
+kiosk=
+server=
+trap 'kill $kiosk $server 2>/dev/null || true' EXIT
+open_display . "$size"
+
+cat >kiosk.toml <<TOML
+[languages]
+first = "$language"
+[visit]
+forgiving = ${FORGIVING:-true}
+[gallery]
+folder = "gallery"
+least_free_mb = 1
+TOML
+open_kiosk() {
+    "$onggi" kiosk --config kiosk.toml --size "$size" --device mouse >>kiosk.log 2>&1 &
+    kiosk=$!
+}
+open_kiosk
+fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
+
+# wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
+wait_for() {
+    local what=$1
+    shift
+    for _ in $(seq 600); do
+        "$@" >/dev/null 2>&1 && return
+        kill -0 "$kiosk" 2>/dev/null || fail "the window closed while waiting for $what"
+        sleep 0.1
+    done
+    fail "no $what after a minute"
+}
+# A screen is there when the title says so; its cross-fade is over a quarter of a second later.
+on_screen() {
+    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( .[0-9]+.)?\$"
+    sleep 0.6
+    shot=$((shot + 1))
+    command -v import >/dev/null && import -window root "$(printf '%02d' "$shot")-$1.png" || true
+}
+shot=0
+throwing=throw-0  # as the layout calls it: with one switch there are more targets on it
+[ "$hand" = switch ] && throwing=throw-scan-0
+
+# Where a screen has a button, by the layout itself: at SCREEN BUTTON [VALUE]; sets x, y and place (in the ring).
+at() {
+    local value=${3:-}
+    local line
+    line=$(awk -v screen="$1" -v button="$2" -v value="$value" \
+        '$1 == screen && $2 == button && (value == "" || $3 == value) { print $4, $5, $6; exit }' targets)
+    [ -n "$line" ] || fail "expected a button '$2' on '$1', found none"
+    read -r place x y <<<"$line"
+}
+# A mouse comes, hovers and clicks; a finger is there at once, as X11 tells of it.
+click() {
+    if [ "$hand" = touch ]; then
+        xdotool mousemove "$1" "$2" mousedown 1 sleep 0.08 mouseup 1
+    else
+        xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
+    fi
+}
+# press SCREEN BUTTON [VALUE], with whatever hand the visitor has.
+press() {
+    at "$@"
+    case $hand in
+    mouse | touch) click "$x" "$y" ;;
+    *) take "$place" ;;
+    esac
+}
+# Presses the clay in from the right, low down. The first key brings the hand beside the clay, each one then takes it a
+# step; the single switch finds the same four steps on the screen.
+press_in() {
+    case $hand in
+    mouse | touch)
+        local from=$((width * 59 / 100)) to=$((width * 55 / 100)) level=$((height * clay_level / 100))
+        xdotool mousemove "$from" "$level" sleep 0.2 mousedown 1
+        for x in $(seq "$from" -4 "$to"); do
+            xdotool mousemove "$x" "$level" sleep 0.05
+        done
+        sleep 0.8
+        xdotool mouseup 1
+        ;;
+    keys)
+        for _ in $(seq 5); do xdotool key Left sleep 0.15; done
+        for _ in $(seq 4); do xdotool key Up sleep 0.15; done
+        ;;
+    switch)
+        at $throwing hand-left
+        take "$place"
+        for _ in $(seq 4); do  # the ring stays where it is pressed again
+            sleep 0.6
+            xdotool key space
+        done
+        ;;
+    esac
+}
+title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
+# take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
+take() {
+    local before
+    if [ "$hand" = keys ]; then
+        for _ in $(seq 40); do
+            xdotool search --name "^Onggi - .*\[$1\]\$" >/dev/null 2>&1 && break
+            # A frame may be slow: a second step before the first is shown would go past the place.
+            before=$(title)
+            xdotool key Tab
+            for _ in $(seq 50); do
+                [ "$(title)" = "$before" ] || break
+                sleep 0.1
+            done
+        done
+        xdotool key Return
+    else
+        wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
+        xdotool key space
+    fi
+}
+# To the choice of pots, with the visitor's own hand.
+begin_visit() {
+    wait_for "window" xdotool search --name '^Onggi'
+    on_screen attract
+    case $hand in
+    mouse | touch) click $((width / 2)) $((height / 2)) ;;
+    keys) xdotool key Tab ;;
+    switch) xdotool key space ;;
+    esac
+    on_screen choose
+}
+# keep_the_pot LEAST_MM MOST_MM: from the wheel to the shelf, where a clay of that height is looked for; and out of the
+# kiosk.
+keep_the_pot() {
+    press $throwing done
+    on_screen firing; on_screen glaze
+    press glaze-0 glaze 2; sleep 0.5; on_screen glaze
+    press glaze-2 take-glaze; on_screen your-pot
+    press your-pot keep; on_screen keep
+    pot=gallery/$(date +%F)/pot-001
+    wait_for "kept pot" test -s "$pot/pot.png"
+    local file height_mm status=0
+    for file in pot.onggi pot.glb pot.stl pot.png; do
+        [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
+    done
+    [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"
+    height_mm=$(grep -ao '"wet_height_mm":[0-9]*' "$pot/pot.glb" | cut -d: -f2)
+    [ "${height_mm:-0}" -ge "$1" ] && [ "$height_mm" -le "$2" ] ||
+        fail "expected clay of $1 mm or more as the hand has left it, $2 at most, found $height_mm mm"
+    "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
+    sleep 0.6
+    on_screen keep
+    press keep finish; on_screen attract
+    xdotool key Escape
+    wait "$kiosk" || status=$?
+    [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"
+    printf 'kept by %s in %s: %s\n' "$hand" "$language" "$pot"
+}
