@@ -87,7 +87,7 @@ std::vector<Finding> probe_haptic_loop() {
     return findings;
 }
 
-int examine(bool strict) {
+int examine(const std::string& settings, bool strict) {
     std::vector<Finding> findings;
     const auto add = [&](std::vector<Finding> more) {
         findings.insert(findings.end(), std::make_move_iterator(more.begin()),
@@ -102,6 +102,7 @@ int examine(bool strict) {
     findings.push_back(probe_workshop());
     findings.push_back(probe_disk(std::filesystem::current_path()));
     findings.push_back(probe_fonts(font_folders()));
+    add(probe_settings(settings));
 
     std::fputs(findings_as_text(findings).c_str(), stdout);
     return strict && any_lacking(findings) ? exit_code(ErrorKind::kSystemLacks) : 0;
@@ -111,10 +112,16 @@ int examine(bool strict) {
 
 void add_doctor_command(CLI::App& program, int& exit_status) {
     CLI::App* command = program.add_subcommand(
-        "doctor", "Say what this machine has and lacks: Vulkan, real time, cores, devices, disk, display");
+        "doctor",
+        "Say what this machine has and lacks: Vulkan, real time, cores, devices, disk, display, settings");
     const auto strict = std::make_shared<bool>(false);
     command->add_flag("--strict", *strict, "exit with 3 where something is lacking");
-    command->callback([strict, &exit_status] { exit_status = examine(*strict); });
+    const auto settings = std::make_shared<std::string>();
+    command
+        ->add_option("--config", *settings,
+                     fmt::format("settings of a kiosk to look at; without it those in {}", kUsualSettings))
+        ->type_name("FILE.toml");
+    command->callback([strict, settings, &exit_status] { exit_status = examine(*settings, *strict); });
 }
 
 }  // namespace onggi::app

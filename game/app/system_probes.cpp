@@ -11,6 +11,7 @@
 
 #include "engine/files/asset_folder.h"
 #include "engine/window/window.h"
+#include "game/app/kiosk_settings.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::app {
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 using Verdict = Finding::Verdict;
 
 constexpr double kBytesPerGb = 1e9;
+constexpr double kBytesPerMb = 1e6;
 constexpr double kEnoughDiskGb = 2.0;
 
 struct FontFamily {
@@ -47,7 +49,65 @@ std::set<std::string> file_names_below(const std::vector<fs::path>& folders) {
     return names;
 }
 
+std::string words_of(const kiosk::Config& config) {
+    std::string words = fmt::format("visits begin in {}, of {}; {} clay", config.languages.first,
+                                    fmt::join(config.languages.order, ", "),
+                                    config.visit.forgiving ? "forgiving" : "unforgiving");
+    words += config.staff.pin.empty() ? "; no staff panel, for want of a PIN" : "; a PIN for the staff";
+    if (config.staff.locked) words += "; locked";
+    if (config.hours.opens_min != config.hours.closes_min)
+        words += fmt::format("; open {:02}:{:02} to {:02}:{:02}", config.hours.opens_min / 60,
+                             config.hours.opens_min % 60, config.hours.closes_min / 60,
+                             config.hours.closes_min % 60);
+    return words;
+}
+
+// A gallery that is not there yet will be made in the folder that is.
+Finding probe_gallery(const kiosk::Config& config) {
+    std::error_code error;
+    fs::path there = fs::absolute(config.gallery.folder, error);
+    while (!fs::exists(there, error) && there.has_relative_path())
+        there = there.parent_path();
+    const fs::space_info space = fs::space(there, error);
+    const double free_mb = error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
+    Finding finding{.subject = "gallery",
+                    .found = fmt::format("{:.0f} MB free for pots in {}", free_mb, config.gallery.folder)};
+    if (free_mb >= config.gallery.least_free_mb) return finding;
+    finding.verdict = Verdict::kLacking;
+    finding.found += fmt::format(", the settings ask for {:.0f}", config.gallery.least_free_mb);
+    finding.cost = "no pot is kept; visitors are told that the shelf is full";
+    finding.remedy = "free some space, or name another gallery.folder in the settings";
+    return finding;
+}
+
 }  // namespace
+
+std::vector<Finding> probe_settings(const std::string& file, const std::string& usual) {
+    std::error_code error;
+    if (file.empty() && !fs::exists(usual, error)) {
+        return {{.subject = "settings",
+                 .verdict = Verdict::kNote,
+                 .found = fmt::format(
+                     "none in {}: the kiosk begins with its own unless --config names others", usual)}};
+    }
+    const std::string& read = file.empty() ? usual : file;
+    const auto settings = load_settings(read);
+    if (!settings) {
+        return {
+            {.subject = "settings",
+             .verdict = Verdict::kLacking,
+             .found = settings.error().message,
+             .cost =
+                 "the kiosk does not start with them; with --or-config it goes on with others and says so",
+             .remedy = "mend what the line names; assets/kiosk.toml shows every setting"}};
+    }
+    std::vector<Finding> findings{
+        {.subject = "settings", .found = fmt::format("{}: {}", read, words_of(settings->config))}};
+    for (const std::string& remark : settings->remarks)
+        findings.push_back({.subject = "settings", .verdict = Verdict::kNote, .found = remark});
+    findings.push_back(probe_gallery(settings->config));
+    return findings;
+}
 
 Finding probe_display() {
     const std::string obstacle = window::why_no_display();

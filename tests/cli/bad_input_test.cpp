@@ -181,6 +181,13 @@ TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndWhatIsAllowed) {
         }
         EXPECT_EQ(folder.names(), Words{"bad.toml"});
     }
+    // The doctor says the same, and has looked.
+    const TemporaryFolder ill;
+    put_file(ill / "bad.toml", cases[0].first);
+    const ProgramRun doctor = run_onggi({"doctor", "--config", "bad.toml"}, {.folder = ill.path()});
+    EXPECT_EQ(doctor.exit_code, 0) << doctor.err;
+    EXPECT_NE(doctor.out.find("  " + cases[0].second + "\n"), std::string::npos) << doctor.out;
+    EXPECT_EQ(run_onggi({"doctor", "--config", "bad.toml", "--strict"}, {.folder = ill.path()}).exit_code, 3);
     const TemporaryFolder folder;
     put_file(folder / "good.toml", "[languages]\nfolder = \".\"\n");
     put_file(folder / "ko.tsv", "key\ttext\tspoken\tcheck\nname\t\t\t\n");

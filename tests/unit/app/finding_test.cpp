@@ -7,7 +7,9 @@
 #include <filesystem>
 
 #include "game/app/device_probes.h"
+#include "game/app/kiosk_settings.h"
 #include "game/app/system_probes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
 namespace {
@@ -53,6 +55,54 @@ TEST(SystemProbes, NameTheFontsThatAreMissing) {
     EXPECT_NE(nothing.found.find("NanumSquareRound"), std::string::npos);
     EXPECT_FALSE(nothing.cost.empty());
     EXPECT_NE(nothing.remedy.find("fonts-noto-core"), std::string::npos);
+}
+
+TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "kiosk.toml";
+    const std::vector<Finding> none = probe_settings("", file);
+    ASSERT_EQ(none.size(), 1U);
+    EXPECT_EQ(none[0].verdict, Verdict::kNote);
+    EXPECT_EQ(none[0].found,
+              "none in " + file + ": the kiosk begins with its own unless --config names others");
+
+    const std::string gallery = folder / "not/yet/there";
+    test::put_file(file,
+                   "[languages]\norder = [\"ko\", \"en\"]\nfirst = \"ko\"\n[visit]\nforgiving = false\n"
+                   "[hours]\nopens = \"09:30\"\ncloses = \"17:05\"\n[staff]\npin = \"1234\"\nlocked = true\n"
+                   "[gallery]\nleast_free_mb = 1\nfolder = \"" +
+                       gallery + "\"\n");
+    const std::vector<Finding> usual = probe_settings("", file);
+    ASSERT_EQ(usual.size(), 2U);
+    EXPECT_EQ(usual[0].verdict, Verdict::kGood);
+    EXPECT_EQ(usual[0].found, file +
+                                  ": visits begin in ko, of ko, en; unforgiving clay; a PIN for the staff; "
+                                  "locked; open 09:30 to 17:05");
+    EXPECT_EQ(usual[0].found.find("1234"), std::string::npos) << "a PIN is nobody else's";
+    EXPECT_EQ(usual[1].subject, "gallery");
+    EXPECT_EQ(usual[1].verdict, Verdict::kGood) << usual[1].found;
+    EXPECT_NE(usual[1].found.find(gallery), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "not")) << "it only looks";
+}
+
+TEST(SystemProbes, SayWhatIsWrongWithTheKiosksSettings) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "kiosk.toml";
+    test::put_file(file, "[visit]\nforgivng = true\n");
+    const std::vector<Finding> wrong = probe_settings(file);
+    ASSERT_EQ(wrong.size(), 1U);
+    EXPECT_EQ(wrong[0].verdict, Verdict::kLacking);
+    EXPECT_EQ(wrong[0].found, load_settings(file).error().message);
+    EXPECT_NE(wrong[0].found.find("line 2"), std::string::npos) << wrong[0].found;
+    EXPECT_EQ(probe_settings(folder / "none.toml")[0].verdict, Verdict::kLacking) << "it was asked for";
+
+    // A disk of a million MB may be there.
+    test::put_file(file, "[gallery]\nleast_free_mb = 1000000\nfolder = \"" + folder.path().string() + "\"\n");
+    const bool is_full = std::filesystem::space(folder.path()).available < 1'000'000'000'000;
+    const std::vector<Finding> full = probe_settings(file);
+    EXPECT_EQ(full.back().subject, "gallery");
+    EXPECT_EQ(full.back().verdict, is_full ? Verdict::kLacking : Verdict::kGood);
+    EXPECT_EQ(full.back().found.ends_with(", the settings ask for 1000000"), is_full) << full.back().found;
 }
 
 TEST(Findings, SayWhoHearsTheStopKey) {
