@@ -94,6 +94,8 @@ class UnseenKiosk {
         ASSERT_TRUE(shown) << shown.error().message;
     }
     [[nodiscard]] double now_s() const { return now_s_; }
+    // Where the last frame shows a place on the wheel, px.
+    [[nodiscard]] std::optional<dvec2> seen(const dvec3& place_mm) const { return view_->project(place_mm); }
     // The last frame.
     [[nodiscard]] asset::Image picture() { return view_->read_back().value(); }
     // Frames until it is so; the clock of the visit goes by dt_s a frame. At most a minute of real time.
