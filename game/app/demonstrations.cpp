@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "engine/core/quote.h"
 #include "engine/files/asset_folder.h"
 #include "engine/files/read_file.h"
 #include "game/app/performance.h"
@@ -40,6 +41,19 @@ Result<Recording> load_recording(const fs::path& file, const haptic::HapticState
     return Recording{file.stem().string(), std::move(loaded->session)};
 }
 
+// Of a line of the list: the name, if the recording is to be shown.
+Result<std::string> shown_name(const std::string& line, int number, const fs::path& list, bool forgiving) {
+    constexpr std::string_view kUnforgiving = "unforgiving";
+    std::istringstream words(line);
+    std::string name;
+    std::string only_on;
+    words >> name >> only_on;
+    if (!only_on.empty() && only_on != kUnforgiving)
+        return bad_input(fmt::format("{}, line {}: expected a name, or a name and '{}', found {}",
+                                     list.string(), number, kUnforgiving, in_quotes(line)));
+    return forgiving && !only_on.empty() ? std::string() : name;
+}
+
 std::optional<haptics::Gesture> load_gesture(const fs::path& file, std::vector<std::string>& remarks) {
     const auto text = files::read_file(file, kMostGestureBytes);
     const auto gesture =
@@ -51,15 +65,19 @@ std::optional<haptics::Gesture> load_gesture(const fs::path& file, std::vector<s
 
 }  // namespace
 
-Show load_show(const fs::path& folder, const fs::path& gesture, const haptic::HapticState& lump,
+Show load_show(const fs::path& folder, const fs::path& gesture, const ShowClay& clay,
                std::vector<std::string>& remarks) {
     Show show;
-    const auto list = files::read_file(folder / "shown.txt", kMostListBytes);
+    const fs::path file = folder / "shown.txt";
+    const auto list = files::read_file(file, kMostListBytes);
     if (!list) remarks.push_back(list.error().message);
     std::istringstream lines(list ? *list : std::string());
-    std::string name;
-    while (show.recordings.size() < kMostRecordings && lines >> name) {
-        auto recording = load_recording(folder / (name + ".onggi"), lump, remarks);
+    std::string line;
+    for (int number = 1; show.recordings.size() < kMostRecordings && std::getline(lines, line); ++number) {
+        const auto name = shown_name(line, number, file, clay.forgiving);
+        if (!name) remarks.push_back(name.error().message);
+        if (!name || name->empty()) continue;
+        auto recording = load_recording(folder / (*name + ".onggi"), clay.lump, remarks);
         if (recording) {
             show.recordings.push_back(std::move(*recording));
         } else {
@@ -73,13 +91,13 @@ Show load_show(const fs::path& folder, const fs::path& gesture, const haptic::Ha
     return show;
 }
 
-Show load_show(const haptic::HapticState& lump, std::vector<std::string>& remarks) {
+Show load_show(const ShowClay& clay, std::vector<std::string>& remarks) {
     const auto folder = files::find_asset("demonstrations");
     if (!folder) remarks.push_back(folder.error().message);
     const auto gesture = files::find_asset("gestures/attract.csv");
     if (!gesture) remarks.push_back(gesture.error().message);
     return load_show(folder ? *folder : fs::path("demonstrations"),
-                     gesture ? *gesture : fs::path("gestures/attract.csv"), lump, remarks);
+                     gesture ? *gesture : fs::path("gestures/attract.csv"), clay, remarks);
 }
 
 std::unique_ptr<haptic::HapticState> first_state_of(const Recording& recording, std::size_t place) {

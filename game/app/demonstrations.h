@@ -33,13 +33,20 @@ struct Show {
     std::optional<haptics::Gesture> gesture;  // where there are no recordings; without it the wheel waits
 };
 
+// What the recordings are to be played on.
+struct ShowClay {
+    const haptic::HapticState& lump;
+    bool forgiving = true;
+};
+
 // The recordings that `folder`/shown.txt names, a line each, in that order; those that cannot be played on
-// clay like `lump` are left out, with a remark each. Where none is left, the gesture in the file. Main
-// thread, blocks.
+// clay like the lump are left out, with a remark each. So are, without one, those with the word `unforgiving`
+// behind their name where the clay is forgiving: they are of what it does not do. Where none is left, the
+// gesture in the file. Main thread, blocks.
 [[nodiscard]] Show load_show(const std::filesystem::path& folder, const std::filesystem::path& gesture,
-                             const haptic::HapticState& lump, std::vector<std::string>& remarks);
+                             const ShowClay& clay, std::vector<std::string>& remarks);
 // The program's own.
-[[nodiscard]] Show load_show(const haptic::HapticState& lump, std::vector<std::string>& remarks);
+[[nodiscard]] Show load_show(const ShowClay& clay, std::vector<std::string>& remarks);
 
 // Ticks of a recorded clay are counted from here on, so that the number of a tick says what is shown and how
 // far it has come, and no history of a visitor's clay takes it for its own.

@@ -131,7 +131,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     parameters.safety = haptics::limits_for(device->capabilities());
     const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
     std::vector<std::string> show_lacks;
-    const Show show = load_show(start, show_lacks);
+    const Show show = load_show({start, parameters.studio.forgiving}, show_lacks);
     for (const std::string& line : show_lacks)
         remark(line);
     auto first_hand =

@@ -54,7 +54,7 @@ class UnseenKiosk {
         hand_ = device.get();
         parameters_.safety = haptics::limits_for(device->capabilities());
         std::vector<std::string> remarks;
-        if (options.shows) show_ = load_show(start_, remarks);
+        if (options.shows) show_ = load_show({start_, options.forgiving}, remarks);
         EXPECT_TRUE(remarks.empty());
         auto first_hand = std::make_unique<DemonstrationHand>(std::move(device), show_.recordings, kRateHz);
         auto devices = HandDevices::make("mouse", std::move(first_hand), false);

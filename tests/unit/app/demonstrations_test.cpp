@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <utility>
 
@@ -35,11 +36,27 @@ std::vector<std::string> names_of(const Show& show) {
 
 TEST(Show, IsTheRecordingsOfTheListInItsOrder) {
     std::vector<std::string> remarks;
-    const Show show = load_show(kRecordings, kGesture, lump(), remarks);
-    EXPECT_EQ(names_of(show), (std::vector<std::string>{"cylinder", "vase", "bowl", "moon_jar_half",
-                                                        "moon_jar", "collapse"}));
+    std::vector<std::string> pots{"cylinder", "vase", "bowl", "moon_jar_half", "moon_jar"};
+    const Show show = load_show(kRecordings, kGesture, {lump()}, remarks);
+    EXPECT_EQ(names_of(show), pots);
     EXPECT_FALSE(show.gesture);
+    pots.emplace_back("collapse");
+    EXPECT_EQ(names_of(load_show(kRecordings, kGesture, {lump(), false}, remarks)), pots);
     EXPECT_TRUE(remarks.empty()) << remarks.front();
+}
+
+TEST(Show, SaysWhichLineOfTheListItDoesNotUnderstand) {
+    const test::TemporaryFolder folder;
+    fs::copy_file(kRecordings / "bowl.onggi", folder / "bowl.onggi");
+    list(folder.path(), "bowl\nbowl forgiving\n\n");
+    std::vector<std::string> remarks;
+    EXPECT_EQ(names_of(load_show(folder.path(), kGesture, {lump()}, remarks)),
+              std::vector<std::string>{"bowl"});
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_NE(remarks[0].find("shown.txt, line 2: expected a name, or a name and 'unforgiving', found "
+                              "'bowl forgiving'"),
+              std::string::npos)
+        << remarks[0];
 }
 
 TEST(Show, GoesOnWithTheNextWhereOneIsMissingOrDamagedOrOfOtherClay) {
@@ -50,7 +67,7 @@ TEST(Show, GoesOnWithTheNextWhereOneIsMissingOrDamagedOrOfOtherClay) {
     std::ofstream(folder / "damaged.onggi", std::ios::binary) << damaged;
     list(folder.path(), "none\ndamaged\nbowl\n");
     std::vector<std::string> remarks;
-    EXPECT_EQ(names_of(load_show(folder.path(), kGesture, lump(), remarks)),
+    EXPECT_EQ(names_of(load_show(folder.path(), kGesture, {lump()}, remarks)),
               std::vector<std::string>{"bowl"});
     ASSERT_EQ(remarks.size(), 2U);
     EXPECT_NE(remarks[0].find("none.onggi"), std::string::npos);
@@ -58,7 +75,7 @@ TEST(Show, GoesOnWithTheNextWhereOneIsMissingOrDamagedOrOfOtherClay) {
 
     remarks.clear();
     const haptic::HapticState coarse(clay::StudioClay({.rings = 1000}));
-    const Show gesture = load_show(folder.path(), kGesture, coarse, remarks);
+    const Show gesture = load_show(folder.path(), kGesture, {coarse}, remarks);
     EXPECT_TRUE(gesture.recordings.empty());
     ASSERT_EQ(remarks.size(), 4U);
     EXPECT_NE(remarks[2].find("bowl.onggi: expected studio clay of 1000 rings"), std::string::npos)
@@ -69,10 +86,10 @@ TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
     const test::TemporaryFolder folder;
     list(folder.path(), "");
     std::vector<std::string> remarks;
-    EXPECT_TRUE(load_show(folder.path(), kGesture, lump(), remarks).gesture);
+    EXPECT_TRUE(load_show(folder.path(), kGesture, {lump()}, remarks).gesture);
     ASSERT_EQ(remarks.size(), 1U);
     EXPECT_NE(remarks[0].find("expected a recorded session to show, found none"), std::string::npos);
-    const Show nothing = load_show(folder / "none", folder / "none.csv", lump(), remarks);
+    const Show nothing = load_show(folder / "none", folder / "none.csv", {lump()}, remarks);
     EXPECT_TRUE(nothing.recordings.empty());
     EXPECT_FALSE(nothing.gesture);
     EXPECT_EQ(remarks.size(), 4U);
@@ -83,8 +100,8 @@ class Wheel : public testing::Test {
   protected:
     static constexpr double kRateHz = 1000.0;
 
-    void load(const std::string& name) {
-        auto loaded = load_show(kRecordings, kGesture, lump(), remarks_);
+    void load(const std::string& name, bool forgiving = true) {
+        auto loaded = load_show(kRecordings, kGesture, {lump(), forgiving}, remarks_);
         for (Recording& recording : loaded.recordings)
             if (recording.name == name) show_.recordings.push_back(std::move(recording));
         ASSERT_EQ(show_.recordings.size(), 1U);
@@ -93,7 +110,7 @@ class Wheel : public testing::Test {
         person_->set_target({.position_mm = kAway});
         haptic::HapticParameters parameters;
         parameters.set_rate_hz(kRateHz);
-        parameters.studio.forgiving = true;
+        parameters.studio.forgiving = forgiving;
         work_ = std::make_unique<haptic::HapticWork>(
             lump(), parameters,
             std::make_unique<DemonstrationHand>(std::move(person), show_.recordings, kRateHz),
@@ -135,6 +152,15 @@ TEST_F(Wheel, MakesThePotOfTheRecordingAndKnowsWhenItIsOver) {
     EXPECT_NEAR(work_->state().height_mm(), 171.3, 0.3);
     EXPECT_EQ(end.body, clay::ClayBody::kPorcelain);
     EXPECT_EQ(end.fault, haptics::Fault::kNone);
+}
+
+TEST_F(Wheel, ShowsHowAPotGivesWayWhereAVisitorsWould) {
+    load("collapse", false);
+    ASSERT_TRUE(work_->put(first_state_of(show_.recordings.front(), 0), 0));
+    tick(static_cast<std::uint64_t>(show_.recordings.front().seconds() * kRateHz));
+    EXPECT_EQ(work_->newest_snapshot().load.failure.cause, clay::studio::Cause::kSpin);
+    const auto outer = work_->state().studio()->outer_mm();
+    EXPECT_NEAR(*std::max_element(outer.begin(), outer.end()), 150.0, 0.5) << "as wide as the wheel head";
 }
 
 TEST_F(Wheel, IsTheVisitorsAgainWithTheNextLump) {
