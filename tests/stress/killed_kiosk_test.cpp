@@ -1,7 +1,7 @@
-// The real program in a real window, played by a pointer and killed at random moments of throwing and saving,
-// again and again on one gallery: every pot is whole, and a visit that was interrupted is offered by the next
-// start. Runs under a display of its own (tests/window/with_display.sh). Two kills in ./check;
-// ONGGI_KILLS=200 for the long run, a third of an hour.
+// The real program in a real window, played by a pointer and killed at random moments of starting, throwing
+// and saving, again and again on one gallery: every pot is whole, and a visit that was interrupted is offered
+// by the next start. Runs under a display of its own (tests/window/with_display.sh). Two kills in ./check;
+// ONGGI_KILLS=200 for the long run, half an hour or more.
 #include <fmt/format.h>
 #include <signal.h>  // NOLINT: SIGKILL
 
@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "tests/cli/run_program.h"
+#include "tests/stress/keeping_stage.h"
 #include "tests/stress/whole.h"
 
 namespace onggi {
@@ -30,6 +31,11 @@ constexpr int kHeight = 180;
 // So long has a hand been in the clay when the journal is sure to know of it: a block a second, and a keeper
 // who may be late.
 constexpr double kThrewOnS = 2.5;
+constexpr double kStartS = 3.0;     // from nothing to attract, and on
+constexpr double kPortraitS = 1.0;  // from the wish to keep a pot to its folder
+constexpr double kFileS = 0.004;    // from one of its files to the next, for those that are soon worked out
+constexpr double kWriteS = 0.0008;  // so long is the shortest of them written
+constexpr double kLookS = 0.0001;
 
 int kills() {
     const char* wanted = std::getenv("ONGGI_KILLS");
@@ -63,10 +69,11 @@ class Life {
     [[nodiscard]] RunningOnggi& program() { return onggi_; }
     // At most a minute: a software driver under a sanitizer takes ten seconds to its first frame.
     template <typename Condition>
-    bool until(Condition&& condition) {
-        for (int look = 0; look < 1200 && onggi_.at_work(); ++look) {
+    bool until(Condition&& condition, double look_s = 0.05) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        while (onggi_.at_work() && std::chrono::steady_clock::now() < end) {
             if (condition()) return true;
-            pause_s(0.05);
+            pause_s(look_s);
         }
         return condition();
     }
@@ -120,28 +127,55 @@ class Life {
     RunningOnggi onggi_;
 };
 
-enum class Moment { kThrowing, kThrewOn, kSaving, kAnything };
+enum class Moment { kStarting, kThrowing, kThrewOn, kAnything, kSaving };
+// Half of all fall into saving, which is over in no time.
+constexpr std::array kMoments{Moment::kStarting, Moment::kThrowing, Moment::kThrewOn, Moment::kAnything,
+                              Moment::kSaving,   Moment::kSaving,   Moment::kSaving,  Moment::kSaving};
+
+// Where the kills while saving fell.
+struct SavingKills {
+    std::map<stress::Stage, int> at;
+    int with_a_nameless_file = 0;
+
+    [[nodiscard]] int between_files() const {
+        int count = 0;
+        for (const auto& [stage, kills] : at)
+            if (stage != stress::Stage::kNothing && stage != stress::Stage::kKept) count += kills;
+        return count;
+    }
+    [[nodiscard]] std::string words() const {
+        std::string all;
+        for (const auto& [stage, kills] : at)
+            all += fmt::format("; {} {}", kills, stress::name_of(stage));
+        return all +
+               fmt::format("; {} with a file of the pot open that had no name yet", with_a_nameless_file);
+    }
+};
 
 class RealKiosk : public testing::Test {
   protected:
     RealKiosk() {
         std::ofstream(folder / "kiosk.toml")
             << "[languages]\nfirst = \"en\"\n[haptics]\nrate_hz = 1000\n[gallery]\nleast_free_mb = 1\n";
+        parameters.set_rate_hz(kRateHz);
+        parameters.studio.forgiving = true;  // as the kiosk's clay is
     }
     double any(double least, double most) {
         return std::uniform_real_distribution<double>(least, most)(chance);
     }
-    // From the first touch to the moment at which it dies.
-    void visit(Life& life, Moment moment, bool is_offered) {
+    // From the start to the moment at which it dies; `offered` is what the life before had left.
+    void visit(Life& life, Moment moment, const stress::Found& offered) {
+        if (moment == Moment::kStarting) return pause_s(any(0.0, kStartS));
         ASSERT_TRUE(life.comes_to("attract")) << life.program().printed();
-        if (is_offered) {
+        if (offered.is_any) {
             ASSERT_TRUE(life.says("interrupted visit: ")) << life.program().printed();
         }
         life.click(kWidth / 2, kHeight / 2);
-        if (is_offered) {
+        if (offered.is_any) {
             ASSERT_TRUE(life.comes_to("resume")) << "the pot that was left is not offered";
             pause_s(0.6);
-            life.press(chance() % 2 == 0 ? "resume resume-go" : "resume resume-fresh");
+            went_on = chance() % 2 == 0;
+            life.press(went_on ? "resume resume-go" : "resume resume-fresh");
         } else {
             ASSERT_TRUE(life.comes_to("choose"));
             pause_s(0.6);
@@ -163,52 +197,79 @@ class RealKiosk : public testing::Test {
         life.press("glaze-0 take-glaze");
         ASSERT_TRUE(life.comes_to("your-pot"));
         pause_s(0.4);
-        life.press("your-pot keep");
-        pause_s(any(0.0, 4.0));
+        keep(life);
     }
+    // Until a moment after a file that chance has picked is there, or is being written. Its portrait is
+    // painted before anything is written, which takes a thousand times longer than any file.
+    void keep(Life& life) {
+        const auto wanted = static_cast<stress::Stage>(chance() % stress::kStages);
+        const bool while_written = chance() % 2 == 0;
+        const int process = life.program().process();
+        life.press("your-pot keep");
+        if (wanted == stress::Stage::kNothing) return pause_s(any(0.0, kPortraitS));
+        const auto stage = [&] { return stress::stage_of(gallery(), pots.size()); };
+        ASSERT_TRUE(life.until([&] { return stage() >= wanted; }, kLookS)) << life.program().printed();
+        if (while_written)
+            life.until([&] { return stage() > wanted || stress::is_writing_a_pot(process); }, kLookS);
+        pause_s(any(0.0, while_written ? kWriteS : kFileS));
+        saving.with_a_nameless_file += stress::is_writing_a_pot(process) ? 1 : 0;
+    }
+    [[nodiscard]] std::filesystem::path gallery() const { return folder / "gallery"; }
 
     test::TemporaryFolder folder;
     std::mt19937 chance{static_cast<unsigned>(20261122 + kills())};
+    const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
+    haptic::HapticParameters parameters;
+    std::set<std::string> pots;  // whole ones, as the last life left them
+    SavingKills saving;
+    bool went_on = false;  // with what it was offered
 };
 
 TEST_F(RealKiosk, KilledAtAnyMomentLeavesPotsWholeAndOffersTheVisitAgain) {
-    const fs::path gallery = folder / "gallery";
-    const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
-    haptic::HapticParameters parameters;
-    parameters.set_rate_hz(kRateHz);
-    parameters.studio.forgiving = true;  // as the kiosk's clay is
-    std::set<std::string> pots;
-    bool is_offered = false;
+    stress::Found left;
     int offered = 0;
     std::map<Moment, int> died;
     for (int kill = 0; kill < kills(); ++kill) {
         // Those of ./check: one while throwing, and one while saving who saw the first one's pot offered.
         const auto moment = kill == 0   ? Moment::kThrewOn
                             : kill == 1 ? Moment::kSaving
-                                        : static_cast<Moment>(chance() % 4);
+                                        : kMoments[chance() % kMoments.size()];
+        const stress::Found before = left;
+        went_on = false;
         Life life(folder.path());
-        visit(life, moment, is_offered);
-        offered += is_offered ? 1 : 0;
+        visit(life, moment, before);
+        offered += before.is_any && moment != Moment::kStarting ? 1 : 0;
         ++died[moment];
         life.kill();
-        stress::expect_whole_pots(gallery, pots);
-        const auto found = stress::expect_whole_visit(gallery, folder / "copy", start, parameters);
-        is_offered = found.is_any;
+        const stress::Stage stage = stress::stage_of(gallery(), pots.size());
+        if (moment == Moment::kSaving) ++saving.at[stage];
+        const std::size_t kept_before = pots.size();
+        stress::expect_whole_pots(gallery(), pots);
+        EXPECT_EQ(pots.size(), kept_before + (stage == stress::Stage::kKept ? 1 : 0));
+        left = stress::expect_whole_visit(gallery(), folder / "copy", start, parameters);
         if (moment == Moment::kThrewOn) {
-            EXPECT_TRUE(found.is_any) << "what was thrown for so long is lost";
+            EXPECT_TRUE(left.is_any) << "what was thrown for so long is lost";
+        }
+        if (moment == Moment::kSaving && stage != stress::Stage::kKept) {
+            EXPECT_TRUE(left.is_any) << "neither a pot nor a visit";
+        }
+        if ((moment == Moment::kStarting && before.is_any) || (went_on && stage != stress::Stage::kKept)) {
+            EXPECT_GE(left.ticks, before.ticks) << "what waited to be picked up is lost";
         }
         if (HasFailure())
-            FAIL() << "at kill " << kill + 1 << ", moment " << static_cast<int>(moment) << ":\n"
+            FAIL() << "at kill " << kill + 1 << ", moment " << static_cast<int>(moment) << ", "
+                   << stress::name_of(stage) << ":\n"
                    << life.program().printed();
     }
     std::printf(
-        "%d kills: %d while throwing, %d after throwing for long, %d while saving, %d elsewhere; %zu "
-        "pots whole, %d visits offered again\n",
-        kills(), died[Moment::kThrowing], died[Moment::kThrewOn], died[Moment::kSaving],
-        died[Moment::kAnything], pots.size(), offered);
+        "%d kills: %d while starting, %d while throwing, %d after throwing for long, %d elsewhere; %d while "
+        "saving%s. %zu pots whole, %d visits offered again\n",
+        kills(), died[Moment::kStarting], died[Moment::kThrowing], died[Moment::kThrewOn],
+        died[Moment::kAnything], died[Moment::kSaving], saving.words().c_str(), pots.size(), offered);
     EXPECT_GT(offered, 0) << "nothing was proved";
     if (kills() >= 40) {
         EXPECT_GT(pots.size(), 0U);
+        EXPECT_GT(saving.between_files(), kills() / 10) << "too few fell while a pot was written";
     }
 }
 
