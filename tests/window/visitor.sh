@@ -2,7 +2,8 @@
 # A visitor at the window, with any hand, in any language. Sourced, never run, with ONGGI TARGETS FOLDER [HAND [LANGUAGE
 # [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a picture of each
 # screen there. TARGETS: the program screen_targets, which knows where the buttons are. HAND: mouse, touch, keys or switch
-# (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does.
+# (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN likewise; CAGED:
+# a compositor has opened a display already.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 onggi=$1
 targets=$2
@@ -23,11 +24,13 @@ lay_out "$language"
 kiosk=
 server=
 trap 'kill $kiosk $server 2>/dev/null || true' EXIT
-open_display . "$size"
+[ -n "${CAGED:-}" ] || open_display . "$size"
 
 cat >kiosk.toml <<TOML
 [languages]
 first = "$language"
+[screen]
+full_screen = ${FULL_SCREEN:-false}
 [visit]
 forgiving = ${FORGIVING:-true}
 [gallery]
@@ -57,7 +60,10 @@ on_screen() {
     wait_for "screen '$1'" xdotool search --name "^Onggi - $1( .[0-9]+.)?\$"
     sleep 0.6
     shot=$((shot + 1))
-    command -v import >/dev/null && import -window root "$(printf '%02d' "$shot")-$1.png" || true
+    # The root of Xwayland is empty.
+    local seen=root
+    [ -z "${CAGED:-}" ] || seen=$(xdotool search --name '^Onggi' | tail -1)
+    command -v import >/dev/null && import -window "$seen" "$(printf '%02d' "$shot")-$1.png" || true
 }
 shot=0
 throwing=throw-0  # as the layout calls it: with one switch there are more targets on it
