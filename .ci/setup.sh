@@ -14,7 +14,7 @@ packages_to_run=(
 packages_to_check=(
     clang-14 clang-format-14 libclang-rt-14-dev glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
     xvfb xdotool libx11-dev umockdev libumockdev-dev admesh git
-    systemd)
+    systemd cage xwayland)
 packages_for_web=(chromium)
 
 # install_packages NAME...: installs those that are missing, after saying so.

@@ -27,19 +27,19 @@ RendererDesc still_desc(VkFormat colour_format) {
 RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px) {
     if (!device_is_cpu) return still_desc(colour_format);
     const bool is_large = height_px > 800;
-    return {.colour_format = colour_format,
-            .samples = 1,
-            .cached = true,
-            .shades_on_host = true,
-            .transfer = Transfer::kSquareRoot,
-            .lights_movers_at_vertices = true,
-            .sectors = is_large ? 72 : 48,
-            .sector_error_px = 0.35F,
-            // More rows than pixels in two of them would be grooves finer than a pixel, which the normals show.
-            .max_rings = is_large ? 128 : 72,
-            .ring_error_px = 0.25F,  // a finer line would not be seen
-            .slip_across = is_large ? 512 : 256,
-            .slip_up = is_large ? 256 : 128};
+    return {
+        .colour_format = colour_format,
+        .samples = 1,
+        .cached = true,
+        .shades_on_host = true,
+        .transfer = Transfer::kSquareRoot,
+        .lights_movers_at_vertices = true,
+        .sectors = is_large ? 72 : 48,
+        .sector_error_px = 0.35F,
+        .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which its normals show
+        .ring_error_px = 0.25F,            // a finer line would not be seen
+        .slip_across = is_large ? 512 : 256,
+        .slip_up = is_large ? 256 : 128};
 }
 
 // What an overlay lies on; or covers, drawn because it will be seen when the overlay has begun to fade.
