@@ -70,7 +70,9 @@ void HostFrame::record_covered(const FrameContext& frame, const vk::TargetImage&
                                const PaintedOverlay& overlay, bool scene_is_drawn) {
     constexpr std::uint64_t kCovered = ~std::uint64_t{0};  // no picture's number
     no_picture_.assign(grid_of(frame).count(), kCovered);
-    targets_.held_by(target).take_work({.picture = no_picture_, .overlay = overlay.content()}, work_);
+    HeldTiles& held = targets_.held_by(target);
+    if (scene_is_drawn) held.forget();
+    held.take_work({.picture = no_picture_, .overlay = overlay.content()}, work_);
     begin_copies(frame, target, scene_is_drawn ? vk::state::kColour : left_in(target));
     copy(frame, overlay.painted(), work_.laid_over, target);
     end_copies(frame, target);

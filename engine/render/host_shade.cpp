@@ -52,9 +52,12 @@ Result<void> HostShade::fit(const FrameContext& frame) {
     return {};
 }
 
+bool HostShade::is_wide_enough() const {
+    return extent_.width >= static_cast<std::uint32_t>(kShadeBlockPx);
+}
+
 void HostShade::read_layers(const FrameContext& frame) {
-    const bool is_wide_enough = extent_.width >= static_cast<std::uint32_t>(kShadeBlockPx);
-    if (state_ != State::kNothing || !is_wide_enough) return;
+    if (state_ != State::kNothing || !is_wide_enough()) return;
     copy_to_host(frame, frame.images.still_key, with_key_);
     copy_to_host(frame, frame.images.still_ambient, without_key_);
     copy_to_host(frame, frame.images.still_coords, places_);

@@ -20,8 +20,10 @@ class HostShade {
     Result<void> fit(const FrameContext& frame);
     // The layers are drawn anew.
     void forget() { state_ = State::kNothing; }
+    // A picture may be so narrow that nobody sees what is in it.
+    [[nodiscard]] bool is_wide_enough() const;
     // Copies the layers, which have been drawn, to where the host reads them, unless they are there. Not
-    // those of a picture so narrow that nobody sees what is in it.
+    // those of a picture that is not wide enough.
     void read_layers(const FrameContext& frame);
 
     // The device is idle. True when the layers are here and `shadow` has been laid over them, which takes

@@ -42,7 +42,9 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
         .slip_up = is_large ? 256 : 128};
 }
 
-// What an overlay lies on; or covers, drawn because it will be seen when the overlay has begun to fade.
+// What an overlay lies on; or covers, drawn because it will be seen when the overlay has begun to fade, or
+// because much of it is another than before: what takes several frames' time is done before anybody waits for
+// it.
 enum class Under { kScene, kCoveredScene, kRestingScene, kNothing };
 
 bool draws_scene(Under under) {
@@ -54,7 +56,8 @@ struct Renderer::Impl {
 
     Result<void> create();
     Result<void> fit_to(const Scene& scene, VkExtent2D extent);
-    Under look_under(const Overlay* wanted);
+    Under look_under(const Scene& scene, const Overlay* wanted);
+    bool is_prepared(const Scene& scene) const;
     Result<void> fit_overlay(const Overlay* wanted);
     void upload(const Scene& scene);
     Result<void> record_painted(const Scene& scene, const vk::TargetImage& target, Under under);
@@ -154,12 +157,19 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
     return movers.fit(frame, scene);
 }
 
-Under Renderer::Impl::look_under(const Overlay* wanted) {
+// Whether the next frame of it takes no longer than any other.
+bool Renderer::Impl::is_prepared(const Scene& scene) const {
+    if (!frame.desc.shades_on_host || !is_cached(scene)) return true;
+    return still.shows(frame, scene) && shadow.is_ready();
+}
+
+Under Renderer::Impl::look_under(const Scene& scene, const Overlay* wanted) {
     const bool covers = wanted != nullptr && wanted->covers;
     will_rest = frame.desc.shades_on_host && wanted != nullptr && wanted->scene_rests;
     if (!will_rest) {
         resting.forget();
-        return covers ? Under::kNothing : Under::kScene;
+        if (!covers) return Under::kScene;
+        return is_prepared(scene) ? Under::kNothing : Under::kCoveredScene;
     }
     const HostShade* const shaded = shadow.host_shade();
     const bool is_here = shaded != nullptr && resting.take(*shaded);
@@ -314,7 +324,7 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     std::vector<PassTime> parts = std::move(impl_->frame.stats.parts);
     const double device_ms = impl_->clock.read(impl_->frame.device, parts);  // the target has waited for it
     if (auto fitted = impl_->fit_to(scene, image.extent); !fitted) return fitted.error();
-    const Under under = impl_->look_under(overlay);
+    const Under under = impl_->look_under(scene, overlay);
     if (draws_scene(under)) impl_->upload(scene);
     impl_->frame.stats.device_ms = device_ms;
     impl_->frame.stats.parts = std::move(parts);

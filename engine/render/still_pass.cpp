@@ -1,6 +1,13 @@
 #include "engine/render/still_pass.h"
 
 namespace onggi::render {
+namespace {
+
+std::uint64_t hash_of(const FrameContext& frame, const Scene& scene) {
+    return still_hash(scene, static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height));
+}
+
+}  // namespace
 
 void StillPass::bind_placeholders(const FrameContext& frame) {
     // No direct shader reads the layers, and Vulkan lets such bindings stay empty; lavapipe 22.3 follows them
@@ -42,9 +49,12 @@ Result<void> StillPass::fit(const FrameContext& frame, const Scene& scene) {
     return {};
 }
 
+bool StillPass::shows(const FrameContext& frame, const Scene& scene) const {
+    return has_layers_ && drawn_ == hash_of(frame, scene);
+}
+
 void StillPass::update(FrameContext& frame, const Scene& scene) {
-    const std::uint64_t now =
-        still_hash(scene, static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height));
+    const std::uint64_t now = hash_of(frame, scene);
     is_gliding_ = scene.glide.has_value();
     const bool is_day = scene.levels.ambient == vec3(1.0F) && scene.levels.key == 1.0F;
     const bool is_alone = is_gliding_ && scene.glide->share == 0.0F;

@@ -24,6 +24,9 @@ class StillPass {
     // Decides whether the layers have to be drawn again, and notes it in the stats.
     void update(FrameContext& frame, const Scene& scene);
 
+    // Cached: whether the layers show this scene.
+    [[nodiscard]] bool shows(const FrameContext& frame, const Scene& scene) const;
+
     // The still life's shadow map, and the layers when cached, if update() asked for them.
     void record(const FrameContext& frame);
     // Cached: the picture whole into the target; its depth where something moves.

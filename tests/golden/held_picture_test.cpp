@@ -196,5 +196,36 @@ TEST_F(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
     EXPECT_LE(furthest(shown->read_back().value(), scene), kMaskStep) << "as it was under the screen";
 }
 
+// Whatever has changed while nobody saw it is drawn by then.
+TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
+    ui::DrawList wall;
+    wall.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, {.g = 0.5F});
+    const render::Overlay over{.list = &wall, .atlas_side_px = kAtlasSidePx, .covers = true};
+    auto drawn = renderer();
+    auto shown = target();
+    draw(*drawn, *shown, 0.0, over);
+    draw(*drawn, *shown, 0.0, over);
+    const auto covered = shown->read_back().value();
+    render::Scene dimmed = opened_.scene->apply(pulling_.pot(), kWidth, kHeight);
+    dimmed.levels.key = 0.6F;
+    const auto show = [&](const render::Overlay* overlay) {
+        const auto made = drawn->draw(dimmed, *shown, overlay);
+        ASSERT_TRUE(made && *made);
+        ASSERT_TRUE(shown->wait());
+    };
+    for (int frame = 0; frame < 4; ++frame) {
+        show(&over);
+        EXPECT_EQ(drawn->stats().still_life_drawn, frame == 0);
+        EXPECT_EQ(furthest(shown->read_back().value(), covered), 0) << frame;
+    }
+    show(nullptr);
+    EXPECT_FALSE(drawn->stats().still_life_drawn);
+    auto fresh = renderer();
+    auto other = target();
+    for (int frame = 0; frame < 4; ++frame)
+        ASSERT_TRUE(fresh->draw(dimmed, *other, nullptr).value() && other->wait());
+    EXPECT_LE(furthest(shown->read_back().value(), other->read_back().value()), kMaskStep);
+}
+
 }  // namespace
 }  // namespace onggi::golden

@@ -1,6 +1,6 @@
-// node three_frame.mjs POT.glb WIDTH HEIGHT FRAMES: three.js's MeshStandardMaterial in Debian's Chromium, headless and in
-// software, one light, plain background, read back. Prints the milliseconds of each frame, one a line. Takes three and
-// playwright-core from tests/web (npm ci there).
+// node three_frame.mjs POT.glb WIDTH HEIGHT FRAMES [room]: three.js's MeshStandardMaterial in Debian's Chromium, headless
+// and in software, one light, with `room` also the filtered light of one (PMREM), plain background, read back. Prints the
+// milliseconds of each frame, one a line. Takes three and playwright-core from tests/web (npm ci there).
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
@@ -8,7 +8,8 @@ import { fileURLToPath } from 'node:url';
 
 const web = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../web');
 const { chromium } = createRequire(path.join(web, 'package.json'))('playwright-core');
-const [pot, width, height, frames] = process.argv.slice(2);
+const [pot, width, height, frames, room] = process.argv.slice(2);
+if (room !== undefined && room !== 'room') throw new Error(`expected room or nothing, found ${room}`);
 const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
     '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 const PAGE = `<!doctype html><canvas id="c" width="${width}" height="${height}"></canvas>
@@ -16,6 +17,7 @@ const PAGE = `<!doctype html><canvas id="c" width="${width}" height="${height}">
 <script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 const renderer = new THREE.WebGLRenderer({ canvas: document.getElementById('c'), antialias: false });
 renderer.setSize(${width}, ${height}, false);
 const scene = new THREE.Scene();
@@ -23,6 +25,7 @@ scene.background = new THREE.Color(0.2, 0.18, 0.16);
 const light = new THREE.DirectionalLight(0xffffff, 3);
 light.position.set(-0.74, 0.6, 0.4);
 scene.add(light);
+if (${room === 'room'}) scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
 const camera = new THREE.PerspectiveCamera(26.99, ${width} / ${height}, 0.1, 5);
 camera.position.set(0, 0.285, 0.805);
 camera.lookAt(0, 0.082, 0);
