@@ -64,7 +64,9 @@ struct Renderer::Impl {
     Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
     Result<void> record_cached(const Scene& scene, const vk::TargetImage& target);
-    void record_direct(const Scene& scene, const vk::TargetImage& target);
+    Result<void> record_direct(const Scene& scene, const vk::TargetImage& target);
+
+    Result<void> note_rest(const vk::TargetImage& target, const HostShade* shaded);
 
     [[nodiscard]] bool is_cached(const Scene& scene) const { return frame.desc.cached && !scene.glide; }
     void enter(const char* part) { clock.enter(frame.device, frame.commands, part); }
@@ -171,8 +173,7 @@ Under Renderer::Impl::look_under(const Scene& scene, const Overlay* wanted) {
         if (!covers) return Under::kScene;
         return is_prepared(scene) ? Under::kNothing : Under::kCoveredScene;
     }
-    const HostShade* const shaded = shadow.host_shade();
-    const bool is_here = shaded != nullptr && resting.take(*shaded);
+    const bool is_here = resting.take(shadow.host());
     if (covers) return is_here ? Under::kNothing : Under::kCoveredScene;
     return is_here ? Under::kRestingScene : Under::kScene;
 }
@@ -223,12 +224,10 @@ Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetI
     vkCmdEndRendering(frame.commands);
     enter("outlines");
     edges.record(frame, target);
-    if (shaded == nullptr || !will_rest) return {};
-    enter("resting scene");
-    return resting.record_reading(frame, target, *shaded);
+    return note_rest(target, shaded);
 }
 
-void Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& target) {
+Result<void> Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& target) {
     const VkCommandBuffer commands = frame.commands;
     const FrameImages& images = frame.images;
     vk::barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, vk::state::kDiscard, vk::state::kColour);
@@ -252,9 +251,17 @@ void Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& ta
         still.draw(frame);
     }
     vkCmdEndRendering(commands);
-    if (!frame.desc.cached) return;
+    if (!frame.desc.cached) return {};
     enter("outlines");
     edges.record(frame, target);
+    return note_rest(target, nullptr);
+}
+
+// Everything but the overlay is drawn.
+Result<void> Renderer::Impl::note_rest(const vk::TargetImage& target, const HostShade* shaded) {
+    if (!will_rest) return {};
+    enter("resting scene");
+    return resting.record_reading(frame, target, shaded);
 }
 
 Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& target) {
@@ -268,8 +275,7 @@ Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetIm
     enter("shadow mask");
     shadow.record(frame);
     if (is_cached(scene)) return record_cached(scene, target);
-    record_direct(scene, target);
-    return {};
+    return record_direct(scene, target);
 }
 
 // The device is the processor: most of the overlay is in the target already, with what lies under it.

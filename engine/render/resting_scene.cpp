@@ -8,23 +8,27 @@
 namespace onggi::render {
 
 Result<void> RestingScene::record_reading(const FrameContext& frame, const vk::TargetImage& target,
-                                          const HostShade& shade) {
+                                          const HostShade* shade) {
     if (state_ != State::kNothing || !target.can_be_read) return {};
-    grid_ = shade.tiles().grid();
-    if (picture_.size() != shade.shaded().size()) {
+    grid_ = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
+    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
+    if (picture_.size() != bytes) {
         auto picture = vk::Buffer::create(
             frame.device, {.name = "resting scene",
-                           .size = shade.shaded().size(),
+                           .size = bytes,
                            .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                            .use = vk::MemoryUse::kReadback});
         if (!picture) return picture.error();
         picture_ = std::move(*picture);
     }
-    const std::vector<std::uint8_t>& moving = frame.built.moving_tiles;
-    stands_still_.assign(grid_.count(), 0);
-    std::transform(moving.begin(), moving.end(), stands_still_.begin(),
-                   [](std::uint8_t moves) { return static_cast<std::uint8_t>(moves == 0); });
-    rects_of_tiles(grid_, moving, rects_);
+    is_shaded_.assign(grid_.count(), 0);
+    is_drawn_.assign(grid_.count(), 1);
+    if (shade != nullptr) {
+        is_drawn_ = frame.built.moving_tiles;
+        std::transform(is_drawn_.begin(), is_drawn_.end(), is_shaded_.begin(),
+                       [](std::uint8_t drawn) { return static_cast<std::uint8_t>(drawn == 0); });
+    }
+    rects_of_tiles(grid_, is_drawn_, rects_);
     if (!rects_.empty()) {
         rows_in_buffer(rects_, frame.extent.width, regions_);
         constexpr VkImageAspectFlags kAspect = VK_IMAGE_ASPECT_COLOR_BIT;
@@ -44,7 +48,7 @@ bool RestingScene::take(const HostShade& shade) {
         const auto width = static_cast<std::size_t>(grid_.width_px);
         const auto from = shade.shaded().as<const std::uint32_t>();
         const auto into = picture_.as<std::uint32_t>();
-        rects_of_tiles(grid_, stands_still_, rects_);
+        rects_of_tiles(grid_, is_shaded_, rects_);
         for (const PixelRect& rect : rects_) {
             for (int y = rect.y; y < rect.y + rect.height; ++y) {
                 const std::size_t first =

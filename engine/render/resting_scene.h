@@ -15,10 +15,11 @@ namespace onggi::render {
 class RestingScene {
   public:
     void forget() { state_ = State::kNothing; }
-    // The scene has been drawn into the target, which is laid out as colour, and nothing over it: copies what
-    // is not the shaded still life to where the host reads it.
+    // The scene has been drawn into the target, which is laid out as colour, and nothing over it: copies it
+    // to where the host reads it, but for what was shaded there and nothing was drawn over (null: it was
+    // not).
     Result<void> record_reading(const FrameContext& frame, const vk::TargetImage& target,
-                                const HostShade& shade);
+                                const HostShade* shade);
     // Whether the scene is here. The device is idle, and nothing has been shaded since it was read.
     [[nodiscard]] bool take(const HostShade& shade);
     [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
@@ -31,7 +32,8 @@ class RestingScene {
     vk::Buffer picture_;
     std::vector<std::uint64_t> numbers_;
     std::uint64_t last_number_ = 0;
-    std::vector<std::uint8_t> stands_still_;  // one entry a tile
+    std::vector<std::uint8_t> is_shaded_;  // by the host, and nothing over it; one entry a tile
+    std::vector<std::uint8_t> is_drawn_;   // the others
     std::vector<PixelRect> rects_;
     std::vector<VkBufferImageCopy> regions_;
 };

@@ -22,6 +22,7 @@ class ShadowPass {
     // Cached: what the processor shaded; null if it does not shade this frame. Then the caller copies the
     // still life, and draw_shade() inside a pass, before whatever moves, lays the shade over it.
     [[nodiscard]] const HostShade* host_shade() const { return host_shades_ ? &host_ : nullptr; }
+    [[nodiscard]] const HostShade& host() const { return host_; }
     // False as long as the processor has not got this still life's layers but is about to.
     [[nodiscard]] bool is_ready() const { return host_shades_ || !host_.is_wide_enough(); }
     void draw_shade(const FrameContext& frame) const;
