@@ -19,6 +19,12 @@ enum class QualityStep {
 };
 [[nodiscard]] std::string_view quality_name(QualityStep step);  // "one software core"
 
+// Whether a camera on its way is drawn as quickly as one at rest: a software core draws all of the room anew
+// then, at four times the cost.
+[[nodiscard]] constexpr bool has_time_for_moving_camera(QualityStep step) {
+    return step >= QualityStep::kIntegratedGpu;
+}
+
 // What a step asks of the renderer, for a picture of this height.
 [[nodiscard]] RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_px);
 

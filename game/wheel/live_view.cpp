@@ -20,6 +20,7 @@ struct LiveView::Impl {
     std::string workshop_lack;
     std::vector<window::Event> fed;
     bool close_requested = false;
+    bool may_sway = false;
 
     PlateLoader plates;
     window::Size plates_for{};  // the shape that was last asked for
@@ -108,6 +109,7 @@ void LiveView::Impl::follow_shape() {
 Result<bool> LiveView::Impl::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
     if (width() == 0 || height() == 0) return false;
     follow_shape();
+    scene->sway(may_sway && render::has_time_for_moving_camera(screen->quality()));
     return screen->draw(scene->apply(pot, width(), height(), dt_s), overlay, dt_s);
 }
 
@@ -178,7 +180,7 @@ void LiveView::jump() {
     impl_->scene->jump();
 }
 void LiveView::sway(bool sways) {
-    impl_->scene->sway(sways);
+    impl_->may_sway = sways;
 }
 void LiveView::set_evening(double evening) {
     impl_->scene->set_evening(evening);

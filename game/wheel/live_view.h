@@ -64,7 +64,8 @@ class LiveView {
     Result<bool> draw(const PotView& pot, double dt_s = 1.0 / 60.0, const render::Overlay* overlay = nullptr);
 
     // The camera goes to another view; it sways slowly while nobody throws; day becomes evening, 0 to 1. Each
-    // takes about a second, and needs the photographed room; without it only the evening is seen.
+    // takes about a second, and needs the photographed room; without it only the evening is seen. It sways
+    // only where it is drawn as smoothly as it stands still: not on a processor.
     void look_at(View view);
     void set_framing(const Framing& framing);
     void sway(bool sways);

@@ -29,6 +29,20 @@ TEST(LiveView, DrawsFramesIntoMemoryWithoutADisplay) {
     }
 }
 
+// There a moving camera costs four frames' time.
+TEST(LiveView, KeepsItsCameraStillOnAProcessor) {
+    auto view = LiveView::open({.width = 320, .height = 180, .headless = true, .validation = true});
+    ASSERT_TRUE(view) << view.error().message;
+    const std::vector<float> radii(500, 60.0F);
+    (*view)->sway(true);
+    for (int frame = 0; frame < 8; ++frame) {
+        ASSERT_TRUE((*view)->draw({.radii_mm = radii}, 0.5));
+        if (frame >= 4) {
+            EXPECT_FALSE((*view)->frame_stats().still_life_drawn) << frame;
+        }
+    }
+}
+
 TEST(LiveView, TakesPotsOfAnyNumberOfElementsOneAfterAnother) {
     auto view = LiveView::open({.width = 160, .height = 120, .headless = true, .validation = true});
     ASSERT_TRUE(view) << view.error().message;
