@@ -21,6 +21,8 @@ concept PacerClock = requires(T clock, std::int64_t time_ns) {
     noexcept;
 };
 
+inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+
 class MonotonicClock {
   public:
     [[nodiscard]] static std::int64_t now_ns() noexcept {
@@ -43,9 +45,17 @@ class MonotonicClock {
         asm volatile("yield");
 #endif
     }
+};
 
-  private:
-    static constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+// What the calling thread has had of a processor, without its waits, ns: by how much it grows is what work
+// has cost.
+class ThreadClock {
+  public:
+    [[nodiscard]] static std::int64_t now_ns() noexcept {
+        timespec now{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return std::int64_t{now.tv_sec} * kNsPerSecond + now.tv_nsec;
+    }
 };
 
 }  // namespace onggi::jobs

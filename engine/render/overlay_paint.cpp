@@ -83,6 +83,7 @@ struct Shading {
 
 void lay_shaded(const Shading& shading, const Span& span) {
     constexpr Floats kSteps{0.0F, 1.0F, 2.0F, 3.0F};
+    const Floats kMost = Floats{} + 255.0F;
     std::array<Floats, 4> value;
     std::array<Floats, 4> step;
     for (std::size_t byte = 0; byte < 4; ++byte) {
@@ -91,10 +92,13 @@ void lay_shaded(const Shading& shading, const Span& span) {
     }
     lay_row(span.pixels, span.count, [&](std::size_t, std::size_t) {
         Words over{};
+        const Floats alpha = value[3] < kMost ? value[3] : kMost;
         for (std::size_t byte = 0; byte < 4; ++byte) {
-            // Rounding must not leave a colour above its alpha.
-            const Floats least = value[byte] < value[3] ? value[byte] : value[3];
-            over |= std::bit_cast<Words>(__builtin_convertvector(least, Ints)) << (8 * byte);
+            // Rounding, or a sliver's steep plane, must not leave a colour above its alpha, nor a byte its
+            // place.
+            const Floats least = value[byte] < alpha ? value[byte] : alpha;
+            const Floats kept = least > Floats{} ? least : Floats{};
+            over |= std::bit_cast<Words>(__builtin_convertvector(kept, Ints)) << (8 * byte);
             value[byte] += step[byte];
         }
         return over;
@@ -132,8 +136,9 @@ Floats bytes_of(std::uint32_t rgba) {
 
 // The first pixel whose middle lies at or after this.
 int first_pixel(float edge, int least, int most) {
+    // In this order what is no number is the least.
     return static_cast<int>(
-        std::clamp(std::ceil(edge - 0.5F), static_cast<float>(least), static_cast<float>(most)));
+        std::min(std::max(static_cast<float>(least), std::ceil(edge - 0.5F)), static_cast<float>(most)));
 }
 
 // Where the overlay is painted, and how far.

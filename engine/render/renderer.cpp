@@ -84,6 +84,7 @@ struct Renderer::Impl {
     HostFrame host_frame;
     RestingScene resting;
     bool will_rest = false;  // this frame's overlay says that the scene may
+    Under drawn_under = Under::kNothing;
 };
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -329,10 +330,13 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     const vk::TargetImage& image = **begun;
     std::vector<PassTime> parts = std::move(impl_->frame.stats.parts);
     const double device_ms = impl_->clock.read(impl_->frame.device, parts);  // the target has waited for it
+    const bool drew_scene = impl_->drawn_under == Under::kScene;
     if (auto fitted = impl_->fit_to(scene, image.extent); !fitted) return fitted.error();
     const Under under = impl_->look_under(scene, overlay);
+    impl_->drawn_under = under;
     if (draws_scene(under)) impl_->upload(scene);
     impl_->frame.stats.device_ms = device_ms;
+    impl_->frame.stats.device_drew_scene = drew_scene;
     impl_->frame.stats.parts = std::move(parts);
     if (auto fitted = impl_->fit_overlay(overlay); !fitted) return fitted.error();
     if (auto recorded = impl_->record(scene, image, under); !recorded) return recorded.error();

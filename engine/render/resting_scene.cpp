@@ -1,7 +1,6 @@
 #include "engine/render/resting_scene.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "engine/vk/readback.h"
 

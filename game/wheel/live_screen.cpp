@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "engine/jobs/clock.h"
 #include "engine/jobs/thread_setup.h"
 
 namespace onggi::wheel {
@@ -179,17 +180,23 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
 #ifdef ONGGI_SHADER_RELOAD
     if (auto followed = follow_edited_shaders(); !followed) return mend(followed.error(), scene, overlay);
 #endif
+    const double host_ms_before = std::exchange(host_ms_, 0.0);
+    const std::int64_t began_ns = jobs::ThreadClock::now_ns();
     auto drawn = draw_once(scene, overlay);
     if (!drawn) return mend(drawn.error(), scene, overlay);
     if (!*drawn) return drawn;
+    if (device_class(device_->description()) == render::DeviceClass::kSoftware) {
+        host_ms_ = static_cast<double>(jobs::ThreadClock::now_ns() - began_ns) * 1e-6;
+    }
     ++good_frames_;
     // By then a software driver has compiled what its frames need.
     constexpr int kCompiledFrames = 120;
     if (++frames_of_renderer_ == kCompiledFrames) jobs::give_back_compiler();
-    const double took_ms = renderer_->stats().device_ms;
     // A moving camera costs a software core more than a picture at rest, for a second: no reason to change.
-    const bool is_measured = took_ms > 0.0 && !scene.glide;
-    if (is_measured && ladder_.frame(took_ms, dt_s)) {
+    // Nor is it one to do better that a screen is shown which covers the scene.
+    const render::FrameStats& stats = renderer_->stats();
+    const bool is_measured = stats.device_ms > 0.0 && stats.device_drew_scene && !scene.glide;
+    if (is_measured && ladder_.frame(stats.device_ms + host_ms_before, dt_s)) {
         if (auto waited = target().wait(); !waited) return mend(waited.error(), scene, overlay);
         if (auto made = make_renderer(); !made) return mend(made.error(), scene, overlay);
         remarks_.push_back(

@@ -246,8 +246,11 @@ TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
         EXPECT_EQ(drawn->stats().still_life_drawn, frame == 0);
         EXPECT_EQ(furthest(shown->read_back().value(), covered), 0) << frame;
     }
+    EXPECT_FALSE(drawn->stats().device_drew_scene) << "a screen alone says nothing of the machine";
     show(nullptr);
     EXPECT_FALSE(drawn->stats().still_life_drawn);
+    show(nullptr);
+    EXPECT_TRUE(drawn->stats().device_drew_scene);
     auto fresh = renderer();
     auto other = target();
     for (int frame = 0; frame < 4; ++frame)

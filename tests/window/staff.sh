@@ -4,6 +4,7 @@
 # last a window that is not locked, which closes like any. It brings a display of its own and leaves pictures in FOLDER.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 onggi=$1
 ask=$2
 rm -rf "$3"
@@ -33,18 +34,6 @@ TOML
 start() {
     "$onggi" kiosk --config kiosk.toml --size 1280x720 "$@" >>kiosk.log 2>&1 &
     kiosk=$!
-}
-fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
-# wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
-wait_for() {
-    local what=$1
-    shift
-    for _ in $(seq 600); do
-        "$@" >/dev/null 2>&1 && return
-        kill -0 "$kiosk" 2>/dev/null || fail "the program ended while waiting for $what"
-        sleep 0.1
-    done
-    fail "no $what after a minute"
 }
 titled() { xdotool search --name "^Onggi - $1\$" >/dev/null 2>&1; }
 shot=0

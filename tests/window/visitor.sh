@@ -5,6 +5,7 @@
 # (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN likewise; CAGED:
 # a compositor has opened a display already.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 onggi=$1
 targets=$2
 hand=${4:-mouse}
@@ -42,19 +43,6 @@ open_kiosk() {
     kiosk=$!
 }
 open_kiosk
-fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
-
-# wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
-wait_for() {
-    local what=$1
-    shift
-    for _ in $(seq 600); do
-        "$@" >/dev/null 2>&1 && return
-        kill -0 "$kiosk" 2>/dev/null || fail "the window closed while waiting for $what"
-        sleep 0.1
-    done
-    fail "no $what after a minute"
-}
 # A screen is there when the title says so; its cross-fade is over a quarter of a second later.
 on_screen() {
     wait_for "screen '$1'" xdotool search --name "^Onggi - $1( .[0-9]+.)?\$"

@@ -1,0 +1,16 @@
+# How the scripts of this folder wait, and what they say when it was in vain. Sourced, never run; whoever calls has put
+# the process into `kiosk` and its words into kiosk.log.
+
+fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
+
+# wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
+wait_for() {
+    local what=$1
+    shift
+    for _ in $(seq 600); do
+        "$@" >/dev/null 2>&1 && return
+        kill -0 "$kiosk" 2>/dev/null || fail "the program ended while waiting for $what"
+        sleep 0.1
+    done
+    fail "no $what after a minute"
+}
