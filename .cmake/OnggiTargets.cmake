@@ -27,3 +27,11 @@ function(onggi_test NAME)
     set_tests_properties(${NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
         ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0;${ARG_ENVIRONMENT}")
 endfunction()
+
+# onggi_vector_loops(FILE...): the loops of these are written to be worked on several elements at once. GCC takes them
+# so only if it neither splits them into paths nor guards against traps that nobody has set; no result depends on either.
+function(onggi_vector_loops)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-thread-jumps;-fno-trapping-math")
+    endif()
+endfunction()

@@ -33,8 +33,8 @@ struct BuiltFrame {
     bool shows_load = false;
     LatheFaces faces;  // none: no lathe
     PixelRect moving;  // where anything that moves can be seen
-    // Cached only: the tiles in which that is, one entry a tile; the same, and those of them in which an
-    // outline is smoothed, with what the smoothing reads, as rectangles.
+    // Cached only: which tiles that is in (kMoves and its like), one entry a tile; the same, and those of
+    // them in which an outline is smoothed, with what the smoothing reads, as rectangles.
     std::vector<std::uint8_t> moving_tiles;
     std::vector<PixelRect> moving_rects;
     std::vector<PixelRect> edge_rects;

@@ -16,11 +16,12 @@ void HeldTiles::take_work(const TileContents& wanted, TileWork& work) {
     work.drawn_over.assign(count, 0);
     for (std::size_t tile = 0; tile < count; ++tile) {
         const std::uint64_t overlay = wanted.overlay.empty() ? 0 : wanted.overlay[tile];
-        const bool moves = !wanted.moving.empty() && wanted.moving[tile] != 0;
+        const std::uint8_t drawn = wanted.moving.empty() ? kNothingMoves : wanted.moving[tile];
+        const bool moves = drawn != kNothingMoves;
         // What moves is drawn on the bare picture.
         const std::uint64_t under = moves ? 0 : overlay;
-        if (picture_[tile] != wanted.picture[tile] || overlay_[tile] != under)
-            (under == 0 ? work.bare : work.laid_over)[tile] = 1;
+        const bool is_there = picture_[tile] == wanted.picture[tile] && overlay_[tile] == under;
+        if (!is_there && drawn != kCovered) (under == 0 ? work.bare : work.laid_over)[tile] = 1;
         if (moves && overlay != 0) work.drawn_over[tile] = 1;
         picture_[tile] = moves ? 0 : wanted.picture[tile];
         overlay_[tile] = overlay;

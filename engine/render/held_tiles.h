@@ -15,8 +15,8 @@ namespace onggi::render {
 struct TileContents {
     // Of a picture's tiles, each of which has another number whenever it becomes another.
     std::span<const std::uint64_t> picture;
-    // Not 0: over the picture, and under the overlay, something is drawn that may be elsewhere in the next
-    // frame.
+    // What is drawn over the picture, and under the overlay, that may be elsewhere in the next frame: kMoves
+    // and its like.
     std::span<const std::uint8_t> moving{};    // empty: nothing
     std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: none
 };

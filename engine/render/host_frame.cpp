@@ -68,8 +68,8 @@ Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage&
 
 void HostFrame::record_covered(const FrameContext& frame, const vk::TargetImage& target,
                                const PaintedOverlay& overlay, bool scene_is_drawn) {
-    constexpr std::uint64_t kCovered = ~std::uint64_t{0};  // no picture's number
-    no_picture_.assign(grid_of(frame).count(), kCovered);
+    constexpr std::uint64_t kNoPicture = ~std::uint64_t{0};
+    no_picture_.assign(grid_of(frame).count(), kNoPicture);
     HeldTiles& held = targets_.held_by(target);
     if (scene_is_drawn) held.forget();
     held.take_work({.picture = no_picture_, .overlay = overlay.content()}, work_);

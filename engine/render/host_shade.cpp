@@ -89,7 +89,7 @@ bool HostShade::shade(FrameContext& frame, std::uint64_t shadow) {
     }
     mask_of_ = shadow;
     has_mask_ = true;
-    tiles_.take(rects_);
+    tiles_.take(frame.built.moving_tiles, rects_);
     shade_pixels({.width = static_cast<int>(extent_.width),
                   .height = static_cast<int>(extent_.height),
                   .with_key = with_key_.as<std::uint32_t>(),

@@ -1,8 +1,12 @@
 #include "engine/render/moving_tiles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/render/projector.h"
+#include "engine/render/shade_spans.h"
+#include "engine/render/shade_tiles.h"
 #include "engine/render/shadow_region.h"
 
 namespace onggi::render {
@@ -38,6 +42,25 @@ bool want_lathe(const EdgeView& view, const TileGrid& grid, BuiltFrame& built) {
     return true;
 }
 
+// The tiles that the pot lies over wholly.
+void note_covered(const EdgeView& view, const TileGrid& grid, BuiltFrame& built) {
+    const std::vector<Covered> lines = covered_by_lathe(built.vertices, built.choice.inside, built.sectors,
+                                                        view.camera, view.width_px, view.height_px);
+    for (int row = 0; row < grid.down(); ++row) {
+        const int top = row * kTileHeightPx;
+        Covered in_all{0.0F, static_cast<float>(grid.width_px)};
+        for (int y = top; y < std::min(top + kTileHeightPx, grid.height_px); ++y) {
+            const Covered& line = lines[static_cast<std::size_t>(y)];
+            in_all = {std::max(in_all.left, line.left), std::min(in_all.right, line.right)};
+        }
+        constexpr auto kWidthPx = static_cast<float>(kTileWidthPx);
+        const auto first = static_cast<int>(std::ceil((in_all.left + kCoveredMarginPx) / kWidthPx));
+        const auto end = static_cast<int>(std::floor((in_all.right - kCoveredMarginPx) / kWidthPx));
+        for (int column = first; column < end; ++column)
+            built.moving_tiles[static_cast<std::size_t>(row * grid.across() + column)] = kCovered;
+    }
+}
+
 }  // namespace
 
 void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& built) {
@@ -62,6 +85,7 @@ void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& bui
     const bool is_whole = scene.lathe && !scene.lathe->cut && want_lathe(view, grid, built);
     if (scene.lathe && !is_whole) want(lathe_box(*scene.lathe));
     rects_of_tiles(grid, tiles, built.moving_rects);
+    if (is_whole) note_covered(view, grid, built);
 }
 
 }  // namespace onggi::render

@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::uint32_t kAcross = shaders::kMaskTexels;
 constexpr std::size_t kBlock = kShadeBlockPx;
-constexpr std::size_t kLanes = 4 * kBlock;
 
 // Where a coordinate of sixteen bits lies: the texel before it and, in 1/256, how far it is to the next.
 // Outside of the first and the last half texel it is their middle.
@@ -20,85 +19,96 @@ std::uint32_t steps_of(std::uint32_t coordinate) {
     return static_cast<std::uint32_t>(std::clamp(std::floor(texel * 256.0), 0.0, most));
 }
 
-// The four texels about a place, mixed, times 65536: nothing is lost on the way, because where little of a
-// bright light is left the eye sees less than 1/255 of it.
-struct Mixed {
-    std::uint32_t key = 0;
-    std::uint32_t sky = 0;
-    std::uint32_t all_of = 0;  // kUnshaded: nothing of the four is in shade
+// Of a block of pixels, each part side by side, so that every loop over it is one the compiler makes vectors
+// of.
+template <typename T>
+using Lanes = std::array<T, kBlock>;
+
+// The texels of the mask about each pixel's place, key and sky as the two halves of a word, and how far the
+// place is from the first towards the last.
+struct MaskAbout {
+    Lanes<std::uint32_t> near_left;
+    Lanes<std::uint32_t> near_right;
+    Lanes<std::uint32_t> far_left;
+    Lanes<std::uint32_t> far_right;
+    Lanes<std::uint32_t> place;
 };
-[[gnu::always_inline]] inline Mixed mask_at(const ShadowMask& mask, std::uint32_t place) {
-    const std::uint32_t* const texel = mask.data() + (place >> 16U);
-    const std::uint32_t across = place & 0xFFU;
-    const std::uint32_t down = (place >> 8U) & 0xFFU;
-    // Key and sky at once, as the two halves of a word.
-    const std::uint32_t near_row = texel[0] * (256U - across) + texel[1] * across;
-    const std::uint32_t far_row = texel[kAcross] * (256U - across) + texel[kAcross + 1] * across;
-    return {.key = (near_row & 0xFFFFU) * (256U - down) + (far_row & 0xFFFFU) * down,
-            .sky = (near_row >> 16U) * (256U - down) + (far_row >> 16U) * down,
-            .all_of = texel[0] & texel[1] & texel[kAcross] & texel[kAcross + 1]};
+
+// Whether nothing of them is in shade.
+[[gnu::always_inline]] inline bool read_mask(const ShadowMask& mask, const std::uint32_t* places,
+                                             MaskAbout& about) {
+    std::uint32_t all_of = kUnshaded;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+        const std::uint32_t* const texel = mask.data() + (places[i] >> 16U);
+        about.near_left[i] = texel[0];
+        about.near_right[i] = texel[1];
+        about.far_left[i] = texel[kAcross];
+        about.far_right[i] = texel[kAcross + 1];
+        all_of &= texel[0] & texel[1] & texel[kAcross] & texel[kAcross + 1];
+    }
+    std::memcpy(about.place.data(), places, sizeof(about.place));
+    return all_of == kUnshaded;
 }
 
-// Of one block: every byte of its texels is a lane. `left` is what the sky's shade leaves of the light.
-struct Lanes {
-    std::array<std::uint8_t, kLanes> with_key;
-    std::array<std::uint8_t, kLanes> without_key;
-    std::array<float, kLanes> share;
-    std::array<float, kLanes> left;
-    std::array<std::uint8_t, kLanes> out;
-};
-
-// encode_mixed() of shaders/tone.glsl with the square-root transfer; its own words say why it is right.
-[[gnu::always_inline]] inline void mix_lights(Lanes& lanes) {
+// encode_mixed() of shaders/tone.glsl with the square-root transfer for one channel of a texel; its own words
+// say why it is right. `left` is what the sky's shade leaves of the light.
+[[gnu::always_inline]] inline std::uint32_t mix_lights(std::uint32_t without_key, std::uint32_t with_key,
+                                                       float share, float left) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float a = static_cast<float>(lanes.without_key[i]) * kOneOver255;
-        const float b = static_cast<float>(lanes.with_key[i]) * kOneOver255;
-        const float curve_a = a * a;
-        const float curve_b = b * b;
-        const float under_a = 1.0F - 0.8F * curve_a;
-        const float under_b = 1.0F - 0.8F * curve_b;
-        const float share = lanes.share[i];
-        const float light = (curve_a * under_b * (1.0F - share) + curve_b * under_a * share) * lanes.left[i];
-        const float shown = std::sqrt(light / (light * 0.8F + under_a * under_b));
-        lanes.out[i] = static_cast<std::uint8_t>(static_cast<int>(shown * 255.0F + 0.5F));
-    }
+    const float a = static_cast<float>(static_cast<int>(without_key & 0xFFU)) * kOneOver255;
+    const float b = static_cast<float>(static_cast<int>(with_key & 0xFFU)) * kOneOver255;
+    const float curve_a = a * a;
+    const float curve_b = b * b;
+    const float under_a = 1.0F - 0.8F * curve_a;
+    const float under_b = 1.0F - 0.8F * curve_b;
+    const float light = (curve_a * under_b * (1.0F - share) + curve_b * under_a * share) * left;
+    const float shown = std::sqrt(light / (light * 0.8F + under_a * under_b));
+    return static_cast<std::uint32_t>(static_cast<int>(shown * 255.0F + 0.5F));
 }
 
 [[gnu::always_inline]] inline void shade_block(const ShadeLayers& layers, const ShadowMask& mask,
                                                std::size_t first, std::uint32_t* into) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
     constexpr float kOneOverMixed = kOneOver255 / 65536.0F;
-    std::array<std::uint32_t, kBlock> key;
-    std::array<std::uint32_t, kBlock> sky;
-    std::uint32_t all = kUnshaded;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-        const Mixed mixed = mask_at(mask, layers.places[first + i]);
-        key[i] = mixed.key;
-        sky[i] = mixed.sky;
-        all &= mixed.all_of;
-    }
-    if (all == kUnshaded) {
-        std::memcpy(into + first, layers.with_key.data() + first, kLanes);
+    MaskAbout about;
+    if (read_mask(mask, layers.places.data() + first, about)) {
+        std::memcpy(into + first, layers.with_key.data() + first, kBlock * sizeof(std::uint32_t));
         return;
     }
-    Lanes lanes;
-    std::memcpy(lanes.with_key.data(), layers.with_key.data() + first, kLanes);
-    std::memcpy(lanes.without_key.data(), layers.without_key.data() + first, kLanes);
+    Lanes<std::uint32_t> with_key;
+    Lanes<std::uint32_t> without_key;
+    std::memcpy(with_key.data(), layers.with_key.data() + first, sizeof(with_key));
+    std::memcpy(without_key.data(), layers.without_key.data() + first, sizeof(without_key));
+    Lanes<std::uint32_t> out;
     for (std::size_t i = 0; i < kBlock; ++i) {
-        const float share = static_cast<float>(static_cast<int>(key[i])) * kOneOverMixed;
-        const float open = static_cast<float>(static_cast<int>(sky[i])) * kOneOverMixed;
-        const float weight = static_cast<float>(lanes.without_key[4 * i + 3]) * kOneOver255;
+        // The four texels mixed, times 65536: nothing is lost on the way, because where little of a bright
+        // light is left the eye sees less than 1/255 of it.
+        const std::uint32_t across = about.place[i] & 0xFFU;
+        const std::uint32_t down = (about.place[i] >> 8U) & 0xFFU;
+        const std::uint32_t near_row = about.near_left[i] * (256U - across) + about.near_right[i] * across;
+        const std::uint32_t far_row = about.far_left[i] * (256U - across) + about.far_right[i] * across;
+        const std::uint32_t key = (near_row & 0xFFFFU) * (256U - down) + (far_row & 0xFFFFU) * down;
+        const std::uint32_t sky = (near_row >> 16U) * (256U - down) + (far_row >> 16U) * down;
+        const float share = static_cast<float>(static_cast<int>(key)) * kOneOverMixed;
+        const float open = static_cast<float>(static_cast<int>(sky)) * kOneOverMixed;
+        const float weight = static_cast<float>(static_cast<int>(without_key[i] >> 24U)) * kOneOver255;
         const float left = 1.0F + (open - 1.0F) * weight;
-        for (std::size_t channel = 0; channel < 4; ++channel) {
-            lanes.share[4 * i + channel] = share;
-            lanes.left[4 * i + channel] = left;
-        }
+        std::uint32_t shaded = 0xFF000000U;
+        for (std::uint32_t shift = 0; shift < 24U; shift += 8U)
+            shaded |= mix_lights(without_key[i] >> shift, with_key[i] >> shift, share, left) << shift;
+        out[i] = shaded;
     }
-    mix_lights(lanes);
-    for (std::size_t i = 0; i < kBlock; ++i)
-        lanes.out[4 * i + 3] = 255;
-    std::memcpy(into + first, lanes.out.data(), kLanes);
+    std::memcpy(into + first, out.data(), sizeof(out));
+}
+
+// Asks for what a block reads and writes: rows of a picture are too far apart for a processor to guess the
+// next.
+[[gnu::always_inline]] inline void fetch_block(const ShadeLayers& layers, std::size_t first,
+                                               std::uint32_t* into) {
+    __builtin_prefetch(layers.places.data() + first);
+    __builtin_prefetch(layers.with_key.data() + first);
+    __builtin_prefetch(layers.without_key.data() + first);
+    __builtin_prefetch(into + first, 1);
 }
 
 // Whole blocks only: the last of a line begins earlier, and a rectangle that is narrower than one is shaded
@@ -110,8 +120,11 @@ struct Lanes {
     const auto right = std::max(static_cast<std::size_t>(rect.x + rect.width), kBlock);
     const auto bottom = static_cast<std::size_t>(rect.y + rect.height);
     for (auto y = static_cast<std::size_t>(rect.y); y < bottom; ++y) {
-        for (std::size_t x = left; x < right; x += kBlock)
-            shade_block(layers, mask, y * width + std::min(x, right - kBlock), into);
+        for (std::size_t x = left; x < right; x += kBlock) {
+            const std::size_t first = y * width + std::min(x, right - kBlock);
+            if (y + 1 < bottom) fetch_block(layers, first + width, into);
+            shade_block(layers, mask, first, into);
+        }
     }
 }
 

@@ -102,9 +102,8 @@ std::vector<vec4> shade_rects(std::span<const dvec2> outline, std::span<const Co
             pot.left = std::max(pot.left, line.left);
             pot.right = std::min(pot.right, line.right);
         }
-        // A margin of two pixels: the drawn faces are chords of the ring's circle.
-        pot.left = std::max(std::ceil(pot.left) + 2.0F, span.left);
-        pot.right = std::min(std::floor(pot.right) - 2.0F, span.right);
+        pot.left = std::max(std::ceil(pot.left) + kCoveredMarginPx, span.left);
+        pot.right = std::min(std::floor(pot.right) - kCoveredMarginPx, span.right);
         const auto top = static_cast<float>(y0);
         const auto low = static_cast<float>(y1);
         if (pot.right <= pot.left) {

@@ -19,6 +19,9 @@ struct Covered {
     float right = 0.0F;  // not above left: nowhere
 };
 
+// What is drawn of the pot are chords of its circles: this far from its ends it covers for sure.
+constexpr float kCoveredMarginPx = 2.0F;
+
 // One entry a line of pixels, the first at the top: what lies between the two ends of a ring that is drawn,
 // and between those of one ring and the next, is pot. `vertices` are the lathe's, rows of sectors + 1.
 [[nodiscard]] std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> vertices,

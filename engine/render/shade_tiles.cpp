@@ -111,14 +111,16 @@ void ShadeTiles::note_mask(const ShadowMask& before, const ShadowMask& now) {
     }
 }
 
-void ShadeTiles::take(std::vector<PixelRect>& rects) {
-    rects_of_tiles(grid_, is_stale_, rects);
-    if (rects.empty()) return;
+void ShadeTiles::take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects) {
     ++last_number_;
-    for (std::size_t tile = 0; tile < is_stale_.size(); ++tile) {
-        if (is_stale_[tile] != 0) numbers_[tile] = last_number_;
+    is_due_ = is_stale_;
+    for (std::size_t tile = 0; tile < is_due_.size(); ++tile) {
+        if (!moving.empty() && moving[tile] == kCovered) is_due_[tile] = 0;
+        if (is_due_[tile] == 0) continue;
+        is_stale_[tile] = 0;
+        numbers_[tile] = last_number_;
     }
-    std::fill(is_stale_.begin(), is_stale_.end(), std::uint8_t{0});
+    rects_of_tiles(grid_, is_due_, rects);
 }
 
 }  // namespace onggi::render

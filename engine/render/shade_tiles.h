@@ -44,6 +44,11 @@ void for_tiles(const TileGrid& grid, const PixelRect& rect, Visit visit) {
     }
 }
 
+// What a frame draws over a tile.
+constexpr std::uint8_t kNothingMoves = 0;
+constexpr std::uint8_t kMoves = 1;    // something, in parts of it
+constexpr std::uint8_t kCovered = 2;  // something over all of it: nobody sees what lies under that
+
 // Wants the tiles that a rectangle touches.
 void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted);
 
@@ -59,8 +64,9 @@ class ShadeTiles {
     void learn(const TileGrid& grid, std::span<const std::uint32_t> places);
     // The mask becomes another: the tiles that read a texel which differs have to be shaded.
     void note_mask(const ShadowMask& before, const ShadowMask& now);
-    // The tiles that have to be shaded, as rectangles; from here on they count as shaded.
-    void take(std::vector<PixelRect>& rects);
+    // The tiles that have to be shaded, as rectangles; from here on they count as shaded. Those that are
+    // covered wait until they are seen. `moving`: one entry a tile, or empty: nothing moves.
+    void take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects);
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
     [[nodiscard]] std::span<const std::uint64_t> numbers() const { return numbers_; }
@@ -77,6 +83,7 @@ class ShadeTiles {
     TileGrid grid_;
     std::vector<Reach> reach_;
     std::vector<std::uint8_t> is_stale_;
+    std::vector<std::uint8_t> is_due_;
     std::vector<std::uint64_t> numbers_;
     std::uint64_t last_number_ = 0;  // never used again, so that a target cannot take new layers for old
     std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes

@@ -67,14 +67,22 @@ float shade_of_foot(float from_foot_mm) {
     return 1.0F - shade * smooth((kEndMm - from_foot_mm) / kFadeMm);
 }
 
+// Where the middles of a row's texels lie, from 0 to 1.
+constexpr Row middles() {
+    Row at{};
+    for (std::size_t i = 0; i < kAcross; ++i)
+        at[i] = (static_cast<float>(i) + 0.5F) / static_cast<float>(kAcross);
+    return at;
+}
+constexpr Row kMiddles = middles();
+
 // 0 at the mask's border, 1 a little inside.
-[[gnu::always_inline]] inline float from_border(std::size_t texel) {
-    const float at = (static_cast<float>(texel) + 0.5F) / static_cast<float>(kAcross);
+[[gnu::always_inline]] inline float from_border(float at) {
     return std::min(at, 1.0F - at) * 8.0F;
 }
 
 [[gnu::always_inline]] inline std::uint32_t eight_bits(float share) {
-    return static_cast<std::uint32_t>(std::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F);
+    return static_cast<std::uint32_t>(static_cast<int>(std::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F));
 }
 
 [[gnu::always_inline]] inline void fill(const shaders::FrameData& frame, ShadowMask& mask) {
@@ -82,10 +90,10 @@ float shade_of_foot(float from_foot_mm) {
     const vec4 axes = frame.mask_axes;
     const bool has_lathe = frame.lathe.x > 0.0F;
     for (std::size_t row = 0; row < kAcross; ++row) {
-        const float v = (static_cast<float>(row) + 0.5F) / static_cast<float>(kAcross);
+        const float v = kMiddles[row];
         Ground at;
         for (std::size_t i = 0; i < kAcross; ++i) {
-            const float u = (static_cast<float>(i) + 0.5F) / static_cast<float>(kAcross);
+            const float u = kMiddles[i];
             at.x_mm[i] = origin.x + u * axes.x + v * axes.z;
             at.z_mm[i] = origin.y + u * axes.y + v * axes.w;
         }
@@ -97,14 +105,17 @@ float shade_of_foot(float from_foot_mm) {
             shade_by_sphere(frame, sphere, at, seen, open);
         if (has_lathe) {
             shade_by_lathe(frame, at, seen);
+            Row from_foot_mm;
             for (std::size_t i = 0; i < kAcross; ++i) {
                 const float x = at.x_mm[i] - frame.lathe_foot.x;
                 const float z = at.z_mm[i] - frame.lathe_foot.y;
-                open[i] *= shade_of_foot(std::max(std::sqrt(x * x + z * z) - frame.lathe.w, 0.0F));
+                from_foot_mm[i] = std::max(std::sqrt(x * x + z * z) - frame.lathe.w, 0.0F);
             }
+            for (std::size_t i = 0; i < kAcross; ++i)
+                open[i] *= shade_of_foot(from_foot_mm[i]);
         }
         for (std::size_t i = 0; i < kAcross; ++i) {
-            const float inside = smooth((std::min(from_border(i), from_border(row)) - 0.1F) / 0.9F);
+            const float inside = smooth((std::min(from_border(kMiddles[i]), from_border(v)) - 0.1F) / 0.9F);
             mask[row * kAcross + i] = eight_bits(1.0F + (seen[i] - 1.0F) * inside) |
                                       (eight_bits(1.0F + (open[i] - 1.0F) * inside) << 16U);
         }

@@ -38,6 +38,16 @@ TEST_F(HeldPictureTiles, AreCopiedOnlyWhereTheTargetShowsSomethingElse) {
     EXPECT_EQ(work_.bare, Tiles(kTiles, 1));
 }
 
+TEST_F(HeldPictureTiles, AreNotCopiedWhereSomethingIsDrawnOverAllOfThem) {
+    frame({0, kCovered, kMoves, 0});
+    EXPECT_EQ(work_.bare, (Tiles{1, 0, 1, 1}));
+    frame({0, kCovered, kMoves, 0}, {0, 7, 7, 0});
+    EXPECT_EQ(work_.bare, (Tiles{0, 0, 1, 0}));
+    EXPECT_EQ(work_.drawn_over, (Tiles{0, 1, 1, 0}));
+    frame();
+    EXPECT_EQ(work_.bare, (Tiles{0, 1, 1, 0}));
+}
+
 TEST_F(HeldPictureTiles, KeepAnOverlayThatStaysAsItIs) {
     frame();
     frame({}, {0, 7, 8, 0});

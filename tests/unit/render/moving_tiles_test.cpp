@@ -111,6 +111,35 @@ TEST_F(MovingTiles, AreFewBesideAnArmThatLiesAslant) {
     EXPECT_GT(count, 50);
 }
 
+TEST_F(MovingTiles, AreCoveredWhereNoPixelShowsWhatIsBehindThePot) {
+    for (std::size_t i = 0; i < radii_.size(); ++i)
+        radii_[i] = 50.0F + 25.0F * std::sin(0.005F * static_cast<float>(i));
+    const std::vector<std::uint8_t>& tiles = find();
+    std::vector<std::uint8_t> is_pot(static_cast<std::size_t>(kWidth) * kHeight, 0);
+    const Projector project({scene_.camera, kWidth, kHeight});
+    for (int turn = 0; turn < 1800; ++turn) {
+        const float angle = 0.00349066F * static_cast<float>(turn);
+        for (std::size_t i = 0; i < radii_.size(); i += 4) {
+            const vec4 at = project(vec3(radii_[i] * std::cos(angle), 0.1F * (static_cast<float>(i) + 0.5F),
+                                         radii_[i] * std::sin(angle)));
+            is_pot.at(static_cast<std::size_t>(at.y) * kWidth + static_cast<std::size_t>(at.x)) = 1;
+        }
+    }
+    const TileGrid grid{kWidth, kHeight};
+    for (int tile = 0; tile < static_cast<int>(grid.count()); ++tile) {
+        if (tiles[static_cast<std::size_t>(tile)] != kCovered) continue;
+        const int left = tile % grid.across() * kTileWidthPx;
+        const int top = tile / grid.across() * kTileHeightPx;
+        for (int y = top; y < top + kTileHeightPx; ++y) {
+            for (int x = left; x < left + kTileWidthPx; ++x)
+                ASSERT_EQ(is_pot[static_cast<std::size_t>(y * kWidth + x)], 1) << x << ", " << y;
+        }
+    }
+    EXPECT_GT(std::count(tiles.begin(), tiles.end(), kCovered), 15);
+    scene_.lathe->cut = LatheCut{};
+    EXPECT_EQ(std::count(find().begin(), tiles.end(), kCovered), 0) << "one looks through a cut";
+}
+
 TEST_F(MovingTiles, AreAllOfThemWhereTheEyeIsInThePot) {
     scene_.camera.eye_mm = {0.0F, 60.0F, 40.0F};
     const std::vector<std::uint8_t>& tiles = find();

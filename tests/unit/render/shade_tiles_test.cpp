@@ -87,7 +87,7 @@ class ShadedTiles : public testing::Test {
         before_->fill(kUnshaded);
         now_->fill(kUnshaded);
         tiles_.learn(kGrid, places_);
-        tiles_.take(rects_);
+        tiles_.take({}, rects_);
     }
     std::vector<std::uint32_t> places_;
     std::unique_ptr<ShadowMask> before_ = std::make_unique<ShadowMask>();
@@ -99,7 +99,7 @@ class ShadedTiles : public testing::Test {
 TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
     ASSERT_EQ(rects_.size(), 1U);
     tiles_.note_mask(*before_, *now_);
-    tiles_.take(rects_);
+    tiles_.take({}, rects_);
     EXPECT_TRUE(rects_.empty());
 
     std::mt19937 random(7);
@@ -108,7 +108,7 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
         for (int change = 0; change < 3; ++change)
             (*now_)[random() % now_->size()] = static_cast<std::uint32_t>(random()) & kUnshaded;
         tiles_.note_mask(*before_, *now_);
-        tiles_.take(rects_);
+        tiles_.take({}, rects_);
         const std::vector<int> times = counted(rects_);
         for (std::size_t at = 0; at < places_.size(); ++at) {
             const std::size_t texel = places_[at] >> 16U;
@@ -123,6 +123,24 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
         // And not much beside them: a tile reads a few texels.
         EXPECT_LT(std::count(times.begin(), times.end(), 1), std::ptrdiff_t(times.size() / 2));
     }
+}
+
+TEST_F(ShadedTiles, ThatAreCoveredWaitUntilTheyAreSeen) {
+    now_->fill(0);
+    tiles_.note_mask(*before_, *now_);
+    std::vector<std::uint8_t> moving(kGrid.count(), kMoves);
+    moving[8] = kCovered;
+    const std::uint64_t before = tiles_.numbers()[8];
+    const auto times_of_8 = [&] { return counted(rects_)[pixel(2 * kTileWidthPx, kTileHeightPx)]; };
+    tiles_.take(moving, rects_);
+    EXPECT_EQ(times_of_8(), 0);
+    EXPECT_EQ(tiles_.numbers()[8], before);
+    EXPECT_NE(tiles_.numbers()[9], before);
+    moving[8] = kNothingMoves;
+    tiles_.take(moving, rects_);
+    EXPECT_EQ(times_of_8(), 1);
+    EXPECT_EQ(rects_.size(), 1U) << "the others have been shaded";
+    EXPECT_NE(tiles_.numbers()[8], before);
 }
 
 TEST(ShadowMaskTexels, StayWhereTheyDifferByAStepAndNeverDriftFurther) {
