@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "engine/render/mover_faces.h"
+
 namespace onggi::render {
 
 Result<void> MoverModels::upload(const vk::Device& device,
@@ -16,7 +18,8 @@ Result<void> MoverModels::upload(const vk::Device& device,
         for (const MoverMesh& mesh : model.meshes) {
             ranges.push_back({.first_index = static_cast<std::uint32_t>(indices.size()),
                               .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
-                              .first_vertex = static_cast<std::int32_t>(vertices.size())});
+                              .first_vertex = static_cast<std::int32_t>(vertices.size()),
+                              .planes = face_planes(mesh)});
             vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
             indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
         }

@@ -15,11 +15,12 @@ class MoverModels {
     // Nothing happens if it is the library that is there already. Precondition: the device is idle.
     Result<void> upload(const vk::Device& device, const std::shared_ptr<const MoverLibrary>& library);
 
-    // Where a mesh of a model lies in the buffers.
+    // Where a mesh of a model lies in the buffers, and the planes of its faces, see face_planes().
     struct Range {
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
         std::int32_t first_vertex = 0;
+        std::vector<vec4> planes{};
     };
     // One a mesh; empty for a model that the library does not have.
     [[nodiscard]] const std::vector<Range>& ranges(std::size_t model) const;

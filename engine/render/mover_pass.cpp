@@ -4,7 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <span>
 
+#include "engine/render/mover_faces.h"
 #include "engine/render/profile_mesh.h"
 #include "shaders/shaders.h"
 
@@ -57,6 +60,34 @@ Result<void> MoverPass::fit(const FrameContext& frame, const Scene& scene) {
     return models_.upload(frame.device, scene.mover_library);
 }
 
+Result<void> MoverPass::upload(FrameContext& frame, const Scene& scene) {
+    chosen_.clear();
+    chosen_indices_.clear();
+    if (!frame.desc.chooses_mover_faces || !scene.mover_library) return {};
+    const vec3 eye_mm = scene.camera.eye_mm;
+    std::optional<InsidePot> pot;
+    if (scene.lathe) pot.emplace(*scene.lathe, frame.built.samples, eye_mm);
+    for (const Mover& mover : scene.movers) {
+        const std::vector<MoverModels::Range>& ranges = models_.ranges(mover.model);
+        for (std::size_t mesh = 0; mesh < ranges.size(); ++mesh) {
+            const auto first = static_cast<std::uint32_t>(chosen_indices_.size());
+            choose_mover_faces(
+                {(*scene.mover_library)[mover.model].meshes[mesh], ranges[mesh].planes, mover.place}, eye_mm,
+                pot ? &*pot : nullptr, chosen_indices_);
+            chosen_.push_back({first, static_cast<std::uint32_t>(chosen_indices_.size()) - first});
+        }
+    }
+    if (chosen_indices_.empty()) return {};
+    const auto bytes = std::as_bytes(std::span(chosen_indices_));
+    if (auto made = vk::make_room(frame.device, chosen_buffer_, "hands' and tools' faces", bytes.size(),
+                                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+        !made) {
+        return made;
+    }
+    frame.write(chosen_buffer_, bytes);
+    return {};
+}
+
 void MoverPass::draw(const FrameContext& frame, const Scene& scene) const {
     const std::size_t count = std::min<std::size_t>(scene.spheres.size(), kMaxSpheres);
     const auto first = scene.spheres.begin();
@@ -77,11 +108,18 @@ void MoverPass::draw_models(const FrameContext& frame, const Scene& scene) const
     if (scene.movers.empty() || !scene.mover_library) return;
     frame.bind(pipeline_);
     models_.bind(frame.commands);
+    if (!chosen_indices_.empty())
+        vkCmdBindIndexBuffer(frame.commands, chosen_buffer_.handle(), 0, VK_INDEX_TYPE_UINT32);
+    std::size_t number = 0;
     for (const Mover& mover : scene.movers) {
         const std::vector<MoverModels::Range>& ranges = models_.ranges(mover.model);
         for (std::size_t mesh = 0; mesh < ranges.size(); ++mesh) {
+            const Drawn drawn = frame.desc.chooses_mover_faces
+                                    ? chosen_[number++]
+                                    : Drawn{ranges[mesh].first_index, ranges[mesh].index_count};
+            if (drawn.index_count == 0) continue;
             frame.push(mover_draw(mover, (*scene.mover_library)[mover.model].meshes[mesh]));
-            vkCmdDrawIndexed(frame.commands, ranges[mesh].index_count, 1, ranges[mesh].first_index,
+            vkCmdDrawIndexed(frame.commands, drawn.index_count, 1, drawn.first_index,
                              ranges[mesh].first_vertex, 0);
         }
     }

@@ -34,6 +34,7 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
         .shades_on_host = true,
         .transfer = Transfer::kSquareRoot,
         .lights_movers_at_vertices = true,
+        .chooses_mover_faces = true,
         .sectors = is_large ? 72 : 48,
         .sector_error_px = 0.35F,
         .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which its normals show
@@ -59,7 +60,7 @@ struct Renderer::Impl {
     Under look_under(const Scene& scene, const Overlay* wanted);
     bool is_prepared(const Scene& scene) const;
     Result<void> fit_overlay(const Overlay* wanted);
-    void upload(const Scene& scene);
+    Result<void> upload(const Scene& scene);
     Result<void> record_painted(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
@@ -183,7 +184,7 @@ Result<void> Renderer::Impl::fit_overlay(const Overlay* wanted) {
     return frame.desc.shades_on_host ? painted.fit(frame, wanted) : overlay.fit(frame, wanted);
 }
 
-void Renderer::Impl::upload(const Scene& scene) {
+Result<void> Renderer::Impl::upload(const Scene& scene) {
     BuiltFrame& built = frame.built;
     build_frame(scene, still.bounds(), frame.desc, static_cast<int>(frame.extent.width),
                 static_cast<int>(frame.extent.height), built);
@@ -193,6 +194,7 @@ void Renderer::Impl::upload(const Scene& scene) {
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
     lathe.upload(frame);
     edges.upload(frame);
+    return movers.upload(frame, scene);
 }
 
 Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
@@ -334,7 +336,9 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     if (auto fitted = impl_->fit_to(scene, image.extent); !fitted) return fitted.error();
     const Under under = impl_->look_under(scene, overlay);
     impl_->drawn_under = under;
-    if (draws_scene(under)) impl_->upload(scene);
+    if (draws_scene(under)) {
+        if (auto uploaded = impl_->upload(scene); !uploaded) return uploaded.error();
+    }
     impl_->frame.stats.device_ms = device_ms;
     impl_->frame.stats.device_drew_scene = drew_scene;
     impl_->frame.stats.parts = std::move(parts);

@@ -33,6 +33,7 @@ struct RendererDesc {
     bool shades_on_host = false;
     Transfer transfer = Transfer::kExactSrgb;
     bool lights_movers_at_vertices = false;  // not at pixels: their triangles are hardly larger
+    bool chooses_mover_faces = false;        // leaves out those that cannot be seen; a GPU does so by itself
     int sectors = 128;                       // of a lathe, at most
     float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly
     int max_rings = 256;           // hard cap, 16 to kMaxRings

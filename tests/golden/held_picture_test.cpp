@@ -69,6 +69,27 @@ constexpr int kFrames = 12;
 // shows two in the picture.
 constexpr int kMaskStep = 2;
 
+TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
+    ASSERT_TRUE(render::live_desc(vk::Offscreen::kFormat, true, kHeight).chooses_mover_faces);
+    auto chooses = renderer();
+    render::RendererDesc desc = chooses->desc();
+    desc.chooses_mover_faces = false;
+    auto draws_all = render::Renderer::create(*device_, desc).value();
+    auto one = target();
+    auto other = target();
+    for (const wheel::View view : {wheel::View::kThrowing, wheel::View::kLookingIn}) {
+        opened_.scene->look_at(view);
+        opened_.scene->jump();
+        // The inner hand from above the rim, where all of it is seen, to deep inside.
+        for (int frame = 0; frame < kFrames; ++frame) {
+            pulling_.second_hand_mm->y = 120.0 - 8.0 * frame;
+            draw(*chooses, *one, 0.0, 500.0F);
+            draw(*draws_all, *other, 0.0, 500.0F);
+            EXPECT_EQ(furthest(one->read_back().value(), other->read_back().value()), 0) << frame;
+        }
+    }
+}
+
 TEST_F(HeldPicture, ShowsNothingOfTheFramesBefore) {
     auto long_used = renderer();
     auto held = target();
