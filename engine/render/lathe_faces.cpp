@@ -1,12 +1,16 @@
 #include "engine/render/lathe_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/render/projector.h"
 
 namespace onggi::render {
 namespace {
+
+// The corners of a face: below, the next one below, above, the next one above.
+using Corners = std::array<const shaders::VertexData*, 4>;
 
 // Whether the shadow of a sphere may fall within margin_mm of a point; past_sphere() of shaders/surface.glsl.
 bool may_be_in_shadow(const shaders::FrameData& frame, vec3 point, float margin_mm) {
@@ -19,6 +23,20 @@ bool may_be_in_shadow(const shaders::FrameData& frame, vec3 point, float margin_
             sphere.w + std::max((along + margin_mm) * frame.key_direction.w, 0.5F) + margin_mm;
         return glm::dot(to, to) - along * along < reach * reach;
     });
+}
+
+bool may_be_in_shadow(const shaders::FrameData& frame, const Corners& corners) {
+    const auto in_the_dark = [](const shaders::VertexData* corner) { return corner->place.w == 0.0F; };
+    if (std::all_of(corners.begin(), corners.end(), in_the_dark)) return false;
+    vec3 middle(0.0F);
+    for (const shaders::VertexData* corner : corners)
+        middle += 0.25F * vec3(corner->place);
+    float reach_2_mm2 = 0.0F;
+    for (const shaders::VertexData* corner : corners) {
+        const vec3 to = vec3(corner->place) - middle;
+        reach_2_mm2 = std::max(reach_2_mm2, glm::dot(to, to));
+    }
+    return may_be_in_shadow(frame, middle, std::sqrt(reach_2_mm2));
 }
 
 void add_face(std::size_t below, std::size_t in_row, std::vector<std::uint16_t>& indices) {
@@ -42,19 +60,9 @@ void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, co
     if (rows < 2) return;
     const Projector project(view);
     std::vector<vec4> pixels;
-    std::vector<char> shadowed;
     pixels.reserve(vertices.size());
-    shadowed.reserve(vertices.size());
-    float widest_mm = 0.0F;
     for (const shaders::VertexData& vertex : vertices)
-        widest_mm = std::max({widest_mm, std::abs(vertex.place.x), std::abs(vertex.place.z)});
-    // Of any point of a face from a corner: rows are at most 9 mm apart but where there may not be enough of
-    // them, and sectors 18 degrees (lathe_sectors.cpp).
-    const float margin_mm = 16.0F + 0.16F * widest_mm;
-    for (const shaders::VertexData& vertex : vertices) {
         pixels.push_back(project(vec3(vertex.place)));
-        shadowed.push_back(may_be_in_shadow(frame, vec3(vertex.place), margin_mm) ? 1 : 0);
-    }
     std::vector<std::uint16_t> near_spheres;
     constexpr float kEdgeOn = 0.05F;  // pixels squared, more than a rounded coordinate can turn it by
     for (std::size_t row = 0; row + 1 < rows; ++row) {
@@ -68,8 +76,8 @@ void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, co
             const bool looks_away = turn_of(pixels[below], pixels[above], corner) > kEdgeOn &&
                                     turn_of(corner, pixels[above], pixels[above + 1]) > kEdgeOn;
             if (is_known && looks_away) continue;
-            const bool is_near =
-                (shadowed[below] | shadowed[below + 1] | shadowed[above] | shadowed[above + 1]) != 0;
+            const bool is_near = may_be_in_shadow(
+                frame, {&vertices[below], &vertices[below + 1], &vertices[above], &vertices[above + 1]});
             add_face(below, in_row, is_near ? near_spheres : faces.indices);
         }
     }
