@@ -219,10 +219,11 @@ Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetI
     const PixelRect& moving = frame.built.moving;
     if (moving.width > 0 && moving.height > 0) {
         set_scissor(frame.commands, moving);
-        enter("clay");
-        lathe.draw(frame);
+        // A pixel of clay takes several times as long as one of a hand: what a hand hides is not shaded.
         enter("hands and tools");
         movers.draw(frame, scene);
+        enter("clay");
+        lathe.draw(frame);
     }
     vkCmdEndRendering(frame.commands);
     enter("outlines");
