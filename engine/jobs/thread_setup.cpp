@@ -9,12 +9,17 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -52,23 +57,84 @@ Granted allow_this_thread(std::span<const int> cores) {
     return outcome(pthread_setaffinity_np(pthread_self(), sizeof mask, &mask));
 }
 
-// Of a library whose name begins so: pages that nobody has written, which the kernel can read again.
+// The program itself, which the loader calls by no name, the kernel's page of code, and the libraries whose
+// code runs in a tick.
+bool may_run_in_a_tick(std::string_view library) {
+    constexpr std::array<std::string_view, 7> kBeginnings{
+        "libc.", "libm.", "libmvec.", "libstdc++.", "libgcc_s.", "linux-vdso.", "ld-"};
+    return library.empty() || std::any_of(kBeginnings.begin(), kBeginnings.end(),
+                                          [&](std::string_view name) { return library.starts_with(name); });
+}
+
+void drop_pages(std::uintptr_t first, std::uintptr_t end) {
+    void* const at = reinterpret_cast<void*>(first);  // NOLINT: where the kernel has put it
+    if (munlock(at, end - first) == 0) madvise(at, end - first, MADV_DONTNEED);
+}
+
+// Of any other library: pages that nobody has written, which the kernel can read again.
 int drop_code(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/) {
-    constexpr std::string_view kCompiler = "libLLVM";
     const std::string_view path = library->dlpi_name;
-    const std::string_view name = path.substr(path.rfind('/') + 1);
-    if (!name.starts_with(kCompiler)) return 0;
+    if (may_run_in_a_tick(path.substr(path.rfind('/') + 1))) return 0;
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
     for (int i = 0; i < library->dlpi_phnum; ++i) {
         const ElfW(Phdr)& segment = library->dlpi_phdr[i];
         if (segment.p_type != PT_LOAD || (segment.p_flags & PF_W) != 0) continue;
         const std::uintptr_t first = (library->dlpi_addr + segment.p_vaddr) / page * page;
         const std::uintptr_t end = library->dlpi_addr + segment.p_vaddr + segment.p_filesz;
-        void* const at = reinterpret_cast<void*>(first);  // NOLINT: where the loader has put it
-        if (munlock(at, end - first) == 0) madvise(at, end - first, MADV_DONTNEED);
+        drop_pages(first, end);
     }
     return 0;
 }
+
+// A line of /proc/self/maps, as proc(5) says it is made.
+struct Mapping {
+    std::uintptr_t first = 0;
+    std::uintptr_t end = 0;
+    std::string allowed;  // "r--p"
+    std::string name;     // of its file; "[heap]"
+};
+
+template <typename Look>
+void for_each_mapping(const Look& look) {
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+        Mapping mapping;
+        std::istringstream words(line);
+        char dash = 0;
+        std::string offset;
+        std::string device;
+        std::string inode;
+        if (words >> std::hex >> mapping.first >> dash >> mapping.end >> mapping.allowed >> offset >>
+            device >> inode) {
+            words >> mapping.name;
+            look(mapping);
+        }
+    }
+}
+
+// The C library's main heap, of one piece or of several that are locked or not.
+Mapping heap_mapping() {
+    Mapping heap;
+    for_each_mapping([&](const Mapping& mapping) {
+        if (mapping.name != "[heap]") return;
+        if (heap.end == 0) heap = mapping;
+        heap.end = mapping.end;
+    });
+    return heap;
+}
+
+// Fonts that words were painted in: mapped to be read, and never written.
+void drop_fonts() {
+    for_each_mapping([](const Mapping& mapping) {
+        const std::string_view name = mapping.name;
+        if (mapping.allowed == "r--p" &&
+            (name.ends_with(".ttf") || name.ends_with(".otf") || name.ends_with(".ttc")))
+            drop_pages(mapping.first, mapping.end);
+    });
+}
+
+// Once lock_memory() was granted.
+std::atomic<bool> memory_is_locked{false};
 
 }  // namespace
 
@@ -100,6 +166,7 @@ Granted lock_memory() {
     const bool unlimited =
         geteuid() == 0 || (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY);
     if (mlockall(MCL_CURRENT | MCL_ONFAULT | (unlimited ? MCL_FUTURE : 0)) != 0) return outcome(errno);
+    memory_is_locked.store(true, std::memory_order_relaxed);
     touch_code();
     return outcome(0);
 }
@@ -174,20 +241,35 @@ void WakefulCores::release() noexcept {
 
 void keep_heaps_small() {
 #ifdef __GLIBC__
-    constexpr int kLargeBytes = 256 * 1024;  // else it grows with what is freed, up to 32 MB
+    constexpr int kLargeBytes = 64 * 1024;  // else it grows with what is freed, up to 32 MB
     mallopt(M_ARENA_MAX, 2);
     mallopt(M_MMAP_THRESHOLD, kLargeBytes);
 #endif
 }
 
+// What is locked cannot be given back: the kernel refuses it, and the C library does not look. So the heap is
+// unlocked meanwhile, and locked again as large as it is then.
 void give_back_freed_memory() {
 #ifdef __GLIBC__
+    if (!memory_is_locked.load(std::memory_order_relaxed)) {
+        malloc_trim(0);
+        return;
+    }
+    const auto for_heap = [](const auto& act) {
+        const Mapping heap = heap_mapping();
+        if (heap.end > heap.first)
+            act(reinterpret_cast<void*>(heap.first),
+                heap.end - heap.first);  // NOLINT: where the kernel has put it
+    };
+    for_heap([](void* at, std::size_t bytes) { munlock(at, bytes); });
     malloc_trim(0);
+    for_heap([](void* at, std::size_t bytes) { mlock2(at, bytes, MLOCK_ONFAULT); });
 #endif
 }
 
-void give_back_compiler() {
+void give_back_code() {
     dl_iterate_phdr(drop_code, nullptr);
+    drop_fonts();
 }
 
 RealTimeReport set_up_this_thread(const RealTimeRequest& request) {

@@ -103,15 +103,15 @@ struct RealTimeReport {
 void keep_heaps_small();
 
 // Hands memory that was freed back to the system. To be called after what takes much for a while, such as a
-// driver that compiles, and before memory is locked: locked pages cannot be handed back. Any thread but a
-// tick's.
+// driver that compiles. Other threads' allocations wait for some ms, and the heap is not locked meanwhile.
+// Any thread but a tick's.
 void give_back_freed_memory();
 
-// Hands back the code of the compiler that a software driver brings along: up to 50 MB, which the kernel
-// keeps or reads again as it likes, and which no lock holds any longer. To be called once the driver has
-// compiled; where it compiles again, its pages come back as they are used. Takes about a ms. Any thread but a
-// tick's.
-void give_back_compiler();
+// Hands back the code of all libraries but those that a tick runs: a software driver's compiler above all, up
+// to 50 MB, and 30 MB that only a start needs; and fonts. The kernel keeps it or reads it again as it likes,
+// and no lock holds it any longer; what is run again comes back as it is used, page by page. To be called
+// when a driver has compiled and when something else begins. Takes about a ms. Any thread but a tick's.
+void give_back_code();
 
 // The calling thread: pins itself to the core, locks the process's memory, touches its stack, and asks for
 // SCHED_FIFO last, so that nothing slow happens under it. Goes on after a refusal and records it. Wakeful

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/jobs/thread_setup.h"
 #include "game/app/kiosk_health.h"
 #include "game/app/kiosk_pot.h"
 
@@ -17,6 +18,12 @@ constexpr int kMostRecordsARound = 4000;
 constexpr int kPortraitPx = 1024;
 // A few ms of an interrupted visit, so that the one that goes on is followed too.
 constexpr int kLeftOverTicksARound = 2000;
+
+// A visit goes from one thing to another, and what the one took is not needed for the other.
+void give_back_memory() {
+    jobs::give_back_freed_memory();
+    jobs::give_back_code();
+}
 
 }  // namespace
 
@@ -179,6 +186,7 @@ void KioskKeeper::obey(const Wish& wish) {
             break;
         }
         case Wish::Kind::kCutOff:
+            give_back_memory();  // of throwing, and of a look into the pot
             if (const clay::StudioClay* clay = history_.state().studio()) {
                 cut_ = std::make_shared<const clay::StudioClay>(*clay);
                 answer({.kind = KeeperAnswer::Kind::kCutOff, .clay = cut_});
@@ -186,14 +194,17 @@ void KioskKeeper::obey(const Wish& wish) {
             break;
         case Wish::Kind::kSave:
             save_now(wish);
+            give_back_memory();  // of what was made for the files
             break;
         case Wish::Kind::kForget:
             cut_.reset();
             end_journal();
+            give_back_memory();  // of a visit
             break;
         case Wish::Kind::kJournal:
             is_put_ = false;  // if it still is on its way, the new lump was before it
             journalled_run_ = wish.number;
+            give_back_memory();  // of the screens before
             break;
         case Wish::Kind::kResume:
             resume_now(wish.number);

@@ -191,7 +191,7 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     ++good_frames_;
     // By then a software driver has compiled what its frames need.
     constexpr int kCompiledFrames = 120;
-    if (++frames_of_renderer_ == kCompiledFrames) jobs::give_back_compiler();
+    if (++frames_of_renderer_ == kCompiledFrames) jobs::give_back_code();
     // A moving camera costs a software core more than a picture at rest, for a second: no reason to change.
     // Nor is it one to do better that a screen is shown which covers the scene.
     const render::FrameStats& stats = renderer_->stats();

@@ -83,7 +83,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     }
     auto done = screen->wait();
     jobs::give_back_freed_memory();  // 40 MB of the driver's compiler
-    jobs::give_back_compiler();
+    jobs::give_back_code();
     return done;
 }
 
