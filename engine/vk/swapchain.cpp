@@ -4,10 +4,25 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "engine/vk/check.h"
 
 namespace onggi::vk {
+namespace {
+
+// The caller paces; where the screen can take the newest image and drop the rest, nothing blocks. A processor
+// copies its picture to the screen in any case and has it back at once: there the mode says only how many
+// images the driver keeps, and Mesa's keeps five for a mailbox, three for an immediate one.
+VkPresentModeKHR best_of(std::span<const VkPresentModeKHR> modes, bool is_cpu) {
+    const auto has = [&](VkPresentModeKHR mode) {
+        return std::find(modes.begin(), modes.end(), mode) != modes.end();
+    };
+    if (is_cpu && has(VK_PRESENT_MODE_IMMEDIATE_KHR)) return VK_PRESENT_MODE_IMMEDIATE_KHR;
+    return has(VK_PRESENT_MODE_MAILBOX_KHR) ? VK_PRESENT_MODE_MAILBOX_KHR : VK_PRESENT_MODE_FIFO_KHR;
+}
+
+}  // namespace
 
 Result<std::unique_ptr<Swapchain>> Swapchain::create(const Device& device, const Surface& surface,
                                                      VkExtent2D extent) {
@@ -75,8 +90,6 @@ Result<bool> Swapchain::rebuild() {
     std::vector<VkPresentModeKHR> modes(mode_count);
     ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_,
                                                                         &mode_count, modes.data()));
-    const bool has_mailbox =
-        std::find(modes.begin(), modes.end(), VK_PRESENT_MODE_MAILBOX_KHR) != modes.end();
     std::uint32_t image_count = std::max(can.minImageCount, 3U);
     if (can.maxImageCount > 0) image_count = std::min(image_count, can.maxImageCount);
 
@@ -98,8 +111,7 @@ Result<bool> Swapchain::rebuild() {
     info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
                               ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                               : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-    // The caller paces; where the screen can take the newest image and drop the rest, nothing blocks.
-    info.presentMode = has_mailbox ? VK_PRESENT_MODE_MAILBOX_KHR : VK_PRESENT_MODE_FIFO_KHR;
+    info.presentMode = best_of(modes, device_->description().is_cpu());
     // What was drawn into an image must still be there when it comes back, hidden by another window or not.
     info.clipped = VK_FALSE;
     info.oldSwapchain = swapchain_;
