@@ -10,6 +10,12 @@ namespace {
 constexpr int kGapPx = 1;  // so that a filter at a painting's edge does not see its neighbour
 constexpr int kShelfStepPx = 12;
 
+const std::shared_ptr<const Painting>& clear_pixel() {
+    static const auto pixel =
+        std::make_shared<const Painting>(Painting{.width = 1, .height = 1, .rgba = {0, 0, 0, 0}});
+    return pixel;
+}
+
 }  // namespace
 
 int Atlas::side_px_for(int width_px, int height_px) {
@@ -54,10 +60,18 @@ std::optional<Rect> Atlas::room_for(Half& half, int width, int height) const {
     return take(half.shelves.back());
 }
 
-std::optional<Rect> Atlas::place(std::uint64_t key, const std::shared_ptr<const Painting>& painting) {
-    for (const Half& half : halves_) {
-        if (const auto found = half.places.find(key); found != half.places.end()) return found->second;
+std::optional<Rect> Atlas::find(std::uint64_t key) {
+    for (Half& half : halves_) {
+        const auto found = half.places.find(key);
+        if (found == half.places.end()) continue;
+        found->second.asked = asking_;
+        return found->second.rect;
     }
+    return std::nullopt;
+}
+
+std::optional<Rect> Atlas::place(std::uint64_t key, const std::shared_ptr<const Painting>& painting) {
+    if (const std::optional<Rect> found = find(key)) return found;
     if (painting->width > side_ || painting->height > side_ / 2) return std::nullopt;
     std::optional<Rect> rect = room_for(halves_[current_], painting->width, painting->height);
     if (!rect) {
@@ -71,20 +85,29 @@ std::optional<Rect> Atlas::place(std::uint64_t key, const std::shared_ptr<const 
         rect = room_for(halves_[current_], painting->width, painting->height);
     }
     if (!rect) return std::nullopt;
-    halves_[current_].places.emplace(key, *rect);
+    halves_[current_].places.emplace(key, Place{*rect, asking_});
     uploads_.push_back({static_cast<int>(rect->x), static_cast<int>(rect->y), painting});
     return rect;
 }
 
 std::optional<Rect> Atlas::replace(std::uint64_t key, const std::shared_ptr<const Painting>& painting) {
-    for (const Half& half : halves_) {
-        const auto found = half.places.find(key);
-        if (found == half.places.end()) continue;
-        const Rect& rect = found->second;
-        uploads_.push_back({static_cast<int>(rect.x), static_cast<int>(rect.y), painting});
-        return rect;
+    const std::optional<Rect> found = find(key);
+    if (!found) return place(key, painting);
+    uploads_.push_back({static_cast<int>(found->x), static_cast<int>(found->y), painting});
+    return found;
+}
+
+// Its room on the shelf is free again only when the half is emptied.
+void Atlas::forget_unasked() {
+    for (Half& half : halves_) {
+        std::erase_if(half.places, [&](const auto& entry) {
+            const Place& place = entry.second;
+            if (place.asked == asking_) return false;
+            uploads_.push_back(
+                {static_cast<int>(place.rect.x), static_cast<int>(place.rect.y), clear_pixel()});
+            return true;
+        });
     }
-    return place(key, painting);
 }
 
 std::vector<Atlas::Upload> Atlas::take_uploads() {

@@ -39,6 +39,12 @@ class Atlas {
     [[nodiscard]] std::optional<Rect> replace(std::uint64_t key,
                                               const std::shared_ptr<const Painting>& painting);
 
+    // From here on, what is asked for counts as wanted.
+    void begin_asking() { ++asking_; }
+    // What was not asked for since begin_asking() loses its place. So that nobody keeps its painting for a
+    // place that nobody draws from, one clear pixel is uploaded over its corner.
+    void forget_unasked();
+
     // What is to be copied into the texture before it is drawn from; it is taken away.
     [[nodiscard]] std::vector<Upload> take_uploads();
     // How often a half has been emptied.
@@ -51,12 +57,17 @@ class Atlas {
         int height = 0;
         int used = 0;  // pixels from the left
     };
+    struct Place {
+        Rect rect;
+        std::uint64_t asked = 0;  // the asking_ in which it was asked for last
+    };
     struct Half {
         int top = 0;
         int next_shelf_y = 0;
         std::vector<Shelf> shelves;
-        std::unordered_map<std::uint64_t, Rect> places;
+        std::unordered_map<std::uint64_t, Place> places;
     };
+    [[nodiscard]] std::optional<Rect> find(std::uint64_t key);
     [[nodiscard]] std::optional<Rect> room_for(Half& half, int width, int height) const;
     void empty(Half& half);
 
@@ -64,6 +75,7 @@ class Atlas {
     std::array<Half, 2> halves_;
     std::size_t current_ = 0;
     std::uint64_t generation_ = 0;
+    std::uint64_t asking_ = 0;
     std::vector<Upload> uploads_;
 };
 

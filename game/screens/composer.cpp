@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/jobs/thread_setup.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {
@@ -52,6 +53,7 @@ std::int64_t Composer::round(std::int64_t now_ns) noexcept {
         painter_ = std::make_unique<ui::Painter>();
         store_ = std::make_unique<PaintingStore>(*painter_);
     }
+    const bool is_other_screen = !shown_ || shown_->state.screen != wish->state.screen;
     shown_ = wish;
     const auto composed =
         std::make_shared<const Composed>(Composed{wish, compose(*wish, *painter_, *store_)});
@@ -61,6 +63,8 @@ std::int64_t Composer::round(std::int64_t now_ns) noexcept {
     }
     shown_turn_ = -1.0;
     done_.put(composed);
+    // What painting took, and what the screen before was painted of.
+    if (is_other_screen) jobs::give_back_freed_memory();
     return 0;
 }
 

@@ -32,7 +32,7 @@ class PaintingStore {
                                           float px_per_mm, float elevation_rad);
     std::shared_ptr<const TurningPot> turning(const PotShape& shape, const finish::GlazeMaterial& glaze,
                                               float px_per_mm, float elevation_rad, std::uint64_t& key);
-    // What was not asked for during the last few compositions goes.
+    // What was not asked for during the last few compositions goes, earlier where it is much.
     void forget_unused();
 
   private:

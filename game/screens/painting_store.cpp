@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <cstddef>
 
 #include "engine/core/hash.h"
 #include "game/screens/page.h"
@@ -9,6 +10,20 @@ namespace {
 
 // Compositions a painting may sit out: a panel is opened and closed again without painting all anew.
 constexpr int kPatience = 24;
+// And how much of them may, the newest first: a screen with a pot that turns, but not all of a visit's.
+constexpr std::size_t kMostUnusedBytes = std::size_t{6} << 20U;
+
+std::size_t bytes_of(const ui::Painting& painting) {
+    return painting.rgba.size();
+}
+
+std::size_t bytes_of(const PotPicture& picture) {
+    return picture.painting.rgba.size();
+}
+
+std::size_t bytes_of(const TurningPot& pot) {
+    return pot.bytes();
+}
 
 const std::shared_ptr<const ui::Painting>& nothing() {
     static const auto empty = std::make_shared<const ui::Painting>();
@@ -59,11 +74,25 @@ std::shared_ptr<const TurningPot> PaintingStore::turning(const PotShape& shape,
     return kept.value;
 }
 
+// The bytes of what has sat out that many compositions, by that number.
 void PaintingStore::forget_unused() {
-    const auto forget = [](auto& kept) {
-        for (auto entry = kept.begin(); entry != kept.end();) {
-            entry = ++entry->second.unused > kPatience ? kept.erase(entry) : std::next(entry);
+    std::array<std::size_t, kPatience + 1> unused_bytes{};
+    const auto look = [&](auto& kept) {
+        for (auto& [key, entry] : kept) {
+            if (++entry.unused > 1 && entry.unused <= kPatience + 1)
+                unused_bytes[static_cast<std::size_t>(entry.unused - 1)] += bytes_of(*entry.value);
         }
+    };
+    look(paintings_);
+    look(pots_);
+    look(turning_);
+    int most_unused = 1;
+    for (std::size_t bytes = 0; most_unused <= kPatience; ++most_unused) {
+        bytes += unused_bytes[static_cast<std::size_t>(most_unused)];
+        if (bytes > kMostUnusedBytes) break;
+    }
+    const auto forget = [&](auto& kept) {
+        std::erase_if(kept, [&](const auto& entry) { return entry.second.unused > most_unused; });
     };
     forget(paintings_);
     forget(pots_);

@@ -178,12 +178,15 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / comes_s : -step_s / goes_s), 0.0, 1.0);
 
     const double along = before_ ? (frame.now_s - since_s_) / change_s(*before_, *now_) : 1.0;
-    if (along >= 1.0) before_.reset();
+    const bool has_changed = before_ != nullptr && along >= 1.0;
+    if (has_changed) before_.reset();
+    if (has_changed) atlas_.begin_asking();
     // Twice, because taking a painting in may have emptied the half in which an earlier one lay.
     for (int look = 0; look < 3; ++look) {
         const bool kept_before = !before_ || all_placed(*before_);
         if (all_placed(*now_) && kept_before) break;
     }
+    if (has_changed) atlas_.forget_unasked();
     if (!before_) {
         covers_ = now_->composition.covers;
         add(*now_, frame, {});

@@ -80,6 +80,7 @@ TurningPot::TurningPot(const PotShape& shape, const finish::GlazeMaterial& glaze
             pixels_.push_back(pixel);
         }
     }
+    pixels_.shrink_to_fit();
 }
 
 void TurningPot::fill_colours(const PotShape& shape, const finish::GlazeMaterial& glaze,

@@ -2,6 +2,8 @@
 // once, and each picture then costs one look at the pot's own colours a pixel. Any one thread.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -18,6 +20,10 @@ class TurningPot {
     [[nodiscard]] vec2 foot_px() const { return foot_px_; }
     [[nodiscard]] int width_px() const { return width_; }
     [[nodiscard]] int height_px() const { return height_; }
+    // What it holds.
+    [[nodiscard]] std::size_t bytes() const {
+        return pixels_.size() * sizeof(Pixel) + colours_.size() * sizeof(vec3);
+    }
     // turn: how far it has turned, 0 to 1 and round again.
     [[nodiscard]] std::shared_ptr<const ui::Painting> at(double turn) const;
 

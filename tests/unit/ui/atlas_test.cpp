@@ -67,6 +67,26 @@ TEST(Atlas, ReplacesAPaintingWhereItLies) {
     EXPECT_EQ(static_cast<float>(uploads.front().x), first->x);
 }
 
+TEST(Atlas, ForgetsWhatNobodyAsksFor) {
+    Atlas atlas(256);
+    const auto first = atlas.place(1, painting(50, 20));
+    const auto second = atlas.place(2, painting(30, 20));
+    ASSERT_TRUE(first && second);
+    static_cast<void>(atlas.take_uploads());
+    atlas.begin_asking();
+    EXPECT_EQ(atlas.place(2, painting(30, 20)), second);
+    atlas.forget_unasked();
+    const std::vector<Atlas::Upload> uploads = atlas.take_uploads();
+    ASSERT_EQ(uploads.size(), 1U) << "over the one that nobody asked for";
+    EXPECT_EQ(static_cast<float>(uploads[0].x), first->x);
+    EXPECT_EQ(static_cast<float>(uploads[0].y), first->y);
+    EXPECT_EQ(uploads[0].painting->rgba, std::vector<std::uint8_t>(4, 0)) << "one clear pixel";
+    EXPECT_EQ(atlas.place(2, painting(30, 20)), second);
+    EXPECT_TRUE(atlas.take_uploads().empty());
+    EXPECT_TRUE(atlas.place(1, painting(50, 20)));
+    EXPECT_EQ(atlas.take_uploads().size(), 1U) << "taken in anew";
+}
+
 TEST(Atlas, RefusesWhatIsLargerThanAHalf) {
     Atlas atlas(256);
     EXPECT_FALSE(atlas.place(1, painting(257, 10)));
