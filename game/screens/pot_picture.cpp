@@ -73,21 +73,16 @@ PotExtent pot_extent(const PotShape& shape, float px_per_mm, float elevation_rad
     return extent;
 }
 
-PotPicture paint_pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-                     float elevation_rad, float turn) {
-    const PotSamples samples = sample_pot(shape, px_per_mm, elevation_rad);
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
-    PotPicture picture;
-    picture.foot_px = samples.foot_px;
-    ui::Painting& painting = picture.painting;
-    painting.width = samples.width / kSamplesAcross;
-    painting.height = samples.height / kSamplesAcross;
-    painting.rgba.resize(static_cast<std::size_t>(painting.width) *
-                         static_cast<std::size_t>(painting.height) * 4);
+namespace {
+
+// A band of samples takes some MB where the whole of a large picture takes 30.
+constexpr int kBandPx = 128;
+
+// The band's pixels, in place.
+void paint_band(const PotSamples& samples, const PotShading& shading, float turn, std::uint8_t* to) {
     constexpr int kSamples = kSamplesAcross * kSamplesAcross;
-    std::uint8_t* to = painting.rgba.data();
-    for (int y = 0; y < painting.height; ++y) {
-        for (int x = 0; x < painting.width; ++x, to += 4) {
+    for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
+        for (int x = 0; x < samples.width / kSamplesAcross; ++x, to += 4) {
             vec3 sum(0.0F);
             int count = 0;
             for (int k = 0; k < kSamples; ++k) {
@@ -105,6 +100,25 @@ PotPicture paint_pot(const PotShape& shape, const finish::GlazeMaterial& glaze, 
                 to[channel] = static_cast<std::uint8_t>(sum[channel] * 255.0F / kSamples + 0.5F);
             to[3] = static_cast<std::uint8_t>(count * 255 / kSamples);
         }
+    }
+}
+
+}  // namespace
+
+PotPicture paint_pot(const PotShape& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+                     float elevation_rad, float turn) {
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
+    const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
+    PotPicture picture;
+    picture.foot_px = extent.foot_px;
+    ui::Painting& painting = picture.painting;
+    painting.width = extent.width_px;
+    painting.height = extent.height_px;
+    const std::size_t row_bytes = static_cast<std::size_t>(painting.width) * 4;
+    painting.rgba.resize(row_bytes * static_cast<std::size_t>(painting.height));
+    for (int top = 0; top < painting.height; top += kBandPx) {
+        const PotSamples samples = sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx});
+        paint_band(samples, shading, turn, painting.rgba.data() + row_bytes * static_cast<std::size_t>(top));
     }
     return picture;
 }

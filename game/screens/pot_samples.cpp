@@ -30,9 +30,9 @@ class Canvas {
         if (std::abs(area) < 1e-6F) return;
         const int left = std::max(0, static_cast<int>(std::min({a.px.x, b.px.x, c.px.x})));
         const int right = std::min(into_.width - 1, static_cast<int>(std::max({a.px.x, b.px.x, c.px.x})) + 1);
-        const int top = std::max(0, static_cast<int>(std::min({a.px.y, b.px.y, c.px.y})));
+        const int top = std::max(into_.top, static_cast<int>(std::min({a.px.y, b.px.y, c.px.y})));
         const int bottom =
-            std::min(into_.height - 1, static_cast<int>(std::max({a.px.y, b.px.y, c.px.y})) + 1);
+            std::min(into_.top + into_.height - 1, static_cast<int>(std::max({a.px.y, b.px.y, c.px.y})) + 1);
         for (int y = top; y <= bottom; ++y) {
             for (int x = left; x <= right; ++x) {
                 const vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
@@ -40,8 +40,9 @@ class Canvas {
                 const float v = cross(c.px - p, a.px - p) / area;
                 const float w = 1.0F - u - v;
                 if (u < 0.0F || v < 0.0F || w < 0.0F) continue;
-                const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(into_.width) +
-                                       static_cast<std::size_t>(x);
+                const std::size_t at =
+                    static_cast<std::size_t>(y - into_.top) * static_cast<std::size_t>(into_.width) +
+                    static_cast<std::size_t>(x);
                 const float depth = u * a.depth + v * b.depth + w * c.depth;
                 if (depth <= depth_[at]) continue;
                 depth_[at] = depth;
@@ -90,13 +91,14 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
 
 }  // namespace
 
-PotSamples sample_pot(const PotShape& shape, float px_per_mm, float elevation_rad) {
+PotSamples sample_pot(const PotShape& shape, float px_per_mm, float elevation_rad, const PotBand& band) {
     const float scale = px_per_mm * kSamplesAcross;
     const float sine = std::sin(elevation_rad);
     const float cosine = std::cos(elevation_rad);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
     PotSamples samples{.width = extent.width_px * kSamplesAcross,
-                       .height = extent.height_px * kSamplesAcross,
+                       .height = std::min(band.height_px, extent.height_px - band.top_px) * kSamplesAcross,
+                       .top = band.top_px * kSamplesAcross,
                        .foot_px = extent.foot_px};
     const vec2 origin = extent.foot_px * static_cast<float>(kSamplesAcross);
     samples.surface.resize(static_cast<std::size_t>(samples.width) *

@@ -1,6 +1,7 @@
 // The samples of a pot's surface that a picture of it shows: a depth buffer on a processor. Any thread; pure.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "game/screens/pot_picture.h"
@@ -11,15 +12,24 @@ namespace onggi::screens {
 // Several samples a pixel, each way; rows from the top.
 constexpr int kSamplesAcross = 2;
 
+// Of the picture or of a band across it.
 struct PotSamples {
     int width = 0;  // in samples; whole pixels
     int height = 0;
+    int top = 0;         // of the picture's rows of samples, the first
     vec2 foot_px{0.0F};  // where the middle of the foot stands, pixels
     std::vector<PotSurface> surface{};
     std::vector<char> covered{};
 };
 
-// Parallel view, elevation_rad above the horizon.
-[[nodiscard]] PotSamples sample_pot(const PotShape& shape, float px_per_mm, float elevation_rad);
+// Rows of pixels.
+struct PotBand {
+    int top_px = 0;
+    int height_px = std::numeric_limits<int>::max();  // as far as the picture goes
+};
+
+// Parallel view, elevation_rad above the horizon. A sample is the same to the bit in any band.
+[[nodiscard]] PotSamples sample_pot(const PotShape& shape, float px_per_mm, float elevation_rad,
+                                    const PotBand& band = {});
 
 }  // namespace onggi::screens

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "game/screens/pot_samples.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {
@@ -41,6 +43,28 @@ TEST(PotPicture, IsAsLargeAsThePot) {
     EXPECT_NEAR(static_cast<float>(picture.painting.height),
                 305.0F * std::cos(0.12F) + 151.0F * std::sin(0.12F) * 2.0F, 10.0F);
     EXPECT_NEAR(picture.foot_px.x, 0.5F * static_cast<float>(picture.painting.width), 1.0F);
+}
+
+TEST(PotPicture, IsSampledAlikeInBandsAndAtOnce) {
+    constexpr float kPxPerMm = 1.3F;
+    const PotSamples whole = sample_pot(moon_jar(), kPxPerMm, 0.3F);
+    const int height_px = whole.height / kSamplesAcross;
+    int covered = 0;
+    for (int top_px = 0; top_px < height_px; top_px += 100) {
+        const PotSamples band = sample_pot(moon_jar(), kPxPerMm, 0.3F, {top_px, 100});
+        ASSERT_EQ(band.width, whole.width);
+        ASSERT_EQ(band.height, std::min(100, height_px - top_px) * kSamplesAcross);
+        const auto first =
+            static_cast<std::size_t>(top_px * kSamplesAcross) * static_cast<std::size_t>(whole.width);
+        for (std::size_t i = 0; i < band.covered.size(); ++i) {
+            ASSERT_EQ(band.covered[i], whole.covered[first + i]) << top_px << ", " << i;
+            if (band.covered[i] == 0) continue;
+            ++covered;
+            ASSERT_EQ(band.surface[i].height_mm, whole.surface[first + i].height_mm) << top_px << ", " << i;
+            ASSERT_EQ(band.surface[i].angle, whole.surface[first + i].angle) << top_px << ", " << i;
+        }
+    }
+    EXPECT_GT(covered, 100'000);
 }
 
 TEST(PotPicture, IsWholeWithNoHoleInItsMiddle) {
