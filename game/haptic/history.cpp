@@ -71,8 +71,7 @@ void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
                        .force_check = record::force_check(force_n)});
 }
 
-haptics::ToolState History::tool_at(std::uint64_t tick) const {
-    const Input& input = inputs_[static_cast<std::size_t>(tick - first_tick())];
+haptics::ToolState History::tool_of(const LoggedInput& input) const {
     haptics::ToolState tool = settings_[input.settings];
     tool.position_mm = input.position_mm;
     tool.second.position_mm = second_positions_mm_[input.second];
@@ -131,8 +130,9 @@ HapticState History::state_at(std::uint64_t tick) const {
     // Bytes of our own that are refused are a bug, not a state of the world.
     if (!start) throw std::runtime_error(start.error().message);
     HapticState state = std::move(start->state);
+    InputLog::Reader inputs(inputs_, static_cast<std::size_t>(state.ticks - first_tick()));
     while (state.ticks < tick)
-        haptic::tick(state, tool_at(state.ticks), start_.parameters);
+        haptic::tick(state, tool_of(inputs.next()), start_.parameters);
     return state;
 }
 
@@ -143,7 +143,7 @@ void History::go_back_to(std::uint64_t tick) {
     }
     now_ = state_at(tick);
     ++lineage_;
-    inputs_.resize(static_cast<std::size_t>(tick - first_tick()));
+    inputs_.shrink(static_cast<std::size_t>(tick - first_tick()));
     settings_.resize(inputs_.empty() ? 0 : inputs_.back().settings + std::size_t{1});
     second_positions_mm_.resize(inputs_.empty() ? 0 : inputs_.back().second + std::size_t{1});
     block_hashes_.resize(inputs_.size() / record::kHashInterval);
@@ -165,9 +165,10 @@ Result<record::SessionWriter> History::begin_session(const std::filesystem::path
 Result<void> History::write_on(record::SessionWriter& writer, std::size_t most_ticks) const {
     const auto from = static_cast<std::size_t>(writer.tick_count());
     const std::size_t until = from + std::min(most_ticks, inputs_.size() - from);
+    InputLog::Reader inputs(inputs_, from);
     for (std::size_t i = from; i < until; ++i) {
-        if (auto added = writer.add_tick(tool_at(first_tick() + i), inputs_[i].force_check); !added)
-            return added;
+        const LoggedInput input = inputs.next();
+        if (auto added = writer.add_tick(tool_of(input), input.force_check); !added) return added;
         if (!writer.block_is_full()) continue;
         if (auto ended = writer.end_block(block_hashes_[i / record::kHashInterval]); !ended) return ended;
     }

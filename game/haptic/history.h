@@ -13,6 +13,7 @@
 
 #include "engine/core/result.h"
 #include "engine/record/session_writer.h"
+#include "game/haptic/input_log.h"
 #include "game/haptic/messages.h"
 #include "game/haptic/start_state.h"
 
@@ -84,13 +85,6 @@ class History {
     [[nodiscard]] std::size_t checkpoint_bytes() const { return checkpoint_bytes_; }
 
   private:
-    // A tick's tool, its places apart from the rest, which seldom changes.
-    struct Input {
-        dvec3 position_mm{0.0};
-        std::uint32_t second = 0;    // index of the second hand's place
-        std::uint32_t settings = 0;  // index of all else
-        std::uint32_t force_check = 0;
-    };
     struct Checkpoint {
         std::uint64_t tick = 0;
         std::vector<std::byte> bytes;
@@ -104,12 +98,12 @@ class History {
     void thin_out();
     void follow_tick(const haptics::ToolState& tool, const dvec3* force_n);
     void follow_moves(const TickResult& result);
-    [[nodiscard]] haptics::ToolState tool_at(std::uint64_t tick) const;
+    [[nodiscard]] haptics::ToolState tool_of(const LoggedInput& input) const;
 
     Start start_;
     HistoryOptions options_;
     HapticState now_;
-    std::vector<Input> inputs_;  // of tick first_tick() + index
+    InputLog inputs_;  // of tick first_tick() + index
     std::vector<dvec3> second_positions_mm_;
     std::vector<haptics::ToolState> settings_;
     std::vector<std::uint64_t> block_hashes_;  // after each full block of the session that save() writes
