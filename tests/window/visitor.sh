@@ -3,7 +3,7 @@
 # [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a picture of each
 # screen there. TARGETS: the program screen_targets, which knows where the buttons are. HAND: mouse, touch, keys or switch
 # (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN likewise; CAGED:
-# a compositor has opened a display already.
+# a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold on any screen, once it is there.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 onggi=$1
@@ -43,10 +43,20 @@ open_kiosk() {
     kiosk=$!
 }
 open_kiosk
+# look_at_memory SCREEN: in MB of a million bytes.
+most_seen_mb=0
+look_at_memory() {
+    local resident_mb
+    resident_mb=$(awk '$1 == "VmRSS:" { print int($2 * 1024 / 1000000 + 0.5) }' "/proc/$kiosk/status")
+    [ "$resident_mb" -le "$most_seen_mb" ] || most_seen_mb=$resident_mb
+    [ "$resident_mb" -le "$MOST_RESIDENT_MB" ] ||
+        fail "expected at most $MOST_RESIDENT_MB MB of resident memory on '$1', found $resident_mb MB"
+}
 # A screen is there when the title says so; its cross-fade is over a quarter of a second later.
 on_screen() {
     wait_for "screen '$1'" xdotool search --name "^Onggi - $1( .[0-9]+.)?\$"
     sleep 0.6
+    [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
     # The root of Xwayland is empty.
     local seen=root
@@ -167,4 +177,5 @@ keep_the_pot() {
     wait "$kiosk" || status=$?
     [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"
     printf 'kept by %s in %s: %s\n' "$hand" "$language" "$pot"
+    [ -z "${MOST_RESIDENT_MB:-}" ] || printf 'resident memory: %s MB at most\n' "$most_seen_mb"
 }
