@@ -16,11 +16,11 @@ struct Push {
 constexpr std::array kAttributes{VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32_SFLOAT, 0}};
 constexpr std::array kBindings{vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 
-ByteOrder order_of(VkFormat format) {
+}  // namespace
+
+ByteOrder byte_order(VkFormat format) {
     return format == VK_FORMAT_B8G8R8A8_UNORM ? ByteOrder::kBlueFirst : ByteOrder::kRedFirst;
 }
-
-}  // namespace
 
 Result<void> PaintedOverlay::create(const FrameContext& frame) {
     const vk::Device& device = frame.device;
@@ -31,7 +31,7 @@ Result<void> PaintedOverlay::create(const FrameContext& frame) {
     if (!layout) return layout.error();
     layout_ = std::move(*layout);
     const std::array formats{frame.desc.colour_format};
-    const std::array constants{order_of(formats[0]) == ByteOrder::kBlueFirst ? 1U : 0U};
+    const std::array constants{byte_order(formats[0]) == ByteOrder::kBlueFirst ? 1U : 0U};
     auto pipeline = vk::create_pipeline(device, {.name = "painted overlay",
                                                  .vertex_spirv = shaders::kPaintedVert,
                                                  .fragment_spirv = shaders::kPaintedFrag,
@@ -78,7 +78,7 @@ Result<void> PaintedOverlay::fit(const FrameContext& frame, const Overlay* overl
         painted_content_[tile] = content[tile];
     }
     rects_of_tiles(grid_, wanted_, rects_);
-    const OverlayPainting painting{*overlay->list, pictures_, order_of(frame.desc.colour_format)};
+    const OverlayPainting painting{*overlay->list, pictures_, byte_order(frame.desc.colour_format)};
     for (const PixelRect& rect : rects_)
         paint_overlay(painting, rect, grid_.width_px, painted_.as<std::uint32_t>());
     return {};

@@ -15,6 +15,8 @@
 
 namespace onggi::render {
 
+[[nodiscard]] ByteOrder byte_order(VkFormat format);
+
 class PaintedOverlay {
   public:
     Result<void> create(const FrameContext& frame);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/render/painted_overlay.h"
 #include "engine/render/relief.h"
 
 namespace onggi::render {
@@ -92,6 +93,14 @@ Result<vk::Buffer> upload_buffer(const FrameContext& frame, const std::vector<T>
     return buffer;
 }
 
+// Each is two triangles of the mesh, {corner, below, right} and {right, below, across}.
+std::vector<Quad> cells_of(const ReliefMesh& mesh) {
+    std::vector<Quad> cells;
+    for (std::size_t i = 0; i + 5 < mesh.indices.size(); i += 6)
+        cells.push_back({mesh.indices[i], mesh.indices[i + 2], mesh.indices[i + 5], mesh.indices[i + 1]});
+    return cells;
+}
+
 bool is_whole(const Plate& plate, const PhotographPair& pair) {
     const auto is_whole_picture = [&](const asset::Image& image) {
         return image.width > 0 && image.height > 0 && image.width == plate.width_px &&
@@ -155,8 +164,22 @@ Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::sh
     if (!ambient) return ambient.error();
     auto depth = upload_depth(frame, plate->relief);
     if (!depth) return depth.error();
+    ReliefMesh mesh = relief_mesh(*plate);
+    if (frame.desc.shades_on_host) {
+        const auto table = transfer_table(frame.desc.transfer);
+        const auto on_host = [&](const asset::Image& picture) {
+            return HostPhotograph(picture.width, picture.height, picture.rgba, table,
+                                  byte_order(frame.desc.colour_format));
+        };
+        HostPlate photographs{on_host((*pair)->key), on_host((*pair)->ambient)};
+        plate->photographs->let_go();
+        return Resident{.plate = std::move(plate),
+                        .key = std::move(*key),
+                        .ambient = std::move(*ambient),
+                        .depth = std::move(*depth),
+                        .bendable = {std::move(photographs), mesh.positions_mm, cells_of(mesh)}};
+    }
     plate->photographs->let_go();
-    const ReliefMesh mesh = relief_mesh(*plate);
     auto positions =
         upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     if (!positions) return positions.error();
@@ -214,6 +237,11 @@ Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
     from_ = scene.plate;
     if (to) to_ = to;
     return changed;
+}
+
+const BendablePlate* PlatePass::bendable(const std::shared_ptr<const Plate>& plate) const {
+    const Resident* const there = find(plate);
+    return there != nullptr ? &there->bendable : nullptr;
 }
 
 void PlatePass::draw_relief(const FrameContext& frame, const Glide& glide) const {

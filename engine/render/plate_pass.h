@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/bend_pixels.h"
 #include "engine/render/frame_context.h"
 
 namespace onggi::render {
@@ -14,6 +15,13 @@ struct PlateSlots {
     int key;
     int ambient;
     int depth;
+};
+
+// A plate where the processor is the device, and bends it itself.
+struct BendablePlate {
+    HostPlate photographs;
+    std::vector<vec3> relief_mm;  // corners
+    std::vector<Quad> cells;      // of them
 };
 
 class PlatePass {
@@ -27,6 +35,8 @@ class PlatePass {
 
     // The relief of the plate that is nearer to the gliding camera, inside the caller's pass.
     void draw_relief(const FrameContext& frame, const Glide& glide) const;
+    // Where the host shades: a plate of the scene; null if it is none.
+    [[nodiscard]] const BendablePlate* bendable(const std::shared_ptr<const Plate>& plate) const;
 
   private:
     struct Resident {
@@ -34,9 +44,10 @@ class PlatePass {
         vk::Image key;
         vk::Image ambient;
         vk::Image depth;  // of the relief's corners, mm
-        vk::Buffer relief_positions;
-        vk::Buffer relief_indices;
+        vk::Buffer relief_positions{};
+        vk::Buffer relief_indices{};
         std::uint32_t relief_index_count = 0;
+        BendablePlate bendable{};  // instead of these three
     };
     static Result<Resident> upload(const FrameContext& frame, std::shared_ptr<const Plate> plate);
     Result<const Resident*> resident(const FrameContext& frame, const std::shared_ptr<const Plate>& plate);

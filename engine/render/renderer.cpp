@@ -3,6 +3,7 @@
 
 #include "engine/render/edge_pass.h"
 #include "engine/render/host_frame.h"
+#include "engine/render/host_glide.h"
 #include "engine/render/lathe_pass.h"
 #include "engine/render/mover_pass.h"
 #include "engine/render/overlay_pass.h"
@@ -65,11 +66,17 @@ struct Renderer::Impl {
     Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
     Result<void> record_cached(const Scene& scene, const vk::TargetImage& target);
+    Result<void> record_bent(const Scene& scene, const vk::TargetImage& target);
+    void draw_moving(const Scene& scene);
     Result<void> record_direct(const Scene& scene, const vk::TargetImage& target);
 
     Result<void> note_rest(const vk::TargetImage& target, const HostShade* shaded);
 
     [[nodiscard]] bool is_cached(const Scene& scene) const { return frame.desc.cached && !scene.glide; }
+    // Whether the processor bends the photographs.
+    [[nodiscard]] bool is_bent(const Scene& scene) const {
+        return frame.desc.shades_on_host && scene.glide && scene.plate;
+    }
     void enter(const char* part) { clock.enter(frame.device, frame.commands, part); }
 
     FrameContext frame;
@@ -83,6 +90,7 @@ struct Renderer::Impl {
     OverlayPass overlay;
     PaintedOverlay painted;  // in its place, where the processor shades
     HostFrame host_frame;
+    HostGlide host_glide;
     RestingScene resting;
     bool will_rest = false;  // this frame's overlay says that the scene may
     Under drawn_under = Under::kNothing;
@@ -190,7 +198,12 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
                 static_cast<int>(frame.extent.height), built);
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
     still.update(frame, scene);
-    shadow.update(frame, scene, still.bounds());
+    if (is_bent(scene)) {
+        shadow.pause();
+        if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
+    } else {
+        shadow.update(frame, scene, still.bounds());
+    }
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
     lathe.upload(frame);
     edges.upload(frame);
@@ -216,19 +229,40 @@ Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetI
         enter("shade");
         shadow.draw_shade(frame);
     }
-    const PixelRect& moving = frame.built.moving;
-    if (moving.width > 0 && moving.height > 0) {
-        set_scissor(frame.commands, moving);
-        // A pixel of clay takes several times as long as one of a hand: what a hand hides is not shaded.
-        enter("hands and tools");
-        movers.draw(frame, scene);
-        enter("clay");
-        lathe.draw(frame);
-    }
+    draw_moving(scene);
     vkCmdEndRendering(frame.commands);
     enter("outlines");
     edges.record(frame, target);
     return note_rest(target, shaded);
+}
+
+// The camera moves: as cached, but the room is made anew for each frame.
+Result<void> Renderer::Impl::record_bent(const Scene& scene, const vk::TargetImage& target) {
+    enter("still life");
+    host_glide.record_depth(frame);
+    if (auto brought = host_frame.record(frame, target, host_glide.picture(frame), painted); !brought)
+        return brought;
+    begin_pass(frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
+               {.view = frame.images.depth.view(),
+                .load = VK_ATTACHMENT_LOAD_OP_LOAD,
+                .store = VK_ATTACHMENT_STORE_OP_STORE});
+    draw_moving(scene);
+    vkCmdEndRendering(frame.commands);
+    enter("outlines");
+    edges.record(frame, target);
+    return note_rest(target, nullptr);
+}
+
+// Inside a pass.
+void Renderer::Impl::draw_moving(const Scene& scene) {
+    const PixelRect& moving = frame.built.moving;
+    if (moving.width <= 0 || moving.height <= 0) return;
+    set_scissor(frame.commands, moving);
+    // A pixel of clay takes several times as long as one of a hand: what a hand hides is not shaded.
+    enter("hands and tools");
+    movers.draw(frame, scene);
+    enter("clay");
+    lathe.draw(frame);
 }
 
 Result<void> Renderer::Impl::record_direct(const Scene& scene, const vk::TargetImage& target) {
@@ -278,6 +312,7 @@ Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetIm
     still.record(frame);
     enter("shadow mask");
     shadow.record(frame);
+    if (is_bent(scene)) return record_bent(scene, target);
     if (is_cached(scene)) return record_cached(scene, target);
     return record_direct(scene, target);
 }
@@ -289,7 +324,7 @@ Result<void> Renderer::Impl::record_painted(const Scene& scene, const vk::Target
         return {};
     }
     if (under == Under::kRestingScene) return host_frame.record(frame, target, resting.picture(), painted);
-    if (is_cached(scene) && shadow.host_shade() != nullptr)
+    if (is_bent(scene) || (is_cached(scene) && shadow.host_shade() != nullptr))
         return painted.record(frame, target, host_frame.drawn_over());
     return painted.record(frame, target);
 }

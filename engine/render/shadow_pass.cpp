@@ -20,6 +20,11 @@ void ShadowPass::update(FrameContext& frame, const Scene& scene, const StillBoun
                              static_cast<int>(frame.extent.height));
 }
 
+void ShadowPass::pause() {
+    host_.forget();
+    host_shades_ = false;
+}
+
 void ShadowPass::record(const FrameContext& frame) {
     if (host_shades_ || !frame.stats.shadow_drawn) return;
     const vk::Image& mask = frame.images.mask;

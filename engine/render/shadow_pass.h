@@ -17,6 +17,8 @@ class ShadowPass {
     // Decides who shades and whether the mask has to be made again, and notes it in the stats. After
     // StillPass::update(); the device is idle.
     void update(FrameContext& frame, const Scene& scene, const StillBounds& still);
+    // In place of update(), where this frame's shade is none of it.
+    void pause();
     // The mask, if update() asked for it.
     void record(const FrameContext& frame);
     // Cached: what the processor shaded; null if it does not shade this frame. Then the caller copies the

@@ -1,0 +1,51 @@
+// The photographed room while the camera moves, bent by the processor where that is the device: the relief,
+// the meshes that stand for parts of the room, and the shade on both, as one picture and its depth. What
+// moves is drawn over it by the device. Main thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/render/bent_points.h"
+#include "engine/render/frame_context.h"
+#include "engine/render/host_frame.h"
+#include "engine/render/plate_pass.h"
+
+namespace onggi::render {
+
+class HostGlide {
+  public:
+    // The scene has a glide and its plates are on the device; `frame.built` is this frame's. The device is
+    // idle. Errors: no memory for the picture.
+    Result<void> bend(const FrameContext& frame, const Scene& scene, const PlatePass& plates);
+
+    // What bend() made.
+    [[nodiscard]] HostPicture picture(const FrameContext& frame) const {
+        return {picture_, numbers_, frame.built.moving_tiles};
+    }
+    // Its depth, where something moves, into the frame's.
+    void record_depth(const FrameContext& frame);
+
+  private:
+    Result<void> fit(const FrameContext& frame);
+    void fit_mesh(const Scene& scene);
+
+    vk::Buffer picture_;
+    vk::Buffer depth_;
+    std::vector<std::uint64_t> numbers_;  // of its tiles; all of them are others in every frame
+    std::uint64_t last_number_ = 0;
+    std::unique_ptr<ShadowMask> mask_ = std::make_unique<ShadowMask>();
+    std::array<std::array<std::uint8_t, 256>, 3> dimmed_{};
+    std::vector<ReliefCorner> relief_;
+    ReliefOrder order_;
+    BendableMesh mesh_;
+    std::vector<SurfaceCorner> surface_;
+    std::shared_ptr<const StillLife> mesh_of_;  // held, so that its revision is compared with itself
+    std::uint64_t mesh_revision_ = 0;
+    std::vector<VkBufferImageCopy> regions_;
+};
+
+}  // namespace onggi::render

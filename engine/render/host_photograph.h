@@ -1,0 +1,37 @@
+// Photographs where the processor finds them, to be bent by it. Any thread. Texels.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/overlay_paint.h"
+
+namespace onggi::render {
+
+// One photograph as the host reads it: texels of four bytes, with the transfer and in the byte order of the
+// picture. Round them lies what a look between two of them may touch beside the last.
+class HostPhotograph {
+  public:
+    HostPhotograph() = default;
+    // rgba: width x height pixels. table: what becomes of each byte.
+    HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba,
+                   std::span<const std::uint8_t, 256> table, ByteOrder order);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] const std::uint32_t* first() const { return texels_.data() + width_ + 1; }
+
+  private:
+    int width_ = 0;
+    int height_ = 0;
+    std::vector<std::uint32_t> texels_;
+};
+
+// A plate's pair.
+struct HostPlate {
+    HostPhotograph key;
+    HostPhotograph ambient;
+};
+
+}  // namespace onggi::render
