@@ -148,10 +148,10 @@ struct FixedRow {
 };
 
 // So far from a texel a pixel, and from level, a row may go and still be made in blocks.
-constexpr int kLeastChange = kOne / 8;
+constexpr int kMostChange = kOne / 4;
 
 // A block of a row that goes about a texel a pixel and almost level: as if it did so exactly, which in its
-// outer pixels is wrong by less than a fifth of a pixel.
+// outer pixels is wrong by less than two fifths of a pixel.
 [[gnu::always_inline]] inline void make_block(const std::uint32_t* texels, std::ptrdiff_t across,
                                               const FixedRow& row, BlockHalves& block) {
     const int u = row.u + 3 * (row.u_step - kOne) / 2;

@@ -157,7 +157,7 @@ class FixedPlace {
 template <std::size_t kValues>
 [[gnu::always_inline]] inline bool is_plain(const Shape<kValues>& shape, std::size_t u,
                                             const HostPhotograph& photograph) {
-    constexpr float kChange = static_cast<float>(kLeastChange) / kOne;
+    constexpr float kChange = static_cast<float>(kMostChange) / kOne;
     constexpr float kTallest = 8.0F;  // texels from line to line
     constexpr float kWidePx = 512.0F;
     if (!(std::abs(shape.across[u] - 1.0F) < kChange && std::abs(shape.across[u + 1]) < kChange &&
