@@ -22,6 +22,12 @@ class HostGlide {
     // idle. Errors: no memory for the picture.
     Result<void> bend(const FrameContext& frame, const Scene& scene, const PlatePass& plates);
 
+    // The camera stands: gives back the picture's memory. The device is idle.
+    void rest() {
+        picture_ = {};
+        depth_ = {};
+    }
+
     // What bend() made.
     [[nodiscard]] HostPicture picture(const FrameContext& frame) const {
         return {picture_, numbers_, frame.built.moving_tiles};

@@ -202,6 +202,7 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
         shadow.pause();
         if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
     } else {
+        host_glide.rest();
         shadow.update(frame, scene, still.bounds());
     }
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
