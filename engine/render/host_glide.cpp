@@ -37,12 +37,13 @@ void HostGlide::fit_mesh(const Scene& scene) {
     mesh_revision_ = revision;
 }
 
-Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, const PlatePass& plates) {
+Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, PlatePass& plates) {
     if (auto fitted = fit(frame); !fitted) return fitted;
     const Glide& glide = *scene.glide;
-    const BendablePlate* const from = plates.bendable(scene.plate);
-    const BendablePlate* const to = plates.bendable(glide.towards);
-    if (from == nullptr || to == nullptr) return failed("glide: expected both plates, found one missing");
+    const auto from = plates.bendable(frame, scene.plate);
+    if (!from) return from.error();
+    const auto to = plates.bendable(frame, glide.towards);
+    if (!to) return to.error();
     const shaders::FrameData& data = frame.built.frame;
     fill_shadow_mask(data, *mask_);
     const BendView view{data, *scene.plate, *glide.towards, *mask_};
@@ -51,8 +52,8 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
                         .height = static_cast<int>(frame.extent.height),
                         .pixels = picture_.as<std::uint32_t>(),
                         .depth = depth_.as<float>(),
-                        .from = &from->photographs,
-                        .to = &to->photographs,
+                        .from = &*(*from)->photographs,
+                        .to = &*(*to)->photographs,
                         .mask = mask_.get(),
                         .order = byte_order(frame.desc.colour_format)};
     const bool is_day = scene.levels.ambient == vec3(1.0F) && scene.levels.key == 1.0F;
@@ -67,7 +68,7 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
         picture.dimmed = &dimmed_;
     }
 
-    const BendablePlate& nearer = *(glide.share < 0.5F ? from : to);
+    const BendablePlate& nearer = **(glide.share < 0.5F ? from : to);
     bend_corners(nearer.relief_mm, view, relief_);
     fit_mesh(scene);
     bend_corners(mesh_, view, surface_);

@@ -5,8 +5,7 @@
 
 namespace onggi::render {
 
-HostPhotograph::HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba,
-                               std::span<const std::uint8_t, 256> table, ByteOrder order)
+HostPhotograph::HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba, ByteOrder order)
     : width_(width),
       height_(height) {
     const auto across = static_cast<std::size_t>(width);
@@ -16,7 +15,7 @@ HostPhotograph::HostPhotograph(int width, int height, std::span<const std::uint8
     std::uint32_t* const own = texels_.data() + across + 1;
     const std::size_t red = order == ByteOrder::kRedFirst ? 0 : 2;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto byte = [&](std::size_t channel) { return std::uint32_t{table[rgba[4 * i + channel]]}; };
+        const auto byte = [&](std::size_t channel) { return std::uint32_t{rgba[4 * i + channel]}; };
         own[i] = byte(red) | byte(1) << 8U | byte(2 - red) << 16U | 0xFF000000U;
     }
     std::copy_n(own, across, own - across);

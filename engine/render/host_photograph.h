@@ -14,9 +14,8 @@ namespace onggi::render {
 class HostPhotograph {
   public:
     HostPhotograph() = default;
-    // rgba: width x height pixels. table: what becomes of each byte.
-    HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba,
-                   std::span<const std::uint8_t, 256> table, ByteOrder order);
+    // rgba: width x height pixels.
+    HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba, ByteOrder order);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }

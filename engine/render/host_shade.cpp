@@ -52,6 +52,13 @@ Result<void> HostShade::fit(const FrameContext& frame) {
     return {};
 }
 
+void HostShade::let_go() {
+    for (vk::Buffer* buffer : {&with_key_, &without_key_, &places_, &shaded_})
+        *buffer = {};
+    extent_ = {};
+    state_ = State::kNothing;
+}
+
 bool HostShade::is_wide_enough() const {
     return extent_.width >= static_cast<std::uint32_t>(kShadeBlockPx);
 }

@@ -20,6 +20,8 @@ class HostShade {
     Result<void> fit(const FrameContext& frame);
     // The layers are drawn anew.
     void forget() { state_ = State::kNothing; }
+    // Nothing will be shaded for a while: gives its memory back until the next fit(). The device is idle.
+    void let_go();
     // A picture may be so narrow that nobody sees what is in it.
     [[nodiscard]] bool is_wide_enough() const;
     // Copies the layers, which have been drawn, to where the host reads them, unless they are there. Not

@@ -206,7 +206,9 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     plate_surface.fragment_spirv =
         desc.cached ? shaders::kPlateSurfaceLayersFrag : shaders::kPlateSurfaceFrag;
     maker.make(pipelines.plate_surface, plate_surface);
-    make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
+    // Else the processor bends the photographs.
+    if (!desc.shades_on_host)
+        make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
 
     vk::PipelineDesc mover = mesh;
     mover.name = "moving sphere";

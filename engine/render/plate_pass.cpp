@@ -7,6 +7,7 @@
 
 #include "engine/render/painted_overlay.h"
 #include "engine/render/relief.h"
+#include "engine/vk/readback.h"
 
 namespace onggi::render {
 namespace {
@@ -44,7 +45,8 @@ Result<vk::Image> upload_texels(const FrameContext& frame, const Texels& texels,
                                    {.name = texels.name,
                                     .format = texels.format,
                                     .extent = texels.extent,
-                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                                             VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     if (!image) return image.error();
     const auto copied = frame.device.run_once([&](VkCommandBuffer once) {
         vk::barrier(once, *image, vk::state::kUndefined, vk::state::kCopyTarget);
@@ -57,6 +59,29 @@ Result<vk::Image> upload_texels(const FrameContext& frame, const Texels& texels,
     });
     if (!copied) return copied.error();
     return image;
+}
+
+// Waits. What upload_picture() made, back again.
+Result<HostPhotograph> read_photograph(const FrameContext& frame, const vk::Image& image) {
+    const VkExtent2D extent = image.extent();
+    auto read = vk::Buffer::create(frame.device, {.name = "plate read back",
+                                                  .size = VkDeviceSize{4} * extent.width * extent.height,
+                                                  .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                  .use = vk::MemoryUse::kReadback});
+    if (!read) return read.error();
+    const auto copied = frame.device.run_once([&](VkCommandBuffer once) {
+        vk::barrier(once, image, vk::state::kSampled, vk::state::kCopySource);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {extent.width, extent.height, 1};
+        vkCmdCopyImageToBuffer(once, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, read->handle(), 1,
+                               &region);
+        vk::barrier(once, image, vk::state::kCopySource, vk::state::kSampled);
+        vk::barrier_to_host(once);
+    });
+    if (!copied) return copied.error();
+    return HostPhotograph(static_cast<int>(extent.width), static_cast<int>(extent.height),
+                          read->as<const std::uint8_t>(), byte_order(frame.desc.colour_format));
 }
 
 VkExtent2D extent_of(int width, int height) {
@@ -164,22 +189,16 @@ Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::sh
     if (!ambient) return ambient.error();
     auto depth = upload_depth(frame, plate->relief);
     if (!depth) return depth.error();
+    plate->photographs->let_go();
     ReliefMesh mesh = relief_mesh(*plate);
     if (frame.desc.shades_on_host) {
-        const auto table = transfer_table(frame.desc.transfer);
-        const auto on_host = [&](const asset::Image& picture) {
-            return HostPhotograph(picture.width, picture.height, picture.rgba, table,
-                                  byte_order(frame.desc.colour_format));
-        };
-        HostPlate photographs{on_host((*pair)->key), on_host((*pair)->ambient)};
-        plate->photographs->let_go();
+        const std::vector<Quad> cells = cells_of(mesh);
         return Resident{.plate = std::move(plate),
                         .key = std::move(*key),
                         .ambient = std::move(*ambient),
                         .depth = std::move(*depth),
-                        .bendable = {std::move(photographs), mesh.positions_mm, cells_of(mesh)}};
+                        .bendable = {{}, std::move(mesh.positions_mm), cells}};
     }
-    plate->photographs->let_go();
     auto positions =
         upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     if (!positions) return positions.error();
@@ -239,9 +258,24 @@ Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
     return changed;
 }
 
-const BendablePlate* PlatePass::bendable(const std::shared_ptr<const Plate>& plate) const {
-    const Resident* const there = find(plate);
-    return there != nullptr ? &there->bendable : nullptr;
+Result<const BendablePlate*> PlatePass::bendable(const FrameContext& frame,
+                                                 const std::shared_ptr<const Plate>& plate) {
+    const auto there = std::find_if(residents_.begin(), residents_.end(),
+                                    [&](const auto& resident) { return resident->plate == plate; });
+    if (there == residents_.end()) return failed("glide: expected both plates, found one missing");
+    BendablePlate& bendable = (*there)->bendable;
+    if (bendable.photographs) return &bendable;
+    auto key = read_photograph(frame, (*there)->key);
+    if (!key) return key.error();
+    auto ambient = read_photograph(frame, (*there)->ambient);
+    if (!ambient) return ambient.error();
+    bendable.photographs.emplace(std::move(*key), std::move(*ambient));
+    return &bendable;
+}
+
+void PlatePass::rest() {
+    for (const auto& resident : residents_)
+        resident->bendable.photographs.reset();
 }
 
 void PlatePass::draw_relief(const FrameContext& frame, const Glide& glide) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -19,9 +20,9 @@ struct PlateSlots {
 
 // A plate where the processor is the device, and bends it itself.
 struct BendablePlate {
-    HostPlate photographs;
-    std::vector<vec3> relief_mm;  // corners
-    std::vector<Quad> cells;      // of them
+    std::optional<HostPlate> photographs{};  // as long as the camera moves
+    std::vector<vec3> relief_mm;             // corners
+    std::vector<Quad> cells;                 // of them
 };
 
 class PlatePass {
@@ -35,8 +36,12 @@ class PlatePass {
 
     // The relief of the plate that is nearer to the gliding camera, inside the caller's pass.
     void draw_relief(const FrameContext& frame, const Glide& glide) const;
-    // Where the host shades: a plate of the scene; null if it is none.
-    [[nodiscard]] const BendablePlate* bendable(const std::shared_ptr<const Plate>& plate) const;
+    // Where the host shades: a plate of the scene, with its photographs, which are read back from the device
+    // when they are not here. The device is idle. Errors: it is none, or the device's.
+    Result<const BendablePlate*> bendable(const FrameContext& frame,
+                                          const std::shared_ptr<const Plate>& plate);
+    // The camera stands: lets them go.
+    void rest();
 
   private:
     struct Resident {

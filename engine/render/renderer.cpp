@@ -165,7 +165,7 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
     }
     if (auto made = fit_pipelines(frame.device, frame.desc, scene, frame.pipelines); !made) return made;
     if (auto fitted = still.fit(frame, scene); !fitted) return fitted;
-    if (auto fitted = shadow.fit(frame); !fitted) return fitted;
+    if (auto fitted = is_bent(scene) ? Result<void>() : shadow.fit(frame); !fitted) return fitted;
     return movers.fit(frame, scene);
 }
 
@@ -203,6 +203,7 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
         if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
     } else {
         host_glide.rest();
+        still.plates().rest();
         shadow.update(frame, scene, still.bounds());
     }
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));

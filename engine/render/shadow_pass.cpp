@@ -21,7 +21,7 @@ void ShadowPass::update(FrameContext& frame, const Scene& scene, const StillBoun
 }
 
 void ShadowPass::pause() {
-    host_.forget();
+    host_.let_go();
     host_shades_ = false;
 }
 
