@@ -13,7 +13,7 @@ from . import cameras_file, denoise, exr, lens, tone
 
 
 def _passes(work, name):
-    files = sorted(p for p in pathlib.Path(work).glob(name + ".*.exr") if ".part" not in p.name)
+    files = sorted(p for p in pathlib.Path(work).glob(name + ".[0-9]*.exr") if ".part" not in p.name)
     if not files:
         raise ValueError("%s: expected renderings %s.0.exr and so on, found none" % (work, name))
     return [exr.read(path) for path in files]

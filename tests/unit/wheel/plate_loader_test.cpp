@@ -36,8 +36,9 @@ TEST(PlateLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscape) {
     WheelScene& scene = *opened.scene;
     ASSERT_TRUE(scene.missing_plates(1280, 720).empty());
     const auto missing = copies(scene.missing_plates(720, 1280));
-    ASSERT_EQ(missing.size(), 1U);
+    ASSERT_EQ(missing.size(), 2U);
     EXPECT_EQ(missing[0].name, "throw_9x16");
+    EXPECT_EQ(missing[1].name, "look_in_9x16");
     const std::vector<float> radii(100, 50.0F);
     const PotView pot{.radii_mm = radii};
     const auto shown = [&](int width, int height) { return scene.apply(pot, width, height).plate; };
@@ -60,7 +61,7 @@ TEST(PlateLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscape) {
     ASSERT_NE(portrait, nullptr);
     EXPECT_NE(portrait, landscape);
     EXPECT_GT(portrait->height_px, portrait->width_px);
-    EXPECT_EQ(scene.missing_plates(1280, 720).size(), 1U) << "the landscape's are forgotten";
+    EXPECT_EQ(scene.missing_plates(1280, 720).size(), 2U) << "the landscape's are forgotten";
     EXPECT_TRUE(scene.missing_plates(720, 1280).empty());
 }
 

@@ -77,7 +77,7 @@ TEST_F(WorkshopFiles, ChooseTheCameraWhoseShapeIsNearest) {
     EXPECT_EQ(name(1024, 768), "throw_4x3");
     EXPECT_EQ(name(1280, 1024), "throw_4x3");
     EXPECT_EQ(name(1080, 1920), "throw_9x16");
-    EXPECT_EQ(workshop->camera_for(View::kLookingIn, 1080, 1920)->name, "look_in_16x9");
+    EXPECT_EQ(workshop->camera_for(View::kLookingIn, 1080, 1920)->name, "look_in_9x16");
 }
 
 TEST_F(WorkshopFiles, BringBothPlatesOfACamera) {
