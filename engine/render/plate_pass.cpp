@@ -269,7 +269,7 @@ Result<const BendablePlate*> PlatePass::bendable(const FrameContext& frame,
     if (!key) return key.error();
     auto ambient = read_photograph(frame, (*there)->ambient);
     if (!ambient) return ambient.error();
-    bendable.photographs.emplace(std::move(*key), std::move(*ambient));
+    bendable.photographs = HostPlate{std::move(*key), std::move(*ambient)};
     return &bendable;
 }
 
