@@ -33,18 +33,15 @@ ONGGI_CONST int kBindNormals = 3;
 ONGGI_CONST int kBindDetail = 4;
 ONGGI_CONST int kBindMask = 5;
 ONGGI_CONST int kBindKeyMap = 6;
-ONGGI_CONST int kBindStillKey = 7;
-ONGGI_CONST int kBindStillAmbient = 8;
-ONGGI_CONST int kBindStillCoords = 9;
-ONGGI_CONST int kBindPlateKey = 10;
-ONGGI_CONST int kBindPlateAmbient = 11;
-ONGGI_CONST int kBindNextKey = 12;
-ONGGI_CONST int kBindNextAmbient = 13;
-ONGGI_CONST int kBindFromDepth = 14;
-ONGGI_CONST int kBindToDepth = 15;
-ONGGI_CONST int kBindVertices = 16;
-ONGGI_CONST int kBindEdges = 17;
-ONGGI_CONST int kBindPicture = 18;
+ONGGI_CONST int kBindPlateKey = 7;
+ONGGI_CONST int kBindPlateAmbient = 8;
+ONGGI_CONST int kBindNextKey = 9;
+ONGGI_CONST int kBindNextAmbient = 10;
+ONGGI_CONST int kBindFromDepth = 11;
+ONGGI_CONST int kBindToDepth = 12;
+ONGGI_CONST int kBindVertices = 13;
+ONGGI_CONST int kBindEdges = 14;
+ONGGI_CONST int kBindPicture = 15;
 
 struct FrameData {
     mat4 view_projection;
@@ -116,12 +113,6 @@ struct MoverDraw {
     vec4 albedo;   // rgb; w roughness
     vec4 clay;     // rgb of the clay that lies on it; w how wet that is
     vec4 surface;  // metalness; unused
-};
-
-// Push constants of the shade: rectangles, x0, y0, x1, y1 in pixels.
-ONGGI_CONST int kShadeRects = 8;
-struct ShadeDraw {
-    vec4 rects[kShadeRects];
 };
 
 // Push constants of the lathe.

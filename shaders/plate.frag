@@ -1,12 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What stands still, as two photographs show it: one with the key light, one without. With ONGGI_SURFACE it
-// lies on a mesh, which says where in the world the pixel is; without, it fills the rest of the picture. With
-// ONGGI_LAYERS it is drawn once, into what each frame is put together from; without, it is the finished
-// picture.
+// lies on a mesh, which says where in the world the pixel is; without, it fills the rest of the picture.
 #include "frame.glsl"
 #include "noise.glsl"
-#include "packed.glsl"
 #include "plate_edge.glsl"
 #include "tone.glsl"
 
@@ -20,11 +17,7 @@ layout(location = 1) in vec3 normal;
 #else
 layout(location = 0) in vec2 place;  // 0 to 1 from the top left
 #endif
-layout(location = 0) out vec4 out_colour;  // as in mesh.frag
-#ifdef ONGGI_LAYERS
-layout(location = 1) out vec4 out_ambient;
-layout(location = 2) out vec4 out_coords;
-#endif
+layout(location = 0) out vec4 out_colour;
 
 void main() {
 #ifdef ONGGI_SURFACE
@@ -48,13 +41,7 @@ void main() {
     vec2 uv = vec2(0.0);  // the mask's corner, where nothing is in shade
     float near_foot = 0.0;
 #endif
-#ifdef ONGGI_LAYERS
-    out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
-    out_ambient = vec4(encode(ambient) + dither(), near_foot);
-    out_coords = packed16(uv);
-#else
     vec2 mask = texture(shadow_mask, uv).rg;
     vec3 light = (ambient + key_light * mask.r) * mix(1.0, mask.g, near_foot);
     out_colour = vec4(encode(light) + dither(), 1.0);
-#endif
 }

@@ -26,14 +26,11 @@
 #include "mover_vert.h"
 #include "painted_frag.h"
 #include "painted_vert.h"
+#include "places_frag.h"
 #include "plate_frag.h"
-#include "plate_layers_frag.h"
 #include "plate_surface_frag.h"
-#include "plate_surface_layers_frag.h"
 #include "plate_surface_vert.h"
 #include "screen_vert.h"
-#include "shade_frag.h"
-#include "shade_vert.h"
 #include "ui_frag.h"
 #include "ui_picture_frag.h"
 #include "ui_vert.h"
@@ -65,12 +62,9 @@ const Spirv kGlideFrag = glide_frag;
 const Spirv kGlideSurfaceVert = glide_surface_vert;
 const Spirv kGlideSurfaceFrag = glide_surface_frag;
 const Spirv kPlateFrag = plate_frag;
-const Spirv kPlateLayersFrag = plate_layers_frag;
+const Spirv kPlacesFrag = places_frag;
 const Spirv kPlateSurfaceVert = plate_surface_vert;
 const Spirv kPlateSurfaceFrag = plate_surface_frag;
-const Spirv kPlateSurfaceLayersFrag = plate_surface_layers_frag;
-const Spirv kShadeVert = shade_vert;
-const Spirv kShadeFrag = shade_frag;
 const Spirv kPaintedVert = painted_vert;
 const Spirv kPaintedFrag = painted_frag;
 const Spirv kUiVert = ui_vert;

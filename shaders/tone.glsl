@@ -31,14 +31,3 @@ vec3 light_of(vec3 c) {
 vec3 decode(vec3 v) {
     return light_of(untransferred(v));
 }
-
-// encode(mix(decode(a), decode(b), share) * left), as one fraction instead of three: of a = A / (1 - .8 A) and b
-// alike, the mixture is (A (1 - share)(1 - .8 B) + B share (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
-vec3 encode_mixed(vec3 a, vec3 b, float share, float left) {
-    vec3 curve_a = untransferred(a);
-    vec3 curve_b = untransferred(b);
-    vec3 under_a = 1.0 - 0.8 * curve_a;
-    vec3 under_b = 1.0 - 0.8 * curve_b;
-    vec3 light = (curve_a * under_b * (1.0 - share) + curve_b * under_a * share) * left;
-    return transferred(divided(light, light * 0.8 + under_a * under_b));
-}

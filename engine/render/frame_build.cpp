@@ -11,7 +11,6 @@
 #include "engine/render/lathe_sectors.h"
 #include "engine/render/lathe_vertices.h"
 #include "engine/render/moving_tiles.h"
-#include "engine/render/shade_spans.h"
 #include "engine/render/sky_light.h"
 
 namespace onggi::render {
@@ -248,17 +247,14 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     if (desc.cached) find_moving_tiles(scene, view, built);
 }
 
-std::vector<vec4> pixels_in_shade(const Scene& scene, const StillBounds& still, const BuiltFrame& built,
-                                  int width_px, int height_px) {
-    constexpr std::size_t kMostCorners = 32;
-    const std::vector<dvec2> outline =
-        shade_outline(scene, still.lowest_mm, width_px, height_px, kMostCorners);
-    const std::vector<Covered> covered =
-        built.rows.empty() || scene.lathe->cut
-            ? std::vector<Covered>()
-            : covered_by_lathe(built.vertices, built.choice.inside, built.sectors, scene.camera, width_px,
-                               height_px);
-    return shade_rects(outline, covered, width_px, height_px);
+shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still, const BuiltFrame& built,
+                                 int width_px, int height_px) {
+    Scene lit = scene;
+    lit.levels = {};
+    shaders::FrameData frame = built.frame;
+    build_lights(lit, still, frame);
+    build_backdrop(lit, width_px, height_px, frame);
+    return frame;
 }
 
 shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale) {
@@ -283,7 +279,6 @@ std::uint64_t still_hash(const Scene& scene, int width_px, int height_px) {
     add(scene.key);
     add(scene.environment);
     if (scene.irradiance) add(*scene.irradiance);
-    add(scene.levels);
     add(scene.backdrop);
     add(scene.shadow_region);
     return hash.value();

@@ -53,10 +53,9 @@ struct StillBounds {
 void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
                  int height_px, BuiltFrame& built);
 
-// Where the cached still life is drawn over with shadow by a shader: see shade_rects(). `built` is the frame
-// of the same scene and size.
-[[nodiscard]] std::vector<vec4> pixels_in_shade(const Scene& scene, const StillBounds& still,
-                                                const BuiltFrame& built, int width_px, int height_px);
+// The frame's uniforms as they are with all lights full, whatever the scene's levels.
+[[nodiscard]] shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still,
+                                               const BuiltFrame& built, int width_px, int height_px);
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale);
 
@@ -64,7 +63,8 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 // whole row is a lathe with fewer.
 [[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors);
 
-// Of everything the cached layers depend on, and of everything the shadow mask does.
+// Of everything the cached layers depend on (the levels of the light do not count), and of everything the
+// shadow mask does.
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
 [[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
 

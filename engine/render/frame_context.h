@@ -2,6 +2,8 @@
 // record into. Main thread. Pixels.
 #pragma once
 
+#include <utility>
+
 #include "engine/render/frame_build.h"
 #include "engine/render/frame_images.h"
 #include "engine/render/pass.h"
@@ -21,6 +23,21 @@ struct FrameContext {
     FrameStats stats{};
 
     [[nodiscard]] VkDescriptorSet set() const { return pipelines.set.set; }
+    void bind_set() const {
+        const VkDescriptorSet own = set();
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout.get(), 0, 1, &own,
+                                0, nullptr);
+    }
+    // `record` into commands of their own, which are done when this returns.
+    template <typename Record>
+    Result<void> run_once(Record&& record) {
+        return device.run_once([&](VkCommandBuffer once) {
+            const VkCommandBuffer of_frame = std::exchange(commands, once);
+            bind_set();
+            record();
+            commands = of_frame;
+        });
+    }
     void write(const vk::Buffer& buffer, std::span<const std::byte> bytes) {
         buffer.write(bytes);
         stats.bytes_uploaded += bytes.size();

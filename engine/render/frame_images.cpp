@@ -79,25 +79,8 @@ Result<void> create_sized_images(const vk::Device& device, const RendererDesc& d
         }
     }
     if (!desc.cached) return {};
-    constexpr VkImageUsageFlags kLayer =
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     return create_all(
-        device, {{images.still_key,
-                  {.name = "still life with the key light",
-                   .format = desc.colour_format,
-                   .extent = extent,
-                   .usage = kLayer}},
-                 {images.still_ambient,
-                  {.name = "still life without the key light",
-                   .format = desc.colour_format,
-                   .extent = extent,
-                   .usage = kLayer}},
-                 {images.still_coords,
-                  {.name = "still life's places in the shadow mask",
-                   .format = kPackedFormat,
-                   .extent = extent,
-                   .usage = kLayer}},
-                 {images.drawn,
+        device, {{images.drawn,
                   {.name = "picture before its outlines are smoothed",
                    .format = desc.colour_format,
                    .extent = extent,

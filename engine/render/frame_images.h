@@ -17,11 +17,8 @@ struct FrameImages {
     // Of the picture's size.
     vk::Image depth;
     vk::Image multisampled;  // with samples > 1
-    vk::Image still_key;     // these four when cached
-    vk::Image still_ambient;
-    vk::Image still_coords;
-    vk::Image still_depth;
-    vk::Image drawn;  // cached: the part of the picture whose outlines are smoothed
+    vk::Image still_depth;   // cached
+    vk::Image drawn;         // cached: the part of the picture whose outlines are smoothed
 };
 
 Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, FrameImages& images);

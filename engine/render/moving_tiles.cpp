@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/render/lathe_cover.h"
 #include "engine/render/projector.h"
-#include "engine/render/shade_spans.h"
 #include "engine/render/shade_tiles.h"
 #include "engine/render/shadow_region.h"
 

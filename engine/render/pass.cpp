@@ -4,7 +4,7 @@
 
 namespace onggi::render {
 
-void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<PassColour> colours,
+void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::span<const PassColour> colours,
                 const PassDepth& depth) {
     std::vector<VkRenderingAttachmentInfo> colour_infos;
     for (const PassColour& colour : colours) {

@@ -12,7 +12,7 @@ namespace onggi::render {
 
 struct PassColour {
     VkImageView view = VK_NULL_HANDLE;
-    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;  // cleared: to 0
     VkImageView resolve = VK_NULL_HANDLE;  // the average of the samples goes here, and they are dropped
 };
 
@@ -23,8 +23,12 @@ struct PassDepth {
 };
 
 // Begins rendering with viewport and scissor over the whole extent. vkCmdEndRendering ends it.
-void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<PassColour> colours,
+void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::span<const PassColour> colours,
                 const PassDepth& depth);
+inline void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<PassColour> colours,
+                       const PassDepth& depth) {
+    begin_pass(commands, extent, std::span(colours.begin(), colours.size()), depth);
+}
 
 // The parts of both images inside the rectangles; laid out as copy source and copy target.
 void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,

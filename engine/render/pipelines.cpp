@@ -30,9 +30,6 @@ constexpr std::array kBindings{
     kImage,
     kImage,
     kImage,
-    kImage,
-    kImage,
-    kImage,
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     kVertexData,
@@ -162,6 +159,7 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     const std::array mover_constants{transfer, kMoves};
     const std::array picture_formats{desc.colour_format};
     const std::array layer_formats{desc.colour_format, desc.colour_format, kPackedFormat};
+    const std::array place_formats{desc.colour_format, kPackedFormat};
     const std::array mask_formats{kMaskFormat};
     const std::span<const VkFormat> still_formats =
         desc.cached ? std::span<const VkFormat>(layer_formats) : std::span<const VkFormat>(picture_formats);
@@ -195,20 +193,27 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
         maker.make(pipelines.backdrop, screen);
         maker.make(pipelines.still, mesh);
     }
-    vk::PipelineDesc plate = screen;
-    plate.name = "plate";
-    plate.fragment_spirv = desc.cached ? shaders::kPlateLayersFrag : shaders::kPlateFrag;
-    maker.make(pipelines.plate, plate);
     vk::PipelineDesc plate_surface = mesh;
-    plate_surface.name = "plate on the still life";
     plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
     plate_surface.attributes = std::span(kMeshAttributes).first(2);
-    plate_surface.fragment_spirv =
-        desc.cached ? shaders::kPlateSurfaceLayersFrag : shaders::kPlateSurfaceFrag;
-    maker.make(pipelines.plate_surface, plate_surface);
-    // Else the processor bends the photographs.
-    if (!desc.shades_on_host)
+    if (desc.cached) {
+        // The photographs are laid and bent by the processor.
+        vk::PipelineDesc places = plate_surface;
+        places.name = "places of the still life";
+        places.fragment_spirv = shaders::kPlacesFrag;
+        places.constants = {};
+        places.colour_formats = place_formats;
+        maker.make(pipelines.places, places);
+    } else {
+        vk::PipelineDesc plate = screen;
+        plate.name = "plate";
+        plate.fragment_spirv = shaders::kPlateFrag;
+        maker.make(pipelines.plate, plate);
+        plate_surface.name = "plate on the still life";
+        plate_surface.fragment_spirv = shaders::kPlateSurfaceFrag;
+        maker.make(pipelines.plate_surface, plate_surface);
         make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
+    }
 
     vk::PipelineDesc mover = mesh;
     mover.name = "moving sphere";
@@ -252,33 +257,25 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     key_map.samples = VK_SAMPLE_COUNT_1_BIT;
     key_map.depth_bias = true;
     key_map.cull = VK_CULL_MODE_NONE;
-    maker.make(pipelines.key_map, key_map);
-
-    vk::PipelineDesc mask = screen;
-    mask.name = "shadow mask";
-    mask.fragment_spirv = shaders::kMaskFrag;
-    mask.constants = {};
-    mask.colour_formats = mask_formats;
-    mask.depth_format = VK_FORMAT_UNDEFINED;
-    mask.samples = VK_SAMPLE_COUNT_1_BIT;
-    mask.depth_test = false;
-    maker.make(pipelines.mask, mask);
+    if (needs.own_colours) maker.make(pipelines.key_map, key_map);
 
     if (desc.cached) {
-        vk::PipelineDesc shade = screen;
-        shade.name = "shade over the still life";
-        shade.vertex_spirv = shaders::kShadeVert;
-        shade.fragment_spirv = shaders::kShadeFrag;
-        shade.colour_formats = picture_formats;
-        shade.depth_test = false;
-        maker.make(pipelines.shade, shade);
-
-        vk::PipelineDesc edges = shade;
+        vk::PipelineDesc edges = screen;
         edges.name = "smoothed outlines";
         edges.vertex_spirv = shaders::kEdgesVert;
         edges.fragment_spirv = shaders::kEdgesFrag;
-        edges.depth_test = true;
+        edges.colour_formats = picture_formats;
         maker.make(pipelines.edges, edges);
+    } else {
+        vk::PipelineDesc mask = screen;
+        mask.name = "shadow mask";
+        mask.fragment_spirv = shaders::kMaskFrag;
+        mask.constants = {};
+        mask.colour_formats = mask_formats;
+        mask.depth_format = VK_FORMAT_UNDEFINED;
+        mask.samples = VK_SAMPLE_COUNT_1_BIT;
+        mask.depth_test = false;
+        maker.make(pipelines.mask, mask);
     }
     return maker.outcome();
 }
@@ -291,9 +288,8 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
     auto set = vk::create_set(device, kBindings, "scene");
     if (!set) return set.error();
     pipelines.set = std::move(*set);
-    constexpr auto kPushBytes =
-        static_cast<std::uint32_t>(std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw),
-                                             sizeof(shaders::ShadeDraw), sizeof(shaders::MoverDraw)}));
+    constexpr auto kPushBytes = static_cast<std::uint32_t>(
+        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::MoverDraw)}));
     static_assert(kPushBytes <= 128);  // what every device has
     auto layout = vk::create_pipeline_layout(device, pipelines.set.layout.get(), kPushBytes, "scene");
     if (!layout) return layout.error();

@@ -32,16 +32,16 @@ struct Pipelines {
     vk::Sampler exact;
     vk::Sampler compared;
     vk::Pipeline
-        backdrop;        // into layers when cached, else into the picture; this and the next without a plate
-    vk::Pipeline still;  // likewise
-    vk::Pipeline plate;  // instead of the backdrop, and of the still life's colours
+        backdrop;         // into layers when cached, else into the picture; this and the next without a plate
+    vk::Pipeline still;   // likewise
+    vk::Pipeline places;  // cached, of a photographed room
+    vk::Pipeline plate;   // not cached: instead of the backdrop, and of the still life's colours
     vk::Pipeline plate_surface;
     // Instead of these two while the camera moves, by what it needs; never into layers.
     std::array<vk::Pipeline, kGlideNeeds> glide;
     std::array<vk::Pipeline, kGlideNeeds> glide_surface;
-    vk::Pipeline key_map;
-    vk::Pipeline mask;
-    vk::Pipeline shade;               // cached only
+    vk::Pipeline key_map;             // of a room in its own colours
+    vk::Pipeline mask;                // not cached
     vk::Pipeline lathe;               // where no moving sphere's shadow falls
     vk::Pipeline lathe_near_spheres;  // where one may
     vk::Pipeline lathe_load;          // the same with its load shown

@@ -191,7 +191,7 @@ Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::sh
     if (!depth) return depth.error();
     plate->photographs->let_go();
     ReliefMesh mesh = relief_mesh(*plate);
-    if (frame.desc.shades_on_host) {
+    if (frame.desc.cached) {
         const std::vector<Quad> cells = cells_of(mesh);
         return Resident{.plate = std::move(plate),
                         .key = std::move(*key),

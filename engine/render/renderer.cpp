@@ -4,6 +4,7 @@
 #include "engine/render/edge_pass.h"
 #include "engine/render/host_frame.h"
 #include "engine/render/host_glide.h"
+#include "engine/render/host_shade.h"
 #include "engine/render/lathe_pass.h"
 #include "engine/render/mover_pass.h"
 #include "engine/render/overlay_pass.h"
@@ -32,7 +33,6 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
         .colour_format = colour_format,
         .samples = 1,
         .cached = true,
-        .shades_on_host = true,
         .transfer = Transfer::kSquareRoot,
         .lights_movers_at_vertices = true,
         .chooses_mover_faces = true,
@@ -61,7 +61,9 @@ struct Renderer::Impl {
     Under look_under(const Scene& scene, const Overlay* wanted);
     bool is_prepared(const Scene& scene) const;
     Result<void> fit_overlay(const Overlay* wanted);
+    Result<void> lay_out_unwritten();
     Result<void> upload(const Scene& scene);
+    Result<void> shade(const Scene& scene);
     Result<void> record_painted(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
@@ -72,11 +74,11 @@ struct Renderer::Impl {
 
     Result<void> note_rest(const vk::TargetImage& target, const HostShade* shaded);
 
-    [[nodiscard]] bool is_cached(const Scene& scene) const { return frame.desc.cached && !scene.glide; }
-    // Whether the processor bends the photographs.
+    // Whether the processor bends the photographs; and otherwise shades the layers.
     [[nodiscard]] bool is_bent(const Scene& scene) const {
-        return frame.desc.shades_on_host && scene.glide && scene.plate;
+        return frame.desc.cached && scene.glide && scene.plate;
     }
+    [[nodiscard]] bool is_cached(const Scene& scene) const { return frame.desc.cached && !is_bent(scene); }
     void enter(const char* part) { clock.enter(frame.device, frame.commands, part); }
 
     FrameContext frame;
@@ -84,6 +86,7 @@ struct Renderer::Impl {
     vk::Buffer frame_buffer;
     StillPass still;
     ShadowPass shadow;
+    HostShade host_shade;  // in its place, where layers are cached
     LathePass lathe;
     MoverPass movers;
     EdgePass edges;
@@ -110,12 +113,9 @@ const RendererDesc& Renderer::desc() const {
 }
 
 Result<std::unique_ptr<Renderer>> Renderer::create(vk::Device& device, const RendererDesc& desc) {
-    if (desc.cached && desc.samples != 1) {
-        return failed("renderer: expected one sample a pixel with cached layers, found more");
-    }
-    if (desc.shades_on_host && (!desc.cached || desc.transfer != Transfer::kSquareRoot)) {
+    if (desc.cached && (desc.samples != 1 || desc.transfer != Transfer::kSquareRoot)) {
         return failed(
-            "renderer: expected cached layers and square roots for shade by the host, found others");
+            "renderer: expected one sample a pixel and square roots with cached layers, found others");
     }
     auto impl = std::make_unique<Impl>(device, desc);
     if (auto created = impl->create(); !created) return created.error();
@@ -146,11 +146,20 @@ Result<void> Renderer::Impl::create() {
     auto made_clock = PassClock::create(device, frame.desc.measures_parts);
     if (!made_clock) return made_clock.error();
     clock = std::move(*made_clock);
-    StillPass::bind_placeholders(frame);
+    if (auto laid_out = lay_out_unwritten(); !laid_out) return laid_out;
+    PlatePass::bind_placeholders(frame);
     if (auto created = movers.create(frame); !created) return created;
     if (auto created = edges.create(frame); !created) return created;
     if (auto created = lathe.create(frame); !created) return created;
-    return frame.desc.shades_on_host ? painted.create(frame) : overlay.create(frame);
+    return frame.desc.cached ? painted.create(frame) : overlay.create(frame);
+}
+
+// What is bound must be laid out, though not every scene has it drawn or read.
+Result<void> Renderer::Impl::lay_out_unwritten() {
+    return frame.device.run_once([&](VkCommandBuffer once) {
+        vk::barrier(once, frame.images.mask, vk::state::kUndefined, vk::state::kSampled);
+        vk::barrier(once, frame.images.key_map, vk::state::kUndefined, vk::state::kSampled);
+    });
 }
 
 // Whatever the size and the contents of the picture ask for. The device is idle.
@@ -160,36 +169,33 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
             return made;
         frame.extent = wanted;
         resting.forget();
-        still.resized(frame);
         edges.resized(frame);
     }
     if (auto made = fit_pipelines(frame.device, frame.desc, scene, frame.pipelines); !made) return made;
     if (auto fitted = still.fit(frame, scene); !fitted) return fitted;
-    if (auto fitted = is_bent(scene) ? Result<void>() : shadow.fit(frame); !fitted) return fitted;
     return movers.fit(frame, scene);
 }
 
 // Whether the next frame of it takes no longer than any other.
 bool Renderer::Impl::is_prepared(const Scene& scene) const {
-    if (!frame.desc.shades_on_host || !is_cached(scene)) return true;
-    return still.shows(frame, scene) && shadow.is_ready();
+    return !is_cached(scene) || still.shows(frame, scene);
 }
 
 Under Renderer::Impl::look_under(const Scene& scene, const Overlay* wanted) {
     const bool covers = wanted != nullptr && wanted->covers;
-    will_rest = frame.desc.shades_on_host && wanted != nullptr && wanted->scene_rests;
+    will_rest = frame.desc.cached && wanted != nullptr && wanted->scene_rests;
     if (!will_rest) {
         resting.forget();
         if (!covers) return Under::kScene;
         return is_prepared(scene) ? Under::kNothing : Under::kCoveredScene;
     }
-    const bool is_here = resting.take(shadow.host());
+    const bool is_here = resting.take(host_shade);
     if (covers) return is_here ? Under::kNothing : Under::kCoveredScene;
     return is_here ? Under::kRestingScene : Under::kScene;
 }
 
 Result<void> Renderer::Impl::fit_overlay(const Overlay* wanted) {
-    return frame.desc.shades_on_host ? painted.fit(frame, wanted) : overlay.fit(frame, wanted);
+    return frame.desc.cached ? painted.fit(frame, wanted) : overlay.fit(frame, wanted);
 }
 
 Result<void> Renderer::Impl::upload(const Scene& scene) {
@@ -199,12 +205,15 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
     still.update(frame, scene);
     if (is_bent(scene)) {
-        shadow.pause();
+        host_shade.let_go();
+        still.let_go_layers();
         if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
-    } else {
+    } else if (frame.desc.cached) {
         host_glide.rest();
+        if (auto shaded = shade(scene); !shaded) return shaded;
         still.plates().rest();
-        shadow.update(frame, scene, still.bounds());
+    } else {
+        shadow.update(frame, scene);
     }
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
     lathe.upload(frame);
@@ -212,30 +221,29 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     return movers.upload(frame, scene);
 }
 
+// The still life as it is under the moving things' shade, by the processor.
+Result<void> Renderer::Impl::shade(const Scene& scene) {
+    if (auto fitted = host_shade.fit(frame); !fitted) return fitted;
+    if (auto drawn = still.draw_layers(frame, scene, frame_buffer); !drawn) return drawn;
+    if (frame.stats.still_life_drawn) host_shade.forget();
+    host_shade.shade(frame, scene, still.layers().layers());
+    return {};
+}
+
 Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
     enter("still life");
     still.record_depth_copy(frame);
-    const HostShade* const shaded = shadow.host_shade();
-    if (shaded != nullptr) {
-        const HostPicture still_life{shaded->shaded(), shaded->tiles().numbers(), frame.built.moving_tiles};
-        if (auto brought = host_frame.record(frame, target, still_life, painted); !brought) return brought;
-    } else {
-        still.record_copy(frame, target.image);
-        shadow.record_reading(frame);
-    }
+    const HostPicture still_life{host_shade.shaded(), host_shade.tiles().numbers(), frame.built.moving_tiles};
+    if (auto brought = host_frame.record(frame, target, still_life, painted); !brought) return brought;
     begin_pass(frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
                {.view = frame.images.depth.view(),
                 .load = VK_ATTACHMENT_LOAD_OP_LOAD,
                 .store = VK_ATTACHMENT_STORE_OP_STORE});
-    if (shaded == nullptr) {
-        enter("shade");
-        shadow.draw_shade(frame);
-    }
     draw_moving(scene);
     vkCmdEndRendering(frame.commands);
     enter("outlines");
     edges.record(frame, target);
-    return note_rest(target, shaded);
+    return note_rest(target, &host_shade);
 }
 
 // The camera moves: as cached, but the room is made anew for each frame.
@@ -305,17 +313,14 @@ Result<void> Renderer::Impl::note_rest(const vk::TargetImage& target, const Host
 }
 
 Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& target) {
-    const VkDescriptorSet set = frame.set();
-    vkCmdBindDescriptorSets(frame.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, frame.pipelines.layout.get(), 0,
-                            1, &set, 0, nullptr);
+    frame.bind_set();
     enter("clay's shape");
     lathe.record(frame);
-    enter("still life's layers");
-    still.record(frame);
-    enter("shadow mask");
-    shadow.record(frame);
     if (is_bent(scene)) return record_bent(scene, target);
     if (is_cached(scene)) return record_cached(scene, target);
+    enter("shadow maps");
+    still.record(frame);
+    shadow.record(frame);
     return record_direct(scene, target);
 }
 
@@ -326,8 +331,7 @@ Result<void> Renderer::Impl::record_painted(const Scene& scene, const vk::Target
         return {};
     }
     if (under == Under::kRestingScene) return host_frame.record(frame, target, resting.picture(), painted);
-    if (is_bent(scene) || (is_cached(scene) && shadow.host_shade() != nullptr))
-        return painted.record(frame, target, host_frame.drawn_over());
+    if (is_bent(scene) || is_cached(scene)) return painted.record(frame, target, host_frame.drawn_over());
     return painted.record(frame, target);
 }
 
@@ -338,7 +342,7 @@ Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& t
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     ONGGI_VK_TRY(vkBeginCommandBuffer(commands, &begin));
     clock.begin(frame.device, commands);
-    if (!frame.desc.shades_on_host) {
+    if (!frame.desc.cached) {
         enter("overlay's pictures");
         overlay.record_uploads(frame);
     }
@@ -346,7 +350,7 @@ Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& t
         if (auto recorded = record_scene(scene, target); !recorded) return recorded;
     }
     enter("overlay");
-    if (frame.desc.shades_on_host) {
+    if (frame.desc.cached) {
         if (auto recorded = record_painted(scene, target, under); !recorded) return recorded;
     } else {
         overlay.record(frame, target, under == Under::kScene);
@@ -376,6 +380,8 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     impl_->drawn_under = under;
     if (draws_scene(under)) {
         if (auto uploaded = impl_->upload(scene); !uploaded) return uploaded.error();
+    } else {
+        impl_->frame.stats.still_life_drawn = impl_->frame.stats.shadow_drawn = false;
     }
     impl_->frame.stats.device_ms = device_ms;
     impl_->frame.stats.device_drew_scene = drew_scene;

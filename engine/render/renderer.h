@@ -26,11 +26,10 @@ constexpr int kMaxRings = 256;
 
 struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
-    int samples = 4;      // 1 or 4 a pixel
-    bool cached = false;  // keep what stands still in images and copy them each frame; needs samples = 1
-    // The shade over them by the processor instead of a shader: for a device that is the processor. Needs
-    // cached layers and kSquareRoot.
-    bool shades_on_host = false;
+    int samples = 4;  // 1 or 4 a pixel
+    // For a device that is the processor: what stands still is drawn once and kept where the processor lays
+    // shade and overlay over it, and bends it while the camera moves. Needs samples = 1 and kSquareRoot.
+    bool cached = false;
     Transfer transfer = Transfer::kExactSrgb;
     bool lights_movers_at_vertices = false;  // not at pixels: their triangles are hardly larger
     bool chooses_mover_faces = false;        // leaves out those that cannot be seen; a GPU does so by itself

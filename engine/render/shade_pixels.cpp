@@ -50,10 +50,12 @@ struct MaskAbout {
     return all_of == kUnshaded;
 }
 
-// encode_mixed() of shaders/tone.glsl with the square-root transfer for one channel of a texel; its own words
-// say why it is right. `left` is what the sky's shade leaves of the light.
+// encode() of shaders/tone.glsl of both lights together, with the square-root transfer, for one channel of a
+// texel: the light without the key times `ambient`, and the key's own, which is the difference of the two,
+// times `key`, all of it times `left`. As one fraction instead of three: of a = A / (1 - .8 A) and b alike it
+// is (A (ambient - key)(1 - .8 B) + B key (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
 [[gnu::always_inline]] inline std::uint32_t mix_lights(std::uint32_t without_key, std::uint32_t with_key,
-                                                       float share, float left) {
+                                                       float ambient, float key, float left) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
     const float a = static_cast<float>(static_cast<int>(without_key & 0xFFU)) * kOneOver255;
     const float b = static_cast<float>(static_cast<int>(with_key & 0xFFU)) * kOneOver255;
@@ -61,17 +63,19 @@ struct MaskAbout {
     const float curve_b = b * b;
     const float under_a = 1.0F - 0.8F * curve_a;
     const float under_b = 1.0F - 0.8F * curve_b;
-    const float light = (curve_a * under_b * (1.0F - share) + curve_b * under_a * share) * left;
+    const float light = std::max(curve_a * under_b * (ambient - key) + curve_b * under_a * key, 0.0F) * left;
     const float shown = std::sqrt(light / (light * 0.8F + under_a * under_b));
     return static_cast<std::uint32_t>(static_cast<int>(shown * 255.0F + 0.5F));
 }
 
 [[gnu::always_inline]] inline void shade_block(const ShadeLayers& layers, const ShadowMask& mask,
-                                               std::size_t first, std::uint32_t* into) {
+                                               const ShadeLight& light, bool is_day, std::size_t first,
+                                               std::uint32_t* into) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
     constexpr float kOneOverMixed = kOneOver255 / 65536.0F;
     MaskAbout about;
-    if (read_mask(mask, layers.places.data() + first, about)) {
+    const bool is_unshaded = read_mask(mask, layers.places.data() + first, about);
+    if (is_unshaded && is_day) {
         std::memcpy(into + first, layers.with_key.data() + first, kBlock * sizeof(std::uint32_t));
         return;
     }
@@ -89,13 +93,17 @@ struct MaskAbout {
         const std::uint32_t far_row = about.far_left[i] * (256U - across) + about.far_right[i] * across;
         const std::uint32_t key = (near_row & 0xFFFFU) * (256U - down) + (far_row & 0xFFFFU) * down;
         const std::uint32_t sky = (near_row >> 16U) * (256U - down) + (far_row >> 16U) * down;
-        const float share = static_cast<float>(static_cast<int>(key)) * kOneOverMixed;
+        const float share = static_cast<float>(static_cast<int>(key)) * kOneOverMixed * light.key;
         const float open = static_cast<float>(static_cast<int>(sky)) * kOneOverMixed;
         const float weight = static_cast<float>(static_cast<int>(without_key[i] >> 24U)) * kOneOver255;
         const float left = 1.0F + (open - 1.0F) * weight;
         std::uint32_t shaded = 0xFF000000U;
-        for (std::uint32_t shift = 0; shift < 24U; shift += 8U)
-            shaded |= mix_lights(without_key[i] >> shift, with_key[i] >> shift, share, left) << shift;
+        for (std::uint32_t byte = 0; byte < 3U; ++byte) {
+            const std::uint32_t shift = 8U * byte;
+            shaded |=
+                mix_lights(without_key[i] >> shift, with_key[i] >> shift, light.ambient[byte], share, left)
+                << shift;
+        }
         out[i] = shaded;
     }
     std::memcpy(into + first, out.data(), sizeof(out));
@@ -114,7 +122,9 @@ struct MaskAbout {
 // Whole blocks only: the last of a line begins earlier, and a rectangle that is narrower than one is shaded
 // with its neighbours.
 [[gnu::always_inline]] inline void shade_rect(const ShadeLayers& layers, const ShadowMask& mask,
-                                              const PixelRect& rect, std::uint32_t* into) {
+                                              const ShadeLight& light, const PixelRect& rect,
+                                              std::uint32_t* into) {
+    const bool is_day = light == ShadeLight{};
     const auto width = static_cast<std::size_t>(layers.width);
     const auto left = static_cast<std::size_t>(rect.x);
     const auto right = std::max(static_cast<std::size_t>(rect.x + rect.width), kBlock);
@@ -123,23 +133,25 @@ struct MaskAbout {
         for (std::size_t x = left; x < right; x += kBlock) {
             const std::size_t first = y * width + std::min(x, right - kBlock);
             if (y + 1 < bottom) fetch_block(layers, first + width, into);
-            shade_block(layers, mask, first, into);
+            shade_block(layers, mask, light, is_day, first, into);
         }
     }
 }
 
-using ShadeRect = void (*)(const ShadeLayers&, const ShadowMask&, const PixelRect&, std::uint32_t*);
+using ShadeRect = void (*)(const ShadeLayers&, const ShadowMask&, const ShadeLight&, const PixelRect&,
+                           std::uint32_t*);
 
-void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const PixelRect& rect,
-                      std::uint32_t* into) {
-    shade_rect(layers, mask, rect, into);
+void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
+                      const PixelRect& rect, std::uint32_t* into) {
+    shade_rect(layers, mask, light, rect, into);
 }
 
 #if defined(__x86_64__)
 // The same lines, eight lanes at a time; without fused multiply-add, so the same bits.
 [[gnu::target("avx2")]] void shade_rect_avx2(const ShadeLayers& layers, const ShadowMask& mask,
-                                             const PixelRect& rect, std::uint32_t* into) {
-    shade_rect(layers, mask, rect, into);
+                                             const ShadeLight& light, const PixelRect& rect,
+                                             std::uint32_t* into) {
+    shade_rect(layers, mask, light, rect, into);
 }
 
 ShadeRect best_for_this_processor() {
@@ -161,11 +173,15 @@ std::uint32_t mask_place(std::uint32_t packed_coords) {
     return (texel << 16U) | ((down & 0xFFU) << 8U) | (across & 0xFFU);
 }
 
-void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const PixelRect> rects,
-                  std::span<std::uint32_t> into) {
+void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
+                  std::span<const PixelRect> rects, std::span<std::uint32_t> into) {
+    if (layers.width < kShadeBlockPx) {
+        std::copy(layers.with_key.begin(), layers.with_key.end(), into.begin());
+        return;
+    }
     static const ShadeRect shade = best_for_this_processor();
     for (const PixelRect& rect : rects)
-        shade(layers, mask, rect, into.data());
+        shade(layers, mask, light, rect, into.data());
 }
 
 }  // namespace onggi::render

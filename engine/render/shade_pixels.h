@@ -1,7 +1,8 @@
-// The shade over the cached still life, by the processor: what shaders/shade.frag does, for a device that is
-// the processor itself and pays fifty nanoseconds a pixel for its four textures. Any thread; pure.
+// The shade over the cached still life, and the light of the hour, by the processor: a shader would pay fifty
+// nanoseconds a pixel for its four textures where the device is the processor itself. Any thread; pure.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,14 +13,23 @@
 
 namespace onggi::render {
 
-// The layers of a still life, texels of four bytes, rows of `width` without gaps: what it is with the key
-// light, without it (alpha: how much of the sky's shade falls on it), and where each pixel lies in the mask.
+// The layers of a still life by full light, texels of four bytes, rows of `width` without gaps: what it is
+// with the key light, without it (alpha: how much of the sky's shade falls on it), and where each pixel lies
+// in the mask.
 struct ShadeLayers {
     int width = 0;
     int height = 0;
     std::span<const std::uint32_t> with_key;
     std::span<const std::uint32_t> without_key;
     std::span<const std::uint32_t> places;  // see mask_place()
+};
+
+// What there is of the light, 1: all of it. Of everything but the key by the bytes of a texel.
+struct ShadeLight {
+    std::array<float, 3> ambient{1.0F, 1.0F, 1.0F};
+    float key = 1.0F;
+
+    friend bool operator==(const ShadeLight&, const ShadeLight&) = default;
 };
 
 // From the two numbers of sixteen bits in a texel of the coordinates (shaders/packed.glsl) to what the shade
@@ -30,8 +40,9 @@ constexpr int kShadeBlockPx = 16;  // pixels that are shaded side by side
 
 // Writes the shaded picture inside the rectangles, which lie inside the picture, and
 // here and there a few pixels beside one, to `into`, laid out as the layers are. Square-root transfer. The
-// same bits on every processor. Precondition: the layers are at least kShadeBlockPx wide.
-void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, std::span<const PixelRect> rects,
-                  std::span<std::uint32_t> into);
+// same bits on every processor. Layers that are narrower than a block are copied as they are: nobody sees
+// what is in them.
+void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
+                  std::span<const PixelRect> rects, std::span<std::uint32_t> into);
 
 }  // namespace onggi::render

@@ -69,6 +69,7 @@ void ShadeTiles::learn(const TileGrid& grid, std::span<const std::uint32_t> plac
     grid_ = grid;
     reach_.assign(grid.count(), {});
     is_stale_.assign(grid.count(), 1);
+    may_wait_.assign(grid.count(), 0);
     numbers_.assign(grid.count(), ++last_number_);
     const auto width = static_cast<std::size_t>(grid.width_px);
     const auto across = static_cast<std::size_t>(grid.across());
@@ -111,13 +112,22 @@ void ShadeTiles::note_mask(const ShadowMask& before, const ShadowMask& now) {
     }
 }
 
+void ShadeTiles::note_light(LightChange change) {
+    std::vector<std::uint8_t>& noted = change == LightChange::kLittle ? may_wait_ : is_stale_;
+    std::fill(noted.begin(), noted.end(), std::uint8_t{1});
+}
+
 void ShadeTiles::take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects) {
     ++last_number_;
+    waiting_rows_ = 1 - waiting_rows_;
     is_due_ = is_stale_;
     for (std::size_t tile = 0; tile < is_due_.size(); ++tile) {
+        const int row = static_cast<int>(tile) / grid_.across();
+        if (may_wait_[tile] != 0 && row % 2 != waiting_rows_) is_due_[tile] = 1;
         if (!moving.empty() && moving[tile] == kCovered) is_due_[tile] = 0;
         if (is_due_[tile] == 0) continue;
         is_stale_[tile] = 0;
+        may_wait_[tile] = 0;
         numbers_[tile] = last_number_;
     }
     rects_of_tiles(grid_, is_due_, rects);

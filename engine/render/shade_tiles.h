@@ -56,6 +56,9 @@ void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint
 void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
                     std::vector<PixelRect>& rects);
 
+// From one frame to the next: so little that a tile may wait a frame for it, or not.
+enum class LightChange { kLittle, kMuch };
+
 // A shaded picture's tiles. Each has a number, another whenever its pixels become others.
 class ShadeTiles {
   public:
@@ -64,8 +67,11 @@ class ShadeTiles {
     void learn(const TileGrid& grid, std::span<const std::uint32_t> places);
     // The mask becomes another: the tiles that read a texel which differs have to be shaded.
     void note_mask(const ShadowMask& before, const ShadowMask& now);
+    // The light becomes another.
+    void note_light(LightChange change);
     // The tiles that have to be shaded, as rectangles; from here on they count as shaded. Those that are
-    // covered wait until they are seen. `moving`: one entry a tile, or empty: nothing moves.
+    // covered wait until they are seen, and every other row of those that may wait. `moving`: one entry a
+    // tile, or empty: nothing moves.
     void take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects);
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
@@ -83,6 +89,8 @@ class ShadeTiles {
     TileGrid grid_;
     std::vector<Reach> reach_;
     std::vector<std::uint8_t> is_stale_;
+    std::vector<std::uint8_t> may_wait_;  // of a little other light; one frame
+    int waiting_rows_ = 0;                // the even ones or the odd ones
     std::vector<std::uint8_t> is_due_;
     std::vector<std::uint64_t> numbers_;
     std::uint64_t last_number_ = 0;  // never used again, so that a target cannot take new layers for old

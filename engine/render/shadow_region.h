@@ -1,5 +1,5 @@
-// Where the moving things' shadow lies: the map from the world to the shadow mask, and the pixels it can
-// reach. Any thread; pure functions. mm, pixels.
+// Where the moving things' shadow lies: the map from the world to the shadow mask; and where in the picture
+// they are. Any thread; pure functions. mm, pixels.
 #pragma once
 
 #include <cstddef>
@@ -39,14 +39,5 @@ struct PixelRect {
 // Boxes about what moves: the lathe; the spheres and the movers.
 [[nodiscard]] Box lathe_box(const Lathe& lathe);
 [[nodiscard]] std::vector<Box> boxes_beside_lathe(const Scene& scene);
-
-// A convex polygon about all pixels where that shadow, or the shade about the lathe's foot, can fall on
-// something between y = 0 and y = lowest_mm. Pixels, at most max_corners corners, turning the same way all
-// round; empty if there is nothing that casts, four corners of the whole picture if it cannot be said.
-[[nodiscard]] std::vector<dvec2> shade_outline(const Scene& scene, float lowest_mm, int width_px,
-                                               int height_px, std::size_t max_corners);
-
-// The smallest convex polygon about some points, without the points on its sides.
-[[nodiscard]] std::vector<dvec2> convex_hull(std::vector<dvec2> points);
 
 }  // namespace onggi::render

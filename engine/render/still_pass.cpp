@@ -9,28 +9,6 @@ std::uint64_t hash_of(const FrameContext& frame, const Scene& scene) {
 
 }  // namespace
 
-void StillPass::bind_placeholders(const FrameContext& frame) {
-    // No direct shader reads the layers, and Vulkan lets such bindings stay empty; lavapipe 22.3 follows them
-    // all the same and crashes.
-    for (const int binding :
-         {shaders::kBindStillKey, shaders::kBindStillAmbient, shaders::kBindStillCoords}) {
-        vk::write_image(frame.device, frame.set(), static_cast<std::uint32_t>(binding),
-                        frame.images.mask.view(), frame.pipelines.exact.get());
-    }
-    PlatePass::bind_placeholders(frame);
-}
-
-void StillPass::resized(const FrameContext& frame) {
-    has_layers_ = false;
-    if (!frame.desc.cached) return;
-    const VkSampler exact = frame.pipelines.exact.get();
-    const FrameImages& images = frame.images;
-    vk::write_image(frame.device, frame.set(), shaders::kBindStillKey, images.still_key.view(), exact);
-    vk::write_image(frame.device, frame.set(), shaders::kBindStillAmbient, images.still_ambient.view(),
-                    exact);
-    vk::write_image(frame.device, frame.set(), shaders::kBindStillCoords, images.still_coords.view(), exact);
-}
-
 Result<void> StillPass::fit(const FrameContext& frame, const Scene& scene) {
     const auto changed = plate_.fit(frame, scene);
     if (!changed) return changed.error();
@@ -64,11 +42,32 @@ void StillPass::update(FrameContext& frame, const Scene& scene) {
     drawn_ = now;
 }
 
-void StillPass::record(const FrameContext& frame) {
-    if (!frame.stats.still_life_drawn || is_gliding_) return;
-    record_key_map(frame);
-    if (frame.desc.cached) record_layers(frame);
+Result<void> StillPass::draw_layers(FrameContext& frame, const Scene& scene, const vk::Buffer& frame_buffer) {
+    const auto fitted = layers_.fit(frame);
+    if (!fitted) return fitted.error();
+    if (!frame.stats.still_life_drawn && !*fitted) return {};
+    frame.stats.still_life_drawn = true;
+    has_layers_ = false;
+    const shaders::FrameData by_day =
+        by_full_light(scene, bounds(), frame.built, static_cast<int>(frame.extent.width),
+                      static_cast<int>(frame.extent.height));
+    frame.write(frame_buffer, std::as_bytes(std::span(&by_day, 1)));
+    if (!has_plate_) {
+        if (auto mapped = frame.run_once([&] { record_key_map(frame); }); !mapped) return mapped;
+    }
+    auto drawn = layers_.draw(frame, scene, still_, has_plate_ ? &plate_ : nullptr);
+    if (!drawn) return drawn;
     has_layers_ = true;
+    return {};
+}
+
+void StillPass::let_go_layers() {
+    layers_.let_go();
+    has_layers_ = false;
+}
+
+void StillPass::record(const FrameContext& frame) const {
+    if (!frame.desc.cached && !is_gliding_ && !has_plate_) record_key_map(frame);
 }
 
 void StillPass::record_key_map(const FrameContext& frame) const {
@@ -79,35 +78,6 @@ void StillPass::record_key_map(const FrameContext& frame) const {
     still_.draw(frame.commands, frame.pipelines.layout.get(), StillMeshes::Which::kCasters);
     vkCmdEndRendering(frame.commands);
     vk::barrier(frame.commands, map, vk::state::kDepth, vk::state::kSampled);
-}
-
-void StillPass::record_layers(const FrameContext& frame) const {
-    const VkCommandBuffer commands = frame.commands;
-    const FrameImages& images = frame.images;
-    for (const vk::Image* image : {&images.still_key, &images.still_ambient, &images.still_coords})
-        vk::barrier(commands, *image, vk::state::kDiscard, vk::state::kColour);
-    vk::barrier(commands, images.still_depth, vk::state::kDiscard, vk::state::kDepth);
-    begin_pass(commands, frame.extent,
-               {{.view = images.still_key.view()},
-                {.view = images.still_ambient.view()},
-                {.view = images.still_coords.view()}},
-               {.view = images.still_depth.view(), .store = VK_ATTACHMENT_STORE_OP_STORE});
-    draw(frame);
-    vkCmdEndRendering(commands);
-    for (const vk::Image* image : {&images.still_key, &images.still_ambient, &images.still_coords})
-        vk::barrier(commands, *image, vk::state::kColour, vk::state::kSampled);
-    vk::barrier(commands, images.still_depth, vk::state::kDepth, vk::state::kCopySource);
-}
-
-void StillPass::record_copy(const FrameContext& frame, VkImage target) const {
-    constexpr VkImageAspectFlags kColourAspect = VK_IMAGE_ASPECT_COLOR_BIT;
-    const VkCommandBuffer commands = frame.commands;
-    const FrameImages& images = frame.images;
-    vk::barrier(commands, target, kColourAspect, vk::state::kDiscard, vk::state::kCopyTarget);
-    vk::barrier(commands, images.still_key, vk::state::kSampled, vk::state::kCopySource);
-    vk::copy(commands, images.still_key.handle(), target, kColourAspect, {{0, 0}, frame.extent});
-    vk::barrier(commands, images.still_key, vk::state::kCopySource, vk::state::kSampled);
-    vk::barrier(commands, target, kColourAspect, vk::state::kCopyTarget, vk::state::kColour);
 }
 
 void StillPass::record_depth_copy(const FrameContext& frame) const {

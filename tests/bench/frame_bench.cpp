@@ -88,7 +88,7 @@ Motion dimming() {
     return {
         .before = [](FrameCase& drawn,
                      std::int64_t number) { drawn.scene().set_evening(number / 120 % 2 == 0 ? 1.0 : 0.0); },
-        .counts = [](const FrameCase& drawn) { return drawn.stats().still_life_drawn; }};
+        .counts = [](const FrameCase& drawn) { return drawn.light_changes(); }};
 }
 
 // Each part at its quickest.

@@ -144,6 +144,8 @@ Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     const auto start = std::chrono::steady_clock::now();
     const render::Scene& scene = opened_.scene->apply(shown, desc_.width, desc_.height, kFrameS);
     camera_moves_ = scene.glide.has_value();
+    light_changes_ = scene.levels.key != key_level_;
+    key_level_ = scene.levels.key;
     const render::Overlay line{
         .list = &list_, .uploads = uploads_, .atlas_side_px = atlas_.side_px(), .covers = false};
     if (overlay == nullptr && desc_.with_text) overlay = &line;

@@ -53,7 +53,7 @@ class BentPlates : public DrawingTest {
     };
     Drawn picture_of(bool by_host) {
         render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, shown_.height);
-        desc.cached = desc.shades_on_host = by_host;
+        desc.cached = by_host;
         desc.smooths_outlines = false;  // only the cached picture is smoothed
         return {
             render::Renderer::create(*device_, desc).value(),

@@ -154,10 +154,11 @@ constexpr int kAtlasSidePx = 64;
 
 TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
     const auto uploads = sample_picture();
-    auto by_device = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
-    by_device.shades_on_host = false;
-    auto plain = render::Renderer::create(*device_, by_device).value();
-    auto painting = renderer();
+    auto desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
+    desc.smooths_outlines = false;  // which only a cached picture has
+    auto painting = render::Renderer::create(*device_, desc).value();
+    desc.cached = false;
+    auto plain = render::Renderer::create(*device_, desc).value();
     auto wanted = target();
     auto shown = target();
     for (int frame = 0; frame < kFrames; ++frame) {
@@ -255,10 +256,10 @@ TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
     draw(*drawn, *shown, 0.0, over);
     draw(*drawn, *shown, 0.0, over);
     const auto covered = shown->read_back().value();
-    render::Scene dimmed = opened_.scene->apply(pulling_.pot(), kWidth, kHeight);
-    dimmed.levels.key = 0.6F;
+    render::Scene lit = opened_.scene->apply(pulling_.pot(), kWidth, kHeight);
+    lit.key.towards_light = glm::normalize(lit.key.towards_light + vec3(0.3F, 0.0F, 0.0F));
     const auto show = [&](const render::Overlay* overlay) {
-        const auto made = drawn->draw(dimmed, *shown, overlay);
+        const auto made = drawn->draw(lit, *shown, overlay);
         ASSERT_TRUE(made && *made);
         ASSERT_TRUE(shown->wait());
     };
@@ -275,7 +276,7 @@ TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
     auto fresh = renderer();
     auto other = target();
     for (int frame = 0; frame < 4; ++frame)
-        ASSERT_TRUE(fresh->draw(dimmed, *other, nullptr).value() && other->wait());
+        ASSERT_TRUE(fresh->draw(lit, *other, nullptr).value() && other->wait());
     EXPECT_LE(furthest(shown->read_back().value(), other->read_back().value()), kMaskStep);
 }
 

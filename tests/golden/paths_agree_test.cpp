@@ -7,6 +7,7 @@
 #include "engine/asset/image.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
+#include "game/wheel/systems.h"
 #include "game/wheel/workshop_scene.h"
 #include "tests/golden/drawing_test.h"
 #include "tests/golden/golden_scenes.h"
@@ -45,13 +46,12 @@ std::vector<GoldenScene> scenes_of_both_paths() {
 
 class RenderPaths : public DrawingTest, public testing::WithParamInterface<GoldenScene> {
   protected:
-    // The last of some frames. With the cache the first is shaded by shaders; the still life is read back
-    // with the second, so that the third is shaded by the processor, and those after it only where something
-    // has changed.
-    asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene, bool cached, int frames = 1) {
+    // The last of some frames. With the cache the still life is drawn for the first of them, and shaded for
+    // those after it only where something has changed.
+    asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene, bool cached, int frames = 1,
+                      const render::LightLevels& levels = {}) {
         render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, scene.height);
         desc.cached = cached;
-        desc.shades_on_host = cached;
         desc.smooths_outlines = false;  // only the cached picture is smoothed
         auto renderer = render::Renderer::create(*device_, desc);
         auto target = vk::Offscreen::create(
@@ -64,8 +64,10 @@ class RenderPaths : public DrawingTest, public testing::WithParamInterface<Golde
                 for (float& radius : shown.studio.outer_mm)
                     radius += 5.0F;
             }
-            const auto drawn =
-                (*renderer)->draw(wheel_scene.apply(shown.pot(), scene.width, scene.height), **target);
+            render::Scene lit = wheel_scene.apply(shown.pot(), scene.width, scene.height);
+            // By day first, so that the light changes.
+            if (frame + 1 == frames) lit.levels = levels;
+            const auto drawn = (*renderer)->draw(lit, **target);
             EXPECT_TRUE(drawn && *drawn);
             EXPECT_EQ((*renderer)->stats().still_life_drawn, !cached || frame == 0);
         }
@@ -78,11 +80,19 @@ TEST_P(RenderPaths, AgreeOnTheWorkshopWithinFourLevelsOfEightBits) {
     ASSERT_EQ(opened.lack, "");
     const asset::Image direct = draw(*opened.scene, GetParam(), false);
     // A level of a bright layer is two of the penumbra that is mixed from it and from a dark one.
-    for (const int frames : {1, 3})
-        expect_alike(direct, draw(*opened.scene, GetParam(), true, frames), 4);
+    expect_alike(direct, draw(*opened.scene, GetParam(), true), 4);
     // Where the shade hardly changes it stays as it is, a step of its mask off at most: two levels in the
     // dark.
-    expect_alike(direct, draw(*opened.scene, GetParam(), true, 6), 6);
+    expect_alike(direct, draw(*opened.scene, GetParam(), true, 3), 6);
+}
+
+TEST_P(RenderPaths, AgreeOnTheEveningWithinFourLevelsOfEightBits) {
+    wheel::OpenedScene opened = wheel::open_scene({}, GetParam().width, GetParam().height);
+    ASSERT_EQ(opened.lack, "");
+    const render::LightLevels evening = wheel::light_levels(1.0);
+    const asset::Image direct = draw(*opened.scene, GetParam(), false, 1, evening);
+    for (const int frames : {1, 3})
+        expect_alike(direct, draw(*opened.scene, GetParam(), true, frames, evening), 4);
 }
 
 TEST_P(RenderPaths, AgreeOnTheStillLifeWithinTwoLevelsOfEightBits) {

@@ -83,13 +83,17 @@ double light_of(double value) {
     return 0.35 * value * value / (1.0 - 0.8 * value * value);
 }
 
-// shade.frag as it is written, in double.
-double shaded(double with_key, double without_key, double share, double left) {
-    const double light = ((1.0 - share) * light_of(without_key) + share * light_of(with_key)) * left;
+// What there is of both lights, as it is written, in double.
+double shaded(double with_key, double without_key, double ambient, double key, double left) {
+    const double unlit = light_of(without_key);
+    const double light = std::max(unlit * ambient + (light_of(with_key) - unlit) * key, 0.0) * left;
     return std::sqrt(light / (0.8 * light + 0.35));
 }
 
-TEST(ShadePixels, MixesLightAsTheShaderDoesAndLeavesTheRestAlone) {
+class ShadePixels : public testing::TestWithParam<ShadeLight> {};
+
+TEST_P(ShadePixels, MixesLightAndLeavesTheRestAlone) {
+    const ShadeLight& light = GetParam();
     constexpr int kWidth = 70;
     constexpr int kHeight = 40;
     constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
@@ -108,7 +112,7 @@ TEST(ShadePixels, MixesLightAsTheShaderDoesAndLeavesTheRestAlone) {
     constexpr std::uint32_t kUntouched = 0x01020304U;
     std::vector<std::uint32_t> into(kPixels, kUntouched);
     const std::vector<PixelRect> rects{{3, 2, 58, 7}, {40, 20, 30, 20}};
-    shade_pixels({kWidth, kHeight, with_key, without_key, places}, *mask, rects, into);
+    shade_pixels({kWidth, kHeight, with_key, without_key, places}, *mask, light, rects, into);
 
     const auto byte = [](std::uint32_t texel, unsigned at) { return (texel >> (8U * at)) & 0xFFU; };
     for (int y = 0; y < kHeight; ++y) {
@@ -129,8 +133,9 @@ TEST(ShadePixels, MixesLightAsTheShaderDoesAndLeavesTheRestAlone) {
             };
             const double left = std::lerp(1.0, mixed(2), byte(without_key[i], 3) / 255.0);
             for (unsigned channel = 0; channel < 3; ++channel) {
-                const double expected = shaded(byte(with_key[i], channel) / 255.0,
-                                               byte(without_key[i], channel) / 255.0, mixed(0), left);
+                const double expected =
+                    shaded(byte(with_key[i], channel) / 255.0, byte(without_key[i], channel) / 255.0,
+                           light.ambient[channel], light.key * mixed(0), left);
                 ASSERT_NEAR(byte(into[i], channel), 255.0 * expected, 0.51) << x << ", " << y;
             }
             ASSERT_EQ(byte(into[i], 3), 255U);
@@ -138,7 +143,11 @@ TEST(ShadePixels, MixesLightAsTheShaderDoesAndLeavesTheRestAlone) {
     }
 }
 
-TEST(ShadePixels, StaysInThePictureWhereARectangleIsNarrowerThanABlock) {
+INSTANTIATE_TEST_SUITE_P(ByDayAndInTheEvening, ShadePixels,
+                         testing::Values(ShadeLight{}, ShadeLight{{0.36F, 0.30F, 0.26F}, 0.3F},
+                                         ShadeLight{{1.0F, 0.9F, 0.8F}, 0.0F}));
+
+TEST(ShadedBlocks, StayInThePictureWhereARectangleIsNarrowerThanThey) {
     constexpr int kWidth = kShadeBlockPx;
     constexpr std::size_t kPixels = 2 * std::size_t{kWidth};
     const std::vector<std::uint32_t> layer(kPixels, 0xFF808080U);
@@ -148,14 +157,14 @@ TEST(ShadePixels, StaysInThePictureWhereARectangleIsNarrowerThanABlock) {
     constexpr std::uint32_t kUntouched = 0x01020304U;
     std::vector<std::uint32_t> into(kPixels + kShadeBlockPx, kUntouched);
     const std::vector<PixelRect> rects{{0, 0, 1, 1}, {15, 1, 1, 1}};
-    shade_pixels({kWidth, 2, layer, layer, places}, *mask, rects, into);
+    shade_pixels({kWidth, 2, layer, layer, places}, *mask, {}, rects, into);
     EXPECT_NE(into.front(), kUntouched);
     EXPECT_NE(into[kPixels - 1], kUntouched);
     for (std::size_t beyond = kPixels; beyond < into.size(); ++beyond)
         EXPECT_EQ(into[beyond], kUntouched);
 }
 
-TEST(ShadePixels, CopiesWhatIsNotInShadeByteForByte) {
+TEST(ShadedBlocks, CopyWhatIsNotInShadeByteForByte) {
     constexpr int kWidth = 64;
     std::vector<std::uint32_t> with_key(kWidth);
     for (std::size_t i = 0; i < with_key.size(); ++i)
@@ -166,7 +175,23 @@ TEST(ShadePixels, CopiesWhatIsNotInShadeByteForByte) {
     mask->fill(kUnshaded);
     std::vector<std::uint32_t> into(kWidth, 0U);
     const std::vector<PixelRect> whole{{0, 0, 64, 1}};
-    shade_pixels({kWidth, 1, with_key, without_key, places}, *mask, whole, into);
+    shade_pixels({kWidth, 1, with_key, without_key, places}, *mask, {}, whole, into);
+    EXPECT_EQ(into, with_key);
+    // In the evening they are darker all the same.
+    shade_pixels({kWidth, 1, with_key, without_key, places}, *mask, {{0.5F, 0.5F, 0.5F}, 0.5F}, whole, into);
+    for (std::size_t i = 1; i < into.size(); ++i)
+        EXPECT_LT(into[i] & 0xFFU, with_key[i] & 0xFFU) << i;
+}
+
+TEST(ShadedBlocks, CopyAPictureThatIsNarrowerThanThey) {
+    constexpr int kWidth = kShadeBlockPx - 1;
+    std::vector<std::uint32_t> with_key(2 * std::size_t{kWidth}, 0xFF406080U);
+    const std::vector<std::uint32_t> places(with_key.size(), mask_place(0x80808080U));
+    auto mask = std::make_unique<ShadowMask>();
+    mask->fill(0U);
+    std::vector<std::uint32_t> into(with_key.size(), 0U);
+    const std::vector<PixelRect> whole{{0, 0, kWidth, 2}};
+    shade_pixels({kWidth, 2, with_key, with_key, places}, *mask, {}, whole, into);
     EXPECT_EQ(into, with_key);
 }
 

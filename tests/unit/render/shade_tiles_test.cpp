@@ -143,6 +143,26 @@ TEST_F(ShadedTiles, ThatAreCoveredWaitUntilTheyAreSeen) {
     EXPECT_NE(tiles_.numbers()[8], before);
 }
 
+TEST_F(ShadedTiles, WaitAFrameForALittleOtherLightRowByRow) {
+    const std::vector<std::uint64_t> before(tiles_.numbers().begin(), tiles_.numbers().end());
+    tiles_.note_light(LightChange::kLittle);
+    tiles_.take({}, rects_);
+    const std::vector<int> first = counted(rects_);
+    tiles_.take({}, rects_);
+    const std::vector<int> second = counted(rects_);
+    for (std::size_t at = 0; at < first.size(); ++at)
+        ASSERT_EQ(first[at] + second[at], 1) << at;
+    EXPECT_EQ(first[pixel(0, 0)], first[pixel(kGrid.width_px - 1, kTileHeightPx - 1)]);
+    EXPECT_NE(first[pixel(0, 0)], first[pixel(0, kTileHeightPx)]);
+    for (std::size_t tile = 0; tile < before.size(); ++tile)
+        EXPECT_NE(tiles_.numbers()[tile], before[tile]) << tile;
+    tiles_.take({}, rects_);
+    EXPECT_TRUE(rects_.empty());
+    tiles_.note_light(LightChange::kMuch);
+    tiles_.take({}, rects_);
+    EXPECT_EQ(rects_.size(), 1U) << "all at once";
+}
+
 TEST(ShadowMaskTexels, StayWhereTheyDifferByAStepAndNeverDriftFurther) {
     auto shown = std::make_unique<ShadowMask>();
     shown->fill(100U | (100U << 16U));

@@ -37,58 +37,6 @@ TEST(ShadowMask, HoldsTheShadowOfTheTallestThing) {
     EXPECT_NEAR(glm::dot(mask.v, vec4(shadow, 1.0F)), 0.5F, 1e-5F);
 }
 
-TEST(ConvexHull, KeepsTheCornersAndNothingElse) {
-    const std::vector<dvec2> hull =
-        convex_hull({{0, 0}, {4, 0}, {2, 1}, {4, 4}, {2, 0}, {0, 4}, {1, 3}, {4, 4}});
-    EXPECT_EQ(hull, (std::vector<dvec2>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
-}
-
-bool holds(const std::vector<dvec2>& polygon, dvec2 point) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const dvec2 a = polygon[i];
-        const dvec2 b = polygon[(i + 1) % polygon.size()];
-        if ((b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x) < 0.0) return false;
-    }
-    return polygon.size() >= 3;
-}
-
-TEST(ShadeOutline, HoldsTheShadowOfEveryPointOfTheLatheAndTheTool) {
-    std::vector<float> radii;
-    for (int i = 0; i < 200; ++i)
-        radii.push_back(i < 100 ? 30.0F : 60.0F);
-    Scene scene;
-    scene.camera = {
-        .eye_mm = {0.0F, 350.0F, 1100.0F}, .target_mm = {0.0F, 60.0F, 0.0F}, .vertical_fov_rad = 0.3F};
-    scene.key = kLight;
-    scene.lathe = Lathe{.radii_mm = radii, .element_height_mm = 1.0F};
-    scene.spheres = {{.centre_mm = {90.0F, 120.0F, 0.0F}, .radius_mm = 20.0F}};
-    const std::vector<dvec2> outline = shade_outline(scene, -100.0F, 1280, 720, 32);
-    ASSERT_LE(outline.size(), 32U);
-    const auto check = [&](vec3 point) {
-        for (const float ground : {0.0F, -40.0F, -100.0F}) {
-            const vec3 shadow = point - kLight.towards_light * ((point.y - ground) / kLight.towards_light.y);
-            const auto pixel = project(scene.camera, 1280, 720, dvec3(shadow));
-            ASSERT_TRUE(pixel);
-            EXPECT_TRUE(holds(outline, pixel->pixel)) << point.x << " " << point.y << " " << point.z;
-        }
-    };
-    for (int i = 0; i < 200; i += 20) {
-        for (int s = 0; s < 16; ++s) {
-            const float angle = static_cast<float>(s) * 0.3927F;
-            const float r = radii[static_cast<std::size_t>(i)];
-            check({r * std::cos(angle), static_cast<float>(i), r * std::sin(angle)});
-        }
-    }
-    check({110.0F, 120.0F, 0.0F});
-    check({90.0F, 140.0F, 0.0F});
-}
-
-TEST(ShadeOutline, IsEmptyWhereNothingCasts) {
-    Scene scene;
-    scene.key = kLight;
-    EXPECT_TRUE(shade_outline(scene, -100.0F, 1280, 720, 32).empty());
-}
-
 TEST(PixelsOf, StaysInsideThePictureAndTakesAllOfItWhenABoxReachesBehindTheEye) {
     const Camera camera{
         .eye_mm = {0.0F, 0.0F, 1000.0F}, .target_mm = {0.0F, 0.0F, 0.0F}, .vertical_fov_rad = 0.5F};

@@ -1,5 +1,4 @@
-// The pixels that shade is laid over, as level rectangles: those of a convex outline, less those that the
-// lathe will cover anyway. Any thread; pure functions. Pixels.
+// The pixels that the lathe covers for sure: what lies under them need not be made. Any thread; pure. Pixels.
 #pragma once
 
 #include <span>
@@ -7,8 +6,6 @@
 
 #include "engine/math/math.h"
 #include "engine/render/camera.h"
-#include "engine/render/lathe_profile.h"
-#include "engine/render/lathe_rows.h"
 #include "shaders/frame_data.h"
 
 namespace onggi::render {
@@ -27,9 +24,5 @@ constexpr float kCoveredMarginPx = 2.0F;
 [[nodiscard]] std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> vertices,
                                                     std::size_t rows, int sectors, const Camera& camera,
                                                     int width_px, int height_px);
-
-// x0, y0, x1, y1 of rectangles whose union holds all of the outline but what is covered.
-[[nodiscard]] std::vector<vec4> shade_rects(std::span<const dvec2> outline, std::span<const Covered> covered,
-                                            int width_px, int height_px);
 
 }  // namespace onggi::render

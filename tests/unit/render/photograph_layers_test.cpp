@@ -1,0 +1,105 @@
+#include "engine/render/photograph_layers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace onggi::render {
+namespace {
+
+constexpr int kAcross = 320;
+constexpr int kDown = 60;
+
+// Red rises to the right and green downwards, without a corner; the unlit one is half of it, but for a column
+// in which compression has left the lit one the darker.
+constexpr int kBadColumn = 100;
+HostPhotograph photograph(bool is_lit, ByteOrder order = ByteOrder::kRedFirst) {
+    std::vector<std::uint8_t> rgba;
+    for (int y = 0; y < kDown; ++y) {
+        for (int x = 0; x < kAcross; ++x) {
+            const int scale = is_lit ? 2 : 1;
+            const int blue = x == kBadColumn ? (is_lit ? 40 : 41) : 20 * scale;
+            for (const int value : {x / 4 * scale, y * scale, blue, 255})
+                rgba.push_back(static_cast<std::uint8_t>(value));
+        }
+    }
+    return {kAcross, kDown, rgba, order};
+}
+
+class LaidPhotographs : public testing::Test {
+  protected:
+    void lay(vec4 window, int width, int height) {
+        width_ = width;
+        with_key_.assign(static_cast<std::size_t>(width * height), 0U);
+        without_key_.assign(with_key_.size(), 0x55000000U);
+        lay_photographs(plate_, window, width, with_key_, without_key_);
+    }
+    static int byte(std::uint32_t texel, unsigned at) {
+        return static_cast<int>((texel >> (8U * at)) & 255U);
+    }
+    [[nodiscard]] std::uint32_t lit(int x, int y) const {
+        return with_key_.at(static_cast<std::size_t>(y * width_ + x));
+    }
+    [[nodiscard]] std::uint32_t unlit(int x, int y) const {
+        return without_key_.at(static_cast<std::size_t>(y * width_ + x));
+    }
+    HostPlate plate_{photograph(true), photograph(false)};
+    int width_ = 0;
+    std::vector<std::uint32_t> with_key_;
+    std::vector<std::uint32_t> without_key_;
+};
+
+TEST_F(LaidPhotographs, AreThemselvesInAPictureOfTheirSize) {
+    lay(vec4(1.0F / kAcross, 1.0F / kDown, 0.0F, 0.0F), kAcross, kDown);
+    for (int y = 0; y < kDown; ++y) {
+        for (int x = 0; x < kAcross; ++x) {
+            ASSERT_EQ(byte(lit(x, y), 0), x / 4 * 2) << x << ", " << y;
+            ASSERT_EQ(byte(lit(x, y), 1), y * 2) << x << ", " << y;
+            ASSERT_EQ(byte(lit(x, y), 2), x == kBadColumn ? 41 : 40) << "the key light takes nothing away";
+            ASSERT_EQ(byte(lit(x, y), 3), 255);
+            ASSERT_EQ(byte(unlit(x, y), 0), x / 4) << x << ", " << y;
+            ASSERT_EQ(byte(unlit(x, y), 1), y) << x << ", " << y;
+            ASSERT_EQ(byte(unlit(x, y), 3), 0x55) << "what lies there stays";
+        }
+    }
+}
+
+TEST_F(LaidPhotographs, AreStretchedOverALargerPicture) {
+    constexpr int kWidth = kAcross * 3 / 2;
+    constexpr int kHeight = kDown * 3 / 2;
+    lay(vec4(1.0F / kWidth, 1.0F / kHeight, 0.0F, 0.0F), kWidth, kHeight);
+    for (int y = 2; y + 2 < kHeight; ++y) {
+        for (int x = 8; x + 8 < kWidth; ++x) {
+            const double row = (y + 0.5) / 1.5 - 0.5;
+            const double column = (x + 0.5) / 1.5 - 0.5;
+            ASSERT_NEAR(byte(lit(x, y), 1), 2.0 * row, 1.01) << x << ", " << y;
+            ASSERT_NEAR(byte(lit(x, y), 0), 2.0 * (column / 4.0 - 0.375), 2.0) << x << ", " << y;
+        }
+    }
+}
+
+TEST_F(LaidPhotographs, GoOnDarkerAsTheirMirrorImageBesideTheirBorder) {
+    // A picture half as wide again, the photograph in its middle.
+    constexpr int kWidth = kAcross * 3 / 2;
+    constexpr float kStart = -0.25F;
+    lay(vec4(1.0F / kAcross, 1.0F / kDown, kStart, 0.0F), kWidth, kDown);
+    constexpr int kLeft = kAcross / 4;
+    EXPECT_EQ(byte(lit(kLeft + 40, 30), 0), 20);
+    EXPECT_EQ(byte(lit(kLeft + 40, 30), 1), 60);
+    EXPECT_NEAR(byte(lit(kLeft - 2, 30), 1), 60, 2) << "at the border it is hardly darker";
+    EXPECT_LT(byte(lit(kLeft - 30, 30), 1), 40);
+    EXPECT_LT(byte(lit(2, 30), 1), byte(lit(kLeft - 30, 30), 1));
+}
+
+TEST_F(LaidPhotographs, KeepTheirByteOrder) {
+    plate_ = {photograph(true, ByteOrder::kBlueFirst), photograph(false, ByteOrder::kBlueFirst)};
+    lay(vec4(1.0F / kAcross, 1.0F / kDown, 0.0F, 0.0F), kAcross, kDown);
+    EXPECT_EQ(byte(lit(200, 10), 2), 100);
+    EXPECT_EQ(byte(lit(200, 10), 1), 20);
+    EXPECT_EQ(byte(lit(200, 10), 0), 40);
+    EXPECT_EQ(byte(unlit(200, 10), 2), 50);
+}
+
+}  // namespace
+}  // namespace onggi::render
