@@ -37,7 +37,7 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
         .lights_movers_at_vertices = true,
         .chooses_mover_faces = true,
         .sectors = is_large ? 72 : 48,
-        .sector_error_px = 0.35F,
+        .sector_error_px = 0.5F,
         .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which its normals show
         .ring_error_px = 0.25F,            // a finer line would not be seen
         .slip_across = is_large ? 512 : 256,
