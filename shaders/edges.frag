@@ -9,7 +9,6 @@
 layout(set = 0, binding = kBindPicture) uniform sampler2D picture;
 
 layout(location = 0) flat in vec4 line;
-layout(location = 1) flat in vec2 per_px;
 layout(location = 0) out vec4 out_colour;
 
 void main() {
@@ -20,8 +19,9 @@ void main() {
     float other = 0.5 - abs(off);
     if (other <= 0.0) discard;
     float towards = off > 0.0 ? -1.0 : 1.0;
-    vec2 neighbour = level ? vec2(0.0, towards) : vec2(towards, 0.0);
-    vec3 own = texture(picture, gl_FragCoord.xy * per_px).rgb;
-    vec3 beyond = texture(picture, (gl_FragCoord.xy + neighbour) * per_px).rgb;
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 beside = level ? ivec2(0, int(towards)) : ivec2(int(towards), 0);
+    vec3 own = texelFetch(picture, at, 0).rgb;
+    vec3 beyond = texelFetch(picture, at + beside, 0).rgb;
     out_colour = vec4(mix(own, beyond, other), 1.0);
 }

@@ -40,8 +40,7 @@ ONGGI_CONST int kBindNextAmbient = 10;
 ONGGI_CONST int kBindFromDepth = 11;
 ONGGI_CONST int kBindToDepth = 12;
 ONGGI_CONST int kBindVertices = 13;
-ONGGI_CONST int kBindEdges = 14;
-ONGGI_CONST int kBindPicture = 15;
+ONGGI_CONST int kBindPicture = 14;
 
 struct FrameData {
     mat4 view_projection;
@@ -89,12 +88,6 @@ struct VertexData {
     vec4 place;  // xyz mm; w the key light that gets here
     vec4 lean;  // xz the horizontal way outwards, unit; y how dents lean the wall, as a slope; w the share of
                 // a turn
-};
-
-// A piece of an outline in the picture, between two points of it.
-struct EdgeData {
-    vec4 from;  // xy pixels, z depth
-    vec4 to;
 };
 
 // Push constants of a mesh.

@@ -1,19 +1,31 @@
 #include "engine/render/edge_pass.h"
 
 #include <algorithm>
+#include <span>
 
 #include "engine/render/lathe_edges.h"
 
 namespace onggi::render {
 
 Result<void> EdgePass::create(const FrameContext& frame) {
-    auto buffer = vk::Buffer::create(frame.device, {.name = "outlines",
-                                                    .size = sizeof(shaders::EdgeData) * kMaxEdges,
-                                                    .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-    if (!buffer) return buffer.error();
-    edges_ = std::move(*buffer);
-    vk::write_buffer(frame.device, frame.set(), shaders::kBindEdges, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                     edges_.handle());
+    std::vector<std::uint16_t> indices;
+    static_assert(kStripCorners * kMaxEdges <= 65536);
+    for (std::size_t first = 0; first < kStripCorners * kMaxEdges; first += kStripCorners) {
+        for (const std::size_t corner : {0U, 1U, 2U, 2U, 1U, 3U})
+            indices.push_back(static_cast<std::uint16_t>(first + corner));
+    }
+    const auto bytes = std::as_bytes(std::span(indices));
+    auto index_buffer = vk::Buffer::create(
+        frame.device,
+        {.name = "outlines' strips", .size = bytes.size(), .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT});
+    if (!index_buffer) return index_buffer.error();
+    indices_ = std::move(*index_buffer);
+    indices_.write(bytes);
+    auto corners = vk::Buffer::create(frame.device, {.name = "outlines",
+                                                     .size = sizeof(StripCorner) * kStripCorners * kMaxEdges,
+                                                     .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT});
+    if (!corners) return corners.error();
+    corner_buffer_ = std::move(*corners);
     vk::write_image(frame.device, frame.set(), shaders::kBindPicture, frame.images.mask.view(),
                     frame.pipelines.exact.get());
     return {};
@@ -25,8 +37,10 @@ void EdgePass::resized(const FrameContext& frame) const {
                     frame.pipelines.exact.get());
 }
 
-void EdgePass::upload(FrameContext& frame) const {
-    if (!frame.built.edges.empty()) frame.write(edges_, std::as_bytes(std::span(frame.built.edges)));
+void EdgePass::upload(FrameContext& frame) {
+    if (frame.built.edges.empty()) return;
+    make_strips(frame.built.edges, vec2(frame.extent.width, frame.extent.height), corners_);
+    frame.write(corner_buffer_, std::as_bytes(std::span(corners_)));
 }
 
 void EdgePass::record(const FrameContext& frame, const vk::TargetImage& target) const {
@@ -47,7 +61,11 @@ void EdgePass::record(const FrameContext& frame, const vk::TargetImage& target) 
     set_scissor(commands,
                 {moving.x + 1, moving.y + 1, std::max(moving.width - 2, 1), std::max(moving.height - 2, 1)});
     frame.bind(frame.pipelines.edges);
-    vkCmdDraw(commands, static_cast<std::uint32_t>(frame.built.edges.size() * 6), 1, 0, 0);
+    const VkBuffer buffer = corner_buffer_.handle();
+    const VkDeviceSize offset = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &buffer, &offset);
+    vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT16);
+    vkCmdDrawIndexed(commands, static_cast<std::uint32_t>(frame.built.edges.size() * 6), 1, 0, 0, 0);
     vkCmdEndRendering(commands);
 }
 

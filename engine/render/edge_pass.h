@@ -2,8 +2,11 @@
 // copied aside, and thin strips along them are drawn from the copy. Main thread.
 #pragma once
 
+#include <vector>
+
 #include "engine/core/result.h"
 #include "engine/render/frame_context.h"
+#include "engine/render/outline_strips.h"
 #include "engine/vk/frame_target.h"
 
 namespace onggi::render {
@@ -12,12 +15,14 @@ class EdgePass {
   public:
     Result<void> create(const FrameContext& frame);
     void resized(const FrameContext& frame) const;
-    void upload(FrameContext& frame) const;
+    void upload(FrameContext& frame);
     // After the pass that drew what moves, whose depth must have been kept. The target stays a colour target.
     void record(const FrameContext& frame, const vk::TargetImage& target) const;
 
   private:
-    vk::Buffer edges_;
+    std::vector<StripCorner> corners_;
+    vk::Buffer corner_buffer_;
+    vk::Buffer indices_;
 };
 
 }  // namespace onggi::render

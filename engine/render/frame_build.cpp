@@ -10,7 +10,6 @@
 #include "engine/render/lathe_section.h"
 #include "engine/render/lathe_sectors.h"
 #include "engine/render/lathe_vertices.h"
-#include "engine/render/moving_tiles.h"
 #include "engine/render/sky_light.h"
 
 namespace onggi::render {
@@ -244,7 +243,6 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     std::vector<Box> moving = boxes_beside_lathe(scene);
     if (scene.lathe) moving.push_back(lathe_box(*scene.lathe));
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
-    if (desc.cached) find_moving_tiles(scene, view, built);
 }
 
 shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still, const BuiltFrame& built,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/render/lathe_edges.h"
 #include "engine/render/lathe_faces.h"
 #include "engine/render/lathe_profile.h"
 #include "engine/render/lathe_rows.h"
@@ -25,7 +26,7 @@ struct BuiltFrame {
     std::vector<shaders::RowData> rows;
     int sectors = 0;  // a row has one vertex more
     std::vector<shaders::VertexData> vertices;
-    std::vector<shaders::EdgeData> edges;  // outlines of what moves; cached only
+    std::vector<OutlinePiece> edges;  // outlines of what moves; cached only
     NormalTexels normals{};
     shaders::LatheDraw section{};
     std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
@@ -49,7 +50,8 @@ struct StillBounds {
 };
 [[nodiscard]] StillBounds bounds_of(const StillLife& still_life);
 
-// Into `built`, whose memory is used again.
+// Into `built`, whose memory is used again. The tiles in which something moves are found when all outlines
+// are there, see moving_tiles.h.
 void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
                  int height_px, BuiltFrame& built);
 

@@ -6,18 +6,15 @@
 #include "engine/render/projector.h"
 
 namespace onggi::render {
-namespace {
 
-void add_edge(const vec4& from, const vec4& to, std::vector<shaders::EdgeData>& edges) {
+void add_edge(const vec4& from, const vec4& to, std::vector<OutlinePiece>& edges) {
     if (edges.size() >= kMaxEdges) return;
     if (std::abs(from.x - to.x) + std::abs(from.y - to.y) < 0.02F) return;
     edges.push_back({.from = from, .to = to});
 }
 
-}  // namespace
-
 void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, bool open_sides,
-                    const EdgeView& view, std::vector<shaders::EdgeData>& edges) {
+                    const EdgeView& view, std::vector<OutlinePiece>& edges) {
     const auto in_row = static_cast<std::size_t>(sectors) + 1;
     const std::size_t rows = vertices.size() / in_row;
     if (rows < 2) return;
@@ -49,7 +46,7 @@ void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, 
     }
 }
 
-void add_sphere_edges(const Sphere& sphere, const EdgeView& view, std::vector<shaders::EdgeData>& edges) {
+void add_sphere_edges(const Sphere& sphere, const EdgeView& view, std::vector<OutlinePiece>& edges) {
     constexpr int kPieces = 40;
     constexpr float kTurn = 6.28318531F;
     const vec3 to_eye = view.camera.eye_mm - sphere.centre_mm;

@@ -52,23 +52,31 @@ std::vector<vec4> face_planes(const MoverMesh& mesh) {
     return planes;
 }
 
-void choose_mover_faces(const PlacedMesh& placed, vec3 eye_mm, const InsidePot* pot,
-                        std::vector<std::uint32_t>& indices) {
-    const MoverMesh& mesh = placed.mesh;
+std::vector<std::uint8_t> faces_towards(const PlacedMesh& placed, vec3 eye_mm) {
     const vec3 eye(glm::inverse(placed.place) * vec4(eye_mm, 1.0F));
     // A mirrored face is seen from what was its back.
     const float side = glm::determinant(mat3(placed.place)) < 0.0F ? -1.0F : 1.0F;
-    const auto is_hidden = [&](std::uint32_t corner) {
-        return pot->hides(vec3(placed.place * vec4(mesh.vertices[corner].position_mm, 1.0F)));
-    };
-    for (std::size_t face = 0; face < placed.planes.size(); ++face) {
-        const vec4& plane = placed.planes[face];
+    std::vector<std::uint8_t> towards(placed.planes.size());
+    std::transform(placed.planes.begin(), placed.planes.end(), towards.begin(), [&](const vec4& plane) {
         const vec3 normal(plane);
         // Of one that is seen edge on the device finds out.
         constexpr float kEdgeOnMm = 0.01F;
         const float towards_eye = side * (glm::dot(normal, eye) - plane.w);
-        if (towards_eye < 0.0F && square(towards_eye) > square(kEdgeOnMm) * glm::dot(normal, normal))
-            continue;
+        const bool looks_away =
+            towards_eye < 0.0F && square(towards_eye) > square(kEdgeOnMm) * glm::dot(normal, normal);
+        return static_cast<std::uint8_t>(looks_away ? 0 : 1);
+    });
+    return towards;
+}
+
+void choose_mover_faces(const PlacedMesh& placed, std::span<const std::uint8_t> towards_eye,
+                        const InsidePot* pot, std::vector<std::uint32_t>& indices) {
+    const MoverMesh& mesh = placed.mesh;
+    const auto is_hidden = [&](std::uint32_t corner) {
+        return pot->hides(vec3(placed.place * vec4(mesh.vertices[corner].position_mm, 1.0F)));
+    };
+    for (std::size_t face = 0; face < towards_eye.size(); ++face) {
+        if (towards_eye[face] == 0) continue;
         const std::span<const std::uint32_t> corners = std::span(mesh.indices).subspan(3 * face, 3);
         if (pot != nullptr && std::all_of(corners.begin(), corners.end(), is_hidden)) continue;
         indices.insert(indices.end(), corners.begin(), corners.end());

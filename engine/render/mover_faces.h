@@ -39,8 +39,11 @@ struct PlacedMesh {
     std::span<const vec4> planes;
     const mat4& place;
 };
-// Appends the indices of the triangles to draw. `pot` may be null: there is none.
-void choose_mover_faces(const PlacedMesh& placed, vec3 eye_mm, const InsidePot* pot,
-                        std::vector<std::uint32_t>& indices);
+// One entry a triangle: whether it looks at the eye, or is seen edge on.
+[[nodiscard]] std::vector<std::uint8_t> faces_towards(const PlacedMesh& placed, vec3 eye_mm);
+// Appends the indices of the triangles to draw, of those that look at the eye. `pot` may be null: there is
+// none.
+void choose_mover_faces(const PlacedMesh& placed, std::span<const std::uint8_t> towards_eye,
+                        const InsidePot* pot, std::vector<std::uint32_t>& indices);
 
 }  // namespace onggi::render

@@ -19,7 +19,8 @@ Result<void> MoverModels::upload(const vk::Device& device,
             ranges.push_back({.first_index = static_cast<std::uint32_t>(indices.size()),
                               .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
                               .first_vertex = static_cast<std::int32_t>(vertices.size()),
-                              .planes = face_planes(mesh)});
+                              .planes = face_planes(mesh),
+                              .edges = mesh_edges(mesh)});
             vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
             indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
         }

@@ -7,6 +7,7 @@
 #include "engine/core/result.h"
 #include "engine/render/mesh_buffers.h"
 #include "engine/render/mover.h"
+#include "engine/render/mover_edges.h"
 
 namespace onggi::render {
 
@@ -15,12 +16,13 @@ class MoverModels {
     // Nothing happens if it is the library that is there already. Precondition: the device is idle.
     Result<void> upload(const vk::Device& device, const std::shared_ptr<const MoverLibrary>& library);
 
-    // Where a mesh of a model lies in the buffers, and the planes of its faces, see face_planes().
+    // Where a mesh of a model lies in the buffers; the planes of its faces, see face_planes(); its edges.
     struct Range {
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
         std::int32_t first_vertex = 0;
         std::vector<vec4> planes{};
+        std::vector<MeshEdge> edges{};
     };
     // One a mesh; empty for a model that the library does not have.
     [[nodiscard]] const std::vector<Range>& ranges(std::size_t model) const;

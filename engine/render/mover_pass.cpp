@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 
-#include "engine/render/mover_faces.h"
 #include "engine/render/profile_mesh.h"
 #include "shaders/shaders.h"
 
@@ -63,17 +62,24 @@ Result<void> MoverPass::fit(const FrameContext& frame, const Scene& scene) {
 Result<void> MoverPass::upload(FrameContext& frame, const Scene& scene) {
     chosen_.clear();
     chosen_indices_.clear();
-    if (!frame.desc.chooses_mover_faces || !scene.mover_library) return {};
-    const vec3 eye_mm = scene.camera.eye_mm;
-    std::optional<InsidePot> pot;
-    if (scene.lathe) pot.emplace(*scene.lathe, frame.built.samples, eye_mm);
+    const bool smooths = frame.desc.cached && frame.desc.smooths_outlines;
+    if (!(frame.desc.chooses_mover_faces || smooths) || !scene.mover_library) return {};
+    const EdgeView view{scene.camera, static_cast<int>(frame.extent.width),
+                        static_cast<int>(frame.extent.height)};
+    std::optional<InsidePot> inside;
+    if (scene.lathe) inside.emplace(*scene.lathe, frame.built.samples, scene.camera.eye_mm);
+    const InsidePot* const pot = inside ? &*inside : nullptr;
     for (const Mover& mover : scene.movers) {
         const std::vector<MoverModels::Range>& ranges = models_.ranges(mover.model);
         for (std::size_t mesh = 0; mesh < ranges.size(); ++mesh) {
+            const PlacedMesh placed{(*scene.mover_library)[mover.model].meshes[mesh], ranges[mesh].planes,
+                                    mover.place};
+            const std::vector<std::uint8_t> towards_eye = faces_towards(placed, scene.camera.eye_mm);
+            if (smooths)
+                add_mover_edges(placed, towards_eye, ranges[mesh].edges, pot, view, frame.built.edges);
+            if (!frame.desc.chooses_mover_faces) continue;
             const auto first = static_cast<std::uint32_t>(chosen_indices_.size());
-            choose_mover_faces(
-                {(*scene.mover_library)[mover.model].meshes[mesh], ranges[mesh].planes, mover.place}, eye_mm,
-                pot ? &*pot : nullptr, chosen_indices_);
+            choose_mover_faces(placed, towards_eye, pot, chosen_indices_);
             chosen_.push_back({first, static_cast<std::uint32_t>(chosen_indices_.size()) - first});
         }
     }

@@ -16,7 +16,8 @@ class MoverPass {
     Result<void> create(const FrameContext& frame);
     // The library of the scene onto the device, if it is another one. The device is idle.
     Result<void> fit(const FrameContext& frame, const Scene& scene);
-    // Where the host chooses what is drawn of the models. `frame.built` must be this frame's.
+    // Where the host chooses what is drawn of the models, and where outlines are smoothed: theirs are
+    // appended to the frame's. `frame.built` must be this frame's.
     Result<void> upload(FrameContext& frame, const Scene& scene);
     // Inside the caller's pass.
     void draw(const FrameContext& frame, const Scene& scene) const;

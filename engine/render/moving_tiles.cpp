@@ -67,7 +67,7 @@ void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& bui
     const TileGrid grid{view.width_px, view.height_px};
     std::vector<std::uint8_t>& tiles = built.moving_tiles;
     tiles.assign(grid.count(), 0);
-    for (const shaders::EdgeData& edge : built.edges) {
+    for (const OutlinePiece& edge : built.edges) {
         // Half a pixel to each side is smoothed, and reads the pixel beyond.
         constexpr float kReachPx = 2.0F;
         want_tiles(grid,

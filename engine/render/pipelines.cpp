@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/render/outline_strips.h"
 #include "shaders/frame_data.h"
 #include "shaders/shaders.h"
 
@@ -33,7 +34,6 @@ constexpr std::array kBindings{
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     kVertexData,
-    kVertexData,
     kImage};
 static_assert(kBindings.size() == shaders::kBindPicture + 1);
 
@@ -41,6 +41,10 @@ constexpr std::array kMeshAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, position_mm)},
     VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, normal)},
     VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32_SFLOAT, offsetof(Mesh::Vertex, open_sky)}};
+
+constexpr std::array kStripAttributes{
+    VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(StripCorner, at)},
+    VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(StripCorner, line)}};
 
 // Formats that Vulkan does not promise everywhere; every desktop driver we know has them.
 Result<void> check_formats(const vk::Device& device) {
@@ -264,6 +268,9 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
         edges.name = "smoothed outlines";
         edges.vertex_spirv = shaders::kEdgesVert;
         edges.fragment_spirv = shaders::kEdgesFrag;
+        edges.constants = {};
+        edges.attributes = kStripAttributes;
+        edges.vertex_stride = sizeof(StripCorner);
         edges.colour_formats = picture_formats;
         maker.make(pipelines.edges, edges);
     } else {

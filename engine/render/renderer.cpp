@@ -7,6 +7,7 @@
 #include "engine/render/host_shade.h"
 #include "engine/render/lathe_pass.h"
 #include "engine/render/mover_pass.h"
+#include "engine/render/moving_tiles.h"
 #include "engine/render/overlay_pass.h"
 #include "engine/render/painted_overlay.h"
 #include "engine/render/resting_scene.h"
@@ -200,9 +201,12 @@ Result<void> Renderer::Impl::fit_overlay(const Overlay* wanted) {
 
 Result<void> Renderer::Impl::upload(const Scene& scene) {
     BuiltFrame& built = frame.built;
-    build_frame(scene, still.bounds(), frame.desc, static_cast<int>(frame.extent.width),
-                static_cast<int>(frame.extent.height), built);
+    const EdgeView view{scene.camera, static_cast<int>(frame.extent.width),
+                        static_cast<int>(frame.extent.height)};
+    build_frame(scene, still.bounds(), frame.desc, view.width_px, view.height_px, built);
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
+    if (auto chosen = movers.upload(frame, scene); !chosen) return chosen;
+    if (frame.desc.cached) find_moving_tiles(scene, view, built);
     still.update(frame, scene);
     if (is_bent(scene)) {
         host_shade.let_go();
@@ -218,7 +222,7 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
     lathe.upload(frame);
     edges.upload(frame);
-    return movers.upload(frame, scene);
+    return {};
 }
 
 // The still life as it is under the moving things' shade, by the processor.

@@ -33,7 +33,7 @@ struct Outlines {
     }
     Camera camera;
     std::vector<shaders::VertexData> vertices;
-    std::vector<shaders::EdgeData> edges;
+    std::vector<OutlinePiece> edges;
 };
 
 TEST(LatheEdges, RunUpBothSidesOfAWallRoundItsFootAndRoundItsRim) {
@@ -44,7 +44,7 @@ TEST(LatheEdges, RunUpBothSidesOfAWallRoundItsFootAndRoundItsRim) {
     ASSERT_TRUE(left && foot && rim);
     const auto distance_to = [&](const dvec2& pixel) {
         double least = 1e9;
-        for (const shaders::EdgeData& edge : outlines.edges) {
+        for (const OutlinePiece& edge : outlines.edges) {
             const dvec2 a(edge.from.x, edge.from.y);
             const dvec2 b(edge.to.x, edge.to.y);
             const double share = std::clamp(glm::dot(pixel - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
@@ -70,14 +70,14 @@ TEST(LatheEdges, LieALittleNearerThanTheFacesTheyBelongTo) {
         nearest = std::min(nearest, clip.z / clip.w);
         furthest = std::max(furthest, clip.z / clip.w);
     }
-    for (const shaders::EdgeData& edge : outlines.edges) {
+    for (const OutlinePiece& edge : outlines.edges) {
         EXPECT_GT(edge.from.z, nearest - 0.01F);
         EXPECT_LT(edge.from.z, furthest);
     }
 }
 
 TEST(LatheEdges, AreNoMoreThanTheBufferHolds) {
-    std::vector<shaders::EdgeData> edges(kMaxEdges - 3);
+    std::vector<OutlinePiece> edges(kMaxEdges - 3);
     add_sphere_edges({.centre_mm = {0.0F, 50.0F, 0.0F}, .radius_mm = 30.0F},
                      {{.eye_mm = {0.0F, 50.0F, 700.0F}}, kWidth, kHeight}, edges);
     EXPECT_EQ(edges.size(), kMaxEdges);
@@ -86,10 +86,10 @@ TEST(LatheEdges, AreNoMoreThanTheBufferHolds) {
 TEST(LatheEdges, GoRoundASphereWhereItIsSeenToEnd) {
     const Camera camera{.eye_mm = {0.0F, 100.0F, 300.0F}, .target_mm = {20.0F, 50.0F, 0.0F}};
     const Sphere ball{.centre_mm = {10.0F, 60.0F, 5.0F}, .radius_mm = 20.0F};
-    std::vector<shaders::EdgeData> edges;
+    std::vector<OutlinePiece> edges;
     add_sphere_edges(ball, {camera, kWidth, kHeight}, edges);
     ASSERT_GE(edges.size(), 30U);
-    for (const shaders::EdgeData& edge : edges) {
+    for (const OutlinePiece& edge : edges) {
         const Ray ray = ray_through(camera, kWidth, kHeight, {edge.from.x, edge.from.y});
         const dvec3 to = dvec3(ball.centre_mm) - ray.origin_mm;
         const double passes = glm::length(to - ray.direction * glm::dot(to, ray.direction));

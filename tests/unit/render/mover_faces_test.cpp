@@ -24,7 +24,8 @@ std::vector<std::uint32_t> chosen(const MoverMesh& mesh, const mat4& place, vec3
                                   const InsidePot* pot = nullptr) {
     const std::vector<vec4> planes = face_planes(mesh);
     std::vector<std::uint32_t> indices;
-    choose_mover_faces({mesh, planes, place}, eye_mm, pot, indices);
+    const PlacedMesh placed{mesh, planes, place};
+    choose_mover_faces(placed, faces_towards(placed, eye_mm), pot, indices);
     return indices;
 }
 

@@ -70,6 +70,7 @@ class MovingTiles : public testing::Test {
     const std::vector<std::uint8_t>& find() {
         build_frame(scene_, {.lowest_mm = -100.0F}, live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, kHeight),
                     kWidth, kHeight, built_);
+        find_moving_tiles(scene_, {scene_.camera, kWidth, kHeight}, built_);
         return built_.moving_tiles;
     }
     // Whether the tile that a point of the world is seen in is among them.
