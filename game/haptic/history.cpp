@@ -19,7 +19,8 @@ haptics::ToolState without_places(haptics::ToolState tool) {
 
 History::History(const HapticState& start, const HapticParameters& parameters, const HistoryOptions& options)
     : start_{start, parameters},
-      options_(options) {
+      options_(options),
+      checkpoints_(options.most_bytes) {
     begin_anew();
 }
 
@@ -30,7 +31,6 @@ void History::begin_anew() {
     settings_.clear();
     block_hashes_.clear();
     checkpoints_.clear();
-    checkpoint_bytes_ = 0;
     moves_.clear();
     ++lineage_;
     whole_ = true;
@@ -57,7 +57,7 @@ void History::follow_tick(const haptics::ToolState& tool, const dvec3* force_n) 
     const auto ticks_a_checkpoint = std::clamp<std::uint64_t>(
         static_cast<std::uint64_t>(options_.checkpoint_s * start_.parameters.rate_hz()), 1,
         std::max<std::uint64_t>(options_.checkpoint_ticks, 1));
-    if (now_.ticks - checkpoints_.back().tick >= ticks_a_checkpoint) keep_checkpoint();
+    if (now_.ticks - checkpoints_.newest_tick() >= ticks_a_checkpoint) keep_checkpoint();
 }
 
 void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
@@ -79,23 +79,7 @@ haptics::ToolState History::tool_of(const LoggedInput& input) const {
 }
 
 void History::keep_checkpoint() {
-    checkpoints_.push_back({now_.ticks, start_state_bytes(now_, start_.parameters)});
-    checkpoint_bytes_ += checkpoints_.back().bytes.size();
-    if (checkpoint_bytes_ > options_.most_bytes) thin_out();
-}
-
-// Takes the checkpoint away that is missed least: the one between the two that are closest. The first and the
-// last stay.
-void History::thin_out() {
-    while (checkpoint_bytes_ > options_.most_bytes && checkpoints_.size() > 2) {
-        std::size_t least_missed = 1;
-        const auto gap = [&](std::size_t i) { return checkpoints_[i + 1].tick - checkpoints_[i - 1].tick; };
-        for (std::size_t i = 2; i + 1 < checkpoints_.size(); ++i) {
-            if (gap(i) < gap(least_missed)) least_missed = i;
-        }
-        checkpoint_bytes_ -= checkpoints_[least_missed].bytes.size();
-        checkpoints_.erase(checkpoints_.begin() + static_cast<std::ptrdiff_t>(least_missed));
-    }
+    checkpoints_.keep(now_.ticks, start_state_bytes(now_, start_.parameters));
 }
 
 void History::follow_moves(const TickResult& result) {
@@ -118,15 +102,9 @@ std::optional<std::uint64_t> History::before_last_move() const {
     return moves_.back().first_tick;
 }
 
-const History::Checkpoint& History::checkpoint_before(std::uint64_t tick) const {
-    assert(tick >= first_tick() && tick <= now_.ticks);
-    const auto after = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), tick,
-                                        [](std::uint64_t t, const Checkpoint& c) { return t < c.tick; });
-    return *(after - 1);
-}
-
 HapticState History::state_at(std::uint64_t tick) const {
-    auto start = start_from_bytes(checkpoint_before(tick).bytes, start_.parameters.rate_hz());
+    assert(tick >= first_tick() && tick <= now_.ticks);
+    auto start = start_from_bytes(checkpoints_.bytes_before(tick), start_.parameters.rate_hz());
     // Bytes of our own that are refused are a bug, not a state of the world.
     if (!start) throw std::runtime_error(start.error().message);
     HapticState state = std::move(start->state);
@@ -147,10 +125,7 @@ void History::go_back_to(std::uint64_t tick) {
     settings_.resize(inputs_.empty() ? 0 : inputs_.back().settings + std::size_t{1});
     second_positions_mm_.resize(inputs_.empty() ? 0 : inputs_.back().second + std::size_t{1});
     block_hashes_.resize(inputs_.size() / record::kHashInterval);
-    while (checkpoints_.back().tick > tick) {
-        checkpoint_bytes_ -= checkpoints_.back().bytes.size();
-        checkpoints_.pop_back();
-    }
+    checkpoints_.forget_after(tick);
     while (!moves_.empty() && moves_.back().first_tick >= tick)
         moves_.pop_back();
     if (!moves_.empty()) moves_.back().end_tick = std::min(moves_.back().end_tick, tick);

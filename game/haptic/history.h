@@ -13,6 +13,7 @@
 
 #include "engine/core/result.h"
 #include "engine/record/session_writer.h"
+#include "game/haptic/checkpoints.h"
 #include "game/haptic/input_log.h"
 #include "game/haptic/messages.h"
 #include "game/haptic/start_state.h"
@@ -20,10 +21,10 @@
 namespace onggi::haptic {
 
 struct HistoryOptions {
-    double checkpoint_s = 1.0;                         // of simulated time between checkpoints, at most
-    std::uint64_t checkpoint_ticks = 3000;             // likewise: what is undone is worked out again
-    double pause_s = 0.25;                             // a hand off the clay for longer has ended its move
-    std::size_t most_bytes = std::size_t{256} << 20U;  // of checkpoints; beyond it they thin out
+    double checkpoint_s = 1.0;                        // of simulated time between checkpoints, at most
+    std::uint64_t checkpoint_ticks = 3000;            // likewise: what is undone is worked out again
+    double pause_s = 0.25;                            // a hand off the clay for longer has ended its move
+    std::size_t most_bytes = std::size_t{10} << 20U;  // of checkpoints, packed; beyond it they thin out
 };
 
 // What a visitor would call one thing done: from touching the clay with a tool on one side of it to letting
@@ -61,7 +62,7 @@ class History {
     [[nodiscard]] HapticState state_at(std::uint64_t tick) const;
     // How many ticks that works out again: what it costs, a few microseconds each.
     [[nodiscard]] std::uint64_t ticks_to_replay(std::uint64_t tick) const {
-        return tick - checkpoint_before(tick).tick;
+        return tick - checkpoints_.tick_before(tick);
     }
     // Where to go back to so that the last move is undone; none where nothing was done.
     [[nodiscard]] std::optional<std::uint64_t> before_last_move() const;
@@ -81,21 +82,14 @@ class History {
     [[nodiscard]] std::uint64_t lineage() const { return lineage_; }
 
     // For a display and for tests.
-    [[nodiscard]] std::size_t checkpoint_count() const { return checkpoints_.size(); }
-    [[nodiscard]] std::size_t checkpoint_bytes() const { return checkpoint_bytes_; }
+    [[nodiscard]] std::size_t checkpoint_count() const { return checkpoints_.count(); }
+    [[nodiscard]] std::size_t checkpoint_bytes() const { return checkpoints_.bytes(); }
 
   private:
-    struct Checkpoint {
-        std::uint64_t tick = 0;
-        std::vector<std::byte> bytes;
-    };
-
     void begin_anew();
     void go_back_to(std::uint64_t tick);
     void keep_input(const haptics::ToolState& tool, const dvec3& force_n);
     void keep_checkpoint();
-    [[nodiscard]] const Checkpoint& checkpoint_before(std::uint64_t tick) const;
-    void thin_out();
     void follow_tick(const haptics::ToolState& tool, const dvec3* force_n);
     void follow_moves(const TickResult& result);
     [[nodiscard]] haptics::ToolState tool_of(const LoggedInput& input) const;
@@ -107,8 +101,7 @@ class History {
     std::vector<dvec3> second_positions_mm_;
     std::vector<haptics::ToolState> settings_;
     std::vector<std::uint64_t> block_hashes_;  // after each full block of the session that save() writes
-    std::vector<Checkpoint> checkpoints_;      // ascending; the first is the start
-    std::size_t checkpoint_bytes_ = 0;
+    Checkpoints checkpoints_;                  // the first is the start
     std::vector<Move> moves_;
     std::uint64_t lineage_ = 0;
     bool whole_ = true;

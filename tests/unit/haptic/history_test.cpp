@@ -136,9 +136,9 @@ TEST(History, SaysSoWhenARecordIsMissing) {
 }
 
 TEST(History, ThinsItsCheckpointsOutRatherThanGrowForEver) {
-    Wheel few({.checkpoint_s = 0.1, .most_bytes = 600'000});
+    Wheel few({.checkpoint_s = 0.1, .most_bytes = 200'000});
     few.throw_until(kTicks);
-    EXPECT_LE(few.history.checkpoint_bytes(), 600'000U);
+    EXPECT_LE(few.history.checkpoint_bytes(), 200'000U);
     EXPECT_LT(few.history.checkpoint_count(), 60U);
     EXPECT_GT(few.history.checkpoint_count(), 5U);
     Wheel all;
