@@ -39,8 +39,8 @@ asset::Material gltf_material(const finish::GlazeMaterial& glaze) {
             .clearcoat = {.factor = double{glaze.clear_coat}, .roughness = double{glaze.coat_roughness}}};
 }
 
-asset::Image straight(const ui::Painting& painting) {
-    asset::Image image{.width = painting.width, .height = painting.height, .rgba = painting.rgba};
+asset::Image straight(ui::Painting painting) {
+    asset::Image image{.width = painting.width, .height = painting.height, .rgba = std::move(painting.rgba)};
     for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
         const unsigned alpha = image.rgba[at + 3];
         for (std::size_t channel = 0; alpha > 0 && channel < 3; ++channel) {
@@ -115,7 +115,7 @@ void Gallery::make_room(const fs::path& newcomer) {
     }
 }
 
-Result<int> Gallery::keep(const PotToKeep& pot, const std::string& today) {
+Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     std::error_code error;
     fs::create_directories(folder_ / today, error);
     if (error)
@@ -140,6 +140,9 @@ Result<int> Gallery::keep(const PotToKeep& pot, const std::string& today) {
         if (!bytes) return bytes.error();
         return files::write_file_atomically(folder->inside() / name, *bytes);
     };
+    // First, so that its pixels are gone before the solids are made.
+    if (auto written = write("pot.png", asset::encode_png(straight(std::move(pot.portrait)))); !written)
+        return written.error();
     const asset::Material material = gltf_material(*pot.glaze);
     if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,
                                                           share::ExportKind::kGlb, &material));
@@ -148,8 +151,6 @@ Result<int> Gallery::keep(const PotToKeep& pot, const std::string& today) {
     if (auto written =
             write("pot.stl", share::export_pot(*pot.clay, clay::Firing::kGlaze, share::ExportKind::kStl));
         !written)
-        return written.error();
-    if (auto written = write("pot.png", asset::encode_png(straight(pot.portrait))); !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
     make_room(place);  // not before: a pot that cannot be kept costs no other its place

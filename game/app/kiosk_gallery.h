@@ -38,7 +38,7 @@ class Gallery {
     // Writes pot.onggi, pot.glb, pot.stl and pot.png; gives the pot's number of the day, from 1. System
     // lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing is
     // there.
-    Result<int> keep(const PotToKeep& pot, const std::string& today);
+    Result<int> keep(PotToKeep pot, const std::string& today);
     // Newest first.
     [[nodiscard]] std::vector<KeptPot> pots() const;
     Result<void> remove(const KeptPot& pot);

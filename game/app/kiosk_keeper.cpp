@@ -262,11 +262,11 @@ void KioskKeeper::remove_now(const std::string& name) {
 
 void KioskKeeper::save_now(const Wish& wish) {
     if (!cut_ || !wish.shape) return;
-    const PotToKeep pot{.history = &history_,
-                        .clay = cut_.get(),
-                        .glaze = &finish::glaze_at(wish.glaze),
-                        .portrait = portrait(*wish.shape, wish.glaze, kPortraitPx)};
-    const auto number = gallery_.keep(pot, today());
+    PotToKeep pot{.history = &history_,
+                  .clay = cut_.get(),
+                  .glaze = &finish::glaze_at(wish.glaze),
+                  .portrait = portrait(*wish.shape, wish.glaze, kPortraitPx)};
+    const auto number = gallery_.keep(std::move(pot), today());
     if (number) {
         end_journal();
         answer({.kind = KeeperAnswer::Kind::kSaved,

@@ -150,7 +150,7 @@ ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px) {
     const auto side = static_cast<float>(side_px);
     const float scale = std::min(0.62F * side / std::max(1.0F, 2.0F * shape.radius_mm()),
                                  0.66F * side / std::max(1.0F, shape.height_mm()));
-    const screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, 0.2F);
+    screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, 0.2F);
     ui::Sketch sketch;
     sketch.size = vec2(side);
     sketch.add(ui::Box{{0.0F, 0.0F, side, side}, 0.0F, ui::Fill::flat(ui::hex(0x281e16))});
@@ -161,10 +161,10 @@ ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px) {
     sketch.add(ui::Ellipse{{foot.x - 0.8F * reach, foot.y - 0.1F * reach, 1.8F * reach, 0.24F * reach},
                            ui::Fill::round(ui::hex(0x0c0703, 0.7F), ui::hex(0x0c0703, 0.0F))});
     ui::Picture picture;
-    picture.painting = std::make_shared<const ui::Painting>(pot.painting);
     picture.hash = shape.hash();
     picture.rect = {foot.x - pot.foot_px.x, foot.y - pot.foot_px.y, static_cast<float>(pot.painting.width),
                     static_cast<float>(pot.painting.height)};
+    picture.painting = std::make_shared<const ui::Painting>(std::move(pot.painting));
     sketch.add(picture);
     return ui::Painter().paint(sketch);
 }

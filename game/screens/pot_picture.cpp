@@ -75,9 +75,6 @@ PotExtent pot_extent(const PotShape& shape, float px_per_mm, float elevation_rad
 
 namespace {
 
-// A band of samples takes some MB where the whole of a large picture takes 30.
-constexpr int kBandPx = 128;
-
 // The band's pixels, in place.
 void paint_band(const PotSamples& samples, const PotShading& shading, float turn, std::uint8_t* to) {
     constexpr int kSamples = kSamplesAcross * kSamplesAcross;

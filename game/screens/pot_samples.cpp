@@ -131,7 +131,19 @@ PotSamples sample_pot(const PotShape& shape, float px_per_mm, float elevation_ra
                       place.y * sine + place.z * cosine,
                       {at.y, angle, normal, ring >= outside_count}};
     };
+    // Whether any of a ring may be seen in the band: a pixel more each way, for what is rounded.
+    const auto first_row = static_cast<float>(samples.top - 2 * kSamplesAcross);
+    const auto last_row = static_cast<float>(samples.top + samples.height + 2 * kSamplesAcross);
+    const auto highest_row = [&](std::size_t ring) {
+        return origin.y - scale * (section[ring].y * cosine + section[ring].x * std::abs(sine));
+    };
+    const auto lowest_row = [&](std::size_t ring) {
+        return origin.y - scale * (section[ring].y * cosine - section[ring].x * std::abs(sine));
+    };
     for (std::size_t ring = 0; ring + 1 < section.size(); ++ring) {
+        if (std::max(lowest_row(ring), lowest_row(ring + 1)) < first_row ||
+            std::min(highest_row(ring), highest_row(ring + 1)) > last_row)
+            continue;
         for (int sector = 0; sector < kSectors; ++sector) {
             const Corner a = corner(ring, sector);
             const Corner b = corner(ring, sector + 1);

@@ -22,6 +22,9 @@ struct PotSamples {
     std::vector<char> covered{};
 };
 
+// So many rows of pixels at a time take a MB or two, where the whole of a large picture takes 30.
+constexpr int kBandPx = 32;
+
 // Rows of pixels.
 struct PotBand {
     int top_px = 0;

@@ -41,15 +41,25 @@ class Encoding {
 
 TurningPot::TurningPot(const PotShape& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                        float elevation_rad) {
-    const PotSamples samples = sample_pot(shape, px_per_mm, elevation_rad);
     const PotShading shading(glaze, shape.height_mm(), elevation_rad);
-    width_ = samples.width / kSamplesAcross;
-    height_ = samples.height / kSamplesAcross;
-    foot_px_ = samples.foot_px;
+    const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
+    width_ = extent.width_px;
+    height_ = extent.height_px;
+    foot_px_ = extent.foot_px;
     fill_colours(shape, glaze, elevation_rad);
+    for (int top = 0; top < height_; top += kBandPx) {
+        add_pixels(sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx}), shading, shape,
+                   glaze.foot_bare_mm);
+    }
+    pixels_.shrink_to_fit();
+}
+
+void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading, const PotShape& shape,
+                            float foot_bare_mm) {
+    const int first_row = samples.top / kSamplesAcross;
     const float row_per_mm = static_cast<float>(kRows - 1) / std::max(1.0F, shape.height_mm());
     constexpr int kSamples = kSamplesAcross * kSamplesAcross;
-    for (int y = 0; y < height_; ++y) {
+    for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
         for (int x = 0; x < width_; ++x) {
             Pixel pixel;
             int count = 0;
@@ -66,7 +76,7 @@ TurningPot::TurningPot(const PotShape& shape, const finish::GlazeMaterial& glaze
                 pixel.factor += light.factor;
                 pixel.gloss += light.gloss;
                 ++count;
-                const bool is_foot = !inside && surface.height_mm < glaze.foot_bare_mm;
+                const bool is_foot = !inside && surface.height_mm < foot_bare_mm;
                 pixel.row =
                     is_foot ? static_cast<float>(kRows)
                             : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
@@ -76,11 +86,10 @@ TurningPot::TurningPot(const PotShape& shape, const finish::GlazeMaterial& glaze
             pixel.factor /= static_cast<float>(count);
             pixel.gloss /= static_cast<float>(count);
             pixel.cover = static_cast<float>(count) / kSamples;
-            pixel.place = 4U * static_cast<std::uint32_t>(y * width_ + x);
+            pixel.place = 4U * static_cast<std::uint32_t>((first_row + y) * width_ + x);
             pixels_.push_back(pixel);
         }
     }
-    pixels_.shrink_to_fit();
 }
 
 void TurningPot::fill_colours(const PotShape& shape, const finish::GlazeMaterial& glaze,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/screens/pot_picture.h"
+#include "game/screens/pot_samples.h"
 
 namespace onggi::screens {
 
@@ -37,6 +38,9 @@ class TurningPot {
         vec3 gloss{0.0F};
         float cover = 1.0F;  // share of the pixel
     };
+    // Those of a band's pixels.
+    void add_pixels(const PotSamples& samples, const PotShading& shading, const PotShape& shape,
+                    float foot_bare_mm);
     void fill_colours(const PotShape& shape, const finish::GlazeMaterial& glaze, float elevation_rad);
 
     int width_ = 0;

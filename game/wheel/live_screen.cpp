@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <utility>
 
 #include "engine/jobs/clock.h"
@@ -189,9 +190,11 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
         host_ms_ = static_cast<double>(jobs::ThreadClock::now_ns() - began_ns) * 1e-6;
     }
     ++good_frames_;
-    // By then a software driver has compiled what its frames need.
-    constexpr int kCompiledFrames = 120;
-    if (++frames_of_renderer_ == kCompiledFrames) jobs::give_back_code();
+    // The first frames are those for which a software driver compiles, and by the last of these it has all it
+    // needs. What it ran for the ones before is not waited for.
+    constexpr unsigned kCompiledFrames = 128;
+    if (std::has_single_bit(++frames_of_renderer_) && frames_of_renderer_ <= kCompiledFrames)
+        jobs::give_back_code();
     // A moving camera costs a software core more than a picture at rest, for a second: no reason to change.
     // Nor is it one to do better that a screen is shown which covers the scene.
     const render::FrameStats& stats = renderer_->stats();

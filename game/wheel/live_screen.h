@@ -84,7 +84,7 @@ class LiveScreen {
     int mended_ = 0;
     int good_frames_ = 0;  // since the last time something was mended
     int in_a_row_ = 0;
-    int frames_of_renderer_ = 0;
+    unsigned frames_of_renderer_ = 0;
     double host_ms_ = 0.0;  // of the last frame, where the processor that records it is the one that draws it
     render::UploadLedger uploads_;  // of the overlay: a new renderer has an empty texture
     std::optional<Error> trouble_;  // found while waiting; the next draw mends it

@@ -58,6 +58,8 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     workshop_lack = std::move(opened.lack);
     plates_for = {width(), height()};
 
+    // Looking for a device ran the code of every driver there is.
+    jobs::give_back_code();
     // Every pipeline is compiled by drawing with it once: a lump with hands needs most of them, and one with
     // a ball the rest, where a ball will be shown.
     std::array<float, 200> lump{};
