@@ -31,7 +31,7 @@ KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& star
                          const haptic::HapticParameters& parameters, Gallery gallery,
                          std::filesystem::path statistics)
     : job_(job),
-      history_(start, parameters),
+      history_(start, parameters, {.aside = gallery.folder() / "state"}),
       faults_(gallery.folder() / "faults"),
       start_(start),
       parameters_(parameters),
@@ -167,8 +167,9 @@ void KioskKeeper::put_state_at(std::uint64_t tick) {
                 .words = "undo: a tick's record was lost; new clay is needed"});
         return;
     }
-    if (!job_.put(std::make_unique<haptic::HapticState>(history_.state_at(tick)), run_))
-        answer({.kind = KeeperAnswer::Kind::kNotPut});
+    auto state = history_.state_at(tick);
+    if (!state || !job_.put(std::make_unique<haptic::HapticState>(std::move(*state)), run_))
+        answer({.kind = KeeperAnswer::Kind::kNotPut, .words = state ? "" : state.error().message});
 }
 
 void KioskKeeper::obey(const Wish& wish) {

@@ -84,13 +84,14 @@ std::unique_ptr<LeftOver> LeftOver::find(const fs::path& folder, const haptic::H
         fs::remove(file, ignored);
     if (!longest.session) return nullptr;
     fs::rename(longest.file, folder / kPutAside, ignored);
-    return std::unique_ptr<LeftOver>(new LeftOver(std::move(*longest.session), start, parameters));
+    return std::unique_ptr<LeftOver>(new LeftOver(std::move(*longest.session), start, parameters, folder));
 }
 
 Result<bool> LeftOver::work(int ticks) {
-    for (int i = 0; i < ticks && played_ < session_.tick_count(); ++i) {
+    if (!session_) return false;
+    for (int i = 0; i < ticks && played_ < session_->tick_count(); ++i) {
         history_.add_played(cursor_.at(played_++));
-        const record::Session::Block& block = session_.blocks()[(played_ - 1) / record::kHashInterval];
+        const record::Session::Block& block = session_->blocks()[(played_ - 1) / record::kHashInterval];
         const bool ends_block = played_ == block.first_tick + block.tick_count;
         if (ends_block && history_.state().hash() != block.state_hash) {
             return failed(
@@ -99,11 +100,8 @@ Result<bool> LeftOver::work(int ticks) {
                             played_));
         }
     }
-    return played_ < session_.tick_count();
-}
-
-double LeftOver::seconds() const {
-    return static_cast<double>(session_.tick_count()) / session_.header().rate_hz;
+    if (played_ == session_->tick_count()) session_.reset();
+    return session_.has_value();
 }
 
 void LeftOver::remove(const fs::path& folder) noexcept {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,19 +34,21 @@ class LeftOver {
     [[nodiscard]] bool is_worth_it() const { return !history_.moves().empty(); }
     [[nodiscard]] haptic::History& history() { return history_; }
     // Of its file, for the log: how much there is.
-    [[nodiscard]] double seconds() const;
+    [[nodiscard]] double seconds() const { return seconds_; }
     // Takes the file away: it goes on elsewhere, or nobody wants it.
     static void remove(const std::filesystem::path& folder) noexcept;
 
   private:
     LeftOver(record::Session session, const haptic::HapticState& start,
-             const haptic::HapticParameters& parameters)
+             const haptic::HapticParameters& parameters, const std::filesystem::path& folder)
         : session_(std::move(session)),
-          cursor_(session_),
-          history_(start, parameters) {}
+          cursor_(*session_),
+          seconds_(static_cast<double>(session_->tick_count()) / session_->header().rate_hz),
+          history_(start, parameters, {.aside = folder}) {}
 
-    record::Session session_;
+    std::optional<record::Session> session_;  // until it is worked out: its bytes are many
     record::SessionCursor cursor_;
+    double seconds_;
     haptic::History history_;
     std::uint64_t played_ = 0;
 };

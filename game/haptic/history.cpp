@@ -20,6 +20,7 @@ haptics::ToolState without_places(haptics::ToolState tool) {
 History::History(const HapticState& start, const HapticParameters& parameters, const HistoryOptions& options)
     : start_{start, parameters},
       options_(options),
+      inputs_(options.aside),
       checkpoints_(options.most_bytes) {
     begin_anew();
 }
@@ -27,7 +28,6 @@ History::History(const HapticState& start, const HapticParameters& parameters, c
 void History::begin_anew() {
     now_ = start_.state;
     inputs_.clear();
-    second_positions_mm_.clear();
     settings_.clear();
     block_hashes_.clear();
     checkpoints_.clear();
@@ -61,12 +61,10 @@ void History::follow_tick(const haptics::ToolState& tool, const dvec3* force_n) 
 }
 
 void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
-    if (second_positions_mm_.empty() || second_positions_mm_.back() != tool.second.position_mm)
-        second_positions_mm_.push_back(tool.second.position_mm);
     const haptics::ToolState settings = without_places(tool);
     if (settings_.empty() || settings_.back() != settings) settings_.push_back(settings);
     inputs_.push_back({.position_mm = tool.position_mm,
-                       .second = static_cast<std::uint32_t>(second_positions_mm_.size() - 1),
+                       .second_position_mm = tool.second.position_mm,
                        .settings = static_cast<std::uint32_t>(settings_.size() - 1),
                        .force_check = record::force_check(force_n)});
 }
@@ -74,7 +72,7 @@ void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
 haptics::ToolState History::tool_of(const LoggedInput& input) const {
     haptics::ToolState tool = settings_[input.settings];
     tool.position_mm = input.position_mm;
-    tool.second.position_mm = second_positions_mm_[input.second];
+    tool.second.position_mm = input.second_position_mm;
     return tool;
 }
 
@@ -102,15 +100,18 @@ std::optional<std::uint64_t> History::before_last_move() const {
     return moves_.back().first_tick;
 }
 
-HapticState History::state_at(std::uint64_t tick) const {
+Result<HapticState> History::state_at(std::uint64_t tick) const {
     assert(tick >= first_tick() && tick <= now_.ticks);
     auto start = start_from_bytes(checkpoints_.bytes_before(tick), start_.parameters.rate_hz());
     // Bytes of our own that are refused are a bug, not a state of the world.
     if (!start) throw std::runtime_error(start.error().message);
     HapticState state = std::move(start->state);
     InputLog::Reader inputs(inputs_, static_cast<std::size_t>(state.ticks - first_tick()));
-    while (state.ticks < tick)
-        haptic::tick(state, tool_of(inputs.next()), start_.parameters);
+    while (state.ticks < tick) {
+        const auto input = inputs.next();
+        if (!input) return input.error();
+        haptic::tick(state, tool_of(**input), start_.parameters);
+    }
     return state;
 }
 
@@ -119,11 +120,14 @@ void History::go_back_to(std::uint64_t tick) {
         whole_ = false;
         return;
     }
-    now_ = state_at(tick);
+    auto state = state_at(tick);
+    if (!state || !inputs_.shrink(static_cast<std::size_t>(tick - first_tick()))) {
+        whole_ = false;
+        return;
+    }
+    now_ = std::move(*state);
     ++lineage_;
-    inputs_.shrink(static_cast<std::size_t>(tick - first_tick()));
     settings_.resize(inputs_.empty() ? 0 : inputs_.back().settings + std::size_t{1});
-    second_positions_mm_.resize(inputs_.empty() ? 0 : inputs_.back().second + std::size_t{1});
     block_hashes_.resize(inputs_.size() / record::kHashInterval);
     checkpoints_.forget_after(tick);
     while (!moves_.empty() && moves_.back().first_tick >= tick)
@@ -142,8 +146,9 @@ Result<void> History::write_on(record::SessionWriter& writer, std::size_t most_t
     const std::size_t until = from + std::min(most_ticks, inputs_.size() - from);
     InputLog::Reader inputs(inputs_, from);
     for (std::size_t i = from; i < until; ++i) {
-        const LoggedInput input = inputs.next();
-        if (auto added = writer.add_tick(tool_of(input), input.force_check); !added) return added;
+        const auto input = inputs.next();
+        if (!input) return input.error();
+        if (auto added = writer.add_tick(tool_of(**input), (*input)->force_check); !added) return added;
         if (!writer.block_is_full()) continue;
         if (auto ended = writer.end_block(block_hashes_[i / record::kHashInterval]); !ended) return ended;
     }

@@ -25,6 +25,7 @@ struct HistoryOptions {
     std::uint64_t checkpoint_ticks = 3000;            // likewise: what is undone is worked out again
     double pause_s = 0.25;                            // a hand off the clay for longer has ended its move
     std::size_t most_bytes = std::size_t{10} << 20U;  // of checkpoints, packed; beyond it they thin out
+    std::filesystem::path aside{};  // a folder for what is seldom read again; empty: it stays in memory
 };
 
 // What a visitor would call one thing done: from touching the clay with a tool on one side of it to letting
@@ -47,7 +48,8 @@ class History {
     // One tick more that is played back from a session which began with the same start.
     void add_played(const haptics::ToolState& tool);
 
-    // False once a record was missing: then the clay here is not the one on the wheel, until a fresh lump.
+    // False once a record was missing, or was not given back: then the clay here is not the one on the wheel,
+    // until a fresh lump.
     [[nodiscard]] bool is_whole() const { return whole_; }
     // The clay as it was after the last record.
     [[nodiscard]] const HapticState& state() const { return now_; }
@@ -58,8 +60,9 @@ class History {
     // Those that the start had behind it.
     [[nodiscard]] std::uint64_t first_tick() const { return start_.state.ticks; }
 
-    // The state before that tick. Precondition: between the start's ticks and ticks().
-    [[nodiscard]] HapticState state_at(std::uint64_t tick) const;
+    // The state before that tick. Precondition: between the start's ticks and ticks(). An error where the
+    // disk does not give back what was put aside.
+    [[nodiscard]] Result<HapticState> state_at(std::uint64_t tick) const;
     // How many ticks that works out again: what it costs, a few microseconds each.
     [[nodiscard]] std::uint64_t ticks_to_replay(std::uint64_t tick) const {
         return tick - checkpoints_.tick_before(tick);
@@ -98,7 +101,6 @@ class History {
     HistoryOptions options_;
     HapticState now_;
     InputLog inputs_;  // of tick first_tick() + index
-    std::vector<dvec3> second_positions_mm_;
     std::vector<haptics::ToolState> settings_;
     std::vector<std::uint64_t> block_hashes_;  // after each full block of the session that save() writes
     Checkpoints checkpoints_;                  // the first is the start

@@ -1,5 +1,6 @@
 #include "game/haptic/input_log.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -7,24 +8,29 @@
 namespace onggi::haptic {
 namespace {
 
-// Five words a tick; what is kept is how each differs from that word of the ticks before: a mask of the eight
-// bytes that are not zero, and those bytes.
-constexpr std::size_t kWords = 5;
+// Eight words a tick; what is kept is how each differs from that word of the ticks before: a mask of the
+// words that do, and for each of those a mask of its bytes that are not zero, and those bytes.
+constexpr std::size_t kWords = 8;
 using Words = std::array<std::uint64_t, kWords>;
 
 Words words_of(const LoggedInput& input) {
     return {std::bit_cast<std::uint64_t>(input.position_mm.x),
             std::bit_cast<std::uint64_t>(input.position_mm.y),
             std::bit_cast<std::uint64_t>(input.position_mm.z),
-            std::uint64_t{input.second} << 32U | input.settings, input.force_check};
+            std::bit_cast<std::uint64_t>(input.second_position_mm.x),
+            std::bit_cast<std::uint64_t>(input.second_position_mm.y),
+            std::bit_cast<std::uint64_t>(input.second_position_mm.z),
+            input.settings,
+            input.force_check};
 }
 
 LoggedInput input_of(const Words& words) {
     return {.position_mm = {std::bit_cast<double>(words[0]), std::bit_cast<double>(words[1]),
                             std::bit_cast<double>(words[2])},
-            .second = static_cast<std::uint32_t>(words[3] >> 32U),
-            .settings = static_cast<std::uint32_t>(words[3]),
-            .force_check = static_cast<std::uint32_t>(words[4])};
+            .second_position_mm = {std::bit_cast<double>(words[3]), std::bit_cast<double>(words[4]),
+                                   std::bit_cast<double>(words[5])},
+            .settings = static_cast<std::uint32_t>(words[6]),
+            .force_check = static_cast<std::uint32_t>(words[7])};
 }
 
 // A straight line goes on by the same difference: the number whose bits, read as one, stand as far from the
@@ -38,24 +44,48 @@ std::uint64_t expected(std::uint64_t last, std::uint64_t before) {
 void InputLog::push_back(const LoggedInput& input) {
     if (newest_.capacity() < kBlock) newest_.reserve(kBlock);
     newest_.push_back(input);
+    last_ = input;
     if (newest_.size() < kBlock) return;
-    packed_.push_back(packed(newest_));
+    packed_.push_back(aside_.put(packed(newest_)));
     newest_.clear();
 }
 
-void InputLog::shrink(std::size_t count) {
+void InputLog::clear() {
+    packed_.clear();
+    newest_.clear();
+    aside_.clear();
+}
+
+Result<void> InputLog::shrink(std::size_t count) {
     assert(count <= size());
-    if (count < packed_.size() * kBlock) {
-        newest_ = unpacked(packed_[count / kBlock]);
-        packed_.resize(count / kBlock);
+    if (count == size()) return {};
+    const std::size_t whole = count / kBlock;
+    Result<void> read;
+    if (whole < packed_.size()) {
+        auto newest = block(whole);
+        while (packed_.size() > whole) {
+            aside_.take_back(packed_.back());
+            packed_.pop_back();
+        }
+        newest_.clear();
+        if (newest) newest_ = std::move(*newest);
+        if (!newest) read = newest.error();
     }
-    newest_.resize(count - packed_.size() * kBlock);
+    newest_.resize(std::min(newest_.size(), count - whole * kBlock));
+    if (!newest_.empty()) {
+        last_ = newest_.back();
+    } else if (whole > 0) {
+        auto before = block(whole - 1);
+        if (!before) return before.error();
+        last_ = before->back();
+    }
+    return read;
 }
 
 std::size_t InputLog::bytes() const {
     std::size_t bytes = newest_.size() * sizeof(LoggedInput);
-    for (const Packed& block : packed_)
-        bytes += block.size();
+    for (const files::PutAside::Piece& piece : packed_)
+        bytes += sizeof piece + piece.in_memory.size();
     return bytes;
 }
 
@@ -66,8 +96,12 @@ InputLog::Packed InputLog::packed(const std::vector<LoggedInput>& inputs) {
     Words before{};
     for (const LoggedInput& input : inputs) {
         const Words words = words_of(input);
+        const std::size_t changed_at = bytes.size();
+        bytes.push_back(std::byte{0});
         for (std::size_t word = 0; word < kWords; ++word) {
             const std::uint64_t difference = words[word] ^ expected(last[word], before[word]);
+            if (difference == 0) continue;
+            bytes[changed_at] |= static_cast<std::byte>(1U << word);
             const std::size_t mask_at = bytes.size();
             bytes.push_back(std::byte{0});
             for (std::size_t at = 0; at < sizeof difference; ++at) {
@@ -89,15 +123,20 @@ std::vector<LoggedInput> InputLog::unpacked(const Packed& bytes) {
     inputs.reserve(kBlock);
     Words last{};
     Words before{};
+    const auto has = [](std::byte mask, std::size_t at) {
+        return (mask & static_cast<std::byte>(1U << at)) != std::byte{0};
+    };
     const std::byte* from = bytes.data();
     while (inputs.size() < kBlock) {
         Words words{};
+        const std::byte changed = *from++;
         for (std::size_t word = 0; word < kWords; ++word) {
-            const std::byte mask = *from++;
             std::uint64_t difference = 0;
-            for (std::size_t at = 0; at < sizeof difference; ++at) {
-                if ((mask & static_cast<std::byte>(1U << at)) == std::byte{0}) continue;
-                difference |= std::to_integer<std::uint64_t>(*from++) << (8U * at);
+            if (has(changed, word)) {
+                const std::byte mask = *from++;
+                for (std::size_t at = 0; at < sizeof difference; ++at) {
+                    if (has(mask, at)) difference |= std::to_integer<std::uint64_t>(*from++) << (8U * at);
+                }
             }
             words[word] = difference ^ expected(last[word], before[word]);
         }
@@ -108,16 +147,24 @@ std::vector<LoggedInput> InputLog::unpacked(const Packed& bytes) {
     return inputs;
 }
 
-LoggedInput InputLog::Reader::next() {
+Result<std::vector<LoggedInput>> InputLog::block(std::size_t which) const {
+    auto bytes = aside_.get(packed_[which]);
+    if (!bytes) return bytes.error();
+    return unpacked(*bytes);
+}
+
+Result<const LoggedInput*> InputLog::Reader::next() {
     assert(next_ < log_.size());
     const std::size_t block = next_ / kBlock;
     const std::size_t at = next_++ % kBlock;
-    if (block == log_.packed_.size()) return log_.newest_[at];
+    if (block == log_.packed_.size()) return &log_.newest_[at];
     if (block != block_) {
-        inputs_ = unpacked(log_.packed_[block]);
+        auto inputs = log_.block(block);
+        if (!inputs) return inputs.error();
+        inputs_ = std::move(*inputs);
         block_ = block;
     }
-    return inputs_[at];
+    return &inputs_[at];
 }
 
 }  // namespace onggi::haptic

@@ -86,14 +86,15 @@ TEST(InterruptedVisit, LosesNoMoreThanABlock) {
     EXPECT_TRUE(found.remarks.empty());
     EXPECT_TRUE(found.pot->is_worth_it());
     EXPECT_EQ(found.pot->history().ticks(), 2000U);
-    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).hash()) << "to the bit";
+    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).value().hash())
+        << "to the bit";
 }
 
 TEST(InterruptedVisit, IsAsItWasAfterAnUndo) {
     const test::TemporaryFolder folder;
     Visit visit(folder / "state");
     visit.throw_until(3100);
-    visit.state = visit.history.state_at(1500);
+    visit.state = visit.history.state_at(1500).value();
     visit.tick(haptic::TickRecord::kStatePut);
     visit.follow();
     visit.throw_until(2400);
@@ -101,7 +102,7 @@ TEST(InterruptedVisit, IsAsItWasAfterAnUndo) {
     const Recovered found = recover(folder / "after");
     ASSERT_TRUE(found.pot);
     EXPECT_EQ(found.pot->history().ticks(), 2000U);
-    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).hash());
+    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).value().hash());
 }
 
 TEST(InterruptedVisit, IsGoneWhenItsLumpIsThrownAway) {

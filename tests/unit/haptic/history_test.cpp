@@ -62,7 +62,7 @@ TEST(History, GoesBackToAnyTickToTheBit) {
         wheel.tick(wheel.state.ticks);
     }
     for (std::size_t i = 0; i < hashes.size(); ++i)
-        ASSERT_EQ(wheel.history.state_at(333 * i).hash(), hashes[i]) << "tick " << 333 * i;
+        ASSERT_EQ(wheel.history.state_at(333 * i).value().hash(), hashes[i]) << "tick " << 333 * i;
 }
 
 TEST(History, TellsTheMovesApart) {
@@ -87,7 +87,7 @@ TEST(History, UndoesOneMoveAfterAnother) {
     std::vector<double> heights;
     for (std::uint64_t again = 0; const auto tick = wheel.history.before_last_move(); ++again) {
         // As the haptic loop does it: the state is put on the wheel, and the next record says so.
-        wheel.state = wheel.history.state_at(*tick);
+        wheel.state = wheel.history.state_at(*tick).value();
         heights.push_back(wheel.state.height_mm());
         wheel.tick(kTicks + again, TickRecord::kStatePut);  // a hand that is away
         ASSERT_EQ(wheel.history.state().hash(), wheel.state.hash());
@@ -103,14 +103,14 @@ TEST(History, UndoesOneMoveAfterAnother) {
 TEST(History, GoesOnFromWhereItWasTakenBackTo) {
     Wheel wheel;
     wheel.throw_until(kTicks);
-    wheel.state = wheel.history.state_at(2000);
+    wheel.state = wheel.history.state_at(2000).value();
     wheel.tick(2000, TickRecord::kStatePut);
     wheel.throw_until(kTicks);
     Wheel straight;
     straight.throw_until(kTicks);
     EXPECT_EQ(wheel.history.state().hash(), straight.history.state().hash());
     EXPECT_EQ(wheel.history.moves().size(), straight.history.moves().size());
-    EXPECT_EQ(wheel.history.state_at(3000).hash(), straight.history.state_at(3000).hash());
+    EXPECT_EQ(wheel.history.state_at(3000).value().hash(), straight.history.state_at(3000).value().hash());
 }
 
 TEST(History, BeginsAnewWithAFreshLump) {
@@ -143,14 +143,30 @@ TEST(History, ThinsItsCheckpointsOutRatherThanGrowForEver) {
     EXPECT_GT(few.history.checkpoint_count(), 5U);
     Wheel all;
     all.throw_until(kTicks);
-    EXPECT_EQ(few.history.state_at(1234).hash(), all.history.state_at(1234).hash());
+    EXPECT_EQ(few.history.state_at(1234).value().hash(), all.history.state_at(1234).value().hash());
+}
+
+TEST(History, IsTheSameWhereItIsPutAside) {
+    const test::TemporaryFolder folder;
+    HapticParameters parameters = parameters_at(kRateHz);
+    History aside(test::studio_start(), parameters, {.aside = folder / "state"});
+    History in_memory(test::studio_start(), parameters);
+    for (std::uint64_t tick = 0; tick < 10'000; ++tick) {
+        aside.add_played(test::studio_hand(tick, kRateHz));
+        in_memory.add_played(test::studio_hand(tick, kRateHz));
+    }
+    for (const std::uint64_t tick : {0U, 4097U, 9'999U, 3U})
+        EXPECT_EQ(aside.state_at(tick).value().hash(), in_memory.state_at(tick).value().hash()) << tick;
+    ASSERT_TRUE(aside.save(folder / "aside"));
+    ASSERT_TRUE(in_memory.save(folder / "in-memory"));
+    EXPECT_EQ(test::content_of(folder / "aside"), test::content_of(folder / "in-memory"));
 }
 
 TEST(History, IsSavedAsASessionThatReplays) {
     const test::TemporaryFolder folder;
     Wheel wheel;
     wheel.throw_until(kTicks);
-    wheel.state = wheel.history.state_at(3100);
+    wheel.state = wheel.history.state_at(3100).value();
     wheel.tick(9000, TickRecord::kStatePut);
     wheel.throw_until(3456);
     ASSERT_TRUE(wheel.history.save(folder / "s.onggi"));
@@ -193,7 +209,7 @@ TEST(History, CountsEveryTimeItWentAnotherWay) {
     Wheel wheel;
     wheel.throw_until(1500);
     const std::uint64_t first = wheel.history.lineage();
-    wheel.state = wheel.history.state_at(1200);
+    wheel.state = wheel.history.state_at(1200).value();
     wheel.tick(9000, TickRecord::kStatePut);
     EXPECT_EQ(wheel.history.lineage(), first + 1);
     wheel.state = test::studio_start();
@@ -257,7 +273,7 @@ TEST_F(FiveMinutes, AreTakenBackByReplayingASecondAtMost) {
     ASSERT_EQ(history.ticks(), kSession);
     EXPECT_GT(history.moves().size(), 20U);
     EXPECT_LE(most_to_replay(history), 3000U);
-    EXPECT_EQ(history.state_at(*history.before_last_move()).ticks, *history.before_last_move());
+    EXPECT_EQ(history.state_at(*history.before_last_move()).value().ticks, *history.before_last_move());
 }
 
 TEST_F(FiveMinutes, OfDentsAreTakenBackByReplayingFewSeconds) {
