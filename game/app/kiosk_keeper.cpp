@@ -263,6 +263,8 @@ void KioskKeeper::remove_now(const std::string& name) {
 
 void KioskKeeper::save_now(const Wish& wish) {
     if (!cut_ || !wish.shape) return;
+    history_.let_go_of_states();  // a pot that is fired is no clay again
+    give_back_memory();
     PotToKeep pot{.history = &history_,
                   .clay = cut_.get(),
                   .glaze = &finish::glaze_at(wish.glaze),

@@ -80,6 +80,11 @@ void History::keep_checkpoint() {
     checkpoints_.keep(now_.ticks, start_state_bytes(now_, start_.parameters));
 }
 
+void History::let_go_of_states() {
+    checkpoints_.forget_after(first_tick());
+    if (now_.ticks > first_tick()) keep_checkpoint();
+}
+
 void History::follow_moves(const TickResult& result) {
     const std::uint64_t tick = now_.ticks - 1;
     const haptics::ToolState& tool = now_.tool;

@@ -70,6 +70,10 @@ class History {
     // Where to go back to so that the last move is undone; none where nothing was done.
     [[nodiscard]] std::optional<std::uint64_t> before_last_move() const;
 
+    // Nobody will go back any more, or seldom: the states between the start and now are let go, and what they
+    // were is worked out from the start.
+    void let_go_of_states();
+
     // All up to now as a session, written at once: no tick is worked out again.
     [[nodiscard]] Result<void> save(const std::filesystem::path& place) const;
     // Only what came of it, as a session of no ticks that begins there: for a history that is not whole.

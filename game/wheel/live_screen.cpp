@@ -193,8 +193,10 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     // The first frames are those for which a software driver compiles, and by the last of these it has all it
     // needs. What it ran for the ones before is not waited for.
     constexpr unsigned kCompiledFrames = 128;
-    if (std::has_single_bit(++frames_of_renderer_) && frames_of_renderer_ <= kCompiledFrames)
+    if (std::has_single_bit(++frames_of_renderer_) && frames_of_renderer_ <= kCompiledFrames) {
         jobs::give_back_code();
+        if (frames_of_renderer_ == kCompiledFrames) jobs::give_back_freed_memory();
+    }
     // A moving camera costs a software core more than a picture at rest, for a second: no reason to change.
     // Nor is it one to do better that a screen is shown which covers the scene.
     const render::FrameStats& stats = renderer_->stats();

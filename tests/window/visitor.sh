@@ -3,7 +3,7 @@
 # [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a picture of each
 # screen there. TARGETS: the program screen_targets, which knows where the buttons are. HAND: mouse, touch, keys or switch
 # (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN likewise; CAGED:
-# a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold on any screen, once it is there.
+# a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 onggi=$1
@@ -43,14 +43,11 @@ open_kiosk() {
     kiosk=$!
 }
 open_kiosk
-# look_at_memory SCREEN: in MB of a million bytes.
-most_seen_mb=0
+# look_at_memory SCREEN: the most that was held at any moment from the start to there, in MB of a million bytes.
 look_at_memory() {
-    local resident_mb
-    resident_mb=$(awk '$1 == "VmRSS:" { print int($2 * 1024 / 1000000 + 0.5) }' "/proc/$kiosk/status")
-    [ "$resident_mb" -le "$most_seen_mb" ] || most_seen_mb=$resident_mb
-    [ "$resident_mb" -le "$MOST_RESIDENT_MB" ] ||
-        fail "expected at most $MOST_RESIDENT_MB MB of resident memory on '$1', found $resident_mb MB"
+    most_seen_mb=$(awk '$1 == "VmHWM:" { print int($2 * 1024 / 1000000 + 0.5) }' "/proc/$kiosk/status")
+    [ "$most_seen_mb" -le "$MOST_RESIDENT_MB" ] ||
+        fail "expected at most $MOST_RESIDENT_MB MB of resident memory up to '$1', found $most_seen_mb MB"
 }
 # A screen is there when the title says so; its cross-fade is over a quarter of a second later.
 on_screen() {

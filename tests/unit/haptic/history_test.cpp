@@ -146,6 +146,19 @@ TEST(History, ThinsItsCheckpointsOutRatherThanGrowForEver) {
     EXPECT_EQ(few.history.state_at(1234).value().hash(), all.history.state_at(1234).value().hash());
 }
 
+TEST(History, LetsGoOfStatesAndCanStillWorkThemOut) {
+    Wheel wheel;
+    wheel.throw_until(3000);
+    const std::uint64_t before = wheel.history.state_at(1700).value().hash();
+    wheel.history.let_go_of_states();
+    EXPECT_EQ(wheel.history.checkpoint_count(), 2U) << "the start, and now";
+    EXPECT_EQ(wheel.history.ticks_to_replay(1700), 1700U);
+    EXPECT_EQ(wheel.history.state_at(1700).value().hash(), before);
+    wheel.throw_until(kTicks);
+    EXPECT_EQ(wheel.history.state_at(kTicks).value().hash(), wheel.state.hash());
+    EXPECT_LT(wheel.history.ticks_to_replay(kTicks), 500U) << "what comes is kept as before";
+}
+
 TEST(History, IsTheSameWhereItIsPutAside) {
     const test::TemporaryFolder folder;
     HapticParameters parameters = parameters_at(kRateHz);
