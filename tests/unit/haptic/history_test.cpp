@@ -293,7 +293,7 @@ TEST_F(FiveMinutes, OfDentsAreTakenBackByReplayingFewSeconds) {
     const History history = session(false);
     EXPECT_GT(history.state().studio()->residuals_mm(100).size(), 0U);
     EXPECT_LE(history.checkpoint_bytes(), HistoryOptions{}.most_bytes / 10);
-    EXPECT_LE(most_to_replay(history), 12000U);
+    EXPECT_LE(most_to_replay(history), 6000U);
 }
 #endif
 
