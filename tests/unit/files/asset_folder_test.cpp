@@ -63,7 +63,10 @@ TEST_F(AssetFolder, ThatTheUserChoseIsTheOnlyOneLookedAt) {
 }
 
 TEST_F(AssetFolder, MissingEverywhereIsSaidInOneLine) {
-    const auto found = find_asset("workshop", {.chosen = "", .program = root_ / "bin/onggi"});
+    // Four folders are looked through, all of them inside the test's own: what lies beside it is not seen,
+    // and neither are assets one folder too far up.
+    make("assets/workshop");
+    const auto found = find_asset("workshop", {.chosen = "", .program = root_ / "a/b/c/bin/onggi"});
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().kind, ErrorKind::kSystemLacks);
     EXPECT_EQ(found.error().message.find('\n'), std::string::npos);
