@@ -66,12 +66,13 @@ BendableMesh bendable_mesh(const StillLife& still_life, float longest_mm) {
     Cutter cutter(mesh, longest_mm);
     for (const StillLife::Part& part : still_life.parts) {
         if (part.in_relief) continue;
+        const Mesh& shape = part.bent_mesh ? *part.bent_mesh : *part.mesh;
         const auto first = static_cast<std::uint32_t>(mesh.positions_mm.size());
-        for (const Mesh::Vertex& vertex : part.mesh->vertices) {
+        for (const Mesh::Vertex& vertex : shape.vertices) {
             mesh.positions_mm.push_back(part.position_mm + vertex.position_mm);
             mesh.normals_up.push_back(vertex.normal.y);
         }
-        const std::vector<std::uint32_t>& indices = part.mesh->indices;
+        const std::vector<std::uint32_t>& indices = shape.indices;
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
             cutter.add({first + indices[i], first + indices[i + 1], first + indices[i + 2]});
     }

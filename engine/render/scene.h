@@ -101,6 +101,9 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh{};
         Material material{};
         vec3 position_mm{0.0F};
+        // What a photograph bends over while the camera moves, where the mesh has more faces than
+        // that needs.
+        std::shared_ptr<const Mesh> bent_mesh{};
         bool in_relief = false;    // the plate's relief shows it well enough while the camera moves
         bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };

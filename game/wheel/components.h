@@ -113,7 +113,8 @@ struct Surroundings {
 struct StillPart {
     std::shared_ptr<const render::Mesh> mesh{};
     render::Material material{};
-    bool in_relief = false;  // see render::StillLife
+    std::shared_ptr<const render::Mesh> bent_mesh{};  // see render::StillLife
+    bool in_relief = false;                           // see render::StillLife
     bool casts_shadow = true;
 };
 

@@ -139,6 +139,7 @@ void extract_still_life(ecs::Registry& registry, FrameContext& context) {
         still_life->parts.push_back({.mesh = part.mesh,
                                      .material = part.material,
                                      .position_mm = vec3(transform.position_mm),
+                                     .bent_mesh = part.bent_mesh,
                                      .in_relief = part.in_relief,
                                      .casts_shadow = part.casts_shadow});
     });
