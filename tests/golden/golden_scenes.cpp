@@ -152,6 +152,12 @@ std::vector<GoldenScene> golden_scenes() {
         {.name = "celadon", .studio = studio_pot(bottle()), .tool_shown = false, .stage = Firing::kGlaze},
         // Views.
         {.name = "inside", .studio = studio_pot(jar()), .tool_shown = false, .view = StillView::kLookingIn},
+        {.name = "inside-portrait",
+         .width = 405,
+         .height = 720,
+         .studio = studio_pot(jar()),
+         .tool_shown = false,
+         .view = StillView::kLookingIn},
         {.name = "wide-plate",
          .studio = studio_pot(plate()),
          .tool_shown = false,
