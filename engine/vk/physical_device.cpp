@@ -182,9 +182,11 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
     }
     if (best) return *best;
     if (!wish.empty()) {
-        return bad_input(fmt::format(
-            "Vulkan device '{}': expected the index or a part of the name of one that can be used, found {}",
-            wish, names_of(devices)));
+        return bad_input(
+            fmt::format("ONGGI_VULKAN_DEVICE '{}': expected the index or a part of the name of a Vulkan "
+                        "device that can be "
+                        "used, found {}",
+                        wish, names_of(devices)));
     }
     return system_lacks(
         fmt::format("Vulkan: expected a device with all that is needed, found {}; install a newer driver "

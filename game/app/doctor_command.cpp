@@ -44,21 +44,21 @@ std::vector<Finding> probe_vulkan() {
         return {none};
     }
     std::vector<Finding> findings;
-    bool one_is_chosen = false;
     for (const vk::DeviceDescription& device : *devices) {
         std::string words = fmt::format("device {}: {}, {}, {} {}, Vulkan {}", device.index, device.name,
                                         vk::type_name(device.type), device.driver, device.driver_info,
                                         vk::version_name(device.api_version));
         if (!device.lacks.empty()) words += ", lacks " + device.lacks;
         if (device.chosen) words += ", chosen";
-        one_is_chosen = one_is_chosen || device.chosen;
         findings.push_back({.subject = "vulkan",
                             .verdict = device.chosen ? Verdict::kGood : Verdict::kNote,
                             .found = std::move(words)});
         if (device.chosen) findings.push_back(probe_quality(device));
     }
-    if (!one_is_chosen) {
-        none.found = "no device that can be used, or ONGGI_VULKAN_DEVICE names none of these";
+    if (const auto chosen = vk::choose(*devices, vk::device_wish_of_environment()); !chosen) {
+        none.found = chosen.error().message;
+        if (chosen.error().kind == ErrorKind::kBadInput)
+            none.remedy = "set ONGGI_VULKAN_DEVICE to one of these, or unset it";
         findings.push_back(std::move(none));
     }
     return findings;

@@ -1,0 +1,98 @@
+// A machine with two Vulkan devices: the software driver, and beside it a copy of the same library, which the
+// loader takes for another driver.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli_expectations.h"
+
+namespace onggi::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path software_driver() {
+    for (const auto& entry : fs::directory_iterator("/usr/share/vulkan/icd.d")) {
+        if (entry.path().filename().string().starts_with("lvp_icd.")) return entry.path();
+    }
+    return {};
+}
+
+class SeveralDevices : public testing::Test {
+  protected:
+    void SetUp() override {
+        const fs::path first = software_driver();
+        ASSERT_FALSE(first.empty()) << "expected Mesa's software driver, found none";
+        auto manifest = nlohmann::json::parse(content_of(first));
+        fs::path library = manifest.at("ICD").at("library_path").get<std::string>();
+        // A name alone is one of the system's libraries, in the folder of all of them.
+        if (library.is_relative()) library = fs::path("/usr/lib") / ONGGI_LIBRARY_FOLDER / library;
+        const fs::path copy = drivers_ / "libvulkan_other.so";
+        fs::copy_file(library, copy);
+        manifest["ICD"]["library_path"] = copy.string();
+        put_file(drivers_ / "other.json", manifest.dump());
+        const std::string both = first.string() + ":" + (drivers_ / "other.json").string();
+        environment_ = {"VK_ICD_FILENAMES=" + both, "VK_DRIVER_FILES=" + both,
+                        // The driver leaks, and is unloaded before LeakSanitizer could find its name.
+                        "ASAN_OPTIONS=detect_leaks=0"};
+    }
+
+    [[nodiscard]] ProgramOptions with_wish(const std::string& wish) const {
+        ProgramOptions options{.folder = folder_.path(), .environment = environment_};
+        options.environment.push_back("ONGGI_VULKAN_DEVICE=" + wish);
+        return options;
+    }
+    [[nodiscard]] ProgramRun draw(const std::string& wish, const std::string& name) const {
+        return run_onggi({"throw", kPressAndHold, "--screenshot", name, "--size", "80x48"}, with_wish(wish));
+    }
+    [[nodiscard]] std::string doctor_of(const std::string& wish, const std::string& line) const {
+        const ProgramRun run = run_onggi({"doctor"}, with_wish(wish));
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        const std::size_t at = run.out.find(line);
+        if (at == std::string::npos) return {};
+        return run.out.substr(run.out.rfind('\n', at) + 1,
+                              run.out.find('\n', at) - run.out.rfind('\n', at) - 1);
+    }
+
+    TemporaryFolder drivers_;
+    TemporaryFolder folder_;
+    std::vector<std::string> environment_;
+};
+
+TEST_F(SeveralDevices, AreNamedAndOneOfThemIsChosen) {
+    for (const int wished : {0, 1}) {
+        for (const int device : {0, 1}) {
+            const std::string line =
+                doctor_of(std::to_string(wished), "device " + std::to_string(device) + ": ");
+            EXPECT_NE(line.find("llvmpipe"), std::string::npos) << line;
+            EXPECT_EQ(line.ends_with(", chosen"), device == wished) << line;
+            EXPECT_EQ(line.starts_with("good"), device == wished) << line;
+        }
+    }
+    EXPECT_TRUE(doctor_of("", "device 0: ").ends_with(", chosen")) << "of two that are alike the first";
+}
+
+TEST_F(SeveralDevices, AWishForNoneOfThemIsOneLineWithAllThereAre) {
+    const ProgramRun run = draw("2", "p.png");
+    expect_one_line(run, 2, "ONGGI_VULKAN_DEVICE '2'");
+    EXPECT_NE(run.err.find("0 llvmpipe"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("1 llvmpipe"), std::string::npos) << run.err;
+    EXPECT_TRUE(folder_.names().empty());
+    EXPECT_TRUE(doctor_of("2", "ONGGI_VULKAN_DEVICE '2'").starts_with("lacking"));
+}
+
+TEST_F(SeveralDevices, DrawTheSamePicture) {
+#if defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the software Vulkan driver has races of its own, which ThreadSanitizer reports";
+#endif
+    expect_silent_success(draw("0", "first.png"));
+    expect_silent_success(draw("1", "second.png"));
+    const std::string first = content_of(folder_ / "first.png");
+    ASSERT_TRUE(first.starts_with("\x89PNG")) << first.size();
+    EXPECT_TRUE(first == content_of(folder_ / "second.png"));
+}
+
+}  // namespace
+}  // namespace onggi::test
