@@ -7,10 +7,7 @@
 namespace onggi::wheel {
 namespace {
 
-constexpr double kRatePerS = 4.2;  // 1.2 s from the throwing view to the look inside
-// Under a tenth of a pixel at 1080p.
-constexpr double kRestRad = 2e-5;
-constexpr double kRestMm = 0.02;
+constexpr double kGlideS = 1.1;
 
 }  // namespace
 
@@ -21,6 +18,22 @@ Settling settled(const Settling& now, double goal, double rate_per_s, double dt_
     const double decay = std::exp(-rate_per_s * dt_s);
     return {.value = goal + (away + push * dt_s) * decay,
             .speed = (now.speed - rate_per_s * push * dt_s) * decay};
+}
+
+Travelling travelled(const Travelling& from, double goal, double share, double whole_s) {
+    // A polynomial of the fifth degree of the share s: value, speed and acceleration here, and none but the
+    // goal's value there. T. Flash, N. Hogan, "The coordination of arm movements", 1985.
+    const double away = goal - from.value;
+    const double speed = from.speed * whole_s;
+    const double push = 0.5 * from.acceleration * whole_s * whole_s;
+    const double c3 = 10.0 * away - 6.0 * speed - 3.0 * push;
+    const double c4 = -15.0 * away + 8.0 * speed + 3.0 * push;
+    const double c5 = 6.0 * away - 3.0 * speed - push;
+    const double s = share;
+    return {.value = from.value + s * (speed + s * (push + s * (c3 + s * (c4 + s * c5)))),
+            .speed = (speed + s * (2.0 * push + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)))) / whole_s,
+            .acceleration =
+                (2.0 * push + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5))) / (whole_s * whole_s)};
 }
 
 CameraPose pose_of(const render::Camera& camera) {
@@ -52,19 +65,32 @@ CameraMotion::Numbers CameraMotion::values_of(const CameraPose& pose) {
 
 void CameraMotion::jump_to(const CameraPose& pose) {
     goal_ = values_of(pose);
-    for (std::size_t i = 0; i < kNumbers; ++i)
-        now_[i] = {.value = goal_[i], .speed = 0.0};
+    arrive();
 }
 
-void CameraMotion::advance(double dt_s) {
+void CameraMotion::go_to(const CameraPose& pose) {
+    const Numbers goal = values_of(pose);
+    if (goal == goal_) return;
+    goal_ = goal;
     // The short way round.
     const double turn = 2.0 * std::numbers::pi;
     now_[0].value += turn * std::round((goal_[0] - now_[0].value) / turn);
+    from_ = now_;
+    left_s_ = kGlideS;
+}
+
+void CameraMotion::advance(double dt_s) {
+    if (at_rest()) return;
+    left_s_ -= dt_s;
+    if (at_rest()) return arrive();
     for (std::size_t i = 0; i < kNumbers; ++i)
-        now_[i] = settled(now_[i], goal_[i], kRatePerS, dt_s);
-    if (!at_rest()) return;
+        now_[i] = travelled(from_[i], goal_[i], 1.0 - left_s_ / kGlideS, kGlideS);
+}
+
+void CameraMotion::arrive() {
     for (std::size_t i = 0; i < kNumbers; ++i)
-        now_[i] = {.value = goal_[i], .speed = 0.0};
+        now_[i] = {.value = goal_[i]};
+    left_s_ = 0.0;
 }
 
 CameraPose CameraMotion::pose() const {
@@ -74,16 +100,6 @@ CameraPose CameraMotion::pose() const {
             .target_mm = {now_[3].value, now_[4].value, now_[5].value},
             .vertical_fov_rad = now_[6].value,
             .lens_shift = {now_[7].value, now_[8].value}};
-}
-
-bool CameraMotion::at_rest() const {
-    for (std::size_t i = 0; i < kNumbers; ++i) {
-        const bool is_length = i >= 1 && i <= 5;  // the others are angles, and shares of the picture
-        const double near = is_length ? kRestMm : kRestRad;
-        if (std::abs(now_[i].value - goal_[i]) > near || std::abs(now_[i].speed) > near * kRatePerS)
-            return false;
-    }
-    return true;
 }
 
 double share_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose) {

@@ -1,5 +1,5 @@
-// How a camera goes from one place to another: quickly at first, then settling, the same in as many seconds
-// however many frames they have. Any thread; pure. mm, rad, s.
+// How a camera goes from one place to another: in a second and no more, neither starting nor stopping with a
+// jerk, the same however many frames that second has. Any thread; pure. mm, rad, s.
 #pragma once
 
 #include <array>
@@ -17,6 +17,15 @@ struct Settling {
 };
 // After dt_s seconds; exact for any step. After 5 / rate_per_s about 96 % of the way is done.
 [[nodiscard]] Settling settled(const Settling& now, double goal, double rate_per_s, double dt_s);
+
+// One number on its way to a goal where it will stand still.
+struct Travelling {
+    double value = 0.0;
+    double speed = 0.0;         // a second
+    double acceleration = 0.0;  // a second squared
+};
+// After this share, 0 to 1, of the whole way's seconds, the way of the least jerk.
+[[nodiscard]] Travelling travelled(const Travelling& from, double goal, double share, double whole_s);
 
 // Where in the picture the plate's own picture is put: the design of a screen leaves it more or less room.
 struct Framing {
@@ -43,21 +52,24 @@ struct CameraPose {
 class CameraMotion {
   public:
     void jump_to(const CameraPose& pose);
-    // From wherever it is, with whatever speed it has.
-    void go_to(const CameraPose& pose) { goal_ = values_of(pose); }
+    // From wherever it is, with whatever speed it has; the way to another goal takes as long again.
+    void go_to(const CameraPose& pose);
     void advance(double dt_s);
 
     [[nodiscard]] CameraPose pose() const;
-    // So near its goal and so slow that nobody could tell: it then stands exactly there.
-    [[nodiscard]] bool at_rest() const;
+    // It stands exactly at its goal.
+    [[nodiscard]] bool at_rest() const { return left_s_ <= 0.0; }
 
   private:
     static constexpr std::size_t kNumbers = 9;
     using Numbers = std::array<double, kNumbers>;
     static Numbers values_of(const CameraPose& pose);
+    void arrive();
 
-    std::array<Settling, kNumbers> now_{};
+    std::array<Travelling, kNumbers> from_{};
+    std::array<Travelling, kNumbers> now_{};
     Numbers goal_{};
+    double left_s_ = 0.0;  // of the way to the goal
 };
 
 // How far `pose` has come from one pose to another, 0 to 1: the share of the second plate in a glide. Eased,
