@@ -23,8 +23,8 @@ InPlate place_in(const mat4& plate, vec3 point) {
 }
 
 // In texels from the middle of the first, times w.
-vec2 texels_of(const Plate& plate, const InPlate& place) {
-    return place.at_w * vec2(plate.width_px, plate.height_px) - 0.5F * place.w;
+vec2 texels_of(const Plate& plate, float scale, const InPlate& place) {
+    return place.at_w * vec2(plate.width_px, plate.height_px) * scale - 0.5F * place.w;
 }
 
 // How well a plate shows a point: not at all where something stands before it or the plate ends.
@@ -77,13 +77,13 @@ float key_at(const ShadowMask& mask, vec2 at) {
 
 // Fills in where in the picture; false where that is beside the eye or behind it.
 template <std::size_t kValues>
-bool put(const shaders::FrameData& frame, vec3 point, BentCorner<kValues>& corner) {
-    const vec4 clip = frame.view_projection * vec4(point, 1.0F);
+bool put(const BendView& view, vec3 point, BentCorner<kValues>& corner) {
+    const vec4 clip = view.frame.view_projection * vec4(point, 1.0F);
     corner = {};
     // A point behind the nearest plane is left out, and all triangles it belongs to.
     if (clip.w <= 0.0F || clip.z < 0.0F) return false;
     const float share = 1.0F / clip.w;
-    corner.at_px = 0.5F * (vec2(clip) * share + 1.0F) * vec2(frame.picture);
+    corner.at_px = 0.5F * (vec2(clip) * share + 1.0F) * vec2(view.frame.picture) * view.scale;
     corner.depth = clip.z * share;
     corner.away_mm = clip.w;
     return true;
@@ -97,11 +97,11 @@ void bend_corners(std::span<const vec3> positions_mm, const BendView& view,
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const vec3 point = positions_mm[i];
         ReliefCorner& corner = corners[i];
-        if (!put(view.frame, point, corner)) continue;
+        if (!put(view, point, corner)) continue;
         const InPlate from = place_in(view.frame.plate_from, point);
         const InPlate to = place_in(view.frame.plate_to, point);
-        const vec2 in_from = texels_of(view.from, from) / from.w;
-        const vec2 in_to = texels_of(view.to, to) / to.w;
+        const vec2 in_from = texels_of(view.from, view.scale, from) / from.w;
+        const vec2 in_to = texels_of(view.to, view.scale, to) / to.w;
         // So far from the foot the shadow is soft: a look a corner of the grid will do.
         corner.values = {in_from.x,
                          in_from.y,
@@ -117,11 +117,11 @@ void bend_corners(const BendableMesh& mesh, const BendView& view, std::vector<Su
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const vec3 point = mesh.positions_mm[i];
         SurfaceCorner& corner = corners[i];
-        if (!put(view.frame, point, corner)) continue;
+        if (!put(view, point, corner)) continue;
         const InPlate from = place_in(view.frame.plate_from, point);
         const InPlate to = place_in(view.frame.plate_to, point);
-        const vec2 in_from = texels_of(view.from, from) / from.w;
-        const vec2 in_to = texels_of(view.to, to) / to.w;
+        const vec2 in_from = texels_of(view.from, view.scale, from) / from.w;
+        const vec2 in_to = texels_of(view.to, view.scale, to) / to.w;
         const vec2 mask = in_mask(view.frame, point);
         const float near_foot = smooth_step(-7.0F, -1.0F, point.y) * std::max(mesh.normals_up[i], 0.0F);
         corner.values = {in_from.x, in_from.y, in_to.x,  in_to.y, share_at(view, from, to),

@@ -20,6 +20,7 @@ struct BendView {
     const Plate& from;
     const Plate& to;
     const ShadowMask& mask;
+    float scale = 1.0F;  // of the bent picture to the frame, and of its photographs to the plates
 };
 
 // Of a relief's points.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -23,10 +24,7 @@ class HostGlide {
     Result<void> bend(const FrameContext& frame, const Scene& scene, PlatePass& plates);
 
     // The camera stands: gives back the picture's memory. The device is idle.
-    void rest() {
-        picture_ = {};
-        depth_ = {};
-    }
+    void rest();
 
     // What bend() made.
     [[nodiscard]] HostPicture picture(const FrameContext& frame) const {
@@ -38,10 +36,19 @@ class HostGlide {
   private:
     Result<void> fit(const FrameContext& frame);
     void fit_mesh(const Scene& scene);
+    void fill_dimmed(const LightLevels& levels, ByteOrder order);
+    void draw(std::span<const Quad> cells, BentPicture& picture);
+    void note_speed(const FrameContext& frame, const BendablePlate& plate, float scale);
 
     vk::Buffer picture_;
     vk::Buffer depth_;
-    std::vector<std::uint64_t> numbers_;  // of its tiles; all of them are others in every frame
+    // At half the size, while the camera goes fast.
+    std::vector<std::uint32_t> half_picture_;
+    std::vector<float> half_depth_;
+    bool is_fast_ = false;
+    std::vector<vec2> places_px_;               // of some of the relief's corners, in the frame before
+    const BendablePlate* places_of_ = nullptr;  // compared only
+    std::vector<std::uint64_t> numbers_;        // of its tiles; all of them are others in every frame
     std::uint64_t last_number_ = 0;
     std::unique_ptr<ShadowMask> mask_ = std::make_unique<ShadowMask>();
     std::array<std::array<std::uint8_t, 256>, 3> dimmed_{};

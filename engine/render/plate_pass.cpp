@@ -197,7 +197,7 @@ Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::sh
                         .key = std::move(*key),
                         .ambient = std::move(*ambient),
                         .depth = std::move(*depth),
-                        .bendable = {{}, std::move(mesh.positions_mm), cells}};
+                        .bendable = {.relief_mm = std::move(mesh.positions_mm), .cells = cells}};
     }
     auto positions =
         upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
@@ -258,8 +258,8 @@ Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
     return changed;
 }
 
-Result<const BendablePlate*> PlatePass::bendable(const FrameContext& frame,
-                                                 const std::shared_ptr<const Plate>& plate) {
+Result<BendablePlate*> PlatePass::with_photographs(const FrameContext& frame,
+                                                   const std::shared_ptr<const Plate>& plate) {
     const auto there = std::find_if(residents_.begin(), residents_.end(),
                                     [&](const auto& resident) { return resident->plate == plate; });
     if (there == residents_.end()) return failed("glide: expected both plates, found one missing");
@@ -273,9 +273,29 @@ Result<const BendablePlate*> PlatePass::bendable(const FrameContext& frame,
     return &bendable;
 }
 
+Result<const BendablePlate*> PlatePass::bendable(const FrameContext& frame,
+                                                 const std::shared_ptr<const Plate>& plate) {
+    const auto found = with_photographs(frame, plate);
+    if (!found) return found.error();
+    return *found;
+}
+
+Result<const HostPlate*> PlatePass::halved(const FrameContext& frame,
+                                           const std::shared_ptr<const Plate>& plate) {
+    const auto found = with_photographs(frame, plate);
+    if (!found) return found.error();
+    BendablePlate& bendable = **found;
+    if (!bendable.halved)
+        bendable.halved =
+            HostPlate{bendable.photographs->key.halved(), bendable.photographs->ambient.halved()};
+    return &*bendable.halved;
+}
+
 void PlatePass::rest() {
-    for (const auto& resident : residents_)
+    for (const auto& resident : residents_) {
         resident->bendable.photographs.reset();
+        resident->bendable.halved.reset();
+    }
 }
 
 void PlatePass::draw_relief(const FrameContext& frame, const Glide& glide) const {

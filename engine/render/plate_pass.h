@@ -21,6 +21,7 @@ struct PlateSlots {
 // A plate where the processor is the device, and bends it itself.
 struct BendablePlate {
     std::optional<HostPlate> photographs{};  // as long as the camera moves
+    std::optional<HostPlate> halved{};       // where it goes fast
     std::vector<vec3> relief_mm;             // corners
     std::vector<Quad> cells;                 // of them
 };
@@ -40,6 +41,8 @@ class PlatePass {
     // when they are not here. The device is idle. Errors: it is none, or the device's.
     Result<const BendablePlate*> bendable(const FrameContext& frame,
                                           const std::shared_ptr<const Plate>& plate);
+    // The same photographs at half their width and height. Errors: as bendable().
+    Result<const HostPlate*> halved(const FrameContext& frame, const std::shared_ptr<const Plate>& plate);
     // The camera stands: lets them go.
     void rest();
 
@@ -54,6 +57,8 @@ class PlatePass {
         std::uint32_t relief_index_count = 0;
         BendablePlate bendable{};  // instead of these three
     };
+    Result<BendablePlate*> with_photographs(const FrameContext& frame,
+                                            const std::shared_ptr<const Plate>& plate);
     static Result<Resident> upload(const FrameContext& frame, std::shared_ptr<const Plate> plate);
     Result<const Resident*> resident(const FrameContext& frame, const std::shared_ptr<const Plate>& plate);
     void let_go(const FrameContext& frame, const PlateSlots& slots,

@@ -40,6 +40,7 @@ struct RendererDesc {
     int slip_across = 512;  // texels of the slip's texture, powers of two up to 512; no finer than a pixel
     int slip_up = 512;
     bool smooths_outlines = true;  // of what moves; cached only, others have samples for it
+    bool softens_glides = false;   // cached only: half the room's width and height while the camera goes fast
     bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests
     bool measures_parts = false;   // FrameStats::parts, which costs a software device a few per cent
 
