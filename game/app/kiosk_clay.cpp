@@ -62,7 +62,7 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
     const bool gave_way = failure.torn || is_sunk || is_spread;
     if (gave_way && !has_said_) {
         has_said_ = true;
-        news.gave_way = warning_for(failure.cause);
+        news.gave_way = warning_for(failure.cause, failure.strength_kpa);
     }
     return news;
 }

@@ -84,12 +84,14 @@ int Lesson::steps_done(const haptic::PotShape& shape) {
     return done_;
 }
 
-kiosk::Warning warning_for(clay::studio::Cause cause) {
+kiosk::Warning warning_for(clay::studio::Cause cause, double strength_kpa) {
+    // Half of what fresh clay has (13 kPa): twisted off by the hands it was too soft, and otherwise too thin.
+    constexpr double kSoftKpa = 6.5;
     switch (cause) {
         case clay::studio::Cause::kSpin:
             return kiosk::Warning::kFast;
         case clay::studio::Cause::kTwist:
-            return kiosk::Warning::kWet;  // soft clay, twisted by the hands
+            return strength_kpa < kSoftKpa ? kiosk::Warning::kWet : kiosk::Warning::kThin;
         case clay::studio::Cause::kWeight:
         case clay::studio::Cause::kOverhang:
         case clay::studio::Cause::kNone:
@@ -100,7 +102,7 @@ kiosk::Warning warning_for(clay::studio::Cause cause) {
 
 kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before) {
     const double limit = before == kiosk::Warning::kNone ? kWarnsAt : kRelaxesAt;
-    return load.index < limit ? kiosk::Warning::kNone : warning_for(load.cause);
+    return load.index < limit ? kiosk::Warning::kNone : warning_for(load.cause, load.strength_kpa);
 }
 
 double thinnest_wall_mm(const haptic::PotShape& shape) {

@@ -33,8 +33,8 @@ class Lesson {
 // What to warn of; it comes at 0.85 of what the clay bears and goes at 0.7.
 [[nodiscard]] kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before);
 
-// Which warning names that cause.
-[[nodiscard]] kiosk::Warning warning_for(clay::studio::Cause cause);
+// Which warning names that cause, in clay of that strength.
+[[nodiscard]] kiosk::Warning warning_for(clay::studio::Cause cause, double strength_kpa);
 
 // Thickness of the thinnest wall above the floor; 0 where nothing is hollow.
 [[nodiscard]] double thinnest_wall_mm(const haptic::PotShape& shape);

@@ -36,10 +36,16 @@ void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResul
     }
     snapshot.wheel_speed_rad_s = studio->wheel().speed_rad_s();
     snapshot.wheel_turning = snapshot.wheel_speed_rad_s > 0.0;
-    snapshot.load = {.index = studio->load_index(),
-                     .height_mm = studio->load_height_mm(),
-                     .cause = studio->load_cause(),
-                     .failure = studio->failure()};
+    const clay::studio::Rings& rings = studio->rings();
+    const double loaded_mm = studio->load_height_mm();
+    snapshot.load = {
+        .index = studio->load_index(),
+        .height_mm = loaded_mm,
+        .cause = studio->load_cause(),
+        .strength_kpa = rings.count > 0
+                            ? double{rings.strength_kpa[static_cast<std::size_t>(rings.ring_at(loaded_mm))]}
+                            : 0.0,
+        .failure = studio->failure()};
     snapshot.on_wheel_mm3 = studio->ledger().on_wheel_mm3();
     snapshot.hand_film = studio->film();
     snapshot.is_cut_off = studio->is_cut_off();

@@ -19,6 +19,7 @@ struct LoadReport {
     double index = 0.0;
     double height_mm = 0.0;
     clay::studio::Cause cause = clay::studio::Cause::kNone;
+    double strength_kpa = 0.0;      // of the clay there
     clay::studio::Failure failure;  // clay::sentence() says it in words
 };
 

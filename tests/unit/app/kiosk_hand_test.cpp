@@ -126,8 +126,11 @@ TEST(KioskPot, TeachesByWhatTheClayShows) {
 }
 
 TEST(KioskPot, WarnsEarlyAndRelaxesLate) {
-    haptic::LoadReport load{
-        .index = 0.8, .height_mm = 50.0, .cause = clay::studio::Cause::kSpin, .failure = {}};
+    haptic::LoadReport load{.index = 0.8,
+                            .height_mm = 50.0,
+                            .cause = clay::studio::Cause::kSpin,
+                            .strength_kpa = 13.0,
+                            .failure = {}};
     EXPECT_EQ(warning_of(load, kiosk::Warning::kNone), kiosk::Warning::kNone);
     load.index = 0.9;
     EXPECT_EQ(warning_of(load, kiosk::Warning::kNone), kiosk::Warning::kFast);
@@ -135,6 +138,14 @@ TEST(KioskPot, WarnsEarlyAndRelaxesLate) {
     EXPECT_EQ(warning_of(load, kiosk::Warning::kFast), kiosk::Warning::kFast);
     load.index = 0.6;
     EXPECT_EQ(warning_of(load, kiosk::Warning::kFast), kiosk::Warning::kNone);
+}
+
+TEST(KioskPot, BlamesWaterForATwistOnlyWhereTheClayIsSoft) {
+    using clay::studio::Cause;
+    EXPECT_EQ(warning_for(Cause::kTwist, 3.0), kiosk::Warning::kWet);
+    EXPECT_EQ(warning_for(Cause::kTwist, 13.0), kiosk::Warning::kThin) << "a narrow neck of good clay";
+    EXPECT_EQ(warning_for(Cause::kSpin, 3.0), kiosk::Warning::kFast);
+    EXPECT_EQ(warning_for(Cause::kWeight, 3.0), kiosk::Warning::kThin);
 }
 
 TEST(KioskPot, FindsTheThinnestPlaceOfAWall) {
