@@ -31,7 +31,8 @@ void main() {
     vec3 unlit = texture(from_ambient, mirrored(from_at)).rgb;
     if (kMixes) unlit = mix(unlit, texture(to_ambient, mirrored(to_at)).rgb, from.w);
     vec2 mask = texture(shadow_mask, mask_at.xy).rg;
-    vec3 value = mix(unlit, lit, mask.r) * mix(1.0, mask.g, mask_at.z);
+    // A share of the light is its root in the values of the screen, where they are dark.
+    vec3 value = mix(unlit, lit, mask.r) * sqrt(mix(1.0, mask.g, mask_at.z));
 #else
     // Out on the deck the room without the key light is about this much darker.
     const vec3 kWithoutKey = vec3(0.50, 0.53, 0.58);

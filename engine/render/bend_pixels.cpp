@@ -1,5 +1,7 @@
 #include "engine/render/bend_pixels.h"
 
+#include <cmath>
+
 #include "engine/render/bend_rows.h"
 #include "engine/render/bend_shapes.h"
 
@@ -216,7 +218,8 @@ struct Shade {
         const Shade here = shade_at(*picture.mask, u.at(i), v.at(i));
         const int lit = bend::part_of_256(static_cast<float>(static_cast<int>(here.key)) * kOneOverAll);
         const float open = static_cast<float>(static_cast<int>(here.sky)) * kOneOverAll;
-        const int left = bend::part_of_256(1.0F + (open - 1.0F) * near_foot.at(i));
+        // As shaders/glide.frag has it, a share of the light in the values of the screen.
+        const int left = bend::part_of_256(std::sqrt(1.0F + (open - 1.0F) * near_foot.at(i)));
         const bend::Halves value =
             bend::mixed(bend::unpacked(unlit[static_cast<std::size_t>(i)]), bend::unpacked(pixels[i]), lit);
         pixels[i] = bend::packed(bend::mixed(bend::Halves{}, value, left)) | 0xFF000000U;

@@ -128,8 +128,9 @@ TEST_F(BentPlates, AreCoarseWhileTheCameraGoesFastAndOnlyThen) {
     EXPECT_LT(*std::max_element(differences.begin(), differences.end()), 2.0);
 }
 
-// What a level in the mean is: an edge of the wheel that moved by half a pixel, all round.
-TEST_F(BentPlates, DoNotJumpByMoreThanALevelInTheMeanWhenTheCameraStands) {
+// What a level in the mean is: an edge of the wheel that moved by half a pixel, all round. A third of one is
+// a shadow about the pot's foot that is clearly too dark.
+TEST_F(BentPlates, DoNotJumpByAQuarterOfALevelInTheMeanWhenTheCameraStands) {
     opened_.scene->look_at(wheel::View::kLookingIn);
     render::Scene last;
     bool stands = false;
@@ -138,7 +139,7 @@ TEST_F(BentPlates, DoNotJumpByMoreThanALevelInTheMeanWhenTheCameraStands) {
         stands = !scene.glide.has_value();
         if (stands) {
             const std::vector<std::uint8_t> moving = draw(by_host_, last);
-            EXPECT_LT(mean_difference(moving, draw(by_host_, scene)), 1.0);
+            EXPECT_LT(mean_difference(moving, draw(by_host_, scene)), 0.25);
         }
         last = scene;
     }
