@@ -1,6 +1,6 @@
-// node three_frame.mjs POT.glb WIDTH HEIGHT FRAMES [room]: three.js's MeshStandardMaterial in Debian's Chromium, headless
-// and in software, one light, with `room` also the filtered light of one (PMREM), plain background, read back. Prints the
-// milliseconds of each frame, one a line. Takes three and playwright-core from tests/web (npm ci there).
+// node three_frame.mjs POT.glb WIDTH HEIGHT FRAMES [room|floor]: three.js's MeshStandardMaterial in Debian's Chromium,
+// headless and in software, one light, plain background, read back; with `room` also the filtered light of one (PMREM),
+// with `floor` also a plane under the pot. Prints the milliseconds of each frame, one a line. Takes three and playwright-core from tests/web (npm ci there).
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
@@ -8,8 +8,8 @@ import { fileURLToPath } from 'node:url';
 
 const web = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../web');
 const { chromium } = createRequire(path.join(web, 'package.json'))('playwright-core');
-const [pot, width, height, frames, room] = process.argv.slice(2);
-if (room !== undefined && room !== 'room') throw new Error(`expected room or nothing, found ${room}`);
+const [pot, width, height, frames, also] = process.argv.slice(2);
+if (![undefined, 'room', 'floor'].includes(also)) throw new Error(`expected room, floor or nothing, found ${also}`);
 const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
     '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 const PAGE = `<!doctype html><canvas id="c" width="${width}" height="${height}"></canvas>
@@ -25,7 +25,11 @@ scene.background = new THREE.Color(0.2, 0.18, 0.16);
 const light = new THREE.DirectionalLight(0xffffff, 3);
 light.position.set(-0.74, 0.6, 0.4);
 scene.add(light);
-if (${room === 'room'}) scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+if (${also === 'room'}) scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+if (${also === 'floor'}) {
+    const clay = new THREE.MeshStandardMaterial({ color: 0x6b5a48, roughness: 0.9 });
+    scene.add(new THREE.Mesh(new THREE.PlaneGeometry(4, 4).rotateX(-Math.PI / 2), clay));
+}
 const camera = new THREE.PerspectiveCamera(26.99, ${width} / ${height}, 0.1, 5);
 camera.position.set(0, 0.285, 0.805);
 camera.lookAt(0, 0.082, 0);
