@@ -15,14 +15,14 @@ using testing::FakeService;
 
 class InverseDeviceTest : public ::testing::Test {
   protected:
-    // At most twenty seconds, on a machine that is busy with other things; the loop goes on meanwhile. Every
-    // three seconds the tool leaves the clay for a moment: where the machine held this loop up for longer
-    // than the gate bears, the gate stays shut until the force was small once.
+    // At most twenty seconds, on a machine that is busy with other things; the loop goes on meanwhile. Where
+    // the machine held it up for longer than the gate bears, the gate is shut until the force was small once:
+    // the tool leaves the clay until it opens.
     template <typename Condition>
     bool comes_true(InverseDevice& device, Condition condition, const dvec3& force_n = dvec3(0.0)) {
         for (int round = 0; round < 20'000; ++round) {
             tool_ = device.read(tick_++, 0.001);
-            device.write(round % 3'000 < 50 ? dvec3(0.0) : force_n);
+            device.write(device.signs().force_share > 0.0 ? force_n : dvec3(0.0));
             if (condition()) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
