@@ -63,13 +63,14 @@ void HostGlide::fill_dimmed(const LightLevels& levels, ByteOrder order) {
 void HostGlide::note_speed(const FrameContext& frame, const BendablePlate& plate, float scale) {
     constexpr std::size_t kEvery = 16;
     constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-    const bool is_same = places_of_ == &plate && places_px_.size() == (relief_.size() + kEvery - 1) / kEvery;
+    const std::size_t looked_at = (relief_.size() + kEvery - 1) / kEvery;
+    const bool is_same = places_of_ == &plate && places_px_.size() == looked_at;
     places_of_ = &plate;
-    places_px_.resize((relief_.size() + kEvery - 1) / kEvery, vec2(kNowhere));
+    places_px_.resize(looked_at, vec2(kNowhere));
     const vec2 size(frame.extent.width, frame.extent.height);
     float sum_px = 0.0F;
     int count = 0;
-    for (std::size_t i = 0; i < places_px_.size(); ++i) {
+    for (std::size_t i = 0; i < looked_at; ++i) {
         const ReliefCorner& corner = relief_[i * kEvery];
         const vec2 at = corner.away_mm > 0.0F ? corner.at_px / scale : vec2(kNowhere);
         const float went_px = glm::length(at - std::exchange(places_px_[i], at));

@@ -52,8 +52,8 @@ class SeveralDevices : public testing::Test {
         EXPECT_EQ(run.exit_code, 0) << run.err;
         const std::size_t at = run.out.find(line);
         if (at == std::string::npos) return {};
-        return run.out.substr(run.out.rfind('\n', at) + 1,
-                              run.out.find('\n', at) - run.out.rfind('\n', at) - 1);
+        const std::size_t first = run.out.rfind('\n', at) + 1;
+        return run.out.substr(first, run.out.find('\n', at) - first);
     }
 
     TemporaryFolder drivers_;
