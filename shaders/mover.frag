@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // A hand or a tool. Its triangles are a few pixels large, so that on one software core its vertices are lit
-// instead (ONGGI_VERTEX_LIT), and what they look like is only spread between them.
+// instead (ONGGI_VERTEX_LIT), and what they look like is only spread between them. Where the processor draws them
+// itself it does the same (mover_light.cpp), and tests hold it to this.
 #ifdef ONGGI_VERTEX_LIT
 layout(location = 0) in vec3 encoded;
 #else

@@ -9,10 +9,10 @@ namespace onggi::render {
 namespace {
 
 using bend::FixedPlace;
-using bend::kNoArea;
-using bend::Reach;
-using bend::Shape;
-using bend::Slope;
+using shapes::kNoArea;
+using shapes::Reach;
+using shapes::Shape;
+using shapes::Slope;
 
 // How much of the second plate is none of it, and how much is all.
 constexpr float kNone = 1.0F / 512.0F;
@@ -111,17 +111,17 @@ class Taker {
 [[gnu::always_inline]] inline void draw_three(Shape<kReliefValues>& shape, const BentPicture& picture,
                                               Reach& reach) {
     const float area =
-        bend::area_of(shape.corners[0]->at_px, shape.corners[1]->at_px, shape.corners[2]->at_px);
+        shapes::area_of(shape.corners[0]->at_px, shape.corners[1]->at_px, shape.corners[2]->at_px);
     if (std::abs(area) < kNoArea) return;
     shape.count = 3;
-    bend::find_slopes(shape, area);
-    bend::find_reach(shape, area > 0.0F, picture, reach);
+    shapes::find_slopes(shape, area);
+    shapes::find_reach(shape, area > 0.0F, picture.size(), reach);
     draw(shape, picture, reach);
 }
 
 [[gnu::always_inline]] inline void bend_all(std::span<const ReliefCorner> corners,
                                             std::span<const Quad> quads, const BentPicture& picture) {
-    Reach reach(picture);
+    Reach reach(picture.size());
     Shape<kReliefValues> shape;
     for (const Quad& quad : quads) {
         std::array<const ReliefCorner*, 4> own;
@@ -133,15 +133,15 @@ class Taker {
         shape.corners = own;
         shape.count = 4;
         const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
-            return bend::area_of(own[a]->at_px, own[b]->at_px, own[c]->at_px);
+            return shapes::area_of(own[a]->at_px, own[b]->at_px, own[c]->at_px);
         };
         const float first = turn(0, 1, 2);
         const bool is_convex =
             first > kNoArea && turn(1, 2, 3) > kNoArea && turn(2, 3, 0) > kNoArea && turn(3, 0, 1) > kNoArea;
         if (is_convex) {
-            bend::find_slopes(shape, first);
+            shapes::find_slopes(shape, first);
             if (is_plane(shape)) {
-                bend::find_reach(shape, true, picture, reach);
+                shapes::find_reach(shape, true, picture.size(), reach);
                 draw(shape, picture, reach);
                 continue;
             }
@@ -257,18 +257,18 @@ struct Shade {
 
 [[gnu::always_inline]] inline void bend_all(std::span<const SurfaceCorner> corners,
                                             std::span<const Corners> triangles, const BentPicture& picture) {
-    Reach reach(picture);
+    Reach reach(picture.size());
     Shape<kSurfaceValues> shape;
     for (const Corners& numbers : triangles) {
         shape.corners = {&corners[numbers[0]], &corners[numbers[1]], &corners[numbers[2]], nullptr};
         const float area =
-            bend::area_of(shape.corners[0]->at_px, shape.corners[1]->at_px, shape.corners[2]->at_px);
+            shapes::area_of(shape.corners[0]->at_px, shape.corners[1]->at_px, shape.corners[2]->at_px);
         // Those that look away from the eye go clockwise.
         if (area > -kNoArea || shape.corners[0]->away_mm <= 0.0F || shape.corners[1]->away_mm <= 0.0F ||
             shape.corners[2]->away_mm <= 0.0F)
             continue;
-        bend::find_slopes(shape, area);
-        bend::find_reach(shape, false, picture, reach);
+        shapes::find_slopes(shape, area);
+        shapes::find_reach(shape, false, picture.size(), reach);
         draw(shape, picture, reach);
     }
 }

@@ -10,6 +10,7 @@
 
 #include "engine/math/math.h"
 #include "engine/render/host_photograph.h"
+#include "engine/render/picture_shapes.h"
 #include "engine/render/shadow_mask.h"
 
 namespace onggi::render {
@@ -19,15 +20,8 @@ enum ReliefValue { kFromU, kFromV, kToU, kToV, kToShare, kSeen, kReliefValues };
 // Of a mesh's, the place in the shadow mask instead of what is seen there.
 enum SurfaceValue { kMaskU = kSeen, kMaskV, kNearFoot, kSurfaceValues };
 
-template <std::size_t kValues>
-struct BentCorner {
-    vec2 at_px{0.0F};
-    float away_mm = 0.0F;  // along the view; not above 0: at the eye or behind it
-    float depth = 1.0F;    // as the device has it
-    std::array<float, kValues> values{};
-};
-using ReliefCorner = BentCorner<kReliefValues>;
-using SurfaceCorner = BentCorner<kSurfaceValues>;
+using ReliefCorner = PictureCorner<kReliefValues>;
+using SurfaceCorner = PictureCorner<kSurfaceValues>;
 
 // What is drawn from and into.
 struct BentPicture {
@@ -42,6 +36,8 @@ struct BentPicture {
     // is.
     const std::array<std::array<std::uint8_t, 256>, 3>* dimmed = nullptr;
     ByteOrder order = ByteOrder::kRedFirst;
+
+    [[nodiscard]] PictureSize size() const { return {width, height}; }
 };
 
 using Corners = std::array<std::uint32_t, 3>;

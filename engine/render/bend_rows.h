@@ -15,24 +15,14 @@
 
 namespace onggi::render::bend {
 
+using shapes::fixed;
+using shapes::kOne;
+using shapes::Slope;
+
 using Bytes [[gnu::vector_size(16)]] = std::uint8_t;
 using Longs [[gnu::vector_size(16)]] = std::uint64_t;
 using Bytes8 [[gnu::vector_size(8)]] = std::uint8_t;
 using Halves [[gnu::vector_size(16)]] = std::uint16_t;
-
-// Something that grows evenly from pixel to pixel.
-struct Slope {
-    float first = 0.0F;
-    float step = 0.0F;
-
-    [[nodiscard]] float at(int i) const { return first + step * static_cast<float>(i); }
-};
-
-// Sixteen bits behind the point.
-constexpr int kOne = 65536;
-[[gnu::always_inline]] inline int fixed(float value) {
-    return static_cast<int>(value * static_cast<float>(kOne));
-}
 
 // Where a row of pixels lies in a photograph, in texels from the middle of its first.
 struct Place {

@@ -77,7 +77,7 @@ float key_at(const ShadowMask& mask, vec2 at) {
 
 // Fills in where in the picture; false where that is beside the eye or behind it.
 template <std::size_t kValues>
-bool put(const BendView& view, vec3 point, BentCorner<kValues>& corner) {
+bool put(const BendView& view, vec3 point, PictureCorner<kValues>& corner) {
     const vec4 clip = view.frame.view_projection * vec4(point, 1.0F);
     corner = {};
     // A point behind the nearest plane is left out, and all triangles it belongs to.

@@ -39,6 +39,9 @@ struct BuiltFrame {
     std::vector<std::uint8_t> moving_tiles;
     std::vector<PixelRect> moving_rects;
     std::vector<PixelRect> edge_rects;
+    // Where the host draws hands and tools; empty: the device does. And the other moving ones.
+    std::vector<std::uint8_t> mover_tiles;
+    std::vector<PixelRect> beside_mover_rects;
     float ring_error_px = 0.0F;
 };
 

@@ -79,18 +79,11 @@ Result<void> create_sized_images(const vk::Device& device, const RendererDesc& d
         }
     }
     if (!desc.cached) return {};
-    return create_all(
-        device, {{images.drawn,
-                  {.name = "picture before its outlines are smoothed",
-                   .format = desc.colour_format,
-                   .extent = extent,
-                   .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
-                 {images.still_depth,
-                  {.name = "still life's depth",
-                   .format = kDepthFormat,
-                   .extent = extent,
-                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                   .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+    return create_all(device, {{images.drawn,
+                                {.name = "picture before its outlines are smoothed",
+                                 .format = desc.colour_format,
+                                 .extent = extent,
+                                 .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}}});
 }
 
 }  // namespace onggi::render

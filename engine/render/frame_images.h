@@ -17,7 +17,6 @@ struct FrameImages {
     // Of the picture's size.
     vk::Image depth;
     vk::Image multisampled;  // with samples > 1
-    vk::Image still_depth;   // cached
     vk::Image drawn;         // cached: the part of the picture whose outlines are smoothed
 };
 

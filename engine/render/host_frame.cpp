@@ -60,6 +60,11 @@ Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage&
         }
     }
     begin_copies(frame, target, left_in(target));
+    if (picture.instead != nullptr) {
+        for (std::size_t tile = 0; tile < work_.bare.size(); ++tile)
+            work_.bare[tile] = picture.instead_on[tile] != 0 ? 0 : work_.bare[tile];
+        copy(frame, *picture.instead, picture.instead_on, target);
+    }
     copy(frame, picture.pixels, work_.bare, target);
     copy(frame, laid_, work_.laid_over, target);
     end_copies(frame, target);

@@ -19,6 +19,10 @@ struct HostPicture {
     std::span<const std::uint64_t> numbers;  // of its tiles, see TileContents
     std::span<const std::uint8_t>
         moving{};  // tiles over which something is drawn before the overlay; empty: none
+    // Of the moving tiles, those that another picture has in its place, which is another in every frame;
+    // null: none.
+    const vk::Buffer* instead = nullptr;
+    std::span<const std::uint8_t> instead_on{};
 };
 
 class HostFrame {

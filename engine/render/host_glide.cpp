@@ -159,20 +159,15 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, Plat
     return {};
 }
 
-void HostGlide::record_depth(const FrameContext& frame) {
-    const vk::Image& depth = frame.images.depth;
-    if (frame.built.moving_rects.empty()) {
-        vk::barrier(frame.commands, depth, vk::state::kDiscard, vk::state::kDepth);
-        return;
-    }
-    rows_in_buffer(frame.built.moving_rects, frame.extent.width, regions_);
-    for (VkBufferImageCopy& region : regions_)
-        region.imageSubresource.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
-    vk::barrier(frame.commands, depth, vk::state::kDiscard, vk::state::kCopyTarget);
-    vkCmdCopyBufferToImage(frame.commands, depth_.handle(), depth.handle(),
-                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<std::uint32_t>(regions_.size()),
-                           regions_.data());
-    vk::barrier(frame.commands, depth, vk::state::kCopyTarget, vk::state::kDepth);
+void HostGlide::record_depth(const FrameContext& frame) const {
+    copy_depth(frame.commands, depth_.handle(), frame.extent.width, frame.images.depth.handle(),
+               frame.built.moving_rects);
+}
+
+MoverCanvas HostGlide::canvas(const FrameContext& frame) const {
+    return {.size = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
+            .pixels = picture_.as<std::uint32_t>(),
+            .depth = depth_.as<float>()};
 }
 
 }  // namespace onggi::render

@@ -13,6 +13,7 @@
 #include "engine/render/bent_points.h"
 #include "engine/render/frame_context.h"
 #include "engine/render/host_frame.h"
+#include "engine/render/mover_pixels.h"
 #include "engine/render/plate_pass.h"
 
 namespace onggi::render {
@@ -30,8 +31,10 @@ class HostGlide {
     [[nodiscard]] HostPicture picture(const FrameContext& frame) const {
         return {picture_, numbers_, frame.built.moving_tiles};
     }
-    // Its depth, where something moves, into the frame's.
-    void record_depth(const FrameContext& frame);
+    // The same, for hands and tools to be drawn into.
+    [[nodiscard]] MoverCanvas canvas(const FrameContext& frame) const;
+    // Its depth, where something moves, into the frame's, which is laid out to be copied into.
+    void record_depth(const FrameContext& frame) const;
 
   private:
     Result<void> fit(const FrameContext& frame);
@@ -58,7 +61,6 @@ class HostGlide {
     std::vector<SurfaceCorner> surface_;
     std::shared_ptr<const StillLife> mesh_of_;  // held, so that its revision is compared with itself
     std::uint64_t mesh_revision_ = 0;
-    std::vector<VkBufferImageCopy> regions_;
 };
 
 }  // namespace onggi::render

@@ -32,6 +32,15 @@ shaders::MoverDraw mover_draw(const Mover& mover, const MoverMesh& mesh) {
 }  // namespace
 
 Result<void> MoverPass::create(const FrameContext& frame) {
+    if (!paints_movers(frame.desc)) {
+        if (auto created = create_pipeline(frame); !created) return created;
+    }
+    StillLife ball;
+    ball.parts.push_back({.mesh = std::make_shared<const Mesh>(sphere_mesh(24, 40)), .material = {}});
+    return sphere_.upload(frame.device, ball);
+}
+
+Result<void> MoverPass::create_pipeline(const FrameContext& frame) {
     const std::array constants{static_cast<std::uint32_t>(frame.desc.transfer)};
     const std::array formats{frame.desc.colour_format};
     const bool at_vertices = frame.desc.lights_movers_at_vertices;
@@ -50,9 +59,7 @@ Result<void> MoverPass::create(const FrameContext& frame) {
                        .depth_write = true});
     if (!pipeline) return pipeline.error();
     pipeline_ = std::move(*pipeline);
-    StillLife ball;
-    ball.parts.push_back({.mesh = std::make_shared<const Mesh>(sphere_mesh(24, 40)), .material = {}});
-    return sphere_.upload(frame.device, ball);
+    return {};
 }
 
 Result<void> MoverPass::fit(const FrameContext& frame, const Scene& scene) {
@@ -83,7 +90,7 @@ Result<void> MoverPass::upload(FrameContext& frame, const Scene& scene) {
             chosen_.push_back({first, static_cast<std::uint32_t>(chosen_indices_.size()) - first});
         }
     }
-    if (chosen_indices_.empty()) return {};
+    if (chosen_indices_.empty() || paints_movers(frame.desc)) return {};
     const auto bytes = std::as_bytes(std::span(chosen_indices_));
     if (auto made = vk::make_room(frame.device, chosen_buffer_, "hands' and tools' faces", bytes.size(),
                                   VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
@@ -107,7 +114,7 @@ void MoverPass::draw(const FrameContext& frame, const Scene& scene) const {
                             mesh_draw(ball.material, ball.centre_mm, ball.radius_mm));
         }
     }
-    draw_models(frame, scene);
+    if (!paints_movers(frame.desc)) draw_models(frame, scene);
 }
 
 void MoverPass::draw_models(const FrameContext& frame, const Scene& scene) const {

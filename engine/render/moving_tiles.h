@@ -7,7 +7,7 @@
 
 namespace onggi::render {
 
-// Fills moving_tiles, moving_rects and edge_rects of a frame whose lathe and edges are built.
+// Fills moving_tiles and all of those rectangles of a frame whose lathe and edges are built.
 void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& built);
 
 }  // namespace onggi::render

@@ -64,6 +64,17 @@ void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspec
                    regions.data());
 }
 
+void copy_depth(VkCommandBuffer commands, VkBuffer from, std::uint32_t width_px, VkImage into,
+                std::span<const PixelRect> rects) {
+    if (rects.empty()) return;
+    std::vector<VkBufferImageCopy> regions;
+    rows_in_buffer(rects, width_px, regions);
+    for (VkBufferImageCopy& region : regions)
+        region.imageSubresource.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
+    vkCmdCopyBufferToImage(commands, from, into, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                           static_cast<std::uint32_t>(regions.size()), regions.data());
+}
+
 void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
                     std::vector<VkBufferImageCopy>& regions) {
     regions.clear();

@@ -34,6 +34,11 @@ inline void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initial
 void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
                 std::span<const PixelRect> rects);
 
+// Depth out of a buffer, rows of this width of a float a pixel, into an image that is laid out to be copied
+// into.
+void copy_depth(VkCommandBuffer commands, VkBuffer from, std::uint32_t width_px, VkImage into,
+                std::span<const PixelRect> rects);
+
 // The same rectangles of a picture of this width whose rows lie one after another in a buffer, four bytes a
 // pixel, and of a colour image.
 void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,

@@ -4,6 +4,7 @@
 #include "engine/render/edge_pass.h"
 #include "engine/render/host_frame.h"
 #include "engine/render/host_glide.h"
+#include "engine/render/host_movers.h"
 #include "engine/render/host_shade.h"
 #include "engine/render/lathe_pass.h"
 #include "engine/render/mover_pass.h"
@@ -66,11 +67,10 @@ struct Renderer::Impl {
     Result<void> lay_out_unwritten();
     Result<void> upload(const Scene& scene);
     Result<void> shade(const Scene& scene);
-    Result<void> record_painted(const Scene& scene, const vk::TargetImage& target, Under under);
+    Result<void> record_painted(const vk::TargetImage& target, Under under);
     Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
     Result<void> record_cached(const Scene& scene, const vk::TargetImage& target);
-    Result<void> record_bent(const Scene& scene, const vk::TargetImage& target);
     void draw_moving(const Scene& scene);
     Result<void> record_direct(const Scene& scene, const vk::TargetImage& target);
 
@@ -91,6 +91,7 @@ struct Renderer::Impl {
     HostShade host_shade;  // in its place, where layers are cached
     LathePass lathe;
     MoverPass movers;
+    HostMovers host_movers;  // in its place, where the processor draws
     EdgePass edges;
     OverlayPass overlay;
     PaintedOverlay painted;  // in its place, where the processor shades
@@ -207,12 +208,15 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     build_frame(scene, still.bounds(), frame.desc, view.width_px, view.height_px, built);
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
     if (auto chosen = movers.upload(frame, scene); !chosen) return chosen;
+    built.mover_tiles.clear();
+    if (paints_movers(frame.desc)) host_movers.place(frame, scene, movers);
     if (frame.desc.cached) find_moving_tiles(scene, view, built);
     still.update(frame, scene);
     if (is_bent(scene)) {
         host_shade.let_go();
         still.let_go_layers();
         if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
+        if (paints_movers(frame.desc)) host_movers.draw(host_glide.canvas(frame));
     } else if (frame.desc.cached) {
         host_glide.rest();
         if (auto shaded = shade(scene); !shaded) return shaded;
@@ -232,40 +236,40 @@ Result<void> Renderer::Impl::shade(const Scene& scene) {
     if (auto drawn = still.draw_layers(frame, scene, frame_buffer); !drawn) return drawn;
     if (frame.stats.still_life_drawn) host_shade.forget();
     host_shade.shade(frame, scene, still.layers().layers());
-    return {};
+    if (!paints_movers(frame.desc)) return {};
+    return host_movers.draw_over(frame, host_shade.shaded().as<const std::uint32_t>(),
+                                 still.layers().depth().as<const float>());
 }
 
+// The room as the processor made it, kept or bent anew, with its depth; what the device draws goes over it.
 Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
     enter("still life");
-    still.record_depth_copy(frame);
-    const HostPicture still_life{host_shade.shaded(), host_shade.tiles().numbers(), frame.built.moving_tiles};
-    if (auto brought = host_frame.record(frame, target, still_life, painted); !brought) return brought;
-    begin_pass(frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
-               {.view = frame.images.depth.view(),
-                .load = VK_ATTACHMENT_LOAD_OP_LOAD,
-                .store = VK_ATTACHMENT_STORE_OP_STORE});
+    const vk::Image& depth = frame.images.depth;
+    const bool is_kept = !is_bent(scene);
+    vk::barrier(frame.commands, depth, vk::state::kDiscard, vk::state::kCopyTarget);
+    if (is_kept) {
+        still.record_depth(frame);
+        if (paints_movers(frame.desc)) host_movers.record_depth(frame);
+    } else {
+        host_glide.record_depth(frame);
+    }
+    vk::barrier(frame.commands, depth, vk::state::kCopyTarget, vk::state::kDepth);
+    HostPicture room =
+        is_kept ? HostPicture{host_shade.shaded(), host_shade.tiles().numbers(), frame.built.moving_tiles}
+                : host_glide.picture(frame);
+    if (is_kept && paints_movers(frame.desc)) {
+        room.instead = &host_movers.picture();
+        room.instead_on = frame.built.mover_tiles;
+    }
+    if (auto brought = host_frame.record(frame, target, room, painted); !brought) return brought;
+    begin_pass(
+        frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
+        {.view = depth.view(), .load = VK_ATTACHMENT_LOAD_OP_LOAD, .store = VK_ATTACHMENT_STORE_OP_STORE});
     draw_moving(scene);
     vkCmdEndRendering(frame.commands);
     enter("outlines");
     edges.record(frame, target);
-    return note_rest(target, &host_shade);
-}
-
-// The camera moves: as cached, but the room is made anew for each frame.
-Result<void> Renderer::Impl::record_bent(const Scene& scene, const vk::TargetImage& target) {
-    enter("still life");
-    host_glide.record_depth(frame);
-    if (auto brought = host_frame.record(frame, target, host_glide.picture(frame), painted); !brought)
-        return brought;
-    begin_pass(frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
-               {.view = frame.images.depth.view(),
-                .load = VK_ATTACHMENT_LOAD_OP_LOAD,
-                .store = VK_ATTACHMENT_STORE_OP_STORE});
-    draw_moving(scene);
-    vkCmdEndRendering(frame.commands);
-    enter("outlines");
-    edges.record(frame, target);
-    return note_rest(target, nullptr);
+    return note_rest(target, is_kept ? &host_shade : nullptr);
 }
 
 // Inside a pass.
@@ -304,10 +308,7 @@ Result<void> Renderer::Impl::record_direct(const Scene& scene, const vk::TargetI
         still.draw(frame);
     }
     vkCmdEndRendering(commands);
-    if (!frame.desc.cached) return {};
-    enter("outlines");
-    edges.record(frame, target);
-    return note_rest(target, nullptr);
+    return {};
 }
 
 // Everything but the overlay is drawn.
@@ -321,8 +322,7 @@ Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetIm
     frame.bind_set();
     enter("clay's shape");
     lathe.record(frame);
-    if (is_bent(scene)) return record_bent(scene, target);
-    if (is_cached(scene)) return record_cached(scene, target);
+    if (frame.desc.cached) return record_cached(scene, target);
     enter("shadow maps");
     still.record(frame);
     shadow.record(frame);
@@ -330,14 +330,13 @@ Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetIm
 }
 
 // The device is the processor: most of the overlay is in the target already, with what lies under it.
-Result<void> Renderer::Impl::record_painted(const Scene& scene, const vk::TargetImage& target, Under under) {
+Result<void> Renderer::Impl::record_painted(const vk::TargetImage& target, Under under) {
     if (under == Under::kNothing || under == Under::kCoveredScene) {
         host_frame.record_covered(frame, target, painted, under == Under::kCoveredScene);
         return {};
     }
     if (under == Under::kRestingScene) return host_frame.record(frame, target, resting.picture(), painted);
-    if (is_bent(scene) || is_cached(scene)) return painted.record(frame, target, host_frame.drawn_over());
-    return painted.record(frame, target);
+    return painted.record(frame, target, host_frame.drawn_over());
 }
 
 Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& target, Under under) {
@@ -356,7 +355,7 @@ Result<void> Renderer::Impl::record(const Scene& scene, const vk::TargetImage& t
     }
     enter("overlay");
     if (frame.desc.cached) {
-        if (auto recorded = record_painted(scene, target, under); !recorded) return recorded;
+        if (auto recorded = record_painted(target, under); !recorded) return recorded;
     } else {
         overlay.record(frame, target, under == Under::kScene);
     }

@@ -31,7 +31,8 @@ struct RendererDesc {
     // shade and overlay over it, and bends it while the camera moves. Needs samples = 1 and kSquareRoot.
     bool cached = false;
     Transfer transfer = Transfer::kExactSrgb;
-    bool lights_movers_at_vertices = false;  // not at pixels: their triangles are hardly larger
+    // Not at pixels: their triangles are hardly larger. When cached the processor draws them itself.
+    bool lights_movers_at_vertices = false;
     bool chooses_mover_faces = false;        // leaves out those that cannot be seen; a GPU does so by itself
     int sectors = 128;                       // of a lathe, at most
     float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly

@@ -91,12 +91,14 @@ Box lathe_box(const Lathe& lathe) {
     return {{-r, 0.0F, -r}, {r, height_of(lathe), r}};
 }
 
+Box sphere_box(const Sphere& sphere) {
+    return {sphere.centre_mm - sphere.radius_mm, sphere.centre_mm + sphere.radius_mm};
+}
+
 std::vector<Box> boxes_beside_lathe(const Scene& scene) {
     std::vector<Box> boxes;
-    for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i) {
-        const Sphere& sphere = scene.spheres[i];
-        boxes.push_back({sphere.centre_mm - sphere.radius_mm, sphere.centre_mm + sphere.radius_mm});
-    }
+    for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i)
+        boxes.push_back(sphere_box(scene.spheres[i]));
     for (const Mover& mover : scene.movers) {
         if (!scene.mover_library || mover.model >= scene.mover_library->size()) continue;
         for (const Box& box : (*scene.mover_library)[mover.model].boxes_mm)

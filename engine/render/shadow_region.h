@@ -38,6 +38,7 @@ struct PixelRect {
 
 // Boxes about what moves: the lathe; the spheres and the movers.
 [[nodiscard]] Box lathe_box(const Lathe& lathe);
+[[nodiscard]] Box sphere_box(const Sphere& sphere);
 [[nodiscard]] std::vector<Box> boxes_beside_lathe(const Scene& scene);
 
 }  // namespace onggi::render

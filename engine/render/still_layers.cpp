@@ -19,15 +19,37 @@ Result<vk::Image> layer(const FrameContext& frame, const char* name, VkFormat fo
                        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
 }
 
+Result<vk::Image> depth_layer(const FrameContext& frame) {
+    return vk::Image::create(
+        frame.device, {.name = "still life's depth",
+                       .format = kDepthFormat,
+                       .extent = frame.extent,
+                       .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                       .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
+}
+
 struct Reading {
     const vk::Image& image;
     const vk::Buffer& into;
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
-// In commands of their own: `draw` inside a pass over cleared images and the still life's depth, and then
-// what came of it to where the host reads it.
+void record_reading(const FrameContext& frame, const Reading& reading, const vk::ImageState& drawn) {
+    vk::barrier(frame.commands, reading.image, drawn, vk::state::kCopySource);
+    VkBufferImageCopy region{};
+    region.imageSubresource = {reading.aspect, 0, 0, 1};
+    region.imageExtent = {frame.extent.width, frame.extent.height, 1};
+    vkCmdCopyImageToBuffer(frame.commands, reading.image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           reading.into.handle(), 1, &region);
+}
+
+// In commands of their own: `draw` inside a pass over cleared images, and then what came of it, with its
+// depth, to where the host reads it.
 template <typename Draw>
-Result<void> draw_and_read(FrameContext& frame, std::span<const Reading> readings, Draw&& draw) {
+Result<void> draw_and_read(FrameContext& frame, std::span<const Reading> readings,
+                           const vk::Buffer& depth_into, Draw&& draw) {
+    const auto depth = depth_layer(frame);
+    if (!depth) return depth.error();
     return frame.run_once([&] {
         const VkCommandBuffer commands = frame.commands;
         std::vector<PassColour> colours;
@@ -35,20 +57,14 @@ Result<void> draw_and_read(FrameContext& frame, std::span<const Reading> reading
             vk::barrier(commands, reading.image, vk::state::kUndefined, vk::state::kColour);
             colours.push_back({.view = reading.image.view(), .load = VK_ATTACHMENT_LOAD_OP_CLEAR});
         }
-        vk::barrier(commands, frame.images.still_depth, vk::state::kDiscard, vk::state::kDepth);
+        vk::barrier(commands, *depth, vk::state::kUndefined, vk::state::kDepth);
         begin_pass(commands, frame.extent, colours,
-                   {.view = frame.images.still_depth.view(), .store = VK_ATTACHMENT_STORE_OP_STORE});
+                   {.view = depth->view(), .store = VK_ATTACHMENT_STORE_OP_STORE});
         draw();
         vkCmdEndRendering(commands);
-        vk::barrier(commands, frame.images.still_depth, vk::state::kDepth, vk::state::kCopySource);
-        for (const Reading& reading : readings) {
-            vk::barrier(commands, reading.image, vk::state::kColour, vk::state::kCopySource);
-            VkBufferImageCopy region{};
-            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-            region.imageExtent = {frame.extent.width, frame.extent.height, 1};
-            vkCmdCopyImageToBuffer(commands, reading.image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                   reading.into.handle(), 1, &region);
-        }
+        record_reading(frame, {*depth, depth_into, VK_IMAGE_ASPECT_DEPTH_BIT}, vk::state::kDepth);
+        for (const Reading& reading : readings)
+            record_reading(frame, reading, vk::state::kColour);
         vk::barrier_to_host(commands);
     });
 }
@@ -62,14 +78,16 @@ Result<bool> StillLayers::fit(const FrameContext& frame) {
     struct Wish {
         vk::Buffer& into;
         const char* name;
+        VkBufferUsageFlags also = 0;
     };
     for (const Wish& wish : {Wish{with_key_, "still life with the key light"},
                              Wish{without_key_, "still life without the key light"},
-                             Wish{places_, "still life's places in the shadow mask"}}) {
+                             Wish{places_, "still life's places in the shadow mask"},
+                             Wish{depth_, "still life's depth", VK_BUFFER_USAGE_TRANSFER_SRC_BIT}}) {
         auto buffer =
             vk::Buffer::create(frame.device, {.name = wish.name,
                                               .size = VkDeviceSize{4} * extent.width * extent.height,
-                                              .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                              .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | wish.also,
                                               .use = vk::MemoryUse::kReadback});
         if (!buffer) return buffer.error();
         wish.into = std::move(*buffer);
@@ -79,7 +97,7 @@ Result<bool> StillLayers::fit(const FrameContext& frame) {
 }
 
 void StillLayers::let_go() {
-    for (vk::Buffer* buffer : {&with_key_, &without_key_, &places_})
+    for (vk::Buffer* buffer : {&with_key_, &without_key_, &places_, &depth_})
         *buffer = {};
     extent_ = {};
 }
@@ -103,7 +121,7 @@ Result<void> StillLayers::draw_own(FrameContext& frame, const StillMeshes& meshe
     if (!coords) return coords.error();
     const std::array readings{Reading{*with_key, with_key_}, Reading{*without_key, without_key_},
                               Reading{*coords, places_}};
-    return draw_and_read(frame, readings, [&] {
+    return draw_and_read(frame, readings, depth_, [&] {
         frame.bind(frame.pipelines.still);
         meshes.draw(frame.commands, frame.pipelines.layout.get(), StillMeshes::Which::kAll);
         frame.draw_screen(frame.pipelines.backdrop);
@@ -119,7 +137,7 @@ Result<void> StillLayers::draw_photographed(FrameContext& frame, const Scene& sc
     auto coords = layer(frame, "still life's places in the shadow mask", kPackedFormat);
     if (!coords) return coords.error();
     const std::array readings{Reading{*foot, without_key_}, Reading{*coords, places_}};
-    auto drawn = draw_and_read(frame, readings, [&] {
+    auto drawn = draw_and_read(frame, readings, depth_, [&] {
         frame.bind(frame.pipelines.places);
         meshes.draw(frame.commands, frame.pipelines.layout.get(), StillMeshes::Which::kAll);
     });

@@ -1,6 +1,6 @@
 // The layers of a still life, where the processor reads them to lay the shade over it (shade_pixels.h): drawn
-// once by the device, by full daylight; of a photographed room the device draws only where things are, and
-// the colours are the photographs'. Main thread.
+// once by the device, by full daylight, with its depth; of a photographed room the device draws only where
+// things are, and the colours are the photographs'. Main thread.
 #pragma once
 
 #include "engine/core/result.h"
@@ -18,11 +18,11 @@ class StillLayers {
     // Nothing will be read for a while: gives the memory back until the next fit(). The device is idle.
     void let_go();
 
-    // Draws and reads back, and waits for it. The frame's uniforms lie on the device, with all lights full;
-    // the still life's depth is in frame.images afterwards. `plates`: null for a room in its own colours. The
-    // device is idle. Errors: the device's.
+    // Draws and reads back, and waits for it. The frame's uniforms lie on the device, with all lights full.
+    // `plates`: null for a room in its own colours. The device is idle. Errors: the device's.
     Result<void> draw(FrameContext& frame, const Scene& scene, const StillMeshes& meshes, PlatePass* plates);
     [[nodiscard]] ShadeLayers layers() const;
+    [[nodiscard]] const vk::Buffer& depth() const { return depth_; }  // a float a pixel
 
   private:
     Result<void> draw_own(FrameContext& frame, const StillMeshes& meshes);
@@ -33,6 +33,7 @@ class StillLayers {
     vk::Buffer with_key_;
     vk::Buffer without_key_;
     vk::Buffer places_;  // coordinates in the mask; turned into mask_place() when they have come
+    vk::Buffer depth_;
 };
 
 }  // namespace onggi::render

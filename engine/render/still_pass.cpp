@@ -80,17 +80,9 @@ void StillPass::record_key_map(const FrameContext& frame) const {
     vk::barrier(frame.commands, map, vk::state::kDepth, vk::state::kSampled);
 }
 
-void StillPass::record_depth_copy(const FrameContext& frame) const {
-    const VkCommandBuffer commands = frame.commands;
-    const FrameImages& images = frame.images;
-    if (!frame.built.moving_rects.empty()) {
-        vk::barrier(commands, images.depth, vk::state::kDiscard, vk::state::kCopyTarget);
-        copy_rects(commands, images.still_depth.handle(), images.depth.handle(), VK_IMAGE_ASPECT_DEPTH_BIT,
-                   frame.built.moving_rects);
-        vk::barrier(commands, images.depth, vk::state::kCopyTarget, vk::state::kDepth);
-    } else {
-        vk::barrier(commands, images.depth, vk::state::kDiscard, vk::state::kDepth);
-    }
+void StillPass::record_depth(const FrameContext& frame) const {
+    copy_depth(frame.commands, layers_.depth().handle(), frame.extent.width, frame.images.depth.handle(),
+               frame.built.beside_mover_rects);
 }
 
 void StillPass::draw(const FrameContext& frame) const {

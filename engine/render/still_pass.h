@@ -28,8 +28,9 @@ class StillPass {
     [[nodiscard]] const StillLayers& layers() const { return layers_; }
     // Cached: no layers are needed for a while. The device is idle.
     void let_go_layers();
-    // Cached: the still life's depth where something moves.
-    void record_depth_copy(const FrameContext& frame) const;
+    // Cached: the still life's depth, where something moves and the host draws nothing, into the frame's,
+    // which is laid out to be copied into.
+    void record_depth(const FrameContext& frame) const;
 
     // Direct: the still life's shadow map.
     void record(const FrameContext& frame) const;

@@ -141,6 +141,28 @@ TEST_F(MovingTiles, AreCoveredWhereNoPixelShowsWhatIsBehindThePot) {
     EXPECT_EQ(std::count(find().begin(), tiles.end(), kCovered), 0) << "one looks through a cut";
 }
 
+TEST_F(MovingTiles, OfAHandThatTheHostDrawsAreNotCoveredByThePotBehindIt) {
+    std::vector<std::uint8_t> tiles = find();
+    const auto covered =
+        static_cast<std::size_t>(std::find(tiles.begin(), tiles.end(), kCovered) - tiles.begin());
+    const auto quiet =
+        static_cast<std::size_t>(std::find(tiles.begin(), tiles.end(), kNothingMoves) - tiles.begin());
+    ASSERT_LT(std::max(covered, quiet), tiles.size());
+    built_.mover_tiles.assign(tiles.size(), 0);
+    built_.mover_tiles[covered] = built_.mover_tiles[quiet] = 1;
+    tiles = find();
+    EXPECT_EQ(tiles[covered], kMoves);
+    EXPECT_EQ(tiles[quiet], kMoves);
+    // Every moving tile is either the hand's or beside it.
+    std::vector<std::uint8_t> once = built_.mover_tiles;
+    const TileGrid grid{kWidth, kHeight};
+    for (const PixelRect& rect : built_.beside_mover_rects)
+        for_tiles(grid, rect, [&](std::size_t tile) { ++once[tile]; });
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+        EXPECT_EQ(once[tile], tiles[tile] != kNothingMoves ? 1 : 0) << tile;
+    EXPECT_FALSE(holds(vec3(70.0F + 100.0F, 60.0F + 100.0F, 0.0F))) << "where the host drew none of it";
+}
+
 TEST_F(MovingTiles, AreAllOfThemWhereTheEyeIsInThePot) {
     scene_.camera.eye_mm = {0.0F, 60.0F, 40.0F};
     const std::vector<std::uint8_t>& tiles = find();

@@ -1,0 +1,25 @@
+// The corners of hands and tools, placed in the picture and lit: what shaders/mover.vert does where it lights
+// vertices, for a device that is the processor. Any thread; pure. mm, pixels.
+#pragma once
+
+#include <vector>
+
+#include "engine/render/lathe_profile.h"
+#include "engine/render/mover_pixels.h"
+#include "engine/render/overlay_paint.h"
+
+namespace onggi::render {
+
+// What is the same for all of a frame. `samples` are of its lathe; their outside keeps the key light off.
+struct MoverView {
+    const shaders::FrameData& frame;
+    const LatheSamples& samples;
+    ByteOrder order = ByteOrder::kRedFirst;
+};
+
+// Appends a corner for each vertex of one of the mover's meshes, with colours as the square-root transfer
+// shows them. A processor without wider vectors finds the same bits.
+void light_corners(const MoverMesh& mesh, const Mover& mover, const MoverView& view,
+                   std::vector<MoverCorner>& corners);
+
+}  // namespace onggi::render
