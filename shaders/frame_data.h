@@ -41,6 +41,7 @@ ONGGI_CONST int kBindFromDepth = 11;
 ONGGI_CONST int kBindToDepth = 12;
 ONGGI_CONST int kBindVertices = 13;
 ONGGI_CONST int kBindPicture = 14;
+ONGGI_CONST int kBindSlip = 15;
 
 struct FrameData {
     mat4 view_projection;

@@ -5,16 +5,18 @@
 // costs ten multiplications, and a number of a uniform buffer thirty: what changes slowly or not at all comes
 // from the vertices, and fractions share a division.
 #include "frame_data.h"
-#include "packed.glsl"
 #include "surface.glsl"
 #ifdef ONGGI_LOAD
 #include "load.glsl"
 #endif
 #include "tone.glsl"
 
-layout(set = 0, binding = kBindNormals) uniform sampler2D outline_normals;
+layout(set = 0, binding = kBindNormals) uniform usamplerBuffer outline_normals;
+layout(set = 0, binding = kBindSlip) uniform usamplerBuffer slip_texels;
 layout(set = 0, binding = kBindDetail) uniform sampler2D detail;
 layout(constant_id = 1) const bool kNearSpheres = true;  // where their shadow may fall
+layout(constant_id = 2) const int kSlipAcross = 512;     // texels, powers of two
+layout(constant_id = 3) const int kSlipUp = 512;
 
 layout(location = 0) in vec3 to_eye;
 layout(location = 1) in vec4 outline;
@@ -35,14 +37,25 @@ layout(location = 0) out vec4 out_colour;
 
 const float kPi = 3.14159265;
 
+vec2 from_sixteen_bits(uint word) {
+    return vec2(int(word & 0xFFFFu), int(word >> 16)) * (1.0 / 65535.0);
+}
+
+// r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film. Live on a processor by one
+// texel, which is about as large as a pixel there: four cost three times as much. It is a word of a buffer, whose
+// place takes fewer steps to find than a texel's in an image.
+vec4 slip_at(vec2 place) {
+    if (kTransfer != 1) return texture(detail, place);
+    ivec2 texel = ivec2(floor(place * vec2(kSlipAcross, kSlipUp))) & ivec2(kSlipAcross - 1, kSlipUp - 1);
+    uint bytes = texelFetch(slip_texels, texel.y * kSlipAcross + texel.x).r;
+    return vec4(ivec4(uvec4(bytes) >> uvec4(0, 8, 16, 24) & 255u)) * (1.0 / 255.0);
+}
+
 void main() {
     vec3 l = light_from.xyz;
-    vec2 profile = unpacked16(texelFetch(outline_normals, ivec2(clamp(int(outline.z * float(kProfileTexels)), 0, kProfileTexels - 1), 0), 0)) * 2.0 - 1.0;
-    // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
-    // Live on a processor by one texel: it is about as large as a pixel there, and four cost three times as much.
-    ivec2 texels = textureSize(detail, 0);
-    vec4 slip = kTransfer == 1 ? texelFetch(detail, ivec2(floor(detail_at.xy * vec2(texels))) & (texels - 1), 0)
-                               : texture(detail, detail_at.xy);
+    int texel = clamp(int(outline.z * float(kProfileTexels)), 0, kProfileTexels - 1);
+    vec2 profile = from_sixteen_bits(texelFetch(outline_normals, texel).r) * 2.0 - 1.0;
+    vec4 slip = slip_at(detail_at.xy);
     float streaks = gloss_of.x;
     vec2 lean = (slip.gb - 0.5) * streaks;
     vec2 outward = outline.xy;

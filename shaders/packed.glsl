@@ -6,7 +6,3 @@ vec4 packed16(vec2 numbers) {
     vec2 low = whole - high * 256.0;
     return vec4(high.x, low.x, high.y, low.y) * (1.0 / 255.0);
 }
-
-vec2 unpacked16(vec4 texel) {
-    return texel.rb * (65280.0 / 65535.0) + texel.ga * (255.0 / 65535.0);
-}

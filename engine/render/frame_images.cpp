@@ -29,12 +29,7 @@ Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& d
     constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT;
     return create_all(
         device,
-        {{images.normals,
-          {.name = "outline normals",
-           .format = kPackedFormat,
-           .extent = {shaders::kProfileTexels, 1},
-           .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
-         {images.detail,
+        {{images.detail,
           {.name = "slip",
            .format = kDetailFormat,
            .extent = {static_cast<std::uint32_t>(desc.slip_across), static_cast<std::uint32_t>(desc.slip_up)},

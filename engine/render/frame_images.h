@@ -10,7 +10,6 @@ namespace onggi::render {
 
 struct FrameImages {
     // Of fixed size.
-    vk::Image normals;  // the outline's normals, one row
     vk::Image detail;
     vk::Image mask;
     vk::Image key_map;

@@ -31,7 +31,7 @@ Result<void> LathePass::create(const FrameContext& frame) {
                              Wish{normals_,
                                   {.name = "outline normals",
                                   .size = sizeof(NormalTexels),
-                                  .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT}},
+                                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}},
                              Wish{indices_,
                                   {.name = "lathe indices",
                                   .size = most_indices * sizeof(std::uint16_t),
@@ -52,8 +52,10 @@ Result<void> LathePass::create(const FrameContext& frame) {
         vk::write_buffer(frame.device, frame.set(), static_cast<std::uint32_t>(place.binding),
                          VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place.buffer.handle());
     }
-    vk::write_image(frame.device, frame.set(), shaders::kBindNormals, images.normals.view(),
-                    pipelines.exact.get());
+    auto normals = vk::create_texels(frame.device, normals_.handle(), VK_FORMAT_R32_UINT, "outline normals");
+    if (!normals) return normals.error();
+    normal_texels_ = std::move(*normals);
+    vk::write_texels(frame.device, frame.set(), shaders::kBindNormals, normal_texels_.get());
     vk::write_image(frame.device, frame.set(), shaders::kBindDetail, images.detail.view(),
                     pipelines.repeated.get());
     return upload_slip(frame);
@@ -63,18 +65,24 @@ Result<void> LathePass::upload_slip(const FrameContext& frame) {
     const vk::Image& detail = frame.images.detail;
     const std::vector<std::uint8_t> texels =
         coarser_detail(detail_texture(), frame.desc.slip_across, frame.desc.slip_up);
-    auto staging = vk::Buffer::create(
-        frame.device,
-        {.name = "slip upload", .size = texels.size(), .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-    if (!staging) return staging.error();
-    staging->write(std::as_bytes(std::span(texels)));
+    auto slip = vk::Buffer::create(
+        frame.device, {.name = "slip",
+                       .size = texels.size(),
+                       .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT});
+    if (!slip) return slip.error();
+    slip_ = std::move(*slip);
+    slip_.write(std::as_bytes(std::span(texels)));
+    auto view = vk::create_texels(frame.device, slip_.handle(), VK_FORMAT_R32_UINT, "slip");
+    if (!view) return view.error();
+    slip_texels_ = std::move(*view);
+    vk::write_texels(frame.device, frame.set(), shaders::kBindSlip, slip_texels_.get());
     return frame.device.run_once([&](VkCommandBuffer once) {
         vk::barrier(once, detail, vk::state::kUndefined, vk::state::kCopyTarget);
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         region.imageExtent = {detail.extent().width, detail.extent().height, 1};
-        vkCmdCopyBufferToImage(once, staging->handle(), detail.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                               1, &region);
+        vkCmdCopyBufferToImage(once, slip_.handle(), detail.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                               &region);
         vk::barrier(once, detail, vk::state::kCopyTarget, vk::state::kSampled);
     });
 }
@@ -87,18 +95,6 @@ void LathePass::upload(FrameContext& frame) const {
     frame.write(vertices_, std::as_bytes(std::span(built.vertices)));
     frame.write(normals_, std::as_bytes(std::span(built.normals)));
     frame.write(indices_, std::as_bytes(std::span(built.faces.indices)));
-}
-
-void LathePass::record(const FrameContext& frame) const {
-    if (frame.built.faces.indices.empty()) return;
-    const vk::Image& normals = frame.images.normals;
-    vk::barrier(frame.commands, normals, vk::state::kDiscard, vk::state::kCopyTarget);
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {shaders::kProfileTexels, 1, 1};
-    vkCmdCopyBufferToImage(frame.commands, normals_.handle(), normals.handle(),
-                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    vk::barrier(frame.commands, normals, vk::state::kCopyTarget, vk::state::kSampled);
 }
 
 void LathePass::draw(const FrameContext& frame) const {

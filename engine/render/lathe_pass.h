@@ -11,18 +11,19 @@ class LathePass {
     Result<void> create(const FrameContext& frame);
     void upload(FrameContext& frame) const;
 
-    // The outline's normals into their texture; before any pass that draws the lathe.
-    void record(const FrameContext& frame) const;
     // The lathe, inside the caller's pass.
     void draw(const FrameContext& frame) const;
 
   private:
-    static Result<void> upload_slip(const FrameContext& frame);
+    Result<void> upload_slip(const FrameContext& frame);
 
     vk::Buffer outline_;
     vk::Buffer rows_;
     vk::Buffer vertices_;
     vk::Buffer normals_;
+    vk::BufferView normal_texels_;
+    vk::Buffer slip_;  // the same texels as those of the image, for a processor
+    vk::BufferView slip_texels_;
     vk::Buffer indices_;
 };
 

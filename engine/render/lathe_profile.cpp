@@ -86,14 +86,11 @@ class Walk {
     std::size_t next_ = 1;
 };
 
-std::array<std::uint8_t, 4> packed_normal(vec2 normal) {
+std::uint32_t packed_normal(vec2 normal) {
     const auto sixteen_bits = [](float value) {
-        return static_cast<unsigned>((0.5F + 0.5F * value) * 65535.0F + 0.5F);
+        return static_cast<std::uint32_t>((0.5F + 0.5F * value) * 65535.0F + 0.5F);
     };
-    const unsigned r = sixteen_bits(normal.x);
-    const unsigned y = sixteen_bits(normal.y);
-    return {static_cast<std::uint8_t>(r >> 8U), static_cast<std::uint8_t>(r & 255U),
-            static_cast<std::uint8_t>(y >> 8U), static_cast<std::uint8_t>(y & 255U)};
+    return sixteen_bits(normal.x) | sixteen_bits(normal.y) << 16U;
 }
 
 // Outwards of a chord walked with the clay on its left hand.

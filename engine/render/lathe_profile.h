@@ -62,10 +62,10 @@ struct LatheSamples {
 };
 void sample_profile(const LatheProfile& profile, LatheSamples& samples);
 
-// The outward normal (r, y) along the whole outline, for the texture that fragments read: -1 to 1 as 0 to
-// 65535, each with its high byte first. footprint_mm: how much of the outline one pixel shows; slopes are
+// The outward normal (r, y) along the whole outline, for the texels that fragments read: -1 to 1 as 0 to
+// 65535, r in the lower half of a word. footprint_mm: how much of the outline one pixel shows; slopes are
 // averaged over it, so that grooves finer than a pixel fade instead of flickering.
-using NormalTexels = std::array<std::array<std::uint8_t, 4>, shaders::kProfileTexels>;
+using NormalTexels = std::array<std::uint32_t, shaders::kProfileTexels>;
 void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexels& texels);
 
 // Where a place along the outline lies in that texture.

@@ -16,6 +16,7 @@ namespace {
 constexpr VkShaderStageFlags kBoth = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 constexpr vk::Binding kImage{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT};
+constexpr vk::Binding kTexels{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT};
 constexpr vk::Binding kVertexData{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT};
 
 // In the order of the kBind... constants.
@@ -23,7 +24,7 @@ constexpr std::array kBindings{
     vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kBoth},
     vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBoth},
     kVertexData,
-    kImage,
+    kTexels,
     kImage,
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, kBoth},
     kImage,
@@ -34,8 +35,9 @@ constexpr std::array kBindings{
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     kVertexData,
-    kImage};
-static_assert(kBindings.size() == shaders::kBindPicture + 1);
+    kImage,
+    kTexels};
+static_assert(kBindings.size() == shaders::kBindSlip + 1);
 
 constexpr std::array kMeshAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, position_mm)},
@@ -161,6 +163,10 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     constexpr std::uint32_t kMoves = 1;   // of the lathe: one may be
     const std::array still_constants{transfer, kStands};
     const std::array mover_constants{transfer, kMoves};
+    const auto slip_across = static_cast<std::uint32_t>(desc.slip_across);
+    const auto slip_up = static_cast<std::uint32_t>(desc.slip_up);
+    const std::array plain_lathe_constants{transfer, kStands, slip_across, slip_up};
+    const std::array lathe_constants{transfer, kMoves, slip_across, slip_up};
     const std::array picture_formats{desc.colour_format};
     const std::array layer_formats{desc.colour_format, desc.colour_format, kPackedFormat};
     const std::array place_formats{desc.colour_format, kPackedFormat};
@@ -232,10 +238,11 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     lathe.fragment_spirv = shaders::kLatheFrag;
     lathe.attributes = {};
     lathe.vertex_stride = 0;
+    lathe.constants = lathe_constants;
     if (desc.inside_out) lathe.cull = VK_CULL_MODE_FRONT_BIT;
     maker.make(pipelines.lathe_near_spheres, lathe);
     vk::PipelineDesc plain = lathe;
-    plain.constants = still_constants;
+    plain.constants = plain_lathe_constants;
     maker.make(pipelines.lathe, plain);
 
     vk::PipelineDesc load = lathe;

@@ -320,8 +320,6 @@ Result<void> Renderer::Impl::note_rest(const vk::TargetImage& target, const Host
 
 Result<void> Renderer::Impl::record_scene(const Scene& scene, const vk::TargetImage& target) {
     frame.bind_set();
-    enter("clay's shape");
-    lathe.record(frame);
     if (frame.desc.cached) return record_cached(scene, target);
     enter("shadow maps");
     still.record(frame);

@@ -72,4 +72,28 @@ void write_image(const Device& device, VkDescriptorSet set, std::uint32_t bindin
     vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
 
+Result<BufferView> create_texels(const Device& device, VkBuffer buffer, VkFormat format,
+                                 std::string_view name) {
+    VkBufferViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+    info.buffer = buffer;
+    info.format = format;
+    info.range = VK_WHOLE_SIZE;
+    VkBufferView view = VK_NULL_HANDLE;
+    ONGGI_VK_TRY_ON(device, vkCreateBufferView(device.handle(), &info, nullptr, &view));
+    device.name(VK_OBJECT_TYPE_BUFFER_VIEW, view, name);
+    return BufferView(device.handle(), view);
+}
+
+void write_texels(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkBufferView view) {
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    write.pTexelBufferView = &view;
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
 }  // namespace onggi::vk

@@ -40,6 +40,7 @@ using PipelineLayout = Unique<VkPipelineLayout, vkDestroyPipelineLayout>;
 using SetLayout = Unique<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout>;
 using DescriptorPool = Unique<VkDescriptorPool, vkDestroyDescriptorPool>;
 using Sampler = Unique<VkSampler, vkDestroySampler>;
+using BufferView = Unique<VkBufferView, vkDestroyBufferView>;
 using Semaphore = Unique<VkSemaphore, vkDestroySemaphore>;
 
 struct PipelineDesc {
@@ -82,6 +83,11 @@ void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t bindi
 // In VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL when it is read.
 void write_image(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view,
                  VkSampler sampler);
+
+// A buffer as texels of this format, from its first byte to its last.
+Result<BufferView> create_texels(const Device& device, VkBuffer buffer, VkFormat format,
+                                 std::string_view name);
+void write_texels(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkBufferView view);
 
 Result<PipelineLayout> create_pipeline_layout(const Device& device, VkDescriptorSetLayout set,
                                               std::uint32_t push_constant_bytes, std::string_view name);

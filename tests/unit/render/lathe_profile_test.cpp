@@ -110,8 +110,8 @@ TEST(LatheProfile, SamplesBothFacesByHeight) {
     EXPECT_EQ(samples.at(1e9F), LatheSamples::kCount - 1U);
 }
 
-vec2 unpacked(const std::array<std::uint8_t, 4>& texel) {
-    return vec2(256 * texel[0] + texel[1], 256 * texel[2] + texel[3]) * (2.0F / 65535.0F) - 1.0F;
+vec2 unpacked(std::uint32_t texel) {
+    return vec2(texel & 0xFFFFU, texel >> 16U) * (2.0F / 65535.0F) - 1.0F;
 }
 
 vec2 normal_at(const NormalTexels& texels, float place) {
