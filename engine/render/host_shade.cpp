@@ -53,6 +53,8 @@ void HostShade::shade(FrameContext& frame, const Scene& scene, const ShadeLayers
     mask_of_ = shadow;
     if (!has_layers_) {
         tiles_.learn({layers.width, layers.height}, layers.places);
+        edges_.forget();
+        if (frame.desc.smooths_outlines) edges_.find(layers.width, layers.places);
         levels_ = scene.levels;
         has_layers_ = true;
     } else {
@@ -65,6 +67,7 @@ void HostShade::shade(FrameContext& frame, const Scene& scene, const ShadeLayers
     tiles_.take(frame.built.moving_tiles, rects_);
     shade_pixels(layers, *mask_, shade_light(scene.levels, frame.desc.colour_format), rects_,
                  shaded_.as<std::uint32_t>());
+    edges_.smooth(*mask_, rects_, shaded_.as<std::uint32_t>());
 }
 
 }  // namespace onggi::render

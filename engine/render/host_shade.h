@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/frame_context.h"
+#include "engine/render/shade_edges.h"
 #include "engine/render/shade_pixels.h"
 #include "engine/render/shade_tiles.h"
 #include "engine/render/shadow_mask.h"
@@ -39,6 +40,7 @@ class HostShade {
     std::uint64_t mask_of_ = 0;
     LightLevels levels_;
     ShadeTiles tiles_;  // of `shaded_`
+    ShadeEdges edges_;
     std::vector<PixelRect> rects_;
 };
 
