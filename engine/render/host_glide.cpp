@@ -98,12 +98,12 @@ void HostGlide::draw(std::span<const Quad> cells, BentPicture& picture) {
     bend_relief(relief_, sheet.subspan(order_.behind), picture);
 }
 
-Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, PlatePass& plates) {
+Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, const PlatePass& plates) {
     if (auto fitted = fit(frame); !fitted) return fitted;
     const Glide& glide = *scene.glide;
-    const auto from = plates.bendable(frame, scene.plate);
+    const auto from = plates.bendable(scene.plate);
     if (!from) return from.error();
-    const auto to = plates.bendable(frame, glide.towards);
+    const auto to = plates.bendable(glide.towards);
     if (!to) return to.error();
     const shaders::FrameData& data = frame.built.frame;
     fill_shadow_mask(data, *mask_);
@@ -114,16 +114,12 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, Plat
                         .height = height,
                         .pixels = picture_.as<std::uint32_t>(),
                         .depth = depth_.as<float>(),
-                        .from = &*(*from)->photographs,
-                        .to = &*(*to)->photographs,
+                        .from = &(*from)->photographs,
+                        .to = &(*to)->photographs,
                         .mask = mask_.get(),
                         .order = byte_order(frame.desc.colour_format)};
     const bool is_coarse = frame.desc.softens_glides && is_fast_;
     if (is_coarse) {
-        const auto from_half = plates.halved(frame, scene.plate);
-        if (!from_half) return from_half.error();
-        const auto to_half = plates.halved(frame, glide.towards);
-        if (!to_half) return to_half.error();
         picture.width = half_of(width);
         picture.height = half_of(height);
         const auto count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
@@ -131,8 +127,8 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, Plat
         half_depth_.resize(count);
         picture.pixels = half_picture_;
         picture.depth = half_depth_;
-        picture.from = *from_half;
-        picture.to = *to_half;
+        picture.from = &(*from)->halved;
+        picture.to = &(*to)->halved;
     }
     const bool is_day = scene.levels.ambient == vec3(1.0F) && scene.levels.key == 1.0F;
     if (!is_day) {

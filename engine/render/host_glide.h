@@ -22,7 +22,7 @@ class HostGlide {
   public:
     // The scene has a glide and its plates are on the device; `frame.built` is this frame's. The device is
     // idle. Errors: no memory for the picture.
-    Result<void> bend(const FrameContext& frame, const Scene& scene, PlatePass& plates);
+    Result<void> bend(const FrameContext& frame, const Scene& scene, const PlatePass& plates);
 
     // The camera stands: gives back the picture's memory. The device is idle.
     void rest();

@@ -1,5 +1,5 @@
-// The photographs of a plate on their way to the device. There they stay; what lies here is let go, for it is
-// as much again: 7 MB a plate of 1280x720. Made by any thread, then of the main thread.
+// The photographs of a plate on their way to the renderer. There they stay; what lies here is let go, for it
+// is as much again: 7 MB a plate of 1280x720. Made by any thread, then of the main thread.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ class Photographs {
     // The pair, read again if it was let go: some tens of ms. It stays until the next call or let_go().
     // Errors: those of `read`.
     [[nodiscard]] Result<const PhotographPair*> pair();
-    // They lie on a device now.
+    // The renderer has them now.
     void let_go();
     [[nodiscard]] bool are_here() const { return pair_.has_value(); }
 

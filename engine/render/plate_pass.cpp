@@ -7,7 +7,6 @@
 
 #include "engine/render/painted_overlay.h"
 #include "engine/render/relief.h"
-#include "engine/vk/readback.h"
 
 namespace onggi::render {
 namespace {
@@ -45,8 +44,7 @@ Result<vk::Image> upload_texels(const FrameContext& frame, const Texels& texels,
                                    {.name = texels.name,
                                     .format = texels.format,
                                     .extent = texels.extent,
-                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
-                                             VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+                                    .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     if (!image) return image.error();
     const auto copied = frame.device.run_once([&](VkCommandBuffer once) {
         vk::barrier(once, *image, vk::state::kUndefined, vk::state::kCopyTarget);
@@ -61,29 +59,6 @@ Result<vk::Image> upload_texels(const FrameContext& frame, const Texels& texels,
     return image;
 }
 
-// Waits. What upload_picture() made, back again.
-Result<HostPhotograph> read_photograph(const FrameContext& frame, const vk::Image& image) {
-    const VkExtent2D extent = image.extent();
-    auto read = vk::Buffer::create(frame.device, {.name = "plate read back",
-                                                  .size = VkDeviceSize{4} * extent.width * extent.height,
-                                                  .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                  .use = vk::MemoryUse::kReadback});
-    if (!read) return read.error();
-    const auto copied = frame.device.run_once([&](VkCommandBuffer once) {
-        vk::barrier(once, image, vk::state::kSampled, vk::state::kCopySource);
-        VkBufferImageCopy region{};
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageExtent = {extent.width, extent.height, 1};
-        vkCmdCopyImageToBuffer(once, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, read->handle(), 1,
-                               &region);
-        vk::barrier(once, image, vk::state::kCopySource, vk::state::kSampled);
-        vk::barrier_to_host(once);
-    });
-    if (!copied) return copied.error();
-    return HostPhotograph(static_cast<int>(extent.width), static_cast<int>(extent.height),
-                          read->as<const std::uint8_t>(), byte_order(frame.desc.colour_format));
-}
-
 VkExtent2D extent_of(int width, int height) {
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
@@ -96,6 +71,33 @@ Result<vk::Image> upload_picture(const FrameContext& frame, const asset::Image& 
                              std::transform(picture.rgba.begin(), picture.rgba.end(), texels,
                                             [&](std::uint8_t value) { return std::byte{table[value]}; });
                          });
+}
+
+// Each is two triangles of the mesh, {corner, below, right} and {right, below, across}.
+std::vector<Quad> cells_of(const ReliefMesh& mesh) {
+    std::vector<Quad> cells;
+    for (std::size_t i = 0; i + 5 < mesh.indices.size(); i += 6)
+        cells.push_back({mesh.indices[i], mesh.indices[i + 2], mesh.indices[i + 5], mesh.indices[i + 1]});
+    return cells;
+}
+
+HostPhotograph host_photograph(const FrameContext& frame, const asset::Image& picture) {
+    const std::array<std::uint8_t, 256> table = transfer_table(frame.desc.transfer);
+    std::vector<std::uint8_t> shown(picture.rgba.size());
+    std::transform(picture.rgba.begin(), picture.rgba.end(), shown.begin(),
+                   [&](std::uint8_t value) { return table[value]; });
+    return {picture.width, picture.height, shown, byte_order(frame.desc.colour_format)};
+}
+
+BendablePlate bendable_plate(const FrameContext& frame, const PhotographPair& pair, ReliefMesh mesh) {
+    BendablePlate plate{
+        .photographs = {host_photograph(frame, pair.key), host_photograph(frame, pair.ambient)},
+        .halved = {},
+        .relief_mm = std::move(mesh.positions_mm),
+        .cells = cells_of(mesh)};
+    if (frame.desc.softens_glides)
+        plate.halved = {plate.photographs.key.halved(), plate.photographs.ambient.halved()};
+    return plate;
 }
 
 // Depths of the relief's corners; of a plate without one, that it hides nothing.
@@ -116,14 +118,6 @@ Result<vk::Buffer> upload_buffer(const FrameContext& frame, const std::vector<T>
     auto buffer = vk::Buffer::create(frame.device, {.name = name, .size = bytes.size(), .usage = usage});
     if (buffer) buffer->write(bytes);
     return buffer;
-}
-
-// Each is two triangles of the mesh, {corner, below, right} and {right, below, across}.
-std::vector<Quad> cells_of(const ReliefMesh& mesh) {
-    std::vector<Quad> cells;
-    for (std::size_t i = 0; i + 5 < mesh.indices.size(); i += 6)
-        cells.push_back({mesh.indices[i], mesh.indices[i + 2], mesh.indices[i + 5], mesh.indices[i + 1]});
-    return cells;
 }
 
 bool is_whole(const Plate& plate, const PhotographPair& pair) {
@@ -163,7 +157,6 @@ void bind_nothing(const FrameContext& frame, const PlateSlots& slots) {
 }  // namespace
 
 void PlatePass::bind_placeholders(const FrameContext& frame) {
-    // See StillPass::bind_placeholders.
     for (const PlateSlots& slots : {kFrom, kTo})
         bind_nothing(frame, slots);
 }
@@ -183,6 +176,12 @@ Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::sh
     if (!is_whole(*plate, **pair)) {
         return failed("plate: expected two whole pictures of one size and a whole relief, found others");
     }
+    ReliefMesh mesh = relief_mesh(*plate);
+    if (frame.desc.cached) {
+        BendablePlate bendable = bendable_plate(frame, **pair, std::move(mesh));
+        plate->photographs->let_go();
+        return Resident{.plate = std::move(plate), .bendable = std::move(bendable)};
+    }
     auto key = upload_picture(frame, (*pair)->key, "plate with the key light");
     if (!key) return key.error();
     auto ambient = upload_picture(frame, (*pair)->ambient, "plate without the key light");
@@ -190,15 +189,6 @@ Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::sh
     auto depth = upload_depth(frame, plate->relief);
     if (!depth) return depth.error();
     plate->photographs->let_go();
-    ReliefMesh mesh = relief_mesh(*plate);
-    if (frame.desc.cached) {
-        const std::vector<Quad> cells = cells_of(mesh);
-        return Resident{.plate = std::move(plate),
-                        .key = std::move(*key),
-                        .ambient = std::move(*ambient),
-                        .depth = std::move(*depth),
-                        .bendable = {.relief_mm = std::move(mesh.positions_mm), .cells = cells}};
-    }
     auto positions =
         upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     if (!positions) return positions.error();
@@ -246,56 +236,22 @@ Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
     if (changed && scene.plate) {
         auto there = resident(frame, scene.plate);
         if (!there) return there.error();
-        bind_plate(frame, kFrom, (*there)->key, (*there)->ambient, (*there)->depth);
+        if (!frame.desc.cached) bind_plate(frame, kFrom, (*there)->key, (*there)->ambient, (*there)->depth);
     }
     if (to && to != to_) {
         auto there = resident(frame, to);
         if (!there) return there.error();
-        bind_plate(frame, kTo, (*there)->key, (*there)->ambient, (*there)->depth);
+        if (!frame.desc.cached) bind_plate(frame, kTo, (*there)->key, (*there)->ambient, (*there)->depth);
     }
     from_ = scene.plate;
     if (to) to_ = to;
     return changed;
 }
 
-Result<BendablePlate*> PlatePass::with_photographs(const FrameContext& frame,
-                                                   const std::shared_ptr<const Plate>& plate) {
-    const auto there = std::find_if(residents_.begin(), residents_.end(),
-                                    [&](const auto& resident) { return resident->plate == plate; });
-    if (there == residents_.end()) return failed("glide: expected both plates, found one missing");
-    BendablePlate& bendable = (*there)->bendable;
-    if (bendable.photographs) return &bendable;
-    auto key = read_photograph(frame, (*there)->key);
-    if (!key) return key.error();
-    auto ambient = read_photograph(frame, (*there)->ambient);
-    if (!ambient) return ambient.error();
-    bendable.photographs = HostPlate{std::move(*key), std::move(*ambient)};
-    return &bendable;
-}
-
-Result<const BendablePlate*> PlatePass::bendable(const FrameContext& frame,
-                                                 const std::shared_ptr<const Plate>& plate) {
-    const auto found = with_photographs(frame, plate);
-    if (!found) return found.error();
-    return *found;
-}
-
-Result<const HostPlate*> PlatePass::halved(const FrameContext& frame,
-                                           const std::shared_ptr<const Plate>& plate) {
-    const auto found = with_photographs(frame, plate);
-    if (!found) return found.error();
-    BendablePlate& bendable = **found;
-    if (!bendable.halved)
-        bendable.halved =
-            HostPlate{bendable.photographs->key.halved(), bendable.photographs->ambient.halved()};
-    return &*bendable.halved;
-}
-
-void PlatePass::rest() {
-    for (const auto& resident : residents_) {
-        resident->bendable.photographs.reset();
-        resident->bendable.halved.reset();
-    }
+Result<const BendablePlate*> PlatePass::bendable(const std::shared_ptr<const Plate>& plate) const {
+    const Resident* const there = find(plate);
+    if (there == nullptr) return failed("plate: expected one of the scene's, found another");
+    return &there->bendable;
 }
 
 void PlatePass::draw_relief(const FrameContext& frame, const Glide& glide) const {

@@ -220,7 +220,6 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     } else if (frame.desc.cached) {
         host_glide.rest();
         if (auto shaded = shade(scene); !shaded) return shaded;
-        still.plates().rest();
     } else {
         shadow.update(frame, scene);
     }

@@ -103,7 +103,7 @@ void StillLayers::let_go() {
 }
 
 Result<void> StillLayers::draw(FrameContext& frame, const Scene& scene, const StillMeshes& meshes,
-                               PlatePass* plates) {
+                               const PlatePass* plates) {
     const auto drawn =
         plates != nullptr ? draw_photographed(frame, scene, meshes, *plates) : draw_own(frame, meshes);
     if (!drawn) return drawn;
@@ -129,8 +129,8 @@ Result<void> StillLayers::draw_own(FrameContext& frame, const StillMeshes& meshe
 }
 
 Result<void> StillLayers::draw_photographed(FrameContext& frame, const Scene& scene,
-                                            const StillMeshes& meshes, PlatePass& plates) {
-    const auto plate = plates.bendable(frame, scene.plate);
+                                            const StillMeshes& meshes, const PlatePass& plates) {
+    const auto plate = plates.bendable(scene.plate);
     if (!plate) return plate.error();
     auto foot = layer(frame, "still life's nearness to the foot", frame.desc.colour_format);
     if (!foot) return foot.error();
@@ -142,7 +142,7 @@ Result<void> StillLayers::draw_photographed(FrameContext& frame, const Scene& sc
         meshes.draw(frame.commands, frame.pipelines.layout.get(), StillMeshes::Which::kAll);
     });
     if (!drawn) return drawn;
-    lay_photographs(*(*plate)->photographs, frame.built.frame.plate_window, static_cast<int>(extent_.width),
+    lay_photographs((*plate)->photographs, frame.built.frame.plate_window, static_cast<int>(extent_.width),
                     with_key_.as<std::uint32_t>(), without_key_.as<std::uint32_t>());
     return {};
 }

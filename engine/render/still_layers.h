@@ -20,14 +20,15 @@ class StillLayers {
 
     // Draws and reads back, and waits for it. The frame's uniforms lie on the device, with all lights full.
     // `plates`: null for a room in its own colours. The device is idle. Errors: the device's.
-    Result<void> draw(FrameContext& frame, const Scene& scene, const StillMeshes& meshes, PlatePass* plates);
+    Result<void> draw(FrameContext& frame, const Scene& scene, const StillMeshes& meshes,
+                      const PlatePass* plates);
     [[nodiscard]] ShadeLayers layers() const;
     [[nodiscard]] const vk::Buffer& depth() const { return depth_; }  // a float a pixel
 
   private:
     Result<void> draw_own(FrameContext& frame, const StillMeshes& meshes);
     Result<void> draw_photographed(FrameContext& frame, const Scene& scene, const StillMeshes& meshes,
-                                   PlatePass& plates);
+                                   const PlatePass& plates);
 
     VkExtent2D extent_{};
     vk::Buffer with_key_;

@@ -39,7 +39,7 @@ class StillPass {
     // The same while the camera moves between plates.
     void draw_gliding(const FrameContext& frame, const Glide& glide) const;
 
-    [[nodiscard]] PlatePass& plates() { return plate_; }
+    [[nodiscard]] const PlatePass& plates() const { return plate_; }
     [[nodiscard]] const StillBounds& bounds() const { return still_.bounds(); }
 
   private:
