@@ -13,10 +13,20 @@ constexpr std::size_t kBlock = kShadeBlockPx;
 
 // Where a coordinate of sixteen bits lies: the texel before it and, in 1/256, how far it is to the next.
 // Outside of the first and the last half texel it is their middle.
-std::uint32_t steps_of(std::uint32_t coordinate) {
-    const double texel = coordinate / 65535.0 * kAcross - 0.5;
-    const double most = 256.0 * (kAcross - 1) - 1.0;
-    return static_cast<std::uint32_t>(std::clamp(std::floor(texel * 256.0), 0.0, most));
+[[gnu::always_inline]] inline std::uint32_t steps_of(std::uint32_t coordinate) {
+    constexpr int kHalf = 128;
+    constexpr int kMost = 256 * (static_cast<int>(kAcross) - 1) - 1;
+    const int steps = static_cast<int>(coordinate * (256U * kAcross) / 65535U) - kHalf;
+    return static_cast<std::uint32_t>(std::min(std::max(steps, 0), kMost));
+}
+
+[[gnu::always_inline]] inline std::uint32_t place_of(std::uint32_t packed_coords) {
+    const std::uint32_t high_first =
+        (packed_coords & 0x00FF00FFU) << 8U | (packed_coords >> 8U & 0x00FF00FFU);
+    const std::uint32_t across = steps_of(high_first & 0xFFFFU);
+    const std::uint32_t down = steps_of(high_first >> 16U);
+    const std::uint32_t texel = (down >> 8U) * kAcross + (across >> 8U);
+    return (texel << 16U) | ((down & 0xFFU) << 8U) | (across & 0xFFU);
 }
 
 // Of a block of pixels, each part side by side, so that every loop over it is one the compiler makes vectors
@@ -166,11 +176,12 @@ ShadeRect best_for_this_processor() {
 }  // namespace
 
 std::uint32_t mask_place(std::uint32_t packed_coords) {
-    const auto byte = [&](unsigned at) { return (packed_coords >> (8U * at)) & 0xFFU; };
-    const std::uint32_t across = steps_of(byte(0) * 256U + byte(1));
-    const std::uint32_t down = steps_of(byte(2) * 256U + byte(3));
-    const std::uint32_t texel = (down >> 8U) * kAcross + (across >> 8U);
-    return (texel << 16U) | ((down & 0xFFU) << 8U) | (across & 0xFFU);
+    return place_of(packed_coords);
+}
+
+void turn_into_places(std::span<std::uint32_t> packed_coords) {
+    for (std::uint32_t& coords : packed_coords)
+        coords = place_of(coords);
 }
 
 void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,

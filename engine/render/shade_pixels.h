@@ -35,6 +35,8 @@ struct ShadeLight {
 // From the two numbers of sixteen bits in a texel of the coordinates (shaders/packed.glsl) to what the shade
 // reads a million times a second: the texel, and in its low bytes how far towards the next, across and down.
 [[nodiscard]] std::uint32_t mask_place(std::uint32_t packed_coords);
+// The same of a whole picture, in its place.
+void turn_into_places(std::span<std::uint32_t> packed_coords);
 
 constexpr int kShadeBlockPx = 16;  // pixels that are shaded side by side
 

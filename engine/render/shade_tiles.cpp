@@ -11,6 +11,30 @@ constexpr std::size_t kSums = kAcross + 1;
 
 }  // namespace
 
+void ShadeTiles::Reach::hold(std::span<const std::uint32_t> places) {
+    // Vectors divide by multiplying; so wide that no texel's number is too large.
+    constexpr int kShift = 22;
+    constexpr int kOneOver = (1 << kShift) / int{kAcross} + 1;
+    int least_u = left;
+    int most_u = right - 1;
+    int least_v = top;
+    int most_v = bottom - 1;
+    for (const std::uint32_t place : places) {
+        const int texel = static_cast<int>(place >> 16U);
+        const int v = texel * kOneOver >> kShift;
+        const int u = texel - v * int{kAcross};
+        least_u = std::min(least_u, u);
+        most_u = std::max(most_u, u);
+        least_v = std::min(least_v, v);
+        most_v = std::max(most_v, v);
+    }
+    // A place lies between a texel and the next, both ways.
+    left = static_cast<std::uint8_t>(least_u);
+    right = static_cast<std::uint8_t>(most_u + 1);
+    top = static_cast<std::uint8_t>(least_v);
+    bottom = static_cast<std::uint8_t>(most_v + 1);
+}
+
 PixelRect rect_about(vec2 low, vec2 high) {
     if (!(low.x <= high.x && low.y <= high.y)) return {};  // no numbers
     // Far outside of any picture a float has no place in an int.
@@ -75,16 +99,10 @@ void ShadeTiles::learn(const TileGrid& grid, std::span<const std::uint32_t> plac
     const auto across = static_cast<std::size_t>(grid.across());
     for (std::size_t y = 0; y < static_cast<std::size_t>(grid.height_px); ++y) {
         Reach* const row = &reach_[y / kTileHeightPx * across];
-        for (std::size_t x = 0; x < width; ++x) {
-            const std::uint32_t texel = places[y * width + x] >> 16U;
-            const auto u = static_cast<std::uint8_t>(texel % kAcross);
-            const auto v = static_cast<std::uint8_t>(texel / kAcross);
-            Reach& reach = row[x / kTileWidthPx];
-            reach.left = std::min(reach.left, u);
-            reach.top = std::min(reach.top, v);
-            // A place lies between a texel and the next, both ways.
-            reach.right = std::max(reach.right, static_cast<std::uint8_t>(u + 1));
-            reach.bottom = std::max(reach.bottom, static_cast<std::uint8_t>(v + 1));
+        for (std::size_t tile = 0; tile < across; ++tile) {
+            const std::size_t first = tile * kTileWidthPx;
+            row[tile].hold(
+                places.subspan(y * width + first, std::min<std::size_t>(kTileWidthPx, width - first)));
         }
     }
 }

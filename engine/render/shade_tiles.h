@@ -84,6 +84,9 @@ class ShadeTiles {
         std::uint8_t right = 0;
         std::uint8_t top = 255;
         std::uint8_t bottom = 0;
+
+        // At least one, see mask_place().
+        void hold(std::span<const std::uint32_t> places);
     };
 
     TileGrid grid_;

@@ -107,8 +107,7 @@ Result<void> StillLayers::draw(FrameContext& frame, const Scene& scene, const St
     const auto drawn =
         plates != nullptr ? draw_photographed(frame, scene, meshes, *plates) : draw_own(frame, meshes);
     if (!drawn) return drawn;
-    const auto places = places_.as<std::uint32_t>();
-    std::transform(places.begin(), places.end(), places.begin(), mask_place);
+    turn_into_places(places_.as<std::uint32_t>());
     return {};
 }
 

@@ -79,6 +79,25 @@ TEST(MaskPlace, IsATexelAndTheWayToTheNext) {
     EXPECT_EQ(mask_place(packed(65535, 65535)), (94U * kAcross + 94U) << 16U | 0xFFFFU);
 }
 
+TEST(MaskPlace, IsThatOfEveryCoordinate) {
+    std::vector<std::uint32_t> coords;
+    for (std::uint32_t across = 0; across < 65536; ++across) {
+        const std::uint32_t down = across * 40503U & 0xFFFFU;
+        coords.push_back((across >> 8U) | ((across & 0xFFU) << 8U) | ((down >> 8U) << 16U) |
+                         (down & 0xFFU) << 24U);
+    }
+    std::vector<std::uint32_t> places = coords;
+    turn_into_places(places);
+    for (std::uint32_t across = 0; across < 65536; ++across) {
+        const double texels = across / 65535.0 * kAcross - 0.5;
+        const double steps = std::clamp(std::floor(texels * 256.0), 0.0, 256.0 * (kAcross - 1) - 1.0);
+        const std::uint32_t place = places[across];
+        ASSERT_EQ(place, mask_place(coords[across]));
+        ASSERT_EQ((place >> 16U) % kAcross * 256U + (place & 0xFFU), static_cast<std::uint32_t>(steps))
+            << across;
+    }
+}
+
 double light_of(double value) {
     return 0.35 * value * value / (1.0 - 0.8 * value * value);
 }
