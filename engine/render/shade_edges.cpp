@@ -25,13 +25,14 @@ bool is_border(const Texel& at) {
 // On one surface the next pixel lies in the same texel of the mask or not far from it, which nearly all do:
 // in the same row of texels or in the next.
 constexpr int kFarTexels = 3;
-[[gnu::always_inline]] inline bool may_be_another_thing(std::uint32_t place, std::uint32_t next) {
+[[gnu::always_inline]] inline unsigned may_be_another_thing(std::uint32_t place, std::uint32_t next) {
     const int apart = std::abs(static_cast<int>(place >> 16U) - static_cast<int>(next >> 16U));
-    return (apart >= kFarTexels) & (std::abs(apart - kAcross) >= kFarTexels);
+    const unsigned is_far = apart >= kFarTexels ? 1U : 0U;
+    return std::abs(apart - kAcross) >= kFarTexels ? is_far : 0U;
 }
 
 bool is_another_thing(std::uint32_t place, std::uint32_t next) {
-    if (!may_be_another_thing(place, next)) return false;
+    if (may_be_another_thing(place, next) == 0) return false;
     const Texel a = texel_of(place);
     const Texel b = texel_of(next);
     if (is_border(a) && is_border(b)) return false;

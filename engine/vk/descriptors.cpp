@@ -4,6 +4,20 @@
 #include "engine/vk/pipeline.h"
 
 namespace onggi::vk {
+namespace {
+
+// Of what, its writer adds.
+VkWriteDescriptorSet one_write(VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = type;
+    return write;
+}
+
+}  // namespace
 
 Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindings, std::string_view name) {
     std::vector<VkDescriptorSetLayoutBinding> layout_bindings;
@@ -49,12 +63,7 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
 void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type,
                   VkBuffer buffer) {
     const VkDescriptorBufferInfo info{buffer, 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = type;
+    VkWriteDescriptorSet write = one_write(set, binding, type);
     write.pBufferInfo = &info;
     vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
@@ -62,12 +71,7 @@ void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t bindi
 void write_image(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view,
                  VkSampler sampler) {
     const VkDescriptorImageInfo info{sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    VkWriteDescriptorSet write = one_write(set, binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
     write.pImageInfo = &info;
     vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
@@ -86,12 +90,7 @@ Result<BufferView> create_texels(const Device& device, VkBuffer buffer, VkFormat
 }
 
 void write_texels(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkBufferView view) {
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    VkWriteDescriptorSet write = one_write(set, binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
     write.pTexelBufferView = &view;
     vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
