@@ -86,6 +86,8 @@ TEST_F(MoverLight, OfTheKeyIsTheColoursAndAGleam) {
     mesh_.albedo = vec3(0.3F);
     // Straight on, at the roughest, the gleam is a quarter of what is mirrored.
     EXPECT_NEAR(colour()[0], shown(2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F);
+    mesh_.vertices[0].open_sky = 0;
+    EXPECT_NEAR(colour()[0], shown(0.55F * 2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F) << "in a corner";
     frame_.key_direction = vec4(0.0F, 0.0F, -1.0F, 0.05F);
     EXPECT_EQ(colour()[0], 0.0F) << "from behind";
 }

@@ -132,6 +132,8 @@ TEST_F(MoverPixels, ShowWhatIsNearest) {
     draw(sheet(0.5F, 50.0F), kSheet);
     EXPECT_EQ(at(30, 20) & 255U, 40U);
     EXPECT_EQ(depth_[0], 0.4F);
+    draw(sheet(0.4F, 80.0F), kSheet);
+    EXPECT_EQ(at(30, 20) & 255U, 40U) << "the first of two at one place";
     depth_[100] = 0.1F;
     draw(sheet(0.2F, 20.0F), kSheet);
     EXPECT_EQ(pixels_[99] & 255U, 20U);

@@ -125,6 +125,28 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
     }
 }
 
+TEST_F(ShadedTiles, ReadTheFourTexelsAboutTheirPlaceAndNoOthers) {
+    constexpr TileGrid kOne{kTileWidthPx, kTileHeightPx};
+    constexpr std::uint32_t kAcross = shaders::kMaskTexels;
+    for (std::uint32_t texel = 0; texel < kAcross * (kAcross - 1); texel += 31) {
+        if (texel % kAcross == kAcross - 1) continue;  // no place lies there
+        const std::vector<std::uint32_t> places(std::size_t{kTileWidthPx} * kTileHeightPx, texel << 16U);
+        const auto is_shaded = [&](std::uint32_t changed) {
+            tiles_.learn(kOne, places);
+            tiles_.take({}, rects_);
+            *now_ = *before_;
+            (*now_)[changed] = 0;
+            tiles_.note_mask(*before_, *now_);
+            tiles_.take({}, rects_);
+            return !rects_.empty();
+        };
+        for (const std::uint32_t read : {texel, texel + 1, texel + kAcross, texel + kAcross + 1})
+            ASSERT_TRUE(is_shaded(read)) << texel;
+        ASSERT_FALSE(texel >= kAcross && is_shaded(texel - kAcross)) << texel;
+        ASSERT_FALSE(texel % kAcross > 0 && is_shaded(texel - 1)) << texel;
+    }
+}
+
 TEST_F(ShadedTiles, ThatAreCoveredWaitUntilTheyAreSeen) {
     now_->fill(0);
     tiles_.note_mask(*before_, *now_);
