@@ -33,8 +33,8 @@ struct RendererDesc {
     Transfer transfer = Transfer::kExactSrgb;
     // Not at pixels: their triangles are hardly larger. When cached the processor draws them itself.
     bool lights_movers_at_vertices = false;
-    bool chooses_mover_faces = false;        // leaves out those that cannot be seen; a GPU does so by itself
-    int sectors = 128;                       // of a lathe, at most
+    bool chooses_mover_faces = false;  // leaves out those that cannot be seen; a GPU does so by itself
+    int sectors = 128;                 // of a lathe, at most
     float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly
     int max_rings = 256;           // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
