@@ -51,7 +51,7 @@ void EdgePass::record(const FrameContext& frame, const vk::TargetImage& target) 
     constexpr VkImageAspectFlags kColourAspect = VK_IMAGE_ASPECT_COLOR_BIT;
     vk::barrier(commands, target.image, kColourAspect, vk::state::kColour, vk::state::kCopySource);
     vk::barrier(commands, drawn, vk::state::kDiscard, vk::state::kCopyTarget);
-    copy_rects(commands, target.image, drawn.handle(), kColourAspect, frame.built.edge_rects);
+    copy_rects(commands, target.image, drawn.handle(), frame.built.edge_rects);
     vk::barrier(commands, drawn, vk::state::kCopyTarget, vk::state::kSampled);
     vk::barrier(commands, target.image, kColourAspect, vk::state::kCopySource, vk::state::kColour);
     vk::barrier(commands, frame.images.depth, vk::state::kDepth, vk::state::kDepth);

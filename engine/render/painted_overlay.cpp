@@ -84,14 +84,6 @@ Result<void> PaintedOverlay::fit(const FrameContext& frame, const Overlay* overl
     return {};
 }
 
-Result<void> PaintedOverlay::record(const FrameContext& frame, const vk::TargetImage& target) {
-    const std::span<const std::uint64_t> content = tiles_.content();
-    wanted_.assign(content.size(), 0);
-    for (std::size_t tile = 0; tile < content.size(); ++tile)
-        wanted_[tile] = content[tile] != 0 ? 1 : 0;
-    return record(frame, target, wanted_);
-}
-
 Result<void> PaintedOverlay::record(const FrameContext& frame, const vk::TargetImage& target,
                                     std::span<const std::uint8_t> tiles) {
     if (tiles_.content().empty()) return {};

@@ -31,8 +31,6 @@ class PaintedOverlay {
     // Nothing else may want the corners' buffer between here and the end of the frame.
     Result<void> record(const FrameContext& frame, const vk::TargetImage& target,
                         std::span<const std::uint8_t> tiles);
-    // All tiles on which something lies.
-    Result<void> record(const FrameContext& frame, const vk::TargetImage& target);
 
   private:
     Result<void> fit_picture(const FrameContext& frame);

@@ -45,15 +45,14 @@ void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::span<const Pas
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
 }
 
-void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
-                std::span<const PixelRect> rects) {
+void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, std::span<const PixelRect> rects) {
     if (rects.empty()) return;
     std::vector<VkImageCopy> regions;
     regions.reserve(rects.size());
     for (const PixelRect& rect : rects) {
         VkImageCopy region{};
-        region.srcSubresource = {aspect, 0, 0, 1};
-        region.dstSubresource = {aspect, 0, 0, 1};
+        region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.dstSubresource = region.srcSubresource;
         region.srcOffset = {rect.x, rect.y, 0};
         region.dstOffset = region.srcOffset;
         region.extent = {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height), 1};

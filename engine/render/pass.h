@@ -30,9 +30,8 @@ inline void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initial
     begin_pass(commands, extent, std::span(colours.begin(), colours.size()), depth);
 }
 
-// The parts of both images inside the rectangles; laid out as copy source and copy target.
-void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
-                std::span<const PixelRect> rects);
+// The parts of both colour images inside the rectangles; laid out as copy source and copy target.
+void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, std::span<const PixelRect> rects);
 
 // Depth out of a buffer, rows of this width of a float a pixel, into an image that is laid out to be copied
 // into.

@@ -107,11 +107,11 @@ void ShadeEdges::find(int width, std::span<const std::uint32_t> places) {
     edges_.clear();
     row_begins_.assign(1, 0);
     width_ = width;
-    height_ = static_cast<int>(places.size()) / std::max(width, 1);
-    if (height_ == 0) return;
+    const int height = static_cast<int>(places.size()) / std::max(width, 1);
+    if (height == 0) return;
     const std::vector<std::uint8_t> may_be = look_roughly(static_cast<std::size_t>(width), places);
-    for (int y = 0; y < height_; ++y) {
-        if (y >= kReach && y + kReach < height_) {
+    for (int y = 0; y < height; ++y) {
+        if (y >= kReach && y + kReach < height) {
             const std::uint8_t* const row = may_be.data() + static_cast<std::ptrdiff_t>(y) * width_;
             for (int x = kReach; x + kReach < width_; ++x) {
                 if (row[x] != 0) find_at(x, y, places);

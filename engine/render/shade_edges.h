@@ -41,7 +41,6 @@ class ShadeEdges {
     void find_at(int x, int y, std::span<const std::uint32_t> places);
 
     int width_ = 0;
-    int height_ = 0;
     std::vector<Edge> edges_;              // row by row
     std::vector<std::size_t> row_begins_;  // one more than there are rows
     std::vector<Mixed> mixed_;
