@@ -4,6 +4,7 @@
 
 #include "engine/render/bend_rows.h"
 #include "engine/render/bend_shapes.h"
+#include "engine/render/wide_vectors.h"
 
 namespace onggi::render {
 namespace {
@@ -273,14 +274,6 @@ struct Shade {
     }
 }
 
-using BendRelief = void (*)(std::span<const ReliefCorner>, std::span<const Quad>, const BentPicture&);
-using BendSurface = void (*)(std::span<const SurfaceCorner>, std::span<const Corners>, const BentPicture&);
-
-struct Bends {
-    BendRelief relief;
-    BendSurface surface;
-};
-
 void relief_plain(std::span<const ReliefCorner> corners, std::span<const Quad> quads,
                   const BentPicture& picture) {
     bend_all(corners, quads, picture);
@@ -290,41 +283,27 @@ void surface_plain(std::span<const SurfaceCorner> corners, std::span<const Corne
     bend_all(corners, triangles, picture);
 }
 
-#if defined(__x86_64__)
-// The same lines with better instructions; without fused multiply-add, so the same bits.
-[[gnu::target("avx2")]] void relief_avx2(std::span<const ReliefCorner> corners, std::span<const Quad> quads,
-                                         const BentPicture& picture) {
+ONGGI_WIDE_VECTORS void relief_wide(std::span<const ReliefCorner> corners, std::span<const Quad> quads,
+                                    const BentPicture& picture) {
     bend_all(corners, quads, picture);
 }
-[[gnu::target("avx2")]] void surface_avx2(std::span<const SurfaceCorner> corners,
-                                          std::span<const Corners> triangles, const BentPicture& picture) {
+ONGGI_WIDE_VECTORS void surface_wide(std::span<const SurfaceCorner> corners,
+                                     std::span<const Corners> triangles, const BentPicture& picture) {
     bend_all(corners, triangles, picture);
-}
-Bends best_for_this_processor() {
-    if (__builtin_cpu_supports("avx2") != 0) return {relief_avx2, surface_avx2};
-    return {relief_plain, surface_plain};
-}
-#else
-Bends best_for_this_processor() {
-    return {relief_plain, surface_plain};
-}
-#endif
-
-const Bends& best() {
-    static const Bends found = best_for_this_processor();
-    return found;
 }
 
 }  // namespace
 
 void bend_relief(std::span<const ReliefCorner> corners, std::span<const Quad> quads,
                  const BentPicture& picture) {
-    best().relief(corners, quads, picture);
+    static auto* const best = best_of(relief_plain, relief_wide);
+    best(corners, quads, picture);
 }
 
 void bend_surface(std::span<const SurfaceCorner> corners, std::span<const Corners> triangles,
                   const BentPicture& picture) {
-    best().surface(corners, triangles, picture);
+    static auto* const best = best_of(surface_plain, surface_wide);
+    best(corners, triangles, picture);
 }
 
 }  // namespace onggi::render

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/render/wide_vectors.h"
+
 namespace onggi::render {
 namespace {
 
@@ -48,33 +50,21 @@ namespace {
     }
 }
 
-using Enlarge = void (*)(std::span<const std::uint32_t>, std::size_t, std::size_t, std::uint32_t*);
-
 void enlarge_plain(std::span<const std::uint32_t> from, std::size_t width, std::size_t height,
                    std::uint32_t* into) {
     enlarge(from, width, height, into);
 }
 
-#if defined(__x86_64__)
-// The same lines, eight pixels at a time.
-[[gnu::target("avx2")]] void enlarge_avx2(std::span<const std::uint32_t> from, std::size_t width,
-                                          std::size_t height, std::uint32_t* into) {
+ONGGI_WIDE_VECTORS void enlarge_wide(std::span<const std::uint32_t> from, std::size_t width,
+                                     std::size_t height, std::uint32_t* into) {
     enlarge(from, width, height, into);
 }
-Enlarge best_for_this_processor() {
-    return __builtin_cpu_supports("avx2") != 0 ? enlarge_avx2 : enlarge_plain;
-}
-#else
-Enlarge best_for_this_processor() {
-    return enlarge_plain;
-}
-#endif
 
 }  // namespace
 
 void enlarge_pixels(std::span<const std::uint32_t> from, int width, int height,
                     std::span<std::uint32_t> into) {
-    static const Enlarge best = best_for_this_processor();
+    static auto* const best = best_of(enlarge_plain, enlarge_wide);
     best(from, static_cast<std::size_t>(width), static_cast<std::size_t>(height), into.data());
 }
 

@@ -211,7 +211,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     frame = {};
     built.faces.clear();
     built.section_first = built.section_count = 0;
-    built.shows_load = false;
+    built.shows_load = built.is_drawn_by_host = false;
     built.rows.clear();
     built.vertices.clear();
     built.edges.clear();

@@ -39,6 +39,7 @@ struct BuiltFrame {
     std::vector<std::uint8_t> moving_tiles;
     std::vector<PixelRect> moving_rects;
     std::vector<PixelRect> edge_rects;
+    bool is_drawn_by_host = false;  // all that moves, see HostMoving
     // Where the host draws hands and tools; empty: the device does. And the other moving ones.
     std::vector<std::uint8_t> mover_tiles;
     std::vector<PixelRect> beside_mover_rects;

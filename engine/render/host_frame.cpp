@@ -44,9 +44,19 @@ void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::spa
 
 Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage& target,
                                const HostPicture& picture, const PaintedOverlay& overlay) {
+    // A picture that is made anew every frame holds what moves as it does all else.
+    const bool is_anew = picture.is_whole && picture.instead == nullptr;
+    const std::span<const std::uint8_t> moving = is_anew ? std::span<const std::uint8_t>{} : picture.moving;
     targets_.held_by(target).take_work(
-        {.picture = picture.numbers, .moving = picture.moving, .overlay = overlay.content()}, work_);
+        {.picture = picture.numbers, .moving = moving, .overlay = overlay.content()}, work_);
     const TileGrid grid = grid_of(frame);
+    if (picture.is_whole && any(work_.drawn_over)) {
+        rects_of_tiles(grid, work_.drawn_over, rects_);
+        const auto pixels = picture.instead->as<std::uint32_t>();
+        for (const PixelRect& rect : rects_)
+            lay_over(overlay.painted().as<const std::uint32_t>(), pixels, rect, grid.width_px, pixels);
+        std::fill(work_.drawn_over.begin(), work_.drawn_over.end(), std::uint8_t{0});
+    }
     if (any(work_.laid_over)) {
         if (auto made = vk::make_room(frame.device, laid_, "still life with the overlay",
                                       picture.pixels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT);

@@ -23,6 +23,7 @@ struct HostPicture {
     // null: none.
     const vk::Buffer* instead = nullptr;
     std::span<const std::uint8_t> instead_on{};
+    bool is_whole = false;  // what moves is in it: the overlay may be laid on it, too
 };
 
 class HostFrame {

@@ -160,7 +160,7 @@ void HostGlide::record_depth(const FrameContext& frame) const {
                frame.built.moving_rects);
 }
 
-MoverCanvas HostGlide::canvas(const FrameContext& frame) const {
+PictureCanvas HostGlide::canvas(const FrameContext& frame) const {
     return {.size = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
             .pixels = picture_.as<std::uint32_t>(),
             .depth = depth_.as<float>()};

@@ -32,7 +32,7 @@ class HostGlide {
         return {picture_, numbers_, frame.built.moving_tiles};
     }
     // The same, for hands and tools to be drawn into.
-    [[nodiscard]] MoverCanvas canvas(const FrameContext& frame) const;
+    [[nodiscard]] PictureCanvas canvas(const FrameContext& frame) const;
     // Its depth, where something moves, into the frame's, which is laid out to be copied into.
     void record_depth(const FrameContext& frame) const;
 

@@ -87,11 +87,13 @@ float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2
     return open / kSkyRays;
 }
 
-float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float angle_rad,
-                     const KeyRay& key) {
+namespace {
+
+// flat: how far the light goes across while it goes by 1; cosine: of the angle from its azimuth.
+float past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float cosine, float flat,
+                 const KeyRay& key) {
     constexpr int kSteps = 16;
-    const float flat = std::hypot(key.towards_light.x, key.towards_light.z);
-    const float x = place.x * std::cos(angle_rad);
+    const float x = place.x * cosine;
     const float z2 = place.x * place.x - x * x;
     const float reach = std::max(samples.height_mm - place.y, 0.1F) / std::max(key.towards_light.y, 0.05F);
     float least = 1e3F;
@@ -110,9 +112,20 @@ float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, fl
     return smooth_step(-key.tangent, key.tangent, least);
 }
 
+float across(const KeyRay& key) {
+    return std::hypot(key.towards_light.x, key.towards_light.z);
+}
+
+}  // namespace
+
+float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float angle_rad,
+                     const KeyRay& key) {
+    return past_lathe(samples, face, place, std::cos(angle_rad), across(key), key);
+}
+
 void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 normal, const KeyRay& key,
                  KeyColumns& columns) {
-    const float flat = std::hypot(key.towards_light.x, key.towards_light.z);
+    const float flat = across(key);
     const KeyColumns& cosines = column_cosines();
     // From a little off the wall, or it would hide itself.
     const vec2 from = place + 0.5F * normal;
@@ -120,8 +133,7 @@ void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 n
         const float cosine = normal.x * flat * cosines[i] + normal.y * key.towards_light.y;
         // What faces away is dark without a shadow; a soft edge of light must still fade into it.
         const bool may_be_lit = cosine > -0.35F;
-        const float angle = 0.5F * kTurn * static_cast<float>(i) / (kKeyColumns - 1);
-        columns[i] = may_be_lit ? key_past_lathe(samples, face, from, angle, key)
+        columns[i] = may_be_lit ? past_lathe(samples, face, from, cosines[i], flat, key)
                                 : (face == LatheFace::kOuter ? 1.0F : 0.0F);
     }
 }

@@ -1,6 +1,9 @@
 // The clay: a pot drawn from its rings, with what it needs on the device. Main thread.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "engine/core/result.h"
 #include "engine/render/frame_context.h"
 
@@ -10,6 +13,9 @@ class LathePass {
   public:
     Result<void> create(const FrameContext& frame);
     void upload(FrameContext& frame) const;
+
+    // Its texels of slip, four bytes each, see coarser_detail().
+    [[nodiscard]] std::span<const std::uint32_t> slip() const { return slip_.as<const std::uint32_t>(); }
 
     // The lathe, inside the caller's pass.
     void draw(const FrameContext& frame) const;

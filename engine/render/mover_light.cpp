@@ -2,24 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <span>
 
+#include "engine/render/light_lanes.h"
+#include "engine/render/wide_vectors.h"
+
 namespace onggi::render {
 namespace {
 
-// Vertices that are lit side by side; every loop over them is one the compiler makes vectors of.
-constexpr std::size_t kLanes = 64;
-using Lanes = std::array<float, kLanes>;
-struct Lanes3 {
-    Lanes x;
-    Lanes y;
-    Lanes z;
-};
+using lanes::Corners3;
+using lanes::kLanes;
+using lanes::Lanes;
+using lanes::Lanes3;
+using lanes::mixed;
 
 struct Block {
     Lanes3 place;  // mm
@@ -41,28 +40,12 @@ struct Answer {
     std::array<Lanes, 3> soft;  // diffuse
 };
 
-[[gnu::always_inline]] inline float mixed(float a, float b, float share) {
-    return a + (b - a) * share;
-}
-
-// e to a number that is not above 0: powers of two are put together from their bits, and what is left is a
-// series of seven terms, wrong by less than 2e-5.
-[[gnu::always_inline]] inline float exp_below_0(float number) {
-    constexpr float kLeast = -87.0F;
-    const float clamped = number > kLeast ? number : kLeast;
-    const int twos = static_cast<int>(clamped * std::numbers::log2e_v<float>);
-    const float t = clamped - static_cast<float>(twos) * std::numbers::ln2_v<float>;
-    const float series =
-        1.0F +
-        t * (1.0F + t / 2.0F * (1.0F + t / 3.0F * (1.0F + t / 4.0F * (1.0F + t / 5.0F * (1.0F + t / 6.0F)))));
-    return series * std::bit_cast<float>((twos + 127) << 23);
-}
-
-[[gnu::always_inline]] inline void load(std::span<const MoverMesh::Vertex> vertices, const mat4& place,
+[[gnu::always_inline]] inline void load(std::span<const MoverMesh::Vertex> vertices,
+                                        std::span<const std::uint32_t> numbers, const mat4& place,
                                         Block& block) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const MoverMesh::Vertex& vertex = vertices[std::min(i, vertices.size() - 1)];
+        const MoverMesh::Vertex& vertex = vertices[numbers[std::min(i, numbers.size() - 1)]];
         block.place.x[i] = vertex.position_mm.x;
         block.place.y[i] = vertex.position_mm.y;
         block.place.z[i] = vertex.position_mm.z;
@@ -139,58 +122,6 @@ struct Answer {
     }
 }
 
-// sky_diffuse() of shaders/sky.glsl.
-[[gnu::always_inline]] inline void light_softly(const shaders::FrameData& frame, const Lanes3& n, int channel,
-                                                Lanes& into) {
-    const auto term = [&](std::size_t number) { return frame.irradiance[number][channel]; };
-    const std::array<float, 9> of{term(0), term(1), term(2), term(3), term(4),
-                                  term(5), term(6), term(7), term(8)};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = n.x[i];
-        const float y = n.y[i];
-        const float z = n.z[i];
-        const float light = of[0] + of[1] * y + of[2] * z + of[3] * x + of[4] * (x * y) + of[5] * (y * z) +
-                            of[6] * (3.0F * z * z - 1.0F) + of[7] * (x * z) + of[8] * (x * x - y * y);
-        into[i] = std::max(light, 0.0F);
-    }
-}
-
-// sky_radiance() of shaders/sky.glsl.
-[[gnu::always_inline]] inline void mirror_sky(const shaders::FrameData& frame, const Lanes3& towards,
-                                              const Lanes& roughness, std::array<Lanes, 3>& into) {
-    for (int channel = 0; channel < 3; ++channel) {
-        const float horizon = frame.sky_horizon[channel];
-        const float zenith = frame.sky_zenith[channel];
-        const float nadir = frame.sky_nadir[channel];
-        Lanes& light = into[static_cast<std::size_t>(channel)];
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float height = std::min(std::abs(towards.y[i]), 1.0F);
-            const float share = height * height * (3.0F - 2.0F * height);
-            light[i] = mixed(horizon, towards.y[i] > 0.0F ? zenith : nadir, share);
-        }
-    }
-    for (int panel = 0; panel < shaders::kPanels; ++panel) {
-        const vec4 direction = frame.panel_direction[panel];
-        const vec4 radiance = frame.panel_radiance[panel];
-        const float sharpness = direction.w;
-        Lanes weight;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float alpha = roughness[i] * roughness[i];
-            const float blur = 2.0F / std::max(alpha * alpha, 1e-4F);
-            const float soft = sharpness * blur / (sharpness + blur);
-            const float cosine =
-                direction.x * towards.x[i] + direction.y * towards.y[i] + direction.z * towards.z[i];
-            weight[i] = soft / sharpness * exp_below_0(soft * (std::min(cosine, 1.0F) - 1.0F));
-        }
-        for (int channel = 0; channel < 3; ++channel) {
-            const float of = radiance[channel];
-            Lanes& light = into[static_cast<std::size_t>(channel)];
-            for (std::size_t i = 0; i < kLanes; ++i)
-                light[i] += of * weight[i];
-        }
-    }
-}
-
 // soft_cosine() and ggx() of shaders/surface.glsl, as mover_light() of shaders/mover.glsl has them.
 [[gnu::always_inline]] inline void answer_key(const vec3& light, const Block& block, const Lanes3& v,
                                               Answer& answer) {
@@ -245,9 +176,10 @@ struct Answer {
         mirrored.y[i] = twice * block.normal.y[i] - v.y[i];
         mirrored.z[i] = twice * block.normal.z[i] - v.z[i];
     }
-    mirror_sky(view.frame, mirrored, answer.roughness, answer.sky);
+    lanes::mirror_sky(view.frame, mirrored, answer.roughness, answer.sky);
     for (int channel = 0; channel < 3; ++channel)
-        light_softly(view.frame, block.normal, channel, answer.soft[static_cast<std::size_t>(channel)]);
+        lanes::light_softly(view.frame, block.normal, channel,
+                            answer.soft[static_cast<std::size_t>(channel)]);
     shade_by_lathe(view, block, answer.key);
     answer_key(vec3(view.frame.key_direction), block, v, answer);
 }
@@ -278,96 +210,49 @@ struct Answer {
     }
 }
 
-// In the steps that a device has between two pixels, so that a shape covers the same ones as if it drew it.
-[[gnu::always_inline]] inline float in_steps(float px) {
-    constexpr float kSteps = 256.0F;
-    constexpr float kFarPx = 16384.0F;  // beyond any picture; twice as much in steps is a whole number yet
-    const float from_far = std::min(std::max(px + kFarPx, 0.0F), 2.0F * kFarPx);
-    return static_cast<float>(static_cast<int>(from_far * kSteps + 0.5F)) / kSteps - kFarPx;
-}
-
-struct Corners3 {
-    Lanes3 at;  // px, and depth
-    Lanes away_mm;
-};
-
-[[gnu::always_inline]] inline void project(const shaders::FrameData& frame, const Lanes3& place,
-                                           Corners3& corners) {
-    const mat4& matrix = frame.view_projection;
-    const vec2 half = 0.5F * vec2(frame.picture);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float px = place.x[i];
-        const float py = place.y[i];
-        const float pz = place.z[i];
-        const float x = matrix[0][0] * px + matrix[1][0] * py + matrix[2][0] * pz + matrix[3][0];
-        const float y = matrix[0][1] * px + matrix[1][1] * py + matrix[2][1] * pz + matrix[3][1];
-        const float z = matrix[0][2] * px + matrix[1][2] * py + matrix[2][2] * pz + matrix[3][2];
-        const float w = matrix[0][3] * px + matrix[1][3] * py + matrix[2][3] * pz + matrix[3][3];
-        const bool is_before = w > 0.0F && z >= 0.0F;  // the nearest plane
-        const float share = 1.0F / (is_before ? w : 1.0F);
-        corners.at.x[i] = in_steps(half.x * (x * share + 1.0F));
-        corners.at.y[i] = in_steps(half.y * (y * share + 1.0F));
-        corners.at.z[i] = z * share;
-        corners.away_mm[i] = is_before ? w : 0.0F;
-    }
-}
-
-[[gnu::always_inline]] inline void light_all(const MoverMesh& mesh, const Mover& mover, const MoverView& view,
-                                             MoverCorner* into) {
+[[gnu::always_inline]] inline void light_all(const MoverMesh& mesh, std::span<const std::uint32_t> numbers,
+                                             const Mover& mover, const MoverView& view, MoverCorner* into) {
     const bool is_red_first = view.order == ByteOrder::kRedFirst;
-    const std::span<const MoverMesh::Vertex> vertices(mesh.vertices);
     Block block;
     Answer answer;
     Corners3 corners;
     std::array<Lanes, 3> shown;
-    for (std::size_t first = 0; first < vertices.size(); first += kLanes) {
-        load(vertices.subspan(first), mover.place, block);
+    for (std::size_t first = 0; first < numbers.size(); first += kLanes) {
+        const auto own = numbers.subspan(first, std::min(kLanes, numbers.size() - first));
+        load(mesh.vertices, own, mover.place, block);
         answer_light(mesh, mover, view, block, answer);
         for (int channel = 0; channel < 3; ++channel) {
             const int at = is_red_first ? channel : 2 - channel;
             colour(mesh, mover, view, block, answer, channel, shown[static_cast<std::size_t>(at)]);
         }
-        project(view.frame, block.place, corners);
-        const std::size_t count = std::min(kLanes, vertices.size() - first);
-        for (std::size_t i = 0; i < count; ++i) {
-            into[first + i] = {.at_px = {corners.at.x[i], corners.at.y[i]},
-                               .away_mm = corners.away_mm[i],
-                               .depth = corners.at.z[i],
-                               .values = {shown[0][i], shown[1][i], shown[2][i]}};
+        lanes::project(view.frame, block.place, corners);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            into[own[i]] = {.at_px = {corners.at.x[i], corners.at.y[i]},
+                            .away_mm = corners.away_mm[i],
+                            .depth = corners.at.z[i],
+                            .values = {shown[0][i], shown[1][i], shown[2][i]}};
         }
     }
 }
 
-using LightAll = void (*)(const MoverMesh&, const Mover&, const MoverView&, MoverCorner*);
-
-void light_plain(const MoverMesh& mesh, const Mover& mover, const MoverView& view, MoverCorner* into) {
-    light_all(mesh, mover, view, into);
+void light_plain(const MoverMesh& mesh, std::span<const std::uint32_t> numbers, const Mover& mover,
+                 const MoverView& view, MoverCorner* into) {
+    light_all(mesh, numbers, mover, view, into);
 }
 
-#if defined(__x86_64__)
-// The same lines, eight lanes at a time; without fused multiply-add, so the same bits.
-[[gnu::target("avx2")]] void light_avx2(const MoverMesh& mesh, const Mover& mover, const MoverView& view,
-                                        MoverCorner* into) {
-    light_all(mesh, mover, view, into);
+ONGGI_WIDE_VECTORS void light_wide(const MoverMesh& mesh, std::span<const std::uint32_t> numbers,
+                                   const Mover& mover, const MoverView& view, MoverCorner* into) {
+    light_all(mesh, numbers, mover, view, into);
 }
-
-LightAll best_for_this_processor() {
-    return __builtin_cpu_supports("avx2") != 0 ? light_avx2 : light_plain;
-}
-#else
-LightAll best_for_this_processor() {
-    return light_plain;
-}
-#endif
 
 }  // namespace
 
-void light_corners(const MoverMesh& mesh, const Mover& mover, const MoverView& view,
-                   std::vector<MoverCorner>& corners) {
-    static const LightAll best = best_for_this_processor();
+void light_corners(const MoverMesh& mesh, std::span<const std::uint32_t> indices, const Mover& mover,
+                   const MoverView& view, std::vector<MoverCorner>& corners) {
+    static auto* const best = best_of(light_plain, light_wide);
     const std::size_t first = corners.size();
     corners.resize(first + mesh.vertices.size());
-    if (!mesh.vertices.empty()) best(mesh, mover, view, corners.data() + first);
+    best(mesh, lanes::vertices_of(indices, mesh.vertices.size()), mover, view, corners.data() + first);
 }
 
 }  // namespace onggi::render

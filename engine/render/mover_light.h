@@ -2,6 +2,8 @@
 // vertices, for a device that is the processor. Any thread; pure. mm, pixels.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/render/lathe_profile.h"
@@ -17,9 +19,10 @@ struct MoverView {
     ByteOrder order = ByteOrder::kRedFirst;
 };
 
-// Appends a corner for each vertex of one of the mover's meshes, with colours as the square-root transfer
-// shows them. A processor without wider vectors finds the same bits.
-void light_corners(const MoverMesh& mesh, const Mover& mover, const MoverView& view,
-                   std::vector<MoverCorner>& corners);
+// Appends a corner for each vertex of one of the mover's meshes, of which those are good that these triangles
+// need, with colours as the square-root transfer shows them. A processor without wider vectors finds the same
+// bits.
+void light_corners(const MoverMesh& mesh, std::span<const std::uint32_t> indices, const Mover& mover,
+                   const MoverView& view, std::vector<MoverCorner>& corners);
 
 }  // namespace onggi::render

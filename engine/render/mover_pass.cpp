@@ -32,7 +32,7 @@ shaders::MoverDraw mover_draw(const Mover& mover, const MoverMesh& mesh) {
 }  // namespace
 
 Result<void> MoverPass::create(const FrameContext& frame) {
-    if (!paints_movers(frame.desc)) {
+    if (!frame.desc.cached) {
         if (auto created = create_pipeline(frame); !created) return created;
     }
     StillLife ball;
@@ -90,7 +90,7 @@ Result<void> MoverPass::upload(FrameContext& frame, const Scene& scene) {
             chosen_.push_back({first, static_cast<std::uint32_t>(chosen_indices_.size()) - first});
         }
     }
-    if (chosen_indices_.empty() || paints_movers(frame.desc)) return {};
+    if (chosen_indices_.empty() || frame.desc.cached) return {};
     const auto bytes = std::as_bytes(std::span(chosen_indices_));
     if (auto made = vk::make_room(frame.device, chosen_buffer_, "hands' and tools' faces", bytes.size(),
                                   VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
@@ -114,7 +114,7 @@ void MoverPass::draw(const FrameContext& frame, const Scene& scene) const {
                             mesh_draw(ball.material, ball.centre_mm, ball.radius_mm));
         }
     }
-    if (!paints_movers(frame.desc)) draw_models(frame, scene);
+    if (!frame.desc.cached) draw_models(frame, scene);
 }
 
 void MoverPass::draw_models(const FrameContext& frame, const Scene& scene) const {

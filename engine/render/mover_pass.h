@@ -13,11 +13,6 @@
 
 namespace onggi::render {
 
-// Whether the processor draws hands and tools itself, see HostMovers.
-[[nodiscard]] inline bool paints_movers(const RendererDesc& desc) {
-    return desc.cached && desc.lights_movers_at_vertices;
-}
-
 class MoverPass {
   public:
     Result<void> create(const FrameContext& frame);

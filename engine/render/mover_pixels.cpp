@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstring>
 
+#include "engine/render/pixel_blocks.h"
+#include "engine/render/wide_vectors.h"
+
 namespace onggi::render {
 namespace {
 
@@ -13,12 +16,11 @@ using shapes::Reach;
 using shapes::Shape;
 using shapes::Slope;
 
-// Pixels that are drawn side by side.
-constexpr int kBlock = 8;
-using Block [[gnu::vector_size(32)]] = float;
-using Ints [[gnu::vector_size(32)]] = int;
-constexpr Ints kNumbers{0, 1, 2, 3, 4, 5, 6, 7};
-constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
+using blocks::Block;
+using blocks::Ints;
+using blocks::kBlock;
+using blocks::kNumbers;
+using blocks::kOpaque;
 
 // Adds one channel of a block at its place in the pixels.
 [[gnu::always_inline]] inline void add_channel(const Slope& slope, const Block& numbers, int shift,
@@ -32,12 +34,11 @@ constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
 }
 
 // A row of a shape from `first` on, which is a pixel of the canvas. What lies beside the row inside a block
-// is written as it was. Blocks lie where others have lain: a processor is quick to read what it has just
-// written only if it is the same piece of memory.
+// is written as it was.
 [[gnu::always_inline]] inline void draw_row(const std::array<Slope, 4>& slopes, std::ptrdiff_t first,
-                                            int count, const MoverCanvas& canvas) {
+                                            int count, const PictureCanvas& canvas) {
     const auto last = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kBlock;
-    for (std::ptrdiff_t block = first / kBlock * kBlock; block < first + count; block += kBlock) {
+    for (std::ptrdiff_t block = first; block < first + count; block += kBlock) {
         const std::ptrdiff_t at = std::min(block, last);
         const Ints numbers = kNumbers + static_cast<int>(at - first);
         const Block in_row = __builtin_convertvector(numbers, Block);
@@ -59,11 +60,12 @@ constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
 }
 
 [[gnu::always_inline]] inline void draw(const Shape<3>& shape, const Reach& reach,
-                                        const MoverCanvas& canvas) {
+                                        const PictureCanvas& canvas) {
     for (int y = reach.top; y < reach.end; ++y) {
         const int left = reach.left[static_cast<std::size_t>(y)];
         const int count = reach.right[static_cast<std::size_t>(y)] - left;
         if (count <= 0) continue;
+        shapes::fetch_ahead(canvas, left, y);
         draw_row({shape.slope(0, left, y), shape.slope(1, left, y), shape.slope(2, left, y),
                   shape.slope(3, left, y)},
                  static_cast<std::ptrdiff_t>(y) * canvas.size.width + left, count, canvas);
@@ -82,7 +84,7 @@ std::array<const MoverCorner*, 3> triangle(std::span<const MoverCorner> corners,
 
 [[gnu::always_inline]] inline void draw_all(std::span<const MoverCorner> corners,
                                             std::span<const std::uint32_t> indices,
-                                            const MoverCanvas& canvas) {
+                                            const PictureCanvas& canvas) {
     if (canvas.pixels.size() < kBlock) return;
     Reach reach(canvas.size);
     Shape<3> shape;
@@ -98,34 +100,21 @@ std::array<const MoverCorner*, 3> triangle(std::span<const MoverCorner> corners,
     }
 }
 
-using DrawAll = void (*)(std::span<const MoverCorner>, std::span<const std::uint32_t>, const MoverCanvas&);
-
 void draw_plain(std::span<const MoverCorner> corners, std::span<const std::uint32_t> indices,
-                const MoverCanvas& canvas) {
+                const PictureCanvas& canvas) {
     draw_all(corners, indices, canvas);
 }
 
-#if defined(__x86_64__)
-// The same lines with better instructions; without fused multiply-add, so the same bits.
-[[gnu::target("avx2")]] void draw_avx2(std::span<const MoverCorner> corners,
-                                       std::span<const std::uint32_t> indices, const MoverCanvas& canvas) {
+ONGGI_WIDE_VECTORS void draw_wide(std::span<const MoverCorner> corners,
+                                  std::span<const std::uint32_t> indices, const PictureCanvas& canvas) {
     draw_all(corners, indices, canvas);
 }
-
-DrawAll best_for_this_processor() {
-    return __builtin_cpu_supports("avx2") != 0 ? draw_avx2 : draw_plain;
-}
-#else
-DrawAll best_for_this_processor() {
-    return draw_plain;
-}
-#endif
 
 }  // namespace
 
 void draw_triangles(std::span<const MoverCorner> corners, std::span<const std::uint32_t> indices,
-                    const MoverCanvas& canvas) {
-    static const DrawAll best = best_for_this_processor();
+                    const PictureCanvas& canvas) {
+    static auto* const best = best_of(draw_plain, draw_wide);
     best(corners, indices, canvas);
 }
 

@@ -14,18 +14,11 @@ namespace onggi::render {
 // Its values are three channels in the picture's byte order, 0 to 255, spread evenly between the corners.
 using MoverCorner = PictureCorner<3>;
 
-// What is drawn into, row by row.
-struct MoverCanvas {
-    PictureSize size;
-    std::span<std::uint32_t> pixels;  // alpha highest
-    std::span<float> depth;           // as the device has it, of what is there already
-};
-
 // Draws triangles, three indices of corners each, where nothing that is there is as near; those with a corner
 // behind the eye are left out. A processor without wider vectors draws the same bits. A canvas of fewer than
 // eight pixels stays as it is: nobody sees what is in it.
 void draw_triangles(std::span<const MoverCorner> corners, std::span<const std::uint32_t> indices,
-                    const MoverCanvas& canvas);
+                    const PictureCanvas& canvas);
 
 // Wants the tiles in which they may be drawn.
 void want_triangles(std::span<const MoverCorner> corners, std::span<const std::uint32_t> indices,

@@ -314,7 +314,8 @@ void lay_over(std::span<const std::uint32_t> painted, std::span<const std::uint3
         const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
                            static_cast<std::size_t>(inside.x);
         const auto count = static_cast<std::size_t>(inside.width);
-        std::memcpy(into.data() + first, under.data() + first, count * sizeof(std::uint32_t));
+        if (into.data() != under.data())
+            std::memcpy(into.data() + first, under.data() + first, count * sizeof(std::uint32_t));
         lay_row(into.data() + first, count, [&](std::size_t at, std::size_t bytes) {
             Words over{};
             std::memcpy(&over, painted.data() + first + at, bytes);

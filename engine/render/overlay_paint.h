@@ -27,7 +27,7 @@ struct OverlayPainting {
 void paint_overlay(const OverlayPainting& painting, const PixelRect& inside, int width_px,
                    std::span<std::uint32_t> into);
 
-// What was painted, laid over another picture of the same width.
+// What was painted, laid over another picture of the same width; `into` may be that picture.
 void lay_over(std::span<const std::uint32_t> painted, std::span<const std::uint32_t> under,
               const PixelRect& inside, int width_px, std::span<std::uint32_t> into);
 

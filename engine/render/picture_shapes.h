@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/math/math.h"
@@ -17,6 +18,13 @@ namespace onggi::render {
 struct PictureSize {
     int width = 0;
     int height = 0;
+};
+
+// What is drawn into, row by row.
+struct PictureCanvas {
+    PictureSize size;
+    std::span<std::uint32_t> pixels;  // alpha highest
+    std::span<float> depth;           // as the device has it, of what is there already
 };
 
 // A corner of a shape, with what grows evenly from it to the next.
@@ -142,6 +150,18 @@ template <std::size_t kValues>
         shape.across[i] = of_a * b.y - of_b * a.y;
         shape.down[i] = of_b * a.x - of_a * b.x;
     }
+}
+
+// Asks for what a shape will draw over some rows later: they are too far apart for a processor to guess the
+// next.
+[[gnu::always_inline]] inline void fetch_ahead(const PictureCanvas& canvas, int x, int y) {
+    constexpr std::size_t kRows = 3;
+    const std::size_t at =
+        (static_cast<std::size_t>(y) + kRows) * static_cast<std::size_t>(canvas.size.width) +
+        static_cast<std::size_t>(x);
+    if (at >= canvas.pixels.size()) return;
+    __builtin_prefetch(canvas.pixels.data() + at, 1);
+    __builtin_prefetch(canvas.depth.data() + at, 1);
 }
 
 constexpr float kNoArea = 1e-5F;

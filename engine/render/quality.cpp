@@ -46,7 +46,6 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
         case QualityStep::kOneCore:
             return software;
         case QualityStep::kTwoCores:
-            software.lights_movers_at_vertices = false;
             software.sectors = software.sectors * 5 / 4;
             software.max_rings = std::min(software.max_rings * 5 / 2, kMaxRings);
             software.ring_error_px *= 0.6F;

@@ -4,7 +4,7 @@
 #include "engine/render/edge_pass.h"
 #include "engine/render/host_frame.h"
 #include "engine/render/host_glide.h"
-#include "engine/render/host_movers.h"
+#include "engine/render/host_moving.h"
 #include "engine/render/host_shade.h"
 #include "engine/render/lathe_pass.h"
 #include "engine/render/mover_pass.h"
@@ -17,35 +17,6 @@
 #include "engine/vk/check.h"
 
 namespace onggi::render {
-
-RendererDesc still_desc(VkFormat colour_format) {
-    return {.colour_format = colour_format,
-            .samples = 4,
-            .cached = false,
-            .transfer = Transfer::kExactSrgb,
-            .sectors = 192,
-            .max_rings = kMaxRings,
-            .ring_error_px = 0.05F};
-}
-
-RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px) {
-    if (!device_is_cpu) return still_desc(colour_format);
-    const bool is_large = height_px > 800;
-    return {
-        .colour_format = colour_format,
-        .samples = 1,
-        .cached = true,
-        .transfer = Transfer::kSquareRoot,
-        .lights_movers_at_vertices = true,
-        .chooses_mover_faces = true,
-        .sectors = is_large ? 72 : 48,
-        .sector_error_px = 0.5F,
-        .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which its normals show
-        .ring_error_px = 0.25F,            // a finer line would not be seen
-        .slip_across = is_large ? 512 : 256,
-        .slip_up = is_large ? 256 : 128,
-        .softens_glides = true};
-}
 
 // What an overlay lies on; or covers, drawn because it will be seen when the overlay has begun to fade, or
 // because much of it is another than before: what takes several frames' time is done before anybody waits for
@@ -71,6 +42,7 @@ struct Renderer::Impl {
     Result<void> record(const Scene& scene, const vk::TargetImage& target, Under under);
     Result<void> record_scene(const Scene& scene, const vk::TargetImage& target);
     Result<void> record_cached(const Scene& scene, const vk::TargetImage& target);
+    void record_moving(const Scene& scene, const vk::TargetImage& target, bool is_kept);
     void draw_moving(const Scene& scene);
     Result<void> record_direct(const Scene& scene, const vk::TargetImage& target);
 
@@ -91,7 +63,7 @@ struct Renderer::Impl {
     HostShade host_shade;  // in its place, where layers are cached
     LathePass lathe;
     MoverPass movers;
-    HostMovers host_movers;  // in its place, where the processor draws
+    HostMoving host_moving;  // in their place, where the processor draws
     EdgePass edges;
     OverlayPass overlay;
     PaintedOverlay painted;  // in its place, where the processor shades
@@ -209,14 +181,16 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
     if (auto chosen = movers.upload(frame, scene); !chosen) return chosen;
     built.mover_tiles.clear();
-    if (paints_movers(frame.desc)) host_movers.place(frame, scene, movers);
-    if (frame.desc.cached) find_moving_tiles(scene, view, built);
+    if (frame.desc.cached) {
+        host_moving.place(frame, scene, movers, lathe);
+        find_moving_tiles(scene, view, built);
+    }
     still.update(frame, scene);
     if (is_bent(scene)) {
         host_shade.let_go();
         still.let_go_layers();
         if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
-        if (paints_movers(frame.desc)) host_movers.draw(host_glide.canvas(frame));
+        host_moving.draw(frame, host_glide.canvas(frame));
     } else if (frame.desc.cached) {
         host_glide.rest();
         if (auto shaded = shade(scene); !shaded) return shaded;
@@ -224,6 +198,7 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
         shadow.update(frame, scene);
     }
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
+    if (built.is_drawn_by_host) return {};
     lathe.upload(frame);
     edges.upload(frame);
     return {};
@@ -235,32 +210,39 @@ Result<void> Renderer::Impl::shade(const Scene& scene) {
     if (auto drawn = still.draw_layers(frame, scene, frame_buffer); !drawn) return drawn;
     if (frame.stats.still_life_drawn) host_shade.forget();
     host_shade.shade(frame, scene, still.layers().layers());
-    if (!paints_movers(frame.desc)) return {};
-    return host_movers.draw_over(frame, host_shade.shaded().as<const std::uint32_t>(),
+    return host_moving.draw_over(frame, host_shade.shaded().as<const std::uint32_t>(),
                                  still.layers().depth().as<const float>());
 }
 
-// The room as the processor made it, kept or bent anew, with its depth; what the device draws goes over it.
+// The room as the processor made it, kept or bent anew, with what it drew over that.
 Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetImage& target) {
     enter("still life");
-    const vk::Image& depth = frame.images.depth;
     const bool is_kept = !is_bent(scene);
+    HostPicture room =
+        is_kept ? HostPicture{host_shade.shaded(), host_shade.tiles().numbers(), frame.built.moving_tiles}
+                : host_glide.picture(frame);
+    if (is_kept) {
+        room.instead = &host_moving.picture();
+        room.instead_on = host_moving.tiles(frame);
+    }
+    // A scene that will rest is read before the overlay lies on it.
+    room.is_whole = frame.built.is_drawn_by_host && !will_rest;
+    if (auto brought = host_frame.record(frame, target, room, painted); !brought) return brought;
+    if (!frame.built.is_drawn_by_host) record_moving(scene, target, is_kept);
+    return note_rest(target, is_kept ? &host_shade : nullptr);
+}
+
+// What the device draws over the room, and the depth it needs for that.
+void Renderer::Impl::record_moving(const Scene& scene, const vk::TargetImage& target, bool is_kept) {
+    const vk::Image& depth = frame.images.depth;
     vk::barrier(frame.commands, depth, vk::state::kDiscard, vk::state::kCopyTarget);
     if (is_kept) {
         still.record_depth(frame);
-        if (paints_movers(frame.desc)) host_movers.record_depth(frame);
+        host_moving.record_depth(frame);
     } else {
         host_glide.record_depth(frame);
     }
     vk::barrier(frame.commands, depth, vk::state::kCopyTarget, vk::state::kDepth);
-    HostPicture room =
-        is_kept ? HostPicture{host_shade.shaded(), host_shade.tiles().numbers(), frame.built.moving_tiles}
-                : host_glide.picture(frame);
-    if (is_kept && paints_movers(frame.desc)) {
-        room.instead = &host_movers.picture();
-        room.instead_on = frame.built.mover_tiles;
-    }
-    if (auto brought = host_frame.record(frame, target, room, painted); !brought) return brought;
     begin_pass(
         frame.commands, frame.extent, {{.view = target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD}},
         {.view = depth.view(), .load = VK_ATTACHMENT_LOAD_OP_LOAD, .store = VK_ATTACHMENT_STORE_OP_STORE});
@@ -268,7 +250,6 @@ Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetI
     vkCmdEndRendering(frame.commands);
     enter("outlines");
     edges.record(frame, target);
-    return note_rest(target, is_kept ? &host_shade : nullptr);
 }
 
 // Inside a pass.

@@ -9,48 +9,12 @@
 #include "engine/core/result.h"
 #include "engine/render/overlay.h"
 #include "engine/render/pass_clock.h"
+#include "engine/render/renderer_desc.h"
 #include "engine/render/scene.h"
 #include "engine/vk/device.h"
 #include "engine/vk/frame_target.h"
 
 namespace onggi::render {
-
-// How light becomes eight bits. Done in the shader: the target is plain UNORM, because encoding in an _SRGB
-// target is neither quick nor the same on every processor under lavapipe.
-enum class Transfer {
-    kExactSrgb,   // IEC 61966-2-1
-    kSquareRoot,  // the live window on a processor: close to sRGB, 1.25 times quicker
-};
-
-constexpr int kMaxRings = 256;
-
-struct RendererDesc {
-    VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
-    int samples = 4;  // 1 or 4 a pixel
-    // For a device that is the processor: what stands still is drawn once and kept where the processor lays
-    // shade and overlay over it, and bends it while the camera moves. Needs samples = 1 and kSquareRoot.
-    bool cached = false;
-    Transfer transfer = Transfer::kExactSrgb;
-    // Not at pixels: their triangles are hardly larger. When cached the processor draws them itself.
-    bool lights_movers_at_vertices = false;
-    bool chooses_mover_faces = false;  // leaves out those that cannot be seen; a GPU does so by itself
-    int sectors = 128;                 // of a lathe, at most
-    float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly
-    int max_rings = 256;           // hard cap, 16 to kMaxRings
-    float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
-    int slip_across = 512;  // texels of the slip's texture, powers of two up to 512; no finer than a pixel
-    int slip_up = 512;
-    bool smooths_outlines = true;  // of what moves; cached only, others have samples for it
-    bool softens_glides = false;   // cached only: half the room's width and height while the camera goes fast
-    bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests
-    bool measures_parts = false;   // FrameStats::parts, which costs a software device a few per cent
-
-    friend bool operator==(const RendererDesc&, const RendererDesc&) = default;
-};
-
-// For a screenshot, and for the moving picture on this kind of device and at this size.
-[[nodiscard]] RendererDesc still_desc(VkFormat colour_format);
-[[nodiscard]] RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px);
 
 // What the last frame took, for tests and for whoever watches.
 struct FrameStats {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/render/wide_vectors.h"
+
 namespace onggi::render {
 namespace {
 
@@ -148,30 +150,15 @@ struct MaskAbout {
     }
 }
 
-using ShadeRect = void (*)(const ShadeLayers&, const ShadowMask&, const ShadeLight&, const PixelRect&,
-                           std::uint32_t*);
-
 void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
                       const PixelRect& rect, std::uint32_t* into) {
     shade_rect(layers, mask, light, rect, into);
 }
 
-#if defined(__x86_64__)
-// The same lines, eight lanes at a time; without fused multiply-add, so the same bits.
-[[gnu::target("avx2")]] void shade_rect_avx2(const ShadeLayers& layers, const ShadowMask& mask,
-                                             const ShadeLight& light, const PixelRect& rect,
-                                             std::uint32_t* into) {
+ONGGI_WIDE_VECTORS void shade_rect_wide(const ShadeLayers& layers, const ShadowMask& mask,
+                                        const ShadeLight& light, const PixelRect& rect, std::uint32_t* into) {
     shade_rect(layers, mask, light, rect, into);
 }
-
-ShadeRect best_for_this_processor() {
-    return __builtin_cpu_supports("avx2") != 0 ? shade_rect_avx2 : shade_rect_plain;
-}
-#else
-ShadeRect best_for_this_processor() {
-    return shade_rect_plain;
-}
-#endif
 
 }  // namespace
 
@@ -190,7 +177,7 @@ void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const Shade
         std::copy(layers.with_key.begin(), layers.with_key.end(), into.begin());
         return;
     }
-    static const ShadeRect shade = best_for_this_processor();
+    static auto* const shade = best_of(shade_rect_plain, shade_rect_wide);
     for (const PixelRect& rect : rects)
         shade(layers, mask, light, rect, into.data());
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/render/wide_vectors.h"
+
 namespace onggi::render {
 namespace {
 
@@ -122,26 +124,13 @@ constexpr Row kMiddles = middles();
     }
 }
 
-using Fill = void (*)(const shaders::FrameData&, ShadowMask&);
-
 void fill_plain(const shaders::FrameData& frame, ShadowMask& mask) {
     fill(frame, mask);
 }
 
-#if defined(__x86_64__)
-// The same lines, eight lanes at a time; without fused multiply-add, so the same bits.
-[[gnu::target("avx2")]] void fill_avx2(const shaders::FrameData& frame, ShadowMask& mask) {
+ONGGI_WIDE_VECTORS void fill_wide(const shaders::FrameData& frame, ShadowMask& mask) {
     fill(frame, mask);
 }
-
-Fill best_for_this_processor() {
-    return __builtin_cpu_supports("avx2") != 0 ? fill_avx2 : fill_plain;
-}
-#else
-Fill best_for_this_processor() {
-    return fill_plain;
-}
-#endif
 
 std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
     return a > b ? a - b : b - a;
@@ -150,7 +139,7 @@ std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 void fill_shadow_mask(const shaders::FrameData& frame, ShadowMask& mask) {
-    static const Fill best = best_for_this_processor();
+    static auto* const best = best_of(fill_plain, fill_wide);
     best(frame, mask);
 }
 

@@ -37,9 +37,14 @@ inline Apart apart(std::span<const std::uint8_t> a, std::span<const std::uint8_t
     return found;
 }
 
-// The processor and the device place the corners of a hand's triangles alike to 1/256 of a pixel, but not to
-// the last bit: a pixel whose middle lies on an edge may show what is on either side.
+// The processor and the device place the corners of triangles alike to 1/256 of a pixel, but not to the last
+// bit: a pixel whose middle lies on an edge may show what is on either side.
 constexpr int kOnEdges = 12;
+
+// Of what the processor draws itself: a pixel whose middle lies on the border of two texels of slip may show
+// either, which differ by little.
+constexpr int kOnTexels = 64;
+constexpr int kTexelsApart = 16;  // levels, at most
 
 class DrawingTest : public testing::Test {
   protected:

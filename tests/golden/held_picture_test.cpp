@@ -173,6 +173,33 @@ TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
     }
 }
 
+// What the processor cannot draw the device does, and the clay with it: here a sphere that nobody sees.
+TEST_F(HeldPicture, ShowsClayAndOutlinesAsTheDeviceDrawsThem) {
+    auto one = renderer();
+    auto other = renderer();
+    auto by_host = target();
+    auto by_device = target();
+    const ui::DrawList list = sample_list(0.6F);
+    const auto uploads = sample_picture();
+    for (int frame = 0; frame < 3; ++frame) {
+        GoldenScene shown = pulling_;
+        shown.tool_position_mm.y += 10.0 * frame;
+        const render::Overlay overlay{
+            .list = &list,
+            .uploads = frame == 0 ? std::span(uploads) : std::span<const ui::Atlas::Upload>(),
+            .atlas_side_px = kAtlasSidePx};
+        render::Scene scene = opened_.scene->apply(shown.pot(), kWidth, kHeight);
+        ASSERT_TRUE(one->draw(scene, *by_host, &overlay));
+        scene.spheres.push_back({.centre_mm = vec3(0.0F, -1e5F, 0.0F), .radius_mm = 1.0F, .shown = true});
+        ASSERT_TRUE(other->draw(scene, *by_device, &overlay));
+        const auto wanted = by_device->read_back().value();
+        const auto found = by_host->read_back().value();
+        EXPECT_LE(apart(wanted, found, 4).beyond, kOnTexels) << frame;
+        EXPECT_LE(apart(wanted, found, kTexelsApart).beyond, kOnEdges) << frame;
+        EXPECT_GT(apart(wanted, found, 0).beyond, 0) << "they are two ways";
+    }
+}
+
 TEST_F(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
     const auto uploads = sample_picture();
     const ui::DrawList list = sample_list(0.6F);

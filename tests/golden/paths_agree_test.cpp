@@ -13,15 +13,19 @@
 namespace onggi::golden {
 namespace {
 
+enum class Drawn { kWithSlip, kWithoutSlip };
+
 void expect_alike(const asset::Image& direct, const asset::Image& cached, int most_levels,
-                  bool has_hands = false) {
+                  Drawn drawn = Drawn::kWithSlip) {
     ASSERT_EQ(direct.rgba.size(), cached.rgba.size());
     // Layers are rounded to eight bits before they are mixed, and the mask's coordinates to half floats: one
     // level each. More is an edge that moved or a shadow that was cut off.
+    const bool has_slip = drawn == Drawn::kWithSlip;
     const Apart found = apart(direct.rgba, cached.rgba, most_levels);
     const auto width = static_cast<std::size_t>(direct.width);
-    EXPECT_LE(found.beyond, has_hands ? kOnEdges : 0)
+    EXPECT_LE(found.beyond, has_slip ? kOnTexels : 0)
         << found.worst << " levels at " << found.worst_at % width << ", " << found.worst_at / width;
+    EXPECT_LE(apart(direct.rgba, cached.rgba, kTexelsApart).beyond, has_slip ? kOnEdges : 0);
 }
 
 // One of each kind is enough: solid, hollow, dented and off its centre, looked into, with hands, none.
@@ -38,7 +42,11 @@ std::vector<GoldenScene> scenes_of_both_paths() {
 
 class RenderPaths : public DrawingTest, public testing::WithParamInterface<GoldenScene> {
   protected:
-    [[nodiscard]] static bool has_hands() { return GetParam().name == "pulling"; }
+    // A solid without slip, and no clay at all.
+    [[nodiscard]] static Drawn drawn() {
+        const bool is_plain = GetParam().name == "stepped" || GetParam().name == "empty-wheel";
+        return is_plain ? Drawn::kWithoutSlip : Drawn::kWithSlip;
+    }
     // The last of some frames. With the cache the still life is drawn for the first of them, and shaded for
     // those after it only where something has changed.
     asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene, bool cached, int frames = 1,
@@ -73,10 +81,10 @@ TEST_P(RenderPaths, AgreeOnTheWorkshopWithinFourLevelsOfEightBits) {
     ASSERT_EQ(opened.lack, "");
     const asset::Image direct = draw(*opened.scene, GetParam(), false);
     // A level of a bright layer is two of the penumbra that is mixed from it and from a dark one.
-    expect_alike(direct, draw(*opened.scene, GetParam(), true), 4, has_hands());
+    expect_alike(direct, draw(*opened.scene, GetParam(), true), 4, drawn());
     // Where the shade hardly changes it stays as it is, a step of its mask off at most: two levels in the
     // dark.
-    expect_alike(direct, draw(*opened.scene, GetParam(), true, 3), 6, has_hands());
+    expect_alike(direct, draw(*opened.scene, GetParam(), true, 3), 6, drawn());
 }
 
 TEST_P(RenderPaths, AgreeOnTheEveningWithinFourLevelsOfEightBits) {
@@ -85,14 +93,14 @@ TEST_P(RenderPaths, AgreeOnTheEveningWithinFourLevelsOfEightBits) {
     const render::LightLevels evening = wheel::light_levels(1.0);
     const asset::Image direct = draw(*opened.scene, GetParam(), false, 1, evening);
     for (const int frames : {1, 3})
-        expect_alike(direct, draw(*opened.scene, GetParam(), true, frames, evening), 4, has_hands());
+        expect_alike(direct, draw(*opened.scene, GetParam(), true, frames, evening), 4, drawn());
 }
 
 TEST_P(RenderPaths, AgreeOnTheStillLifeWithinTwoLevelsOfEightBits) {
     wheel::WheelScene scene;
     const asset::Image direct = draw(scene, GetParam(), false);
     for (const int frames : {1, 3})
-        expect_alike(direct, draw(scene, GetParam(), true, frames), 2);
+        expect_alike(direct, draw(scene, GetParam(), true, frames), 2, drawn());
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThePot, RenderPaths, testing::ValuesIn(scenes_of_both_paths()),

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "engine/render/projector.h"
 
@@ -14,6 +16,13 @@ namespace {
 // What the square-root transfer shows of light.
 float shown(float light) {
     return 255.0F * std::sqrt(std::min(light / (0.8F * light + 0.35F), 1.0F));
+}
+
+// Of all of a mesh's vertices.
+std::vector<std::uint32_t> numbers_of(const MoverMesh& mesh) {
+    std::vector<std::uint32_t> numbers(mesh.vertices.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    return numbers;
 }
 
 class MoverLight : public testing::Test {
@@ -34,7 +43,7 @@ class MoverLight : public testing::Test {
     }
     [[nodiscard]] std::vector<MoverCorner> corners(ByteOrder order = ByteOrder::kRedFirst) const {
         std::vector<MoverCorner> lit;
-        light_corners(mesh_, mover_, {frame_, samples_, order}, lit);
+        light_corners(mesh_, numbers_of(mesh_), mover_, {frame_, samples_, order}, lit);
         return lit;
     }
     [[nodiscard]] std::array<float, 3> colour() const { return corners().at(0).values; }
@@ -147,8 +156,15 @@ TEST_F(MoverLight, FindsEachCornerWhereTheCameraSeesIt) {
     EXPECT_EQ(corners().at(0).away_mm, 0.0F) << "behind the eye";
     const std::size_t before = mesh_.vertices.size();
     std::vector<MoverCorner> more = corners();
-    light_corners(mesh_, mover_, {frame_, samples_}, more);
+    light_corners(mesh_, numbers_of(mesh_), mover_, {frame_, samples_}, more);
     EXPECT_EQ(more.size(), 2 * before);
+    // Only those that are asked for.
+    std::vector<MoverCorner> few;
+    light_corners(mesh_, std::array<std::uint32_t, 3>{149, 2, 2}, mover_, {frame_, samples_}, few);
+    ASSERT_EQ(few.size(), before);
+    EXPECT_EQ(few[149].at_px, more[149].at_px);
+    EXPECT_EQ(few[2].values, more[2].values);
+    EXPECT_EQ(few[3].values, MoverCorner{}.values);
     mesh_.vertices.clear();
     EXPECT_TRUE(corners().empty());
 }

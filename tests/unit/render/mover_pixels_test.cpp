@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/unit/render/triangle_pixels.h"
+
 namespace onggi::render {
 namespace {
 
@@ -38,43 +40,17 @@ class MoverPixels : public testing::Test {
     std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
 };
 
-// Above 0 on the same side of an edge as the triangle's inside, whichever way round it goes.
-float inside_px(const std::array<vec2, 3>& corners, vec2 point) {
-    const auto turn = [](vec2 a, vec2 b, vec2 c) {
-        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    };
-    const float way = turn(corners[0], corners[1], corners[2]) > 0.0F ? 1.0F : -1.0F;
-    float least = 1e9F;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const vec2 from = corners[i];
-        const vec2 to = corners[(i + 1) % 3];
-        least = std::min(least, way * turn(from, to, point) / glm::length(to - from));
-    }
-    return least;
-}
-
 TEST_F(MoverPixels, AreThoseWhoseMiddleATriangleHolds) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> place(-20.0F, 80.0F);
-    int covered = 0;
-    for (int round = 0; round < 300; ++round) {
-        std::fill(pixels_.begin(), pixels_.end(), kUntouched);
-        std::fill(depth_.begin(), depth_.end(), 1.0F);
-        const std::array<vec2, 3> at{vec2(place(random), place(random)), vec2(place(random), place(random)),
-                                     vec2(place(random), place(random))};
-        const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
-                                 corner(at[2].x, at[2].y)};
-        draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) {
-                const float inside =
-                    inside_px(at, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
-                if (std::abs(inside) < 0.005F) continue;
-                ASSERT_EQ(this->at(x, y) != kUntouched, inside > 0.0F) << round << ": " << x << ", " << y;
-                covered += inside > 0.0F ? 1 : 0;
-            }
-        }
-    }
+    const int covered = expect_those_inside(
+        {kWidth, kHeight}, {},
+        [&](const std::array<vec2, 3>& at) {
+            std::fill(pixels_.begin(), pixels_.end(), kUntouched);
+            std::fill(depth_.begin(), depth_.end(), 1.0F);
+            const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
+                                     corner(at[2].x, at[2].y)};
+            draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
+        },
+        [&](int x, int y) { return at(x, y) != kUntouched; });
     EXPECT_GT(covered, 50000);
 }
 

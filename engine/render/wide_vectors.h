@@ -1,0 +1,27 @@
+// Functions that are there twice: for any processor, and in wider vectors for those that have them. Without
+// fused multiply-add, so that both find the same bits. Any thread.
+#pragma once
+
+#if defined(__x86_64__)
+#define ONGGI_WIDE_VECTORS [[gnu::target("avx2")]]
+#else
+#define ONGGI_WIDE_VECTORS
+#endif
+
+namespace onggi::render {
+
+// Whether this processor can run what is marked ONGGI_WIDE_VECTORS.
+inline bool has_wide_vectors() {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx2") != 0;
+#else
+    return false;
+#endif
+}
+
+template <typename Function>
+[[nodiscard]] Function* best_of(Function* plain, Function* wide) {
+    return has_wide_vectors() ? wide : plain;
+}
+
+}  // namespace onggi::render
