@@ -7,20 +7,6 @@
 #include "engine/render/painted_overlay.h"
 
 namespace onggi::render {
-namespace {
-
-// One rectangle of a picture into the same place of another.
-template <typename T>
-void copy_rect(std::span<const T> from, const PixelRect& rect, std::size_t width, std::span<T> into) {
-    for (int y = rect.y; y < rect.y + rect.height; ++y) {
-        const auto first =
-            static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width) + std::ptrdiff_t{rect.x};
-        std::copy_n(from.begin() + first, rect.width, into.begin() + first);
-    }
-}
-
-}  // namespace
-
 bool paints_all(const RendererDesc& desc, const Scene& scene) {
     const auto is_shown = [](const Sphere& sphere) { return sphere.shown; };
     return desc.cached && !desc.inside_out &&
@@ -96,6 +82,7 @@ std::span<const std::uint8_t> HostMoving::tiles(const FrameContext& frame) const
 void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                             std::span<const float> depth, const PictureCanvas& canvas) {
     const TileGrid grid{canvas.size.width, canvas.size.height};
+    const std::size_t width = frame.extent.width;
     const std::span<const std::uint8_t> own = tiles(frame);
     wanted_.resize(own.size());
     const auto for_rects = [&](auto is_wanted, auto visit) {
@@ -114,8 +101,8 @@ void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint
               });
     for_rects([](std::uint8_t tile) { return tile == kMoves; },
               [&](const PixelRect& rect) {
-                  copy_rect(pixels, rect, frame.extent.width, canvas.pixels);
-                  copy_rect(depth, rect, frame.extent.width, canvas.depth);
+                  copy_rect(pixels, rect, width, canvas.pixels);
+                  copy_rect(depth, rect, width, canvas.depth);
               });
 }
 

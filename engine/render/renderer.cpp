@@ -225,10 +225,13 @@ Result<void> Renderer::Impl::record_cached(const Scene& scene, const vk::TargetI
         room.instead = &host_moving.picture();
         room.instead_on = host_moving.tiles(frame);
     }
-    // A scene that will rest is read before the overlay lies on it.
-    room.is_whole = frame.built.is_drawn_by_host && !will_rest;
+    room.is_whole = frame.built.is_drawn_by_host;
+    if (will_rest && room.is_whole) {
+        if (auto kept = resting.keep(frame, room); !kept) return kept;
+    }
     if (auto brought = host_frame.record(frame, target, room, painted); !brought) return brought;
-    if (!frame.built.is_drawn_by_host) record_moving(scene, target, is_kept);
+    if (room.is_whole) return {};
+    record_moving(scene, target, is_kept);
     return note_rest(target, is_kept ? &host_shade : nullptr);
 }
 

@@ -6,20 +6,47 @@
 
 namespace onggi::render {
 
+Result<void> RestingScene::fit(const FrameContext& frame) {
+    grid_ = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
+    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
+    if (picture_.size() == bytes) return {};
+    auto picture = vk::Buffer::create(
+        frame.device, {.name = "resting scene",
+                       .size = bytes,
+                       .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                       .use = vk::MemoryUse::kReadback});
+    if (!picture) return picture.error();
+    picture_ = std::move(*picture);
+    return {};
+}
+
+void RestingScene::copy(const vk::Buffer& from, std::span<const std::uint8_t> tiles) {
+    const auto width = static_cast<std::size_t>(grid_.width_px);
+    rects_of_tiles(grid_, tiles, rects_);
+    for (const PixelRect& rect : rects_)
+        copy_rect(from.as<const std::uint32_t>(), rect, width, picture_.as<std::uint32_t>());
+}
+
+void RestingScene::arrive() {
+    constexpr std::uint64_t kNoShadeTile = std::uint64_t{1} << 63U;
+    numbers_.assign(grid_.count(), kNoShadeTile | ++last_number_);
+    state_ = State::kHere;
+}
+
+Result<void> RestingScene::keep(const FrameContext& frame, const HostPicture& scene) {
+    if (state_ != State::kNothing) return {};
+    if (auto fitted = fit(frame); !fitted) return fitted;
+    const auto pixels = scene.pixels.as<const std::uint32_t>();
+    std::copy(pixels.begin(), pixels.end(), picture_.as<std::uint32_t>().begin());
+    if (scene.instead != nullptr) copy(*scene.instead, scene.instead_on);
+    arrive();
+    return {};
+}
+
 Result<void> RestingScene::record_reading(const FrameContext& frame, const vk::TargetImage& target,
                                           const HostShade* shade) {
     if (state_ != State::kNothing || !target.can_be_read) return {};
-    grid_ = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
-    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
-    if (picture_.size() != bytes) {
-        auto picture = vk::Buffer::create(
-            frame.device, {.name = "resting scene",
-                           .size = bytes,
-                           .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                           .use = vk::MemoryUse::kReadback});
-        if (!picture) return picture.error();
-        picture_ = std::move(*picture);
-    }
+    if (auto fitted = fit(frame); !fitted) return fitted;
     is_shaded_.assign(grid_.count(), 0);
     is_drawn_.assign(grid_.count(), 1);
     if (shade != nullptr) {
@@ -44,21 +71,8 @@ Result<void> RestingScene::record_reading(const FrameContext& frame, const vk::T
 
 bool RestingScene::take(const HostShade& shade) {
     if (state_ == State::kOnTheWay) {
-        const auto width = static_cast<std::size_t>(grid_.width_px);
-        const auto from = shade.shaded().as<const std::uint32_t>();
-        const auto into = picture_.as<std::uint32_t>();
-        rects_of_tiles(grid_, is_shaded_, rects_);
-        for (const PixelRect& rect : rects_) {
-            for (int y = rect.y; y < rect.y + rect.height; ++y) {
-                const std::size_t first =
-                    static_cast<std::size_t>(y) * width + static_cast<std::size_t>(rect.x);
-                std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), rect.width,
-                            into.begin() + static_cast<std::ptrdiff_t>(first));
-            }
-        }
-        constexpr std::uint64_t kNoShadeTile = std::uint64_t{1} << 63U;
-        numbers_.assign(grid_.count(), kNoShadeTile | ++last_number_);
-        state_ = State::kHere;
+        copy(shade.shaded(), is_shaded_);
+        arrive();
     }
     return state_ == State::kHere;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/render/frame_context.h"
@@ -20,12 +21,18 @@ class RestingScene {
     // not).
     Result<void> record_reading(const FrameContext& frame, const vk::TargetImage& target,
                                 const HostShade* shade);
+    // The host has drawn the scene, and no overlay lies on it yet: keeps a copy.
+    Result<void> keep(const FrameContext& frame, const HostPicture& scene);
     // Whether the scene is here. The device is idle, and nothing has been shaded since it was read.
     [[nodiscard]] bool take(const HostShade& shade);
     [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
 
   private:
     enum class State { kNothing, kOnTheWay, kHere };
+
+    Result<void> fit(const FrameContext& frame);
+    void copy(const vk::Buffer& from, std::span<const std::uint8_t> tiles);
+    void arrive();
 
     State state_ = State::kNothing;
     TileGrid grid_;

@@ -56,6 +56,17 @@ void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint
 void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
                     std::vector<PixelRect>& rects);
 
+// One rectangle of a picture, whose rows are this wide, into the same place of another.
+template <typename Pixel>
+void copy_rect(std::span<const Pixel> from, const PixelRect& rect, std::size_t width_px,
+               std::span<Pixel> into) {
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+        const auto first =
+            static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width_px) + std::ptrdiff_t{rect.x};
+        std::copy_n(from.begin() + first, rect.width, into.begin() + first);
+    }
+}
+
 // From one frame to the next: so little that a tile may wait a frame for it, or not.
 enum class LightChange { kLittle, kMuch };
 

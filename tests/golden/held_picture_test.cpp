@@ -19,7 +19,7 @@ namespace {
 constexpr int kWidth = 640;
 constexpr int kHeight = 360;
 
-class HeldPicture : public DrawingTest {
+class ShownPicture : public DrawingTest {
   protected:
     void SetUp() override {
         DrawingTest::SetUp();
@@ -37,6 +37,12 @@ class HeldPicture : public DrawingTest {
     [[nodiscard]] std::unique_ptr<vk::Offscreen> target() const {
         return vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
     }
+    // With what the processor leaves to the device, and the clay with it, or without.
+    [[nodiscard]] render::Scene scene_of(const GoldenScene& shown) {
+        render::Scene scene = opened_.scene->apply(shown.pot(), kWidth, kHeight);
+        if (is_by_device_) scene.spheres.push_back(kUnseen);
+        return scene;
+    }
     // The hand somewhere up the pot, and a box of the overlay somewhere across the picture.
     void draw(render::Renderer& renderer, vk::Offscreen& target, double lift_mm, float box_px) {
         ui::DrawList list;
@@ -47,8 +53,7 @@ class HeldPicture : public DrawingTest {
               const render::Overlay& overlay) {
         GoldenScene shown = pulling_;
         shown.tool_position_mm.y += lift_mm;
-        const auto drawn =
-            renderer.draw(opened_.scene->apply(shown.pot(), kWidth, kHeight), target, &overlay);
+        const auto drawn = renderer.draw(scene_of(shown), target, &overlay);
         ASSERT_TRUE(drawn && *drawn);
         ASSERT_TRUE(target.wait());  // a renderer has one frame on its way
     }
@@ -56,9 +61,23 @@ class HeldPicture : public DrawingTest {
         return apart(a, b, 0).worst;
     }
 
+    static inline const render::Sphere kUnseen{
+        .centre_mm = vec3(0.0F, -1e5F, 0.0F), .radius_mm = 1.0F, .shown = true, .material = {}};
     wheel::OpenedScene opened_;
     GoldenScene pulling_;
+    bool is_by_device_ = false;
 };
+
+class HeldPicture : public ShownPicture, public testing::WithParamInterface<bool> {
+  protected:
+    void SetUp() override {
+        ShownPicture::SetUp();
+        is_by_device_ = GetParam();
+    }
+};
+INSTANTIATE_TEST_SUITE_P(WhatMoves, HeldPicture, testing::Bool(), [](const auto& tested) {
+    return std::string(tested.param ? "ByTheDevice" : "ByTheProcessor");
+});
 
 // Far enough for the layers to have been read back.
 constexpr int kFrames = 12;
@@ -66,7 +85,7 @@ constexpr int kFrames = 12;
 // shows two in the picture.
 constexpr int kMaskStep = 2;
 
-TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
+TEST_P(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
     ASSERT_TRUE(render::live_desc(vk::Offscreen::kFormat, true, kHeight).chooses_mover_faces);
     auto chooses = renderer();
     render::RendererDesc desc = chooses->desc();
@@ -87,7 +106,7 @@ TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
     }
 }
 
-TEST_F(HeldPicture, ShowsNothingOfTheFramesBefore) {
+TEST_P(HeldPicture, ShowsNothingOfTheFramesBefore) {
     auto long_used = renderer();
     auto held = target();
     for (int frame = 0; frame < kFrames; ++frame)
@@ -100,7 +119,7 @@ TEST_F(HeldPicture, ShowsNothingOfTheFramesBefore) {
     EXPECT_LE(furthest(held->read_back().value(), other->read_back().value()), kMaskStep);
 }
 
-TEST_F(HeldPicture, TakesNothingForGrantedWhereAnotherHasDrawn) {
+TEST_P(HeldPicture, TakesNothingForGrantedWhereAnotherHasDrawn) {
     auto one = renderer();
     auto another = renderer();
     auto shared = target();
@@ -114,7 +133,7 @@ TEST_F(HeldPicture, TakesNothingForGrantedWhereAnotherHasDrawn) {
     EXPECT_LE(furthest(shared->read_back().value(), own->read_back().value()), kMaskStep);
 }
 
-TEST_F(HeldPicture, ShowsEachOfTwoTargetsWhole) {
+TEST_P(HeldPicture, ShowsEachOfTwoTargetsWhole) {
     auto drawn = renderer();
     auto left = target();
     auto right = target();
@@ -149,7 +168,7 @@ std::vector<ui::Atlas::Upload> sample_picture() {
 
 constexpr int kAtlasSidePx = 64;
 
-TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
+TEST_P(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
     const auto uploads = sample_picture();
     auto desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
     desc.smooths_outlines = false;  // which only a cached picture has
@@ -173,8 +192,7 @@ TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
     }
 }
 
-// What the processor cannot draw the device does, and the clay with it: here a sphere that nobody sees.
-TEST_F(HeldPicture, ShowsClayAndOutlinesAsTheDeviceDrawsThem) {
+TEST_F(ShownPicture, ShowsClayAndOutlinesAsTheDeviceDrawsThem) {
     auto one = renderer();
     auto other = renderer();
     auto by_host = target();
@@ -190,7 +208,7 @@ TEST_F(HeldPicture, ShowsClayAndOutlinesAsTheDeviceDrawsThem) {
             .atlas_side_px = kAtlasSidePx};
         render::Scene scene = opened_.scene->apply(shown.pot(), kWidth, kHeight);
         ASSERT_TRUE(one->draw(scene, *by_host, &overlay));
-        scene.spheres.push_back({.centre_mm = vec3(0.0F, -1e5F, 0.0F), .radius_mm = 1.0F, .shown = true});
+        scene.spheres.push_back(kUnseen);
         ASSERT_TRUE(other->draw(scene, *by_device, &overlay));
         const auto wanted = by_device->read_back().value();
         const auto found = by_host->read_back().value();
@@ -200,7 +218,7 @@ TEST_F(HeldPicture, ShowsClayAndOutlinesAsTheDeviceDrawsThem) {
     }
 }
 
-TEST_F(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
+TEST_P(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
     const auto uploads = sample_picture();
     const ui::DrawList list = sample_list(0.6F);
     const ui::DrawList more = sample_list(0.9F);
@@ -224,7 +242,7 @@ TEST_F(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
 }
 
 // The first frame of a screen that is about to fade away still shows nothing but it.
-TEST_F(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
+TEST_P(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
     ui::DrawList wall;
     wall.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, {.g = 0.5F});
     ui::DrawList nothing;
@@ -244,7 +262,7 @@ TEST_F(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
 }
 
 // Nothing is shaded by the processor then: while the camera moves, and in a renderer's first frames.
-TEST_F(HeldPicture, RestsWhereTheWholeSceneIsDrawn) {
+TEST_P(HeldPicture, RestsWhereTheWholeSceneIsDrawn) {
     const ui::DrawList list = sample_list(0.6F);
     const ui::DrawList nothing;
     for (const bool glides : {false, true}) {
@@ -253,7 +271,7 @@ TEST_F(HeldPicture, RestsWhereTheWholeSceneIsDrawn) {
         const auto show = [&](const ui::DrawList& of, double lift_mm, bool rests) {
             GoldenScene pot = pulling_;
             pot.tool_position_mm.y += lift_mm;
-            render::Scene scene = opened_.scene->apply(pot.pot(), kWidth, kHeight);
+            render::Scene scene = scene_of(pot);
             if (glides) scene.glide = render::Glide{.towards = scene.plate, .share = 0.0F};
             const render::Overlay overlay{.list = &of, .atlas_side_px = kAtlasSidePx, .scene_rests = rests};
             const auto made = drawn->draw(scene, *shown, &overlay);
@@ -272,7 +290,7 @@ TEST_F(HeldPicture, RestsWhereTheWholeSceneIsDrawn) {
 }
 
 // Whatever has changed while nobody saw it is drawn by then.
-TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
+TEST_P(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
     ui::DrawList wall;
     wall.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, {.g = 0.5F});
     const render::Overlay over{.list = &wall, .atlas_side_px = kAtlasSidePx, .covers = true};
@@ -281,7 +299,7 @@ TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
     draw(*drawn, *shown, 0.0, over);
     draw(*drawn, *shown, 0.0, over);
     const auto covered = shown->read_back().value();
-    render::Scene lit = opened_.scene->apply(pulling_.pot(), kWidth, kHeight);
+    render::Scene lit = scene_of(pulling_);
     lit.key.towards_light = glm::normalize(lit.key.towards_light + vec3(0.3F, 0.0F, 0.0F));
     const auto show = [&](const render::Overlay* overlay) {
         const auto made = drawn->draw(lit, *shown, overlay);
