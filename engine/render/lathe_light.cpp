@@ -1,7 +1,9 @@
 #include "engine/render/lathe_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace onggi::render {
 namespace {
@@ -89,22 +91,36 @@ float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2
 
 namespace {
 
+// What is met on the way from a place towards the light, the same in all directions about the axis.
+struct KeySteps {
+    static constexpr std::size_t kCount = 16;
+    std::array<float, kCount> t{};
+    std::array<float, kCount> one_over_t{};
+    std::array<float, kCount> wall_mm{};  // the wall's radius at that height
+};
+KeySteps key_steps(const LatheSamples& samples, LatheFace face, float y_mm, const KeyRay& key) {
+    KeySteps steps;
+    const float reach = std::max(samples.height_mm - y_mm, 0.1F) / std::max(key.towards_light.y, 0.05F);
+    const auto& wall_mm = face == LatheFace::kOuter ? samples.outer_mm : samples.inner_mm;
+    for (std::size_t i = 0; i < KeySteps::kCount; ++i) {
+        steps.t[i] = reach * static_cast<float>(i + 1) / KeySteps::kCount;
+        steps.one_over_t[i] = 1.0F / steps.t[i];
+        steps.wall_mm[i] = wall_mm[samples.at(y_mm + key.towards_light.y * steps.t[i])];
+    }
+    return steps;
+}
+
 // flat: how far the light goes across while it goes by 1; cosine: of the angle from its azimuth.
-float past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float cosine, float flat,
+float past_lathe(const KeySteps& steps, LatheFace face, float radius_mm, float cosine, float flat,
                  const KeyRay& key) {
-    constexpr int kSteps = 16;
-    const float x = place.x * cosine;
-    const float z2 = place.x * place.x - x * x;
-    const float reach = std::max(samples.height_mm - place.y, 0.1F) / std::max(key.towards_light.y, 0.05F);
+    const float x = radius_mm * cosine;
+    const float z2 = radius_mm * radius_mm - x * x;
+    const float outwards = face == LatheFace::kOuter ? 1.0F : -1.0F;
     float least = 1e3F;
-    for (int i = 1; i <= kSteps; ++i) {
-        const float t = reach * static_cast<float>(i) / kSteps;
-        const float ahead = x + flat * t;
-        const float from_axis = std::sqrt(ahead * ahead + z2);
-        const std::size_t at = samples.at(place.y + key.towards_light.y * t);
-        const float gap =
-            face == LatheFace::kOuter ? from_axis - samples.outer_mm[at] : samples.inner_mm[at] - from_axis;
-        least = std::min(least, gap / t);
+    for (std::size_t i = 0; i < KeySteps::kCount; ++i) {
+        const float ahead = x + flat * steps.t[i];
+        const float gap = outwards * (std::sqrt(ahead * ahead + z2) - steps.wall_mm[i]);
+        least = std::min(least, gap * steps.one_over_t[i]);
     }
     // Along a convex wall the gap opens as slowly as the light grazes it; that shade is the cosine's, so only
     // what is truly inside the wall counts as hidden.
@@ -120,7 +136,8 @@ float across(const KeyRay& key) {
 
 float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float angle_rad,
                      const KeyRay& key) {
-    return past_lathe(samples, face, place, std::cos(angle_rad), across(key), key);
+    return past_lathe(key_steps(samples, face, place.y, key), face, place.x, std::cos(angle_rad), across(key),
+                      key);
 }
 
 void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 normal, const KeyRay& key,
@@ -129,11 +146,12 @@ void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 n
     const KeyColumns& cosines = column_cosines();
     // From a little off the wall, or it would hide itself.
     const vec2 from = place + 0.5F * normal;
+    const KeySteps steps = key_steps(samples, face, from.y, key);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const float cosine = normal.x * flat * cosines[i] + normal.y * key.towards_light.y;
         // What faces away is dark without a shadow; a soft edge of light must still fade into it.
         const bool may_be_lit = cosine > -0.35F;
-        columns[i] = may_be_lit ? past_lathe(samples, face, from, cosines[i], flat, key)
+        columns[i] = may_be_lit ? past_lathe(steps, face, from.x, cosines[i], flat, key)
                                 : (face == LatheFace::kOuter ? 1.0F : 0.0F);
     }
 }

@@ -250,39 +250,68 @@ template <bool kNearSpheres>
     queue.count = 0;
 }
 
-// A row of a triangle: where it begins in the picture, and its values at its first pixel.
-struct Row {
-    std::ptrdiff_t at = 0;
-    int count = 0;
-    alignas(32) std::array<float, value::kCount> first;
+// How a triangle's values grow, as vectors of values and one by one.
+struct Growth {
+    vec2 from;    // its first corner
+    Values base;  // there
+    Values across;
+    Values down;
+    alignas(32) std::array<Block, value::kCount> along;  // a row's first eight pixels
+
+    [[gnu::always_inline]] Growth(const Shape<value::kCount>& shape, float area)
+        : from(shape.corners[0]->at_px),
+          base(values_of(*shape.corners[0])) {
+        const vec2 to_1 = (shape.corners[1]->at_px - from) / area;
+        const vec2 to_2 = (shape.corners[2]->at_px - from) / area;
+        const Values of_1 = values_of(*shape.corners[1]);
+        const Values of_2 = values_of(*shape.corners[2]);
+        for (std::size_t i = 0; i < kValueBlocks; ++i) {
+            const Block grown_1 = of_1[i] - base[i];
+            const Block grown_2 = of_2[i] - base[i];
+            across[i] = grown_1 * to_2.y - grown_2 * to_1.y;
+            down[i] = grown_2 * to_1.x - grown_1 * to_2.x;
+        }
+        for (std::size_t i = 0; i < value::kCount; ++i)
+            along[i] = across[i / kBlock][i % kBlock] * floats(kNumbers);
+    }
+    // At a pixel.
+    [[gnu::always_inline]] void find(int x, int y, std::array<float, value::kCount>& found) const {
+        const float right_by = static_cast<float>(x) + 0.5F - from.x;
+        const float down_by = static_cast<float>(y) + 0.5F - from.y;
+        for (std::size_t i = 0; i < kValueBlocks; ++i) {
+            const Block values = base[i] + across[i] * right_by + down[i] * down_by;
+            std::memcpy(found.data() + i * kBlock, &values, sizeof values);
+        }
+    }
 };
 
-// The values of a row from a number of its pixels on, for at most eight of them that lie side by side in the
-// picture.
+// The part of a row from `x` on that a block holds; `end`: its last pixel's next.
 template <std::size_t kValues>
-[[gnu::always_inline]] inline void add(const Row& row, int from, const std::array<float, value::kCount>& step,
+[[gnu::always_inline]] inline void add(const Growth& growth, int x, int end, int y,
                                        const PictureCanvas& canvas, Queue& queue) {
-    const std::ptrdiff_t most = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kBlock;
-    const std::ptrdiff_t at = std::min(row.at + from, most);
-    const Ints numbers = kNumbers + static_cast<int>(at - row.at);
-    const Block along = floats(numbers);
-    const Block here = row.first[value::kDepth] + step[value::kDepth] * along;
+    const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(y) * canvas.size.width + x;
+    const std::ptrdiff_t at =
+        std::min(wanted, static_cast<std::ptrdiff_t>(canvas.pixels.size()) - std::ptrdiff_t{kBlock});
+    const int early = static_cast<int>(wanted - at);  // pixels of the block before the part
+    const int count = std::min(end - x + early, kBlock);
+    alignas(32) std::array<float, value::kCount> first;
+    growth.find(x - early, y, first);
+    const Block here = first[value::kDepth] + growth.along[value::kDepth];
     Block depth;
     std::memcpy(&depth, canvas.depth.data() + at, sizeof depth);
-    const Ints is_drawn = (here <= depth) & (numbers >= from) & (numbers < row.count);
+    const Ints is_drawn = (here <= depth) & (kNumbers >= early) & (kNumbers < count);
     if (!any(is_drawn)) return;
     depth = is_drawn ? here : depth;
     std::memcpy(canvas.depth.data() + at, &depth, sizeof depth);
-    const std::size_t count = queue.count;
+    const std::size_t before = queue.count;
     const Ints places = is_drawn ? kNumbers + static_cast<int>(at) : Ints{} - 1;
-    std::memcpy(queue.at.data() + count, &places, sizeof places);
+    std::memcpy(queue.at.data() + before, &places, sizeof places);
 #pragma GCC unroll 24
     for (std::size_t i = 0; i < kValues; ++i) {
-        const Block values = row.first[i] + step[i] * along;
-        std::memcpy(queue.values[i].data() + count, &values, sizeof values);
+        const Block values = first[i] + growth.along[i];
+        std::memcpy(queue.values[i].data() + before, &values, sizeof values);
     }
-    queue.count =
-        count + static_cast<std::size_t>(std::min(row.count - static_cast<int>(at - row.at), kBlock));
+    queue.count = before + static_cast<std::size_t>(count);
 }
 
 // `area`: twice its own in the picture, below 0: its corners go counter-clockwise.
@@ -291,37 +320,14 @@ template <bool kNearSpheres>
                                                  const LatheLook& look, Reach& reach,
                                                  const PictureCanvas& canvas, Queue& queue) {
     shapes::find_reach(shape, false, canvas.size, reach);
-    const vec2 from = shape.corners[0]->at_px;
-    const vec2 to_1 = (shape.corners[1]->at_px - from) / area;
-    const vec2 to_2 = (shape.corners[2]->at_px - from) / area;
-    const Values base = values_of(*shape.corners[0]);
-    const Values of_1 = values_of(*shape.corners[1]);
-    const Values of_2 = values_of(*shape.corners[2]);
-    Values across;
-    Values down;
-    for (std::size_t i = 0; i < kValueBlocks; ++i) {
-        const Block grown_1 = of_1[i] - base[i];
-        const Block grown_2 = of_2[i] - base[i];
-        across[i] = grown_1 * to_2.y - grown_2 * to_1.y;
-        down[i] = grown_2 * to_1.x - grown_1 * to_2.x;
-    }
-    alignas(32) std::array<float, value::kCount> step;
-    std::memcpy(step.data(), &across, sizeof across);
-    Row row;
+    const Growth growth(shape, area);
     for (int y = reach.top; y < reach.end; ++y) {
         const int left = reach.left[static_cast<std::size_t>(y)];
-        row.count = reach.right[static_cast<std::size_t>(y)] - left;
-        if (row.count <= 0) continue;
-        row.at = static_cast<std::ptrdiff_t>(y) * canvas.size.width + left;
+        const int end = reach.right[static_cast<std::size_t>(y)];
+        if (end <= left) continue;
         shapes::fetch_ahead(canvas, left, y);
-        const float right_by = static_cast<float>(left) + 0.5F - from.x;
-        const float down_by = static_cast<float>(y) + 0.5F - from.y;
-        for (std::size_t i = 0; i < kValueBlocks; ++i) {
-            const Block first = base[i] + across[i] * right_by + down[i] * down_by;
-            std::memcpy(row.first.data() + i * kBlock, &first, sizeof first);
-        }
-        for (int block = 0; block < row.count; block += kBlock) {
-            add<kNearSpheres ? value::kDepth : value::kPlain>(row, block, step, canvas, queue);
+        for (int x = left; x < end; x += kBlock) {
+            add<kNearSpheres ? value::kDepth : value::kPlain>(growth, x, end, y, canvas, queue);
             if (queue.is_full()) shade<kNearSpheres>(queue, look, canvas);
         }
     }

@@ -1,7 +1,9 @@
 #include "engine/render/lathe_profile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 namespace onggi::render {
 namespace {
@@ -88,7 +90,7 @@ class Walk {
 
 std::uint32_t packed_normal(vec2 normal) {
     const auto sixteen_bits = [](float value) {
-        return static_cast<std::uint32_t>((0.5F + 0.5F * value) * 65535.0F + 0.5F);
+        return static_cast<std::uint32_t>(static_cast<int>((0.5F + 0.5F * value) * 65535.0F + 0.5F));
     };
     return sixteen_bits(normal.x) | sixteen_bits(normal.y) << 16U;
 }
@@ -221,23 +223,39 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
     const float half_mm = 0.5F * std::max({footprint_mm, texel_mm, 2.0F * ring_mm});
     Walk behind(profile);
     Walk ahead(profile);
-    std::vector<vec2> normals(texels.size());
-    for (std::size_t i = 0; i < normals.size(); ++i) {
+    // Side by side by axis, so that the last loop is one the compiler makes vectors of.
+    constexpr std::size_t kCount = shaders::kProfileTexels;
+    struct Axes {
+        std::array<float, kCount> r;
+        std::array<float, kCount> y;
+    };
+    const auto normals = std::make_unique<Axes>();
+    for (std::size_t i = 0; i < kCount; ++i) {
         const float along_mm = static_cast<float>(i) * texel_mm;
         const vec2 from = behind.at(along_mm - half_mm);
-        normals[i] = outward_of(ahead.at(along_mm + half_mm) - from);
+        const vec2 normal = outward_of(ahead.at(along_mm + half_mm) - from);
+        normals->r[i] = normal.x;
+        normals->y[i] = normal.y;
     }
     // A chord is an average with hard ends, which lets a groove of its own length through in part; averaged
     // once more over the same length, next to nothing of it is left.
     const auto reach = static_cast<std::size_t>(std::max(0.5F * footprint_mm / texel_mm, 0.0F));
+    const auto sums = std::make_unique<Axes>();
     vec2 sum(0.0F);
-    for (std::size_t i = 0; i < std::min(reach, normals.size()); ++i)
-        sum += normals[i];
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        if (i + reach < normals.size()) sum += normals[i + reach];
-        if (i > reach) sum -= normals[i - reach - 1];
-        const float length = glm::length(sum);
-        const vec2 normal = length > 1e-4F ? sum / length : normals[i];
+    for (std::size_t i = 0; i < std::min(reach, kCount); ++i)
+        sum += vec2(normals->r[i], normals->y[i]);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        if (i + reach < kCount) sum += vec2(normals->r[i + reach], normals->y[i + reach]);
+        if (i > reach) sum -= vec2(normals->r[i - reach - 1], normals->y[i - reach - 1]);
+        sums->r[i] = sum.x;
+        sums->y[i] = sum.y;
+    }
+    for (std::size_t i = 0; i < kCount; ++i) {
+        const float length = std::sqrt(sums->r[i] * sums->r[i] + sums->y[i] * sums->y[i]);
+        const bool is_known = length > 1e-4F;
+        const float share = 1.0F / (is_known ? length : 1.0F);
+        const vec2 normal(is_known ? sums->r[i] * share : normals->r[i],
+                          is_known ? sums->y[i] * share : normals->y[i]);
         texels[i] = packed_normal(normal);
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -36,30 +37,35 @@ constexpr std::size_t kBlock = kShadeBlockPx;
 template <typename T>
 using Lanes = std::array<T, kBlock>;
 
-// The texels of the mask about each pixel's place, key and sky as the two halves of a word, and how far the
-// place is from the first towards the last.
+// The texels of the mask about each pixel's place, key and sky as the two halves of a word, the left one and
+// the right one side by side as they lie in the mask; and how far the place is from the first towards the
+// last.
 struct MaskAbout {
-    Lanes<std::uint32_t> near_left;
-    Lanes<std::uint32_t> near_right;
-    Lanes<std::uint32_t> far_left;
-    Lanes<std::uint32_t> far_right;
+    Lanes<std::uint64_t> near;
+    Lanes<std::uint64_t> far;
     Lanes<std::uint32_t> place;
 };
+static_assert(std::endian::native == std::endian::little);
+[[gnu::always_inline]] inline std::uint32_t left_of(std::uint64_t texels) {
+    return static_cast<std::uint32_t>(texels);
+}
+[[gnu::always_inline]] inline std::uint32_t right_of(std::uint64_t texels) {
+    return static_cast<std::uint32_t>(texels >> 32U);
+}
 
 // Whether nothing of them is in shade.
 [[gnu::always_inline]] inline bool read_mask(const ShadowMask& mask, const std::uint32_t* places,
                                              MaskAbout& about) {
-    std::uint32_t all_of = kUnshaded;
+    constexpr std::uint64_t kBothUnshaded = std::uint64_t{kUnshaded} << 32U | kUnshaded;
+    std::uint64_t all_of = kBothUnshaded;
     for (std::size_t i = 0; i < kBlock; ++i) {
         const std::uint32_t* const texel = mask.data() + (places[i] >> 16U);
-        about.near_left[i] = texel[0];
-        about.near_right[i] = texel[1];
-        about.far_left[i] = texel[kAcross];
-        about.far_right[i] = texel[kAcross + 1];
-        all_of &= texel[0] & texel[1] & texel[kAcross] & texel[kAcross + 1];
+        std::memcpy(&about.near[i], texel, sizeof about.near[i]);
+        std::memcpy(&about.far[i], texel + kAcross, sizeof about.far[i]);
+        all_of &= about.near[i] & about.far[i];
     }
     std::memcpy(about.place.data(), places, sizeof(about.place));
-    return all_of == kUnshaded;
+    return all_of == kBothUnshaded;
 }
 
 // encode() of shaders/tone.glsl of both lights together, with the square-root transfer, for one channel of a
@@ -101,8 +107,10 @@ struct MaskAbout {
         // light is left the eye sees less than 1/255 of it.
         const std::uint32_t across = about.place[i] & 0xFFU;
         const std::uint32_t down = (about.place[i] >> 8U) & 0xFFU;
-        const std::uint32_t near_row = about.near_left[i] * (256U - across) + about.near_right[i] * across;
-        const std::uint32_t far_row = about.far_left[i] * (256U - across) + about.far_right[i] * across;
+        const std::uint32_t near_row =
+            left_of(about.near[i]) * (256U - across) + right_of(about.near[i]) * across;
+        const std::uint32_t far_row =
+            left_of(about.far[i]) * (256U - across) + right_of(about.far[i]) * across;
         const std::uint32_t key = (near_row & 0xFFFFU) * (256U - down) + (far_row & 0xFFFFU) * down;
         const std::uint32_t sky = (near_row >> 16U) * (256U - down) + (far_row >> 16U) * down;
         const float share = static_cast<float>(static_cast<int>(key)) * kOneOverMixed * light.key;

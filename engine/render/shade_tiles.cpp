@@ -9,6 +9,12 @@ namespace {
 constexpr std::size_t kAcross = shaders::kMaskTexels;
 constexpr std::size_t kSums = kAcross + 1;
 
+// std::floor is a call to a library where a processor's oldest instructions must do.
+glm::ivec2 floored(vec2 at) {
+    const glm::ivec2 whole(at);
+    return whole - glm::ivec2(glm::lessThan(at, vec2(whole)));
+}
+
 }  // namespace
 
 void ShadeTiles::Reach::hold(std::span<const std::uint32_t> places) {
@@ -39,8 +45,8 @@ PixelRect rect_about(vec2 low, vec2 high) {
     if (!(low.x <= high.x && low.y <= high.y)) return {};  // no numbers
     // Far outside of any picture a float has no place in an int.
     constexpr float kFarPx = 1e6F;
-    const glm::ivec2 from(glm::floor(glm::clamp(low, -kFarPx, kFarPx)));
-    const glm::ivec2 to(glm::ceil(glm::clamp(high, -kFarPx, kFarPx)));
+    const glm::ivec2 from = floored(glm::clamp(low, -kFarPx, kFarPx));
+    const glm::ivec2 to = -floored(-glm::clamp(high, -kFarPx, kFarPx));
     return {from.x, from.y, to.x - from.x, to.y - from.y};
 }
 
