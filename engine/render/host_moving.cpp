@@ -7,12 +7,17 @@
 #include "engine/render/painted_overlay.h"
 
 namespace onggi::render {
-bool paints_all(const RendererDesc& desc, const Scene& scene) {
+namespace {
+
+// Whether nothing of what moves is left to the device.
+bool draws_all(const RendererDesc& desc, const Scene& scene) {
     const auto is_shown = [](const Sphere& sphere) { return sphere.shown; };
     return desc.cached && !desc.inside_out &&
            std::none_of(scene.spheres.begin(), scene.spheres.end(), is_shown) &&
            (!scene.lathe || (!scene.lathe->cut && !scene.lathe->shows_load));
 }
+
+}  // namespace
 
 void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverPass& movers,
                        const LathePass& lathe) {
@@ -30,7 +35,7 @@ void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverPass&
                          parts_.push_back({first, mesh.vertices.size(), indices});
                          want_triangles(corners_of(parts_.back()), indices, grid, built.mover_tiles);
                      });
-    built.is_drawn_by_host = paints_all(frame.desc, scene);
+    built.is_drawn_by_host = draws_all(frame.desc, scene);
     if (!built.is_drawn_by_host || built.faces.indices.empty()) return;
     slip_ = lathe.slip();
     light_corners({.frame = built.frame,

@@ -18,9 +18,6 @@
 
 namespace onggi::render {
 
-// Whether all that moves is drawn by the processor, and nothing of it by the device.
-[[nodiscard]] bool paints_all(const RendererDesc& desc, const Scene& scene);
-
 class HostMoving {
   public:
     // Finds where hands and tools come to lie and in which light, and fills the frame's mover_tiles; and of

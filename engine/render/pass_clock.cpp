@@ -1,5 +1,7 @@
 #include "engine/render/pass_clock.h"
 
+#include <utility>
+
 namespace onggi::render {
 
 Result<PassClock> PassClock::create(const vk::Device& device, bool measures_parts) {
@@ -10,6 +12,21 @@ Result<PassClock> PassClock::create(const vk::Device& device, bool measures_part
     clock.timestamps_ = std::move(*timestamps);
     clock.measures_parts_ = measures_parts;
     return clock;
+}
+
+void PassClock::enter_host(const char* name) {
+    end_host();
+    if (!measures_parts_) return;
+    host_parts_.push_back({.name = name, .is_on_host = true});
+    host_entered_ = Clock::now();
+    is_in_host_part_ = true;
+}
+
+void PassClock::end_host() {
+    if (!is_in_host_part_) return;
+    const std::chrono::duration<double, std::milli> taken = Clock::now() - host_entered_;
+    host_parts_.back().ms = taken.count();
+    is_in_host_part_ = false;
 }
 
 void PassClock::begin(const vk::Device& device, VkCommandBuffer commands) {
@@ -38,11 +55,12 @@ void PassClock::end(const vk::Device& device, VkCommandBuffer commands) {
 }
 
 double PassClock::read(const vk::Device& device, std::vector<PassTime>& parts) {
-    parts.clear();
+    parts = std::move(host_parts_);
+    host_parts_.clear();
     const std::vector<double>& ms = timestamps_.read(device);
     if (ms.size() < 2) return 0.0;
     for (std::size_t part = 0; parts_are_marked_ && part < names_.size() && part + 1 < ms.size(); ++part)
-        parts.push_back({names_[part], ms[part + 1] - ms[part]});
+        parts.push_back({.name = names_[part], .ms = ms[part + 1] - ms[part]});
     return ms.back();
 }
 

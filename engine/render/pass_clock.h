@@ -2,6 +2,7 @@
 // since a mark between two parts costs a software device its batching. Main thread.
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -9,10 +10,11 @@
 
 namespace onggi::render {
 
-// What a part of a frame took on the device.
+// What a part of a frame took, on the device or before the device had anything to do.
 struct PassTime {
     const char* name = "";
     double ms = 0.0;
+    bool is_on_host = false;
 };
 
 class PassClock {
@@ -21,16 +23,26 @@ class PassClock {
     // From the next frame on.
     void measure_parts(bool measures) { measures_parts_ = measures; }
 
+    // What the host works out or draws itself, before begin(). enter_host() ends the part before.
+    void enter_host(const char* name);
+    void end_host();
+
     // In a command buffer, outside of rendering. enter() ends the part before; inside of rendering too.
     void begin(const vk::Device& device, VkCommandBuffer commands);
     void enter(const vk::Device& device, VkCommandBuffer commands, const char* name);
     void end(const vk::Device& device, VkCommandBuffer commands);
 
-    // Of the frame that has left the device: all of it, 0 where nothing was measured, and its parts.
+    // Of the frame that has left the device: what all of it took there, 0 where nothing was measured, and its
+    // parts, the host's first.
     double read(const vk::Device& device, std::vector<PassTime>& parts);
 
   private:
+    using Clock = std::chrono::steady_clock;
+
     vk::Timestamps timestamps_;
+    std::vector<PassTime> host_parts_;
+    Clock::time_point host_entered_;
+    bool is_in_host_part_ = false;
     std::vector<const char*> names_;
     bool measures_parts_ = false;
     bool parts_are_marked_ = false;  // in the frame that was begun last

@@ -177,6 +177,7 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     BuiltFrame& built = frame.built;
     const EdgeView view{scene.camera, static_cast<int>(frame.extent.width),
                         static_cast<int>(frame.extent.height)};
+    clock.enter_host("shapes");
     build_frame(scene, still.bounds(), frame.desc, view.width_px, view.height_px, built);
     frame.stats = {.rings = static_cast<int>(built.rows.size()), .ring_error_px = built.ring_error_px};
     if (auto chosen = movers.upload(frame, scene); !chosen) return chosen;
@@ -185,11 +186,13 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
         host_moving.place(frame, scene, movers, lathe);
         find_moving_tiles(scene, view, built);
     }
+    clock.enter_host("room");
     still.update(frame, scene);
     if (is_bent(scene)) {
         host_shade.let_go();
         still.let_go_layers();
         if (auto bent = host_glide.bend(frame, scene, still.plates()); !bent) return bent;
+        clock.enter_host("hands and clay");
         host_moving.draw(frame, host_glide.canvas(frame));
     } else if (frame.desc.cached) {
         host_glide.rest();
@@ -197,6 +200,7 @@ Result<void> Renderer::Impl::upload(const Scene& scene) {
     } else {
         shadow.update(frame, scene);
     }
+    clock.end_host();
     frame.write(frame_buffer, std::as_bytes(std::span(&built.frame, 1)));
     if (built.is_drawn_by_host) return {};
     lathe.upload(frame);
@@ -210,6 +214,7 @@ Result<void> Renderer::Impl::shade(const Scene& scene) {
     if (auto drawn = still.draw_layers(frame, scene, frame_buffer); !drawn) return drawn;
     if (frame.stats.still_life_drawn) host_shade.forget();
     host_shade.shade(frame, scene, still.layers().layers());
+    clock.enter_host("hands and clay");
     return host_moving.draw_over(frame, host_shade.shaded().as<const std::uint32_t>(),
                                  still.layers().depth().as<const float>());
 }

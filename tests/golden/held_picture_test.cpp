@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/render/renderer.h"
@@ -239,6 +240,26 @@ TEST_P(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
     EXPECT_LE(furthest(shown->read_back().value(), wanted), kMaskStep);
     draw_list(more, 25.0, false);
     EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "it moves again";
+}
+
+TEST_P(HeldPicture, SaysWhatTheHostAndTheDeviceTook) {
+    auto desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
+    desc.measures_parts = true;
+    auto drawn = render::Renderer::create(*device_, desc).value();
+    auto shown = target();
+    for (int frame = 0; frame < 3; ++frame)
+        draw(*drawn, *shown, 5.0 * frame, 500.0F);
+    const auto& parts = drawn->stats().parts;
+    const auto ms_of = [&](std::string_view name, bool on_host) {
+        double sum = 0.0;
+        for (const render::PassTime& part : parts)
+            sum += part.name == name && part.is_on_host == on_host ? part.ms : 0.0;
+        return sum;
+    };
+    EXPECT_GT(ms_of("hands and clay", true), 0.0);
+    EXPECT_GT(ms_of("room", true), 0.0);
+    EXPECT_EQ(ms_of("clay", false) > 0.0, is_by_device_);
+    EXPECT_EQ(parts.size(), 3U + (is_by_device_ ? 5U : 2U));
 }
 
 // The first frame of a screen that is about to fade away still shows nothing but it.

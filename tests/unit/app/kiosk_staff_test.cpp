@@ -18,7 +18,9 @@ Health well() {
             .frame_ms = 16.7,
             .worst_frame_ms = 21.0,
             .device_ms = 9.8,
-            .parts = {{"overlay's pictures", 0.01}, {"lathe", 6.1}, {"overlay", 1.2}},
+            .parts = {{.name = "overlay's pictures", .ms = 0.01},
+                      {.name = "lathe", .ms = 6.1},
+                      {.name = "overlay", .ms = 1.2}},
             .quality = "one software core",
             .celsius = 54.0,
             .free_mb = 10'000.0,
@@ -44,6 +46,16 @@ TEST(StaffLines, SayOkWhereAllIsWell) {
     EXPECT_EQ(line(well(), "Drawing").value, "9.8 ms: lathe 6.1, overlay 1.2");
     EXPECT_EQ(line(well(), "Temperature").value, "54 \u00b0C");
     EXPECT_EQ(line(well(), "Running").value, "3 h 2 min, started 0 times today");
+}
+
+// Where the processor is the device, it draws most before the device has anything to do.
+TEST(StaffLines, CountWhatTheHostDraws) {
+    Health health = well();
+    health.device_ms = 0.4;
+    health.parts = {{.name = "room", .ms = 0.52, .is_on_host = true},
+                    {.name = "hands and clay", .ms = 1.33, .is_on_host = true},
+                    {.name = "overlay", .ms = 0.3}};
+    EXPECT_EQ(line(health, "Drawing").value, "2.2 ms: room 0.5, hands and clay 1.3, overlay 0.3");
 }
 
 TEST(StaffLines, WarnOfEachThingThatIsNot) {
