@@ -1,6 +1,6 @@
 // Brings into a target what the processor made of a frame: the shaded still life or a whole scene, the
-// overlay where nothing moves under it, or an overlay that covers all; and of them only what the target does
-// not show already. Main thread.
+// overlay where the device draws nothing under it, or an overlay that covers all; and of them only what the
+// target does not show already. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ struct HostPicture {
 
 class HostFrame {
   public:
-    // A picture with the overlay; lays the target out as colour. Whatever moves is drawn next, and then the
-    // overlay on the tiles drawn_over(). The device is idle.
+    // A picture with the overlay; lays the target out as colour. Unless it is whole, whatever moves is drawn
+    // next, and then the overlay on the tiles drawn_over(). The device is idle.
     Result<void> record(const FrameContext& frame, const vk::TargetImage& target, const HostPicture& picture,
                         const PaintedOverlay& overlay);
     [[nodiscard]] std::span<const std::uint8_t> drawn_over() const { return work_.drawn_over; }

@@ -1,6 +1,6 @@
 // The photographed room while the camera moves, bent by the processor where that is the device: the relief,
 // the meshes that stand for parts of the room, and the shade on both, as one picture and its depth. What
-// moves is drawn over it by the device. Main thread.
+// moves is drawn over it (HostMoving). Main thread.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // The overlay where the device is the processor: painted here, into pixels of its own, only where it has
-// changed. Where nothing moves under it, it is laid over the picture here too (HostFrame); over what moves,
-// or over a scene that was drawn whole, the device lays it in one go. Main thread.
+// changed. It is laid over the picture here too (HostFrame); over what the device has drawn, the device lays
+// it in one go. Main thread.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,8 @@ struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
     int samples = 4;  // 1 or 4 a pixel
     // For a device that is the processor: what stands still is drawn once and kept where the processor lays
-    // shade and overlay over it, and bends it while the camera moves. Needs samples = 1 and kSquareRoot.
+    // shade and overlay over it, and bends it while the camera moves; what moves it draws itself. Needs
+    // samples = 1 and kSquareRoot.
     bool cached = false;
     Transfer transfer = Transfer::kExactSrgb;
     // Not at pixels: their triangles are hardly larger. When cached the processor draws them itself.
