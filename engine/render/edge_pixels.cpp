@@ -48,6 +48,7 @@ Line line_of(const OutlinePiece& piece, bool is_level) {
 
 void EdgePixels::smooth(std::span<const OutlinePiece> pieces, const PixelRect& within,
                         const PictureCanvas& canvas) {
+    if (within.width <= 0 || within.height <= 0) return;
     smoothed_.clear();
     const auto width = static_cast<std::ptrdiff_t>(canvas.size.width);
     for (const OutlinePiece& piece : pieces) {

@@ -98,6 +98,7 @@ TEST_F(SmoothedPixels, StayInsideWhereTheyMayGo) {
     EXPECT_EQ(changed, 8 + 9 - 1);
     const auto now = pixels_;
     smooth(vec4(5.0F, 5.0F, 0.4F, 1.0F), vec4(5.0F, 5.0F, 0.4F, 1.0F), {});
+    smooth(vec4(0.0F, 5.2F, 0.4F, 1.0F), vec4(9.0F, 5.2F, 0.4F, 1.0F), {1, 1, -2, -2});
     EXPECT_EQ(pixels_, now) << "nowhere";
 }
 
