@@ -4,28 +4,28 @@
 
 namespace onggi::render {
 
-Result<PassClock> PassClock::create(const vk::Device& device, bool measures_parts) {
+Result<PassClock> PassClock::create(const vk::Device& device, const RendererDesc& desc) {
     constexpr std::uint32_t kMostParts = 16;
     PassClock clock;
     auto timestamps = vk::Timestamps::create(device, kMostParts + 1, "frame times");
     if (!timestamps) return timestamps.error();
     clock.timestamps_ = std::move(*timestamps);
-    clock.measures_parts_ = measures_parts;
+    clock.measures_parts_ = desc.measures_parts;
+    clock.host_clock_ = desc.host_clock;
     return clock;
 }
 
 void PassClock::enter_host(const char* name) {
     end_host();
-    if (!measures_parts_) return;
+    if (!measures_parts_ || host_clock_ == nullptr) return;
     host_parts_.push_back({.name = name, .is_on_host = true});
-    host_entered_ = Clock::now();
+    host_entered_ns_ = host_clock_();
     is_in_host_part_ = true;
 }
 
 void PassClock::end_host() {
     if (!is_in_host_part_) return;
-    const std::chrono::duration<double, std::milli> taken = Clock::now() - host_entered_;
-    host_parts_.back().ms = taken.count();
+    host_parts_.back().ms = 1e-6 * static_cast<double>(host_clock_() - host_entered_ns_);
     is_in_host_part_ = false;
 }
 

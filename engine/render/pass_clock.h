@@ -2,10 +2,11 @@
 // since a mark between two parts costs a software device its batching. Main thread.
 #pragma once
 
-#include <chrono>
+#include <cstdint>
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/renderer_desc.h"
 #include "engine/vk/timestamps.h"
 
 namespace onggi::render {
@@ -19,7 +20,8 @@ struct PassTime {
 
 class PassClock {
   public:
-    static Result<PassClock> create(const vk::Device& device, bool measures_parts);
+    // Without a host's clock the host's parts are not measured.
+    static Result<PassClock> create(const vk::Device& device, const RendererDesc& desc);
     // From the next frame on.
     void measure_parts(bool measures) { measures_parts_ = measures; }
 
@@ -37,11 +39,10 @@ class PassClock {
     double read(const vk::Device& device, std::vector<PassTime>& parts);
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     vk::Timestamps timestamps_;
     std::vector<PassTime> host_parts_;
-    Clock::time_point host_entered_;
+    std::int64_t host_entered_ns_ = 0;
+    HostClock host_clock_ = nullptr;
     bool is_in_host_part_ = false;
     std::vector<const char*> names_;
     bool measures_parts_ = false;

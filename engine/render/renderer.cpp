@@ -118,7 +118,7 @@ Result<void> Renderer::Impl::create() {
     vk::write_image(device, set, shaders::kBindMask, frame.images.mask.view(), frame.pipelines.clamped.get());
     vk::write_image(device, set, shaders::kBindKeyMap, frame.images.key_map.view(),
                     frame.pipelines.compared.get());
-    auto made_clock = PassClock::create(device, frame.desc.measures_parts);
+    auto made_clock = PassClock::create(device, frame.desc);
     if (!made_clock) return made_clock.error();
     clock = std::move(*made_clock);
     if (auto laid_out = lay_out_unwritten(); !laid_out) return laid_out;

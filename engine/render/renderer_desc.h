@@ -1,6 +1,8 @@
 // What a renderer is asked for: how the picture is made, and how finely. Any thread; pure. Pixels.
 #pragma once
 
+#include <cstdint>
+
 #include "engine/vk/vulkan.h"
 
 namespace onggi::render {
@@ -13,6 +15,8 @@ enum class Transfer {
 };
 
 constexpr int kMaxRings = 256;
+
+using HostClock = std::int64_t (*)();  // ns
 
 struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
@@ -35,6 +39,7 @@ struct RendererDesc {
     bool softens_glides = false;   // cached only: half the room's width and height while the camera goes fast
     bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests
     bool measures_parts = false;   // FrameStats::parts, which costs a software device a few per cent
+    HostClock host_clock = nullptr;  // measures the host's own parts; null: they are left out
 
     friend bool operator==(const RendererDesc&, const RendererDesc&) = default;
 };

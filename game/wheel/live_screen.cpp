@@ -95,6 +95,7 @@ Result<void> LiveScreen::make_renderer() {
     render::RendererDesc desc =
         render::quality_desc(ladder_.step(), target().format(), static_cast<int>(extent().height));
     desc.measures_parts = measures_parts_;
+    desc.host_clock = jobs::ThreadClock::now_ns;
     auto made = render::Renderer::create(*device_, desc);
     if (!made) return made.error();
     renderer_ = std::move(*made);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/jobs/clock.h"
 #include "engine/ui/painter.h"
 
 namespace onggi::bench {
@@ -61,6 +62,7 @@ Result<void> FrameCase::create() {
     render::RendererDesc desc =
         render::quality_desc(render::QualityStep::kOneCore, vk::Offscreen::kFormat, desc_.height);
     desc.measures_parts = desc_.measures_parts;
+    desc.host_clock = jobs::ThreadClock::now_ns;
     desc.sectors = desc_.sectors.value_or(desc.sectors);
     desc.max_rings = desc_.max_rings.value_or(desc.max_rings);
     auto renderer = render::Renderer::create(*device_, desc);
