@@ -21,6 +21,14 @@ using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
 
+// A mock's reports are one stream of bytes, in which two that wait together would be read as one, and what it
+// says before anybody listens it says again. So each waits until it is asked for.
+constexpr std::array<std::uint8_t, 1> kAsked{0xff};
+
+void add_report(HidScript& script, const std::string& report) {
+    script.expects("ff").reports(report, 5);
+}
+
 // The only device on the bus, opened, and its reports one after the other.
 class Heard {
   public:
@@ -40,6 +48,7 @@ class Heard {
     // Waits for it for ten seconds; empty when none came.
     [[nodiscard]] std::span<const std::uint8_t> next() {
         if (!port_) return {};
+        EXPECT_TRUE(port_->write(kAsked));
         const auto size = port_->read(bytes_, 10'000);
         EXPECT_TRUE(size);
         return std::span(bytes_).first(size ? *size : 0);
@@ -63,7 +72,7 @@ struct Pushed {
 void expect_pushes(const MockHid& device, const std::vector<Pushed>& pushes) {
     HidScript script;
     for (const Pushed& push : pushes)
-        script.reports(push.report, 5);
+        add_report(script, push.report);
     Heard heard(device, script);
     SpaceMouseState state;
     for (const Pushed& push : pushes) {
@@ -112,7 +121,7 @@ TEST(CapturedReports, OfAFootPedalSayWhichAreDown) {
                                       {"07 00", true, true, true},   {"00 00", false, false, false}};
     HidScript script;
     for (const Trodden& pedal : pedals)
-        script.reports(pedal.report, 5);
+        add_report(script, pedal.report);
     Heard heard(kPedal, script);
     for (const Trodden& pedal : pedals) {
         const auto state = vec_pedal_state(heard.next());
@@ -130,7 +139,9 @@ TEST(CapturedReports, OfADualSenseSayWhatItsSensorsFelt) {
                                " 6b 00 07 00 04 00 39 01 bc 25 57 eb 84 ff 6b 01 07" +   // to 32
                                " 80 00 00 00 80 00 00 00 00 09 09" + zeros + " 00 00" +  // to 49
                                " 00 00 00 29 08" + zeros + zeros + " 00";
-    Heard heard(kDualSense, HidScript().reports(report, 5));
+    HidScript script;
+    add_report(script, report);
+    Heard heard(kDualSense, script);
     const auto state = dual_sense_state(heard.next());
     ASSERT_TRUE(state);
     EXPECT_EQ(state->gyro, (Axes{0x6b, 0x07, 0x04}));

@@ -88,13 +88,13 @@ TEST(SpaceMouseOnTheBus, LightsItsLampAndMovesTheToolByCapturedReports) {
     bus.plug_in(kSpaceMouse, HidScript()
                                  .expects("04 01")
                                  .reports("03 01 00", 20)
-                                 .reports("03 00 00", 10)
-                                 .reports("02 20 00 00 00 17 00", 10)
-                                 .reports("01 12 00 00 00 f8 00", 10)
-                                 .reports("02 20 00 00 00 19 00", 10)
-                                 .reports("01 12 00 00 00 12 01", 10)
-                                 .reports("02 1d 00 00 00 1b 00", 10)
-                                 .reports("01 0d 00 00 00 25 01", 10));
+                                 .reports("03 00 00", 40)
+                                 .reports("02 20 00 00 00 17 00", 40)
+                                 .reports("01 12 00 00 00 f8 00", 40)
+                                 .reports("02 20 00 00 00 19 00", 40)
+                                 .reports("01 12 00 00 00 12 01", 40)
+                                 .reports("02 1d 00 00 00 1b 00", 40)
+                                 .reports("01 0d 00 00 00 25 01", 40));
     const auto device = opened(HidKind::kSpaceMouse);
     std::uint64_t tick = 0;
     const ToolState start = device->read(tick++, 0.001);
