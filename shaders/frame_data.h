@@ -25,14 +25,14 @@ ONGGI_CONST int kShadowSteps = 32;      // of a ray past the lathe to the ground
 ONGGI_CONST int kMaskTexels = 96;       // the shadow mask, each way
 ONGGI_CONST int kKeyMapTexels = 512;    // the still life's shadow map, each way
 
-// Bindings of the one descriptor set.
+// Bindings of the one descriptor set; the first two are all that cached layers need.
 ONGGI_CONST int kBindFrame = 0;
-ONGGI_CONST int kBindOutline = 1;
-ONGGI_CONST int kBindRows = 2;
-ONGGI_CONST int kBindNormals = 3;
-ONGGI_CONST int kBindDetail = 4;
-ONGGI_CONST int kBindMask = 5;
-ONGGI_CONST int kBindKeyMap = 6;
+ONGGI_CONST int kBindKeyMap = 1;
+ONGGI_CONST int kBindOutline = 2;
+ONGGI_CONST int kBindRows = 3;
+ONGGI_CONST int kBindNormals = 4;
+ONGGI_CONST int kBindDetail = 5;
+ONGGI_CONST int kBindMask = 6;
 ONGGI_CONST int kBindPlateKey = 7;
 ONGGI_CONST int kBindPlateAmbient = 8;
 ONGGI_CONST int kBindNextKey = 9;
@@ -40,8 +40,7 @@ ONGGI_CONST int kBindNextAmbient = 10;
 ONGGI_CONST int kBindFromDepth = 11;
 ONGGI_CONST int kBindToDepth = 12;
 ONGGI_CONST int kBindVertices = 13;
-ONGGI_CONST int kBindPicture = 14;
-ONGGI_CONST int kBindSlip = 15;
+ONGGI_CONST int kBindSlip = 14;
 
 struct FrameData {
     mat4 view_projection;
@@ -93,7 +92,7 @@ struct VertexData {
 
 // Push constants of a mesh.
 struct MeshDraw {
-    vec4 place;    // xyz mm; w scale
+    vec4 place;    // xyz mm
     vec4 albedo;   // rgb; w roughness
     vec4 surface;  // metalness, groove pitch mm, groove tilt, grain
     vec4 pattern;  // x how much longer along x the grain is than across
@@ -101,7 +100,7 @@ struct MeshDraw {
 
 // Push constants of a hand or a tool.
 struct MoverDraw {
-    vec4 row_x;  // of the rigid 3 x 4 matrix that places it
+    vec4 row_x;  // of the 3 x 4 matrix that places it, see Mover
     vec4 row_y;
     vec4 row_z;
     vec4 albedo;   // rgb; w roughness

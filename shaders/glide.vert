@@ -38,7 +38,7 @@ float shown_by(sampler2D depth, vec3 place) {
 
 void main() {
 #ifdef ONGGI_SURFACE
-    vec3 p = draw.place.xyz + draw.place.w * position_mm;
+    vec3 p = draw.place.xyz + position_mm;
 #else
     vec3 p = position_mm;
 #endif

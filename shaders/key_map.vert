@@ -9,5 +9,5 @@ layout(push_constant) uniform DrawBlock {
 layout(location = 0) in vec3 position_mm;
 
 void main() {
-    gl_Position = frame.key_view_projection * vec4(draw.place.xyz + draw.place.w * position_mm, 1.0);
+    gl_Position = frame.key_view_projection * vec4(draw.place.xyz + position_mm, 1.0);
 }

@@ -3,8 +3,8 @@
 // Thrown clay: a rough body with the outline's own normal at every pixel, slip streaks that turn with it, and
 // over it a film of water or a glaze that mirrors. Written to be cheap on one core, where a division or a root
 // costs ten multiplications, and a number of a uniform buffer thirty: what changes slowly or not at all comes
-// from the vertices, and fractions share a division. lathe_pixels.cpp of engine/render is the same in C++, for
-// a device that is the processor: a change here is one there, or paths_agree_test.cpp fails.
+// from the vertices, and fractions share a division. lathe_shade.h of engine/render is the same in C++, for a
+// device that is the processor: a change here is one there, or paths_agree_test.cpp fails.
 #include "frame_data.h"
 #include "surface.glsl"
 #ifdef ONGGI_LOAD

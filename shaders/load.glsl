@@ -1,5 +1,6 @@
 // How near clay is to giving way, as it is shown on it: a hatch that grows denser and a colour that grows
 // redder, framed by pale lines where the warning begins. Place and pattern say it without the colour.
+// load_pixels.h of engine/render is the same in C++.
 const float kLoadWarns = 0.6;
 
 // along: mm along the hatch's own axis.

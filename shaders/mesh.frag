@@ -9,9 +9,9 @@
 #include "surface.glsl"
 #include "tone.glsl"
 
-layout(constant_id = 1) const bool kMoves = false;  // a sphere: no cached shadow falls on it
-
+#ifndef ONGGI_LAYERS
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
+#endif
 layout(set = 0, binding = kBindKeyMap) uniform sampler2DShadow key_map;
 layout(push_constant) uniform DrawBlock {
     MeshDraw draw;
@@ -29,7 +29,6 @@ layout(location = 2) out vec4 out_coords;   // where to look in the shadow mask
 // The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share
 // of the square, since not every device filters depth (lavapipe does not).
 float past_still_life() {
-    if (kMoves) return 1.0;
     vec4 at = frame.key_view_projection * vec4(position, 1.0);
     vec2 texel = (at.xy * 0.5 + 0.5) * kKeyMapTexels - 0.5;
     vec2 base = floor(texel);
@@ -50,8 +49,7 @@ float past_still_life() {
 void main() {
     float roughness = draw.albedo.w;
     float metalness = draw.surface.x;
-    // What moves is a sphere: its normal needs no mesh.
-    vec3 n = normalize(kMoves ? position - draw.place.xyz : in_normal);
+    vec3 n = normalize(in_normal);
     vec3 v = normalize(frame.eye.xyz - position);
     vec3 l = frame.key_direction.xyz;
 
@@ -109,10 +107,6 @@ void main() {
     vec3 shade = open_sky_colour(open_sky, albedo);
     vec3 ambient = body * sky_diffuse(leaning) * shade + mirror * reflected * open_sky;
 
-    if (kMoves) {
-        out_colour = vec4(encode(ambient + key_light) + dither(), 1.0);
-        return;
-    }
     vec2 uv = vec2(dot(frame.mask_u.xyz, position) + frame.mask_u.w,
                    dot(frame.mask_v.xyz, position) + frame.mask_v.w);
     float near_foot = smoothstep(-7.0, -1.0, position.y) * max(n.y, 0.0);

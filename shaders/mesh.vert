@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A still mesh or a moving sphere, into the picture; with ONGGI_PLATE a mesh that only carries photographs.
+// A mesh that stands still; with ONGGI_PLATE one that only carries photographs.
 #include "frame.glsl"
 
 layout(push_constant) uniform DrawBlock {
@@ -16,7 +16,7 @@ layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 
 void main() {
-    out_position = draw.place.xyz + draw.place.w * position_mm;
+    out_position = draw.place.xyz + position_mm;
     out_normal = normal;
 #ifndef ONGGI_PLATE
     out_open_sky = open_sky;

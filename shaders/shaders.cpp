@@ -3,8 +3,6 @@
 // Written by glslangValidator while building; see CMakeLists.txt.
 #include "backdrop_frag.h"
 #include "backdrop_layers_frag.h"
-#include "edges_frag.h"
-#include "edges_vert.h"
 #include "glide_frag.h"
 #include "glide_surface_frag.h"
 #include "glide_surface_vert.h"
@@ -24,8 +22,6 @@
 #include "mover_lit_frag.h"
 #include "mover_lit_vert.h"
 #include "mover_vert.h"
-#include "painted_frag.h"
-#include "painted_vert.h"
 #include "places_frag.h"
 #include "plate_frag.h"
 #include "plate_surface_frag.h"
@@ -55,8 +51,6 @@ const Spirv kLatheLoadVert = lathe_load_vert;
 const Spirv kLatheLoadFrag = lathe_load_frag;
 const Spirv kLatheSectionVert = lathe_section_vert;
 const Spirv kLatheSectionFrag = lathe_section_frag;
-const Spirv kEdgesVert = edges_vert;
-const Spirv kEdgesFrag = edges_frag;
 const Spirv kGlideVert = glide_vert;
 const Spirv kGlideFrag = glide_frag;
 const Spirv kGlideSurfaceVert = glide_surface_vert;
@@ -65,8 +59,6 @@ const Spirv kPlateFrag = plate_frag;
 const Spirv kPlacesFrag = places_frag;
 const Spirv kPlateSurfaceVert = plate_surface_vert;
 const Spirv kPlateSurfaceFrag = plate_surface_frag;
-const Spirv kPaintedVert = painted_vert;
-const Spirv kPaintedFrag = painted_frag;
 const Spirv kUiVert = ui_vert;
 const Spirv kUiFrag = ui_frag;
 const Spirv kUiPictureFrag = ui_picture_frag;

@@ -1,5 +1,5 @@
-// Outlines smoothed by the processor, where that is the device: what edge_pass.h has the device do, in the
-// same pixels. Any thread; one user of a canvas at a time. Pixels.
+// Outlines smoothed where a picture has one sample a pixel: by the processor, where that is the device. Any
+// thread; one user of a canvas at a time. Pixels.
 #pragma once
 
 #include <cstddef>

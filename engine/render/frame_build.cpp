@@ -211,7 +211,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     frame = {};
     built.faces.clear();
     built.section_first = built.section_count = 0;
-    built.shows_load = built.is_drawn_by_host = false;
+    built.shows_load = false;
     built.rows.clear();
     built.vertices.clear();
     built.edges.clear();
@@ -225,10 +225,6 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     const std::size_t sphere_count = std::min<std::size_t>(scene.spheres.size(), kMaxSpheres);
     for (std::size_t i = 0; i < sphere_count; ++i)
         frame.spheres[i] = vec4(scene.spheres[i].centre_mm, scene.spheres[i].radius_mm);
-    if (desc.cached && desc.smooths_outlines) {
-        for (std::size_t i = 0; i < sphere_count; ++i)
-            if (scene.spheres[i].shown) add_sphere_edges(scene.spheres[i], view, built.edges);
-    }
     for (std::size_t i = sphere_count; i < kMaxSpheres; ++i)
         frame.spheres[i] = vec4(0.0F, -1e6F, 0.0F, 1e-3F);
     if (!built.rows.empty()) {
@@ -255,9 +251,9 @@ shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still, c
     return frame;
 }
 
-shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale) {
+shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm) {
     return {
-        .place = vec4(position_mm, scale),
+        .place = vec4(position_mm, 0.0F),
         .albedo = vec4(material.albedo, material.roughness),
         .surface = vec4(material.metalness, material.groove_pitch_mm, material.groove_tilt, material.grain),
         .pattern = vec4(material.grain_stretch, 0.0F, 0.0F, 0.0F)};

@@ -34,15 +34,10 @@ struct BuiltFrame {
     bool shows_load = false;
     LatheFaces faces;  // none: no lathe
     PixelRect moving;  // where anything that moves can be seen
-    // Cached only: which tiles that is in (kMoves and its like), one entry a tile; the same, and those of
-    // them in which an outline is smoothed, with what the smoothing reads, as rectangles.
+    // Cached only: which tiles that is in (kMoves and its like), and which of them hands and tools are in;
+    // one entry a tile.
     std::vector<std::uint8_t> moving_tiles;
-    std::vector<PixelRect> moving_rects;
-    std::vector<PixelRect> edge_rects;
-    bool is_drawn_by_host = false;  // all that moves, see HostMoving
-    // Where the host draws hands and tools; empty: the device does. And the other moving ones.
     std::vector<std::uint8_t> mover_tiles;
-    std::vector<PixelRect> beside_mover_rects;
     float ring_error_px = 0.0F;
 };
 
@@ -63,7 +58,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 [[nodiscard]] shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still,
                                                const BuiltFrame& built, int width_px, int height_px);
 
-[[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm, float scale);
+[[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
 
 // Triangles of the lathe's rows and sectors, for as many rows as there may be; any first part that ends at a
 // whole row is a lathe with fewer.

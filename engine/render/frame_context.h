@@ -7,8 +7,10 @@
 #include "engine/render/frame_build.h"
 #include "engine/render/frame_images.h"
 #include "engine/render/pass.h"
+#include "engine/render/pass_clock.h"
 #include "engine/render/pipelines.h"
 #include "engine/vk/buffer.h"
+#include "engine/vk/frame_target.h"
 
 namespace onggi::render {
 
@@ -21,6 +23,23 @@ struct FrameContext {
     VkExtent2D extent{};
     BuiltFrame built{};
     FrameStats stats{};
+    PassClock clock{};
+    vk::Buffer uniforms{};
+
+    // The command buffer; end() leaves the target, which is laid out as colour, as whoever shows it wants it.
+    Result<void> begin();
+    Result<void> end(const vk::TargetImage& target);
+    // A part of the frame begins, on the device.
+    void enter(const char* part) { clock.enter(device, commands, part); }
+
+    [[nodiscard]] EdgeView view(const Scene& scene) const {
+        return {scene.camera, static_cast<int>(extent.width), static_cast<int>(extent.height)};
+    }
+    // What the scene becomes; the stats begin anew.
+    void build(const Scene& scene, const StillBounds& still);
+    void upload_uniforms(const shaders::FrameData& data) {
+        uniforms.write(std::as_bytes(std::span(&data, 1)));
+    }
 
     [[nodiscard]] VkDescriptorSet set() const { return pipelines.set.set; }
     void bind_set() const {
@@ -37,10 +56,6 @@ struct FrameContext {
             record();
             commands = of_frame;
         });
-    }
-    void write(const vk::Buffer& buffer, std::span<const std::byte> bytes) {
-        buffer.write(bytes);
-        stats.bytes_uploaded += bytes.size();
     }
     void bind(const vk::Pipeline& pipeline) const {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get());

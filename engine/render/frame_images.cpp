@@ -27,6 +27,13 @@ Result<void> create_all(const vk::Device& device, std::initializer_list<Wish> wi
 
 Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, FrameImages& images) {
     constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT;
+    auto made = create_all(device, {{images.key_map,
+                                     {.name = "still life's shadow map",
+                                      .format = kDepthFormat,
+                                      .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
+                                      .usage = kRead | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                      .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+    if (!made || desc.cached) return made;
     return create_all(
         device,
         {{images.detail,
@@ -38,47 +45,27 @@ Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& d
           {.name = "shadow mask",
            .format = kMaskFormat,
            .extent = {shaders::kMaskTexels, shaders::kMaskTexels},
-           .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}},
-         {images.key_map,
-          {.name = "still life's shadow map",
-           .format = kDepthFormat,
-           .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
-           .usage = kRead | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-           .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+           .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}}});
 }
 
 Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,
                                  FrameImages& images) {
+    if (desc.cached) return {};
     const auto samples = static_cast<VkSampleCountFlagBits>(desc.samples);
-    const VkImageUsageFlags copied_depth =
-        desc.cached ? VkImageUsageFlags{VK_IMAGE_USAGE_TRANSFER_DST_BIT} : 0;
-    if (auto made = create_all(device, {{images.depth,
-                                         {.name = "depth",
-                                          .format = kDepthFormat,
-                                          .extent = extent,
-                                          .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | copied_depth,
-                                          .samples = samples,
-                                          .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
-        !made) {
-        return made;
-    }
-    if (desc.samples > 1) {
-        if (auto made = create_all(device, {{images.multisampled,
-                                             {.name = "picture, several samples a pixel",
-                                              .format = desc.colour_format,
-                                              .extent = extent,
-                                              .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-                                              .samples = samples}}});
-            !made) {
-            return made;
-        }
-    }
-    if (!desc.cached) return {};
-    return create_all(device, {{images.drawn,
-                                {.name = "picture before its outlines are smoothed",
+    auto made = create_all(device, {{images.depth,
+                                     {.name = "depth",
+                                      .format = kDepthFormat,
+                                      .extent = extent,
+                                      .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                      .samples = samples,
+                                      .aspect = VK_IMAGE_ASPECT_DEPTH_BIT}}});
+    if (!made || desc.samples == 1) return made;
+    return create_all(device, {{images.multisampled,
+                                {.name = "picture, several samples a pixel",
                                  .format = desc.colour_format,
                                  .extent = extent,
-                                 .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}}});
+                                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                 .samples = samples}}});
 }
 
 }  // namespace onggi::render

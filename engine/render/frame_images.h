@@ -10,13 +10,13 @@ namespace onggi::render {
 
 struct FrameImages {
     // Of fixed size.
+    vk::Image key_map;
+    // Not when cached.
     vk::Image detail;
     vk::Image mask;
-    vk::Image key_map;
-    // Of the picture's size.
+    // Of the picture's size, likewise.
     vk::Image depth;
     vk::Image multisampled;  // with samples > 1
-    vk::Image drawn;         // cached: the part of the picture whose outlines are smoothed
 };
 
 Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, FrameImages& images);

@@ -13,17 +13,17 @@ void HeldTiles::take_work(const TileContents& wanted, TileWork& work) {
     }
     work.bare.assign(count, 0);
     work.laid_over.assign(count, 0);
-    work.drawn_over.assign(count, 0);
+    work.moves_under.assign(count, 0);
     for (std::size_t tile = 0; tile < count; ++tile) {
         const std::uint64_t overlay = wanted.overlay.empty() ? 0 : wanted.overlay[tile];
-        const std::uint8_t drawn = wanted.moving.empty() ? kNothingMoves : wanted.moving[tile];
-        const bool moves = drawn != kNothingMoves;
-        // What moves is drawn on the bare picture.
-        const std::uint64_t under = moves ? 0 : overlay;
-        const bool is_there = picture_[tile] == wanted.picture[tile] && overlay_[tile] == under;
-        if (!is_there && drawn != kCovered) (under == 0 ? work.bare : work.laid_over)[tile] = 1;
-        if (moves && overlay != 0) work.drawn_over[tile] = 1;
-        picture_[tile] = moves ? 0 : wanted.picture[tile];
+        if (!wanted.moving.empty() && wanted.moving[tile] != 0) {
+            work.moves_under[tile] = overlay != 0 ? 1 : 0;
+            picture_[tile] = overlay_[tile] = 0;
+            continue;
+        }
+        const bool is_there = picture_[tile] == wanted.picture[tile] && overlay_[tile] == overlay;
+        if (!is_there) (overlay == 0 ? work.bare : work.laid_over)[tile] = 1;
+        picture_[tile] = wanted.picture[tile];
         overlay_[tile] = overlay;
     }
 }

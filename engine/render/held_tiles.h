@@ -15,17 +15,16 @@ namespace onggi::render {
 struct TileContents {
     // Of a picture's tiles, each of which has another number whenever it becomes another.
     std::span<const std::uint64_t> picture;
-    // What is drawn over the picture, and under the overlay, that may be elsewhere in the next frame: kMoves
-    // and its like.
-    std::span<const std::uint8_t> moving{};    // empty: nothing
+    // Not 0 where another picture has its place, which is another in every frame; empty: nowhere.
+    std::span<const std::uint8_t> moving{};
     std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: none
 };
 
-// How a target comes to show a frame, one entry a tile, 0 or not. First the pictures are copied.
+// What of a frame has to be brought to a target, one entry a tile, 0 or not; all that moves has besides.
 struct TileWork {
-    std::vector<std::uint8_t> bare;        // the picture as it is
-    std::vector<std::uint8_t> laid_over;   // the picture with the overlay laid over it
-    std::vector<std::uint8_t> drawn_over;  // once all that moves is drawn, the overlay is drawn
+    std::vector<std::uint8_t> bare;         // the picture as it is
+    std::vector<std::uint8_t> laid_over;    // the picture with the overlay laid over it
+    std::vector<std::uint8_t> moves_under;  // what moves, with the overlay laid over it
 };
 
 // What one target shows.

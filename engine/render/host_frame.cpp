@@ -15,15 +15,10 @@ bool any(std::span<const std::uint8_t> tiles) {
     return std::any_of(tiles.begin(), tiles.end(), [](std::uint8_t tile) { return tile != 0; });
 }
 
-// As the frame before left it.
-vk::ImageState left_in(const vk::TargetImage& target) {
-    vk::ImageState state = vk::state::kDiscard;
-    if (target.frames_before > 0) state.layout = target.final_layout;
-    return state;
-}
-
-void begin_copies(const FrameContext& frame, const vk::TargetImage& target, const vk::ImageState& before) {
-    vk::barrier(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, before, vk::state::kCopyTarget);
+void begin_copies(const FrameContext& frame, const vk::TargetImage& target) {
+    vk::ImageState left = vk::state::kDiscard;  // as the frame before left it
+    if (target.frames_before > 0) left.layout = target.final_layout;
+    vk::barrier(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, left, vk::state::kCopyTarget);
 }
 
 void end_copies(const FrameContext& frame, const vk::TargetImage& target) {
@@ -44,18 +39,14 @@ void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::spa
 
 Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage& target,
                                const HostPicture& picture, const PaintedOverlay& overlay) {
-    // A picture that is made anew every frame holds what moves as it does all else.
-    const bool is_anew = picture.is_whole && picture.instead == nullptr;
-    const std::span<const std::uint8_t> moving = is_anew ? std::span<const std::uint8_t>{} : picture.moving;
     targets_.held_by(target).take_work(
-        {.picture = picture.numbers, .moving = moving, .overlay = overlay.content()}, work_);
+        {.picture = picture.numbers, .moving = picture.instead_on, .overlay = overlay.content()}, work_);
     const TileGrid grid = grid_of(frame);
-    if (picture.is_whole && any(work_.drawn_over)) {
-        rects_of_tiles(grid, work_.drawn_over, rects_);
+    if (any(work_.moves_under)) {
+        rects_of_tiles(grid, work_.moves_under, rects_);
         const auto pixels = picture.instead->as<std::uint32_t>();
         for (const PixelRect& rect : rects_)
             lay_over(overlay.painted().as<const std::uint32_t>(), pixels, rect, grid.width_px, pixels);
-        std::fill(work_.drawn_over.begin(), work_.drawn_over.end(), std::uint8_t{0});
     }
     if (any(work_.laid_over)) {
         if (auto made = vk::make_room(frame.device, laid_, "still life with the overlay",
@@ -69,12 +60,8 @@ Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage&
                      rect, grid.width_px, laid_.as<std::uint32_t>());
         }
     }
-    begin_copies(frame, target, left_in(target));
-    if (picture.instead != nullptr) {
-        for (std::size_t tile = 0; tile < work_.bare.size(); ++tile)
-            work_.bare[tile] = picture.instead_on[tile] != 0 ? 0 : work_.bare[tile];
-        copy(frame, *picture.instead, picture.instead_on, target);
-    }
+    begin_copies(frame, target);
+    if (picture.instead != nullptr) copy(frame, *picture.instead, picture.instead_on, target);
     copy(frame, picture.pixels, work_.bare, target);
     copy(frame, laid_, work_.laid_over, target);
     end_copies(frame, target);
@@ -82,13 +69,11 @@ Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage&
 }
 
 void HostFrame::record_covered(const FrameContext& frame, const vk::TargetImage& target,
-                               const PaintedOverlay& overlay, bool scene_is_drawn) {
+                               const PaintedOverlay& overlay) {
     constexpr std::uint64_t kNoPicture = ~std::uint64_t{0};
     no_picture_.assign(grid_of(frame).count(), kNoPicture);
-    HeldTiles& held = targets_.held_by(target);
-    if (scene_is_drawn) held.forget();
-    held.take_work({.picture = no_picture_, .overlay = overlay.content()}, work_);
-    begin_copies(frame, target, scene_is_drawn ? vk::state::kColour : left_in(target));
+    targets_.held_by(target).take_work({.picture = no_picture_, .overlay = overlay.content()}, work_);
+    begin_copies(frame, target);
     copy(frame, overlay.painted(), work_.laid_over, target);
     end_copies(frame, target);
 }

@@ -1,6 +1,5 @@
-// Brings into a target what the processor made of a frame: the shaded still life or a whole scene, the
-// overlay where the device draws nothing under it, or an overlay that covers all; and of them only what the
-// target does not show already. Main thread.
+// Brings into a target what the processor made of a frame: a scene with the overlay on it, or an overlay that
+// covers all; and of them only what the target does not show already. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +16,20 @@ namespace onggi::render {
 struct HostPicture {
     const vk::Buffer& pixels;
     std::span<const std::uint64_t> numbers;  // of its tiles, see TileContents
-    std::span<const std::uint8_t>
-        moving{};  // tiles over which something is drawn before the overlay; empty: none
-    // Of the moving tiles, those that another picture has in its place, which is another in every frame;
-    // null: none.
+    // Another that has its place on these tiles, and is another in every frame; the overlay may be laid on
+    // it. Null: none.
     const vk::Buffer* instead = nullptr;
     std::span<const std::uint8_t> instead_on{};
-    bool is_whole = false;  // what moves is in it: the overlay may be laid on it, too
 };
 
 class HostFrame {
   public:
-    // A picture with the overlay; lays the target out as colour. Unless it is whole, whatever moves is drawn
-    // next, and then the overlay on the tiles drawn_over(). The device is idle.
+    // A picture with the overlay; lays the target out as colour. The device is idle.
     Result<void> record(const FrameContext& frame, const vk::TargetImage& target, const HostPicture& picture,
                         const PaintedOverlay& overlay);
-    [[nodiscard]] std::span<const std::uint8_t> drawn_over() const { return work_.drawn_over; }
-    // The overlay alone; over a scene that has been drawn in this frame, or in place of one.
+    // The overlay alone, which covers everything.
     void record_covered(const FrameContext& frame, const vk::TargetImage& target,
-                        const PaintedOverlay& overlay, bool scene_is_drawn);
+                        const PaintedOverlay& overlay);
 
   private:
     void copy(const FrameContext& frame, const vk::Buffer& from, std::span<const std::uint8_t> tiles,

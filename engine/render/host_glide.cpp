@@ -21,14 +21,14 @@ std::uint8_t dimmed(std::size_t value, float left) {
 }  // namespace
 
 Result<void> HostGlide::fit(const FrameContext& frame) {
-    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
-    if (picture_.size() == bytes) return {};
-    for (auto [into, name] : {std::pair{&picture_, "bent photographs"}, {&depth_, "their depth"}}) {
-        auto buffer = vk::Buffer::create(
-            frame.device, {.name = name, .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-        if (!buffer) return buffer.error();
-        *into = std::move(*buffer);
-    }
+    const std::size_t pixels = std::size_t{frame.extent.width} * frame.extent.height;
+    if (depth_.size() == pixels) return {};
+    auto picture = vk::Buffer::create(frame.device, {.name = "bent photographs",
+                                                     .size = sizeof(std::uint32_t) * pixels,
+                                                     .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    if (!picture) return picture.error();
+    picture_ = std::move(*picture);
+    depth_.resize(pixels);
     return {};
 }
 
@@ -113,7 +113,7 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
     BentPicture picture{.width = width,
                         .height = height,
                         .pixels = picture_.as<std::uint32_t>(),
-                        .depth = depth_.as<float>(),
+                        .depth = depth_,
                         .from = &(*from)->photographs,
                         .to = &(*to)->photographs,
                         .mask = mask_.get(),
@@ -146,7 +146,7 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
     note_speed(frame, nearer, scale);
     if (is_coarse) {
         enlarge_pixels(half_picture_, width, height, picture_.as<std::uint32_t>());
-        enlarge_depth(half_depth_, width, height, depth_.as<float>());
+        enlarge_depth(half_depth_, width, height, depth_);
     }
 
     const TileGrid grid{width, height};
@@ -155,15 +155,10 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
     return {};
 }
 
-void HostGlide::record_depth(const FrameContext& frame) const {
-    copy_depth(frame.commands, depth_.handle(), frame.extent.width, frame.images.depth.handle(),
-               frame.built.moving_rects);
-}
-
-PictureCanvas HostGlide::canvas(const FrameContext& frame) const {
+PictureCanvas HostGlide::canvas(const FrameContext& frame) {
     return {.size = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
             .pixels = picture_.as<std::uint32_t>(),
-            .depth = depth_.as<float>()};
+            .depth = depth_};
 }
 
 }  // namespace onggi::render

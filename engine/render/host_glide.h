@@ -28,13 +28,9 @@ class HostGlide {
     void rest();
 
     // What bend() made.
-    [[nodiscard]] HostPicture picture(const FrameContext& frame) const {
-        return {picture_, numbers_, frame.built.moving_tiles};
-    }
-    // The same, for hands and tools to be drawn into.
-    [[nodiscard]] PictureCanvas canvas(const FrameContext& frame) const;
-    // Its depth, where something moves, into the frame's, which is laid out to be copied into.
-    void record_depth(const FrameContext& frame) const;
+    [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
+    // The same, for what moves to be drawn into.
+    [[nodiscard]] PictureCanvas canvas(const FrameContext& frame);
 
   private:
     Result<void> fit(const FrameContext& frame);
@@ -44,7 +40,7 @@ class HostGlide {
     void note_speed(const FrameContext& frame, const BendablePlate& plate, float scale);
 
     vk::Buffer picture_;
-    vk::Buffer depth_;
+    std::vector<float> depth_;
     // At half the size, while the camera goes fast.
     std::vector<std::uint32_t> half_picture_;
     std::vector<float> half_depth_;

@@ -1,48 +1,45 @@
 #include "engine/render/host_moving.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstring>
 
+#include "engine/render/detail_texture.h"
 #include "engine/render/mover_light.h"
-#include "engine/render/painted_overlay.h"
 
 namespace onggi::render {
-namespace {
 
-// Whether nothing of what moves is left to the device.
-bool draws_all(const RendererDesc& desc, const Scene& scene) {
-    const auto is_shown = [](const Sphere& sphere) { return sphere.shown; };
-    return desc.cached && !desc.inside_out &&
-           std::none_of(scene.spheres.begin(), scene.spheres.end(), is_shown) &&
-           (!scene.lathe || (!scene.lathe->cut && !scene.lathe->shows_load));
+void HostMoving::create(const RendererDesc& desc) {
+    slip_size_ = {desc.slip_across, desc.slip_up};
+    const std::vector<std::uint8_t> texels = coarser_detail(detail_texture(), desc.slip_across, desc.slip_up);
+    slip_.resize(texels.size() / sizeof(std::uint32_t));
+    std::memcpy(slip_.data(), texels.data(), texels.size());
 }
 
-}  // namespace
-
-void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverPass& movers,
-                       const LathePass& lathe) {
+void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverModels& models) {
     BuiltFrame& built = frame.built;
     const TileGrid grid{static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
     built.mover_tiles.assign(grid.count(), 0);
     corners_.clear();
     parts_.clear();
     const MoverView view{built.frame, built.samples, byte_order(frame.desc.colour_format)};
-    movers.for_parts(scene,
-                     [&](const Mover& mover, const MoverMesh& mesh, std::span<const std::uint32_t> indices) {
+    models.for_parts(scene,
+                     [&](const Mover& mover, std::size_t number, std::span<const std::uint32_t> indices) {
                          if (indices.empty()) return;
+                         const MoverMesh& mesh = (*scene.mover_library)[mover.model].meshes[number];
                          const std::size_t first = corners_.size();
                          light_corners(mesh, indices, mover, view, corners_);
                          parts_.push_back({first, mesh.vertices.size(), indices});
                          want_triangles(corners_of(parts_.back()), indices, grid, built.mover_tiles);
                      });
-    built.is_drawn_by_host = draws_all(frame.desc, scene);
-    if (!built.is_drawn_by_host || built.faces.indices.empty()) return;
-    slip_ = lathe.slip();
+    place_section(std::span(built.vertices).subspan(built.section_first, built.section_count), built.frame,
+                  section_corners_);
+    if (built.faces.indices.empty()) return;
     light_corners({.frame = built.frame,
                    .draw = built.lathe,
                    .rows = built.rows,
-                   .vertices = built.vertices,
-                   .slip = {frame.desc.slip_across, frame.desc.slip_up}},
+                   .vertices = std::span(built.vertices).first(built.section_first),
+                   .slip = slip_size_,
+                   .shows_load = built.shows_load},
                   built.faces.indices, lathe_corners_);
 }
 
@@ -51,36 +48,34 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
     for (const Part& part : parts_)
         draw_triangles(corners_of(part), part.indices, canvas);
     const BuiltFrame& built = frame.built;
-    if (!built.is_drawn_by_host) return;
+    const ByteOrder order = byte_order(frame.desc.colour_format);
     if (!built.faces.indices.empty()) {
         draw_lathe(lathe_corners_, built.faces.indices, built.faces.plain,
                    {.frame = built.frame,
                     .draw = built.lathe,
                     .normals = built.normals,
                     .slip = slip_,
-                    .slip_size = {frame.desc.slip_across, frame.desc.slip_up},
-                    .order = byte_order(frame.desc.colour_format)},
+                    .slip_size = slip_size_,
+                    .order = order,
+                    .shows_load = built.shows_load},
                    canvas);
     }
+    draw_section(section_corners_,
+                 {.colour = vec3(built.section.dry), .shows_load = built.shows_load, .order = order}, canvas);
     const PixelRect& moving = built.moving;
     edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
 }
 
 Result<void> HostMoving::fit(const FrameContext& frame) {
-    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
-    if (picture_.size() == bytes) return {};
-    for (auto [into, name] :
-         {std::pair{&picture_, "still life with what moves"}, {&depth_, "depth of what moves"}}) {
-        auto buffer = vk::Buffer::create(
-            frame.device, {.name = name, .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-        if (!buffer) return buffer.error();
-        *into = std::move(*buffer);
-    }
+    const std::size_t pixels = std::size_t{frame.extent.width} * frame.extent.height;
+    if (depth_.size() == pixels) return {};
+    auto picture = vk::Buffer::create(frame.device, {.name = "still life with what moves",
+                                                     .size = sizeof(std::uint32_t) * pixels,
+                                                     .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    if (!picture) return picture.error();
+    picture_ = std::move(*picture);
+    depth_.resize(pixels);
     return {};
-}
-
-std::span<const std::uint8_t> HostMoving::tiles(const FrameContext& frame) const {
-    return frame.built.is_drawn_by_host ? frame.built.moving_tiles : frame.built.mover_tiles;
 }
 
 // What clay covers wholly needs nothing under it but the greatest depth.
@@ -88,7 +83,7 @@ void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint
                             std::span<const float> depth, const PictureCanvas& canvas) {
     const TileGrid grid{canvas.size.width, canvas.size.height};
     const std::size_t width = frame.extent.width;
-    const std::span<const std::uint8_t> own = tiles(frame);
+    const std::span<const std::uint8_t> own = frame.built.moving_tiles;
     wanted_.resize(own.size());
     const auto for_rects = [&](auto is_wanted, auto visit) {
         std::transform(own.begin(), own.end(), wanted_.begin(),
@@ -117,16 +112,10 @@ Result<void> HostMoving::draw_over(const FrameContext& frame, std::span<const st
     const PictureCanvas canvas{
         .size = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
         .pixels = picture_.as<std::uint32_t>(),
-        .depth = depth_.as<float>()};
+        .depth = depth_};
     copy_under(frame, pixels, depth, canvas);
     draw(frame, canvas);
     return {};
-}
-
-void HostMoving::record_depth(const FrameContext& frame) {
-    const TileGrid grid{static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
-    rects_of_tiles(grid, frame.built.mover_tiles, rects_);
-    copy_depth(frame.commands, depth_.handle(), frame.extent.width, frame.images.depth.handle(), rects_);
 }
 
 }  // namespace onggi::render

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/overlay_paint.h"
+#include "engine/render/byte_order.h"
 
 namespace onggi::render {
 

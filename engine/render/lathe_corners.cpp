@@ -32,6 +32,7 @@ struct Block {
     Lanes inside;
     Lanes water;
     Lanes film;
+    Lanes load;
 };
 
 [[gnu::always_inline]] inline void load(const LatheGrid& grid, std::span<const std::uint32_t> numbers,
@@ -58,6 +59,7 @@ struct Block {
         block.along_mm[i] = row.place.w;
         block.water[i] = row.water.x;
         block.film[i] = row.water.y;
+        block.load[i] = row.water.z;
     }
 }
 
@@ -165,40 +167,40 @@ struct Answer {
 [[gnu::always_inline]] inline void store(const LatheGrid& grid, const Block& block, const Answer& answer,
                                          const lanes::Corners3& at, std::span<const std::uint32_t> numbers,
                                          LatheCorner* into) {
-    // The slip's texture repeats: some widths more, so that no place in it is below 0.
-    constexpr float kWidths = 4.0F;
-    constexpr float kSlipMm = 67.0F;  // of the outline to one height of it
+    static_assert(lathe_value::kLoad == lathe_value::kHalf);
+    const Lanes& half = grid.shows_load ? block.load : answer.half;
     const auto across = static_cast<float>(grid.slip.across);
     const auto up = static_cast<float>(grid.slip.up);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const float near = at.away_mm[i] > 0.0F ? 1.0F / at.away_mm[i] : 0.0F;
-        into[numbers[i]] = {.at_px = {at.at.x[i], at.at.y[i]},
-                            .away_mm = at.away_mm[i],
-                            .depth = at.at.z[i],
-                            .values = {block.to_eye.x[i],
-                                       block.to_eye.y[i],
-                                       block.to_eye.z[i],
-                                       block.outward_x[i],
-                                       block.outward_z[i],
-                                       near * across * (2.0F * block.share[i] + grid.draw.turn.x + kWidths),
-                                       near * up * (block.along_mm[i] / kSlipMm),
-                                       block.outline[i] * static_cast<float>(shaders::kProfileTexels),
-                                       block.seen[i],
-                                       block.water[i],
-                                       block.film[i],
-                                       block.lean[i],
-                                       answer.half[i],
-                                       answer.ambient[0][i],
-                                       answer.ambient[1][i],
-                                       answer.ambient[2][i],
-                                       answer.mirrored[0][i],
-                                       answer.mirrored[1][i],
-                                       answer.mirrored[2][i],
-                                       near,
-                                       block.place.x[i],
-                                       block.place.y[i],
-                                       block.place.z[i],
-                                       at.at.z[i]}};
+        into[numbers[i]] = {
+            .at_px = {at.at.x[i], at.at.y[i]},
+            .away_mm = at.away_mm[i],
+            .depth = at.at.z[i],
+            .values = {block.to_eye.x[i],
+                       block.to_eye.y[i],
+                       block.to_eye.z[i],
+                       block.outward_x[i],
+                       block.outward_z[i],
+                       near * across * (2.0F * block.share[i] + grid.draw.turn.x + kSlipWidthsMore),
+                       near * up * (block.along_mm[i] / kSlipMm),
+                       block.outline[i] * static_cast<float>(shaders::kProfileTexels),
+                       block.seen[i],
+                       block.water[i],
+                       block.film[i],
+                       block.lean[i],
+                       half[i],
+                       answer.ambient[0][i],
+                       answer.ambient[1][i],
+                       answer.ambient[2][i],
+                       answer.mirrored[0][i],
+                       answer.mirrored[1][i],
+                       answer.mirrored[2][i],
+                       near,
+                       block.place.x[i],
+                       block.place.y[i],
+                       block.place.z[i],
+                       at.at.z[i]}};
     }
 }
 

@@ -23,6 +23,7 @@ constexpr std::size_t kWater = 9;      // in the body
 constexpr std::size_t kFilm = 10;      // of water on it
 constexpr std::size_t kLean = 11;      // how dents lean the wall, as a slope
 constexpr std::size_t kHalf = 12;      // one over the length of view and light together
+constexpr std::size_t kLoad = kHalf;   // in its place, where load is shown: 1 gives way
 constexpr std::size_t kAmbient = 13;   // diffuse, of the body's own colour
 constexpr std::size_t kMirrored = 16;  // of the sky
 constexpr std::size_t kNear = 19;      // one over the distance along the view
@@ -31,6 +32,12 @@ constexpr std::size_t kPlace = 20;     // mm
 constexpr std::size_t kDepth = 23;     // as the device has it
 constexpr std::size_t kCount = 24;
 }  // namespace lathe_value
+
+// The slip's texture repeats. Up the pot: mm of the outline to one height of it; round the pot: two widths go
+// once round, and some more are added so that no place in it is below 0.
+constexpr float kSlipMm = 67.0F;
+constexpr float kSlipWidthsMore = 4.0F;
+
 using LatheCorner = PictureCorner<lathe_value::kCount>;
 
 // What of the slip's texture is read: texels, powers of two.
@@ -45,6 +52,7 @@ struct LatheGrid {
     std::span<const shaders::RowData> rows;
     std::span<const shaders::VertexData> vertices;  // draw.turn.y in each row
     SlipSize slip;
+    bool shows_load = false;
 };
 // A corner for each vertex, of which those are good that these triangles need. A processor without wider
 // vectors finds the same bits. `corners` is used again.

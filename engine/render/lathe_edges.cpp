@@ -46,28 +46,4 @@ void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, 
     }
 }
 
-void add_sphere_edges(const Sphere& sphere, const EdgeView& view, std::vector<OutlinePiece>& edges) {
-    constexpr int kPieces = 40;
-    constexpr float kTurn = 6.28318531F;
-    const vec3 to_eye = view.camera.eye_mm - sphere.centre_mm;
-    const float distance = glm::length(to_eye);
-    if (distance <= sphere.radius_mm * 1.01F) return;
-    const vec3 forward = to_eye / distance;
-    const vec3 across = glm::normalize(
-        glm::cross(std::abs(forward.y) < 0.9F ? vec3(0.0F, 1.0F, 0.0F) : vec3(1.0F, 0.0F, 0.0F), forward));
-    const vec3 up = glm::cross(forward, across);
-    // The circle where lines of sight graze the sphere.
-    const float share = sphere.radius_mm / distance;
-    const vec3 centre = sphere.centre_mm + forward * (sphere.radius_mm * share);
-    const float radius = sphere.radius_mm * std::sqrt(1.0F - share * share);
-    const Projector project(view);
-    vec4 before = project(centre + across * radius);
-    for (int piece = 1; piece <= kPieces; ++piece) {
-        const float angle = kTurn * static_cast<float>(piece) / kPieces;
-        const vec4 here = project(centre + (across * std::cos(angle) + up * std::sin(angle)) * radius);
-        add_edge(before, here, edges);
-        before = here;
-    }
-}
-
 }  // namespace onggi::render

@@ -1,6 +1,6 @@
 // The outlines that moving things make in the picture, as pieces of line: a pixel on one of them is shared
-// between what lies on its two sides. Where the picture has one sample a pixel, edges.frag smooths it by
-// them. Any thread; pure functions. mm, pixels.
+// between what lies on its two sides. Where the picture has one sample a pixel it is smoothed by them
+// (edge_pixels.h). Any thread; pure functions. mm, pixels.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,5 @@ struct EdgeView {
 };
 void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, bool open_sides,
                     const EdgeView& view, std::vector<OutlinePiece>& edges);
-
-void add_sphere_edges(const Sphere& sphere, const EdgeView& view, std::vector<OutlinePiece>& edges);
 
 }  // namespace onggi::render

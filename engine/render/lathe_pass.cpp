@@ -87,14 +87,13 @@ Result<void> LathePass::upload_slip(const FrameContext& frame) {
     });
 }
 
-void LathePass::upload(FrameContext& frame) const {
-    const BuiltFrame& built = frame.built;
+void LathePass::upload(const BuiltFrame& built) const {
     if (built.faces.indices.empty()) return;
-    frame.write(outline_, std::as_bytes(std::span(built.samples.outer_mm)));
-    frame.write(rows_, std::as_bytes(std::span(built.rows)));
-    frame.write(vertices_, std::as_bytes(std::span(built.vertices)));
-    frame.write(normals_, std::as_bytes(std::span(built.normals)));
-    frame.write(indices_, std::as_bytes(std::span(built.faces.indices)));
+    outline_.write(std::as_bytes(std::span(built.samples.outer_mm)));
+    rows_.write(std::as_bytes(std::span(built.rows)));
+    vertices_.write(std::as_bytes(std::span(built.vertices)));
+    normals_.write(std::as_bytes(std::span(built.normals)));
+    indices_.write(std::as_bytes(std::span(built.faces.indices)));
 }
 
 void LathePass::draw(const FrameContext& frame) const {

@@ -1,8 +1,7 @@
-// The clay: a pot drawn from its rings, with what it needs on the device. Main thread.
+// The clay, drawn by the device from its rings, with what it needs there. Main thread.
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "engine/core/result.h"
 #include "engine/render/frame_context.h"
@@ -12,10 +11,7 @@ namespace onggi::render {
 class LathePass {
   public:
     Result<void> create(const FrameContext& frame);
-    void upload(FrameContext& frame) const;
-
-    // Its texels of slip, four bytes each, see coarser_detail().
-    [[nodiscard]] std::span<const std::uint32_t> slip() const { return slip_.as<const std::uint32_t>(); }
+    void upload(const BuiltFrame& built) const;
 
     // The lathe, inside the caller's pass.
     void draw(const FrameContext& frame) const;
@@ -28,7 +24,7 @@ class LathePass {
     vk::Buffer vertices_;
     vk::Buffer normals_;
     vk::BufferView normal_texels_;
-    vk::Buffer slip_;  // the same texels as those of the image, for a processor
+    vk::Buffer slip_;  // the same texels as those of the image
     vk::BufferView slip_texels_;
     vk::Buffer indices_;
 };

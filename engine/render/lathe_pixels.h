@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/render/byte_order.h"
 #include "engine/render/lathe_corners.h"
 #include "engine/render/lathe_profile.h"
-#include "engine/render/overlay_paint.h"
 
 namespace onggi::render {
 
@@ -21,6 +21,7 @@ struct LatheLook {
     std::span<const std::uint32_t> slip;
     SlipSize slip_size;
     ByteOrder order = ByteOrder::kRedFirst;
+    bool shows_load = false;  // which the corners must have then
 };
 
 // Draws triangles, three indices of corners each, where they look at the eye and nothing that is there is

@@ -1,5 +1,5 @@
-// What moves besides the clay and is more than a ball: hands and tools, as meshes that are loaded once and
-// placed every frame. Plain data, any thread. Lengths mm, colours linear light.
+// What moves besides the clay: hands and tools, as meshes that are loaded once and placed every frame. Plain
+// data, any thread. Lengths mm, colours linear light.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ using MoverLibrary = std::vector<MoverModel>;
 // One of them, somewhere.
 struct Mover {
     std::size_t model = 0;  // of the scene's library; beyond it: not drawn
-    mat4 place{1.0F};       // rigid, mirrored at most
+    mat4 place{1.0F};       // rigid, but for a mirror and one scale
     vec3 clay{0.3F};        // albedo of the clay that lies on it, as dark as it is wet
     float wetness = 0.0F;   // of that clay, 0 to 1
 };

@@ -1,5 +1,4 @@
-// The outlines of hands and tools, as edges.frag smooths them: see lathe_edges.h. Any thread; pure functions.
-// mm, pixels.
+// The outlines of hands and tools: see lathe_edges.h. Any thread; pure functions. mm, pixels.
 #pragma once
 
 #include <array>

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "engine/render/byte_order.h"
 #include "engine/render/lathe_profile.h"
 #include "engine/render/mover_pixels.h"
-#include "engine/render/overlay_paint.h"
 
 namespace onggi::render {
 

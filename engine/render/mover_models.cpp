@@ -1,39 +1,48 @@
 #include "engine/render/mover_models.h"
 
-#include <span>
+#include <optional>
 
 #include "engine/render/mover_faces.h"
 
 namespace onggi::render {
 
-Result<void> MoverModels::upload(const vk::Device& device,
-                                 const std::shared_ptr<const MoverLibrary>& library) {
-    if (library == uploaded_) return {};
-    uploaded_.reset();
-    ranges_.clear();
-    std::vector<MoverMesh::Vertex> vertices;
-    std::vector<std::uint32_t> indices;
+void MoverModels::learn(const std::shared_ptr<const MoverLibrary>& library) {
+    if (library == library_) return;
+    library_ = library;
+    known_.clear();
     for (const MoverModel& model : library ? *library : MoverLibrary()) {
-        std::vector<Range>& ranges = ranges_.emplace_back();
-        for (const MoverMesh& mesh : model.meshes) {
-            ranges.push_back({.first_index = static_cast<std::uint32_t>(indices.size()),
-                              .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
-                              .first_vertex = static_cast<std::int32_t>(vertices.size()),
-                              .planes = face_planes(mesh),
-                              .edges = mesh_edges(mesh)});
-            vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-            indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
-        }
+        std::vector<Known>& known = known_.emplace_back();
+        for (const MoverMesh& mesh : model.meshes)
+            known.push_back({.planes = face_planes(mesh), .edges = mesh_edges(mesh)});
     }
-    auto sent = buffers_.upload(device, "hands and tools", std::as_bytes(std::span(vertices)), indices);
-    if (!sent) return sent;
-    uploaded_ = library;
-    return {};
 }
 
-const std::vector<MoverModels::Range>& MoverModels::ranges(std::size_t model) const {
-    static const std::vector<Range> nothing;
-    return model < ranges_.size() ? ranges_[model] : nothing;
+std::span<const MoverModels::Known> MoverModels::known_of(std::size_t model) const {
+    return model < known_.size() ? std::span<const Known>(known_[model]) : std::span<const Known>();
+}
+
+void MoverModels::choose(const Scene& scene, const RendererDesc& desc, const EdgeView& view,
+                         BuiltFrame& built) {
+    learn(scene.mover_library);
+    chosen_.clear();
+    chosen_indices_.clear();
+    const bool smooths = desc.cached && desc.smooths_outlines;
+    if (!desc.chooses_mover_faces && !smooths) return;
+    std::optional<InsidePot> inside;
+    if (scene.lathe) inside.emplace(*scene.lathe, built.samples, scene.camera.eye_mm);
+    const InsidePot* const pot = inside ? &*inside : nullptr;
+    for (const Mover& mover : scene.movers) {
+        const std::span<const Known> known = known_of(mover.model);
+        for (std::size_t mesh = 0; mesh < known.size(); ++mesh) {
+            const PlacedMesh placed{(*library_)[mover.model].meshes[mesh], known[mesh].planes, mover.place};
+            const std::vector<std::uint8_t> towards_eye = faces_towards(placed, scene.camera.eye_mm);
+            if (smooths) add_mover_edges(placed, towards_eye, known[mesh].edges, pot, view, built.edges);
+            if (!desc.chooses_mover_faces) continue;
+            const std::size_t first = chosen_indices_.size();
+            choose_mover_faces(placed, towards_eye, pot, chosen_indices_);
+            chosen_.push_back({first, chosen_indices_.size() - first});
+        }
+    }
 }
 
 }  // namespace onggi::render

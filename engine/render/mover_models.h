@@ -1,11 +1,14 @@
-// The movers' meshes on the device: one vertex and one index buffer for a whole library. Main thread.
+// What of hands and tools is drawn in a frame: those of their faces that can be seen, and their outlines.
+// Main thread.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "engine/core/result.h"
-#include "engine/render/mesh_buffers.h"
+#include "engine/render/frame_build.h"
 #include "engine/render/mover.h"
 #include "engine/render/mover_edges.h"
 
@@ -13,25 +16,47 @@ namespace onggi::render {
 
 class MoverModels {
   public:
-    // Nothing happens if it is the library that is there already. Precondition: the device is idle.
-    Result<void> upload(const vk::Device& device, const std::shared_ptr<const MoverLibrary>& library);
+    // Chooses faces, where that is asked for, and appends outlines, where they are smoothed, to the frame's.
+    // `built` must be this frame's. The first time with a library takes some ms.
+    void choose(const Scene& scene, const RendererDesc& desc, const EdgeView& view, BuiltFrame& built);
 
-    // Where a mesh of a model lies in the buffers; the planes of its faces, see face_planes(); its edges.
-    struct Range {
-        std::uint32_t first_index = 0;
-        std::uint32_t index_count = 0;
-        std::int32_t first_vertex = 0;
-        std::vector<vec4> planes{};
-        std::vector<MeshEdge> edges{};
-    };
-    // One a mesh; empty for a model that the library does not have.
-    [[nodiscard]] const std::vector<Range>& ranges(std::size_t model) const;
-    void bind(VkCommandBuffer commands) const { buffers_.bind(commands); }
+    // Of all movers, one after another; empty where none are chosen.
+    [[nodiscard]] std::span<const std::uint32_t> chosen_indices() const { return chosen_indices_; }
+    // Calls with each mover, the number of each of its meshes, and the indices of the triangles to draw of
+    // that: some of the chosen ones, or all of the mesh's own.
+    template <typename Visit>
+    void for_parts(const Scene& scene, Visit visit) const {
+        std::size_t number = 0;
+        for (const Mover& mover : scene.movers) {
+            for (std::size_t mesh = 0; mesh < known_of(mover.model).size(); ++mesh) {
+                std::span<const std::uint32_t> indices((*library_)[mover.model].meshes[mesh].indices);
+                if (!chosen_.empty()) {
+                    const Chosen& chosen = chosen_[number++];
+                    indices = chosen_indices().subspan(chosen.first, chosen.count);
+                }
+                visit(mover, mesh, indices);
+            }
+        }
+    }
 
   private:
-    std::shared_ptr<const MoverLibrary> uploaded_;
-    std::vector<std::vector<Range>> ranges_;
-    MeshBuffers buffers_;
+    // Of a mesh: the planes of its faces, see face_planes(), and its edges.
+    struct Known {
+        std::vector<vec4> planes;
+        std::vector<MeshEdge> edges;
+    };
+    struct Chosen {
+        std::size_t first = 0;
+        std::size_t count = 0;
+    };
+    void learn(const std::shared_ptr<const MoverLibrary>& library);
+    // One a mesh; empty for a model that the library does not have.
+    [[nodiscard]] std::span<const Known> known_of(std::size_t model) const;
+
+    std::shared_ptr<const MoverLibrary> library_;
+    std::vector<std::vector<Known>> known_;
+    std::vector<std::uint32_t> chosen_indices_;
+    std::vector<Chosen> chosen_;  // of each mesh of each mover; empty: not chosen
 };
 
 }  // namespace onggi::render

@@ -1,13 +1,10 @@
 #include "engine/render/mover_pass.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <memory>
-#include <optional>
 #include <span>
+#include <utility>
 
-#include "engine/render/profile_mesh.h"
 #include "shaders/shaders.h"
 
 namespace onggi::render {
@@ -32,15 +29,6 @@ shaders::MoverDraw mover_draw(const Mover& mover, const MoverMesh& mesh) {
 }  // namespace
 
 Result<void> MoverPass::create(const FrameContext& frame) {
-    if (!frame.desc.cached) {
-        if (auto created = create_pipeline(frame); !created) return created;
-    }
-    StillLife ball;
-    ball.parts.push_back({.mesh = std::make_shared<const Mesh>(sphere_mesh(24, 40)), .material = {}});
-    return sphere_.upload(frame.device, ball);
-}
-
-Result<void> MoverPass::create_pipeline(const FrameContext& frame) {
     const std::array constants{static_cast<std::uint32_t>(frame.desc.transfer)};
     const std::array formats{frame.desc.colour_format};
     const bool at_vertices = frame.desc.lights_movers_at_vertices;
@@ -63,79 +51,54 @@ Result<void> MoverPass::create_pipeline(const FrameContext& frame) {
 }
 
 Result<void> MoverPass::fit(const FrameContext& frame, const Scene& scene) {
-    return models_.upload(frame.device, scene.mover_library);
-}
-
-Result<void> MoverPass::upload(FrameContext& frame, const Scene& scene) {
-    chosen_.clear();
-    chosen_indices_.clear();
-    const bool smooths = frame.desc.cached && frame.desc.smooths_outlines;
-    if (!(frame.desc.chooses_mover_faces || smooths) || !scene.mover_library) return {};
-    const EdgeView view{scene.camera, static_cast<int>(frame.extent.width),
-                        static_cast<int>(frame.extent.height)};
-    std::optional<InsidePot> inside;
-    if (scene.lathe) inside.emplace(*scene.lathe, frame.built.samples, scene.camera.eye_mm);
-    const InsidePot* const pot = inside ? &*inside : nullptr;
-    for (const Mover& mover : scene.movers) {
-        const std::vector<MoverModels::Range>& ranges = models_.ranges(mover.model);
-        for (std::size_t mesh = 0; mesh < ranges.size(); ++mesh) {
-            const PlacedMesh placed{(*scene.mover_library)[mover.model].meshes[mesh], ranges[mesh].planes,
-                                    mover.place};
-            const std::vector<std::uint8_t> towards_eye = faces_towards(placed, scene.camera.eye_mm);
-            if (smooths)
-                add_mover_edges(placed, towards_eye, ranges[mesh].edges, pot, view, frame.built.edges);
-            if (!frame.desc.chooses_mover_faces) continue;
-            const auto first = static_cast<std::uint32_t>(chosen_indices_.size());
-            choose_mover_faces(placed, towards_eye, pot, chosen_indices_);
-            chosen_.push_back({first, static_cast<std::uint32_t>(chosen_indices_.size()) - first});
+    if (scene.mover_library == uploaded_) return {};
+    uploaded_.reset();
+    ranges_.clear();
+    std::vector<MoverMesh::Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (const MoverModel& model : scene.mover_library ? *scene.mover_library : MoverLibrary()) {
+        std::vector<Range>& ranges = ranges_.emplace_back();
+        for (const MoverMesh& mesh : model.meshes) {
+            ranges.push_back({.first_index = static_cast<std::uint32_t>(indices.size()),
+                              .first_vertex = static_cast<std::int32_t>(vertices.size())});
+            vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+            indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
         }
     }
-    if (chosen_indices_.empty() || frame.desc.cached) return {};
-    const auto bytes = std::as_bytes(std::span(chosen_indices_));
-    if (auto made = vk::make_room(frame.device, chosen_buffer_, "hands' and tools' faces", bytes.size(),
+    auto sent = buffers_.upload(frame.device, "hands and tools", std::as_bytes(std::span(vertices)), indices);
+    if (!sent) return sent;
+    uploaded_ = scene.mover_library;
+    return {};
+}
+
+Result<void> MoverPass::upload(const FrameContext& frame, const MoverModels& models) {
+    const auto bytes = std::as_bytes(models.chosen_indices());
+    if (bytes.empty()) return {};
+    if (auto made = vk::make_room(frame.device, chosen_, "hands' and tools' faces", bytes.size(),
                                   VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
         !made) {
         return made;
     }
-    frame.write(chosen_buffer_, bytes);
+    chosen_.write(bytes);
     return {};
 }
 
-void MoverPass::draw(const FrameContext& frame, const Scene& scene) const {
-    const std::size_t count = std::min<std::size_t>(scene.spheres.size(), kMaxSpheres);
-    const auto first = scene.spheres.begin();
-    const auto shown = [](const Sphere& ball) { return ball.shown; };
-    if (std::any_of(first, first + static_cast<std::ptrdiff_t>(count), shown)) {
-        frame.bind(frame.pipelines.mover);
-        for (std::size_t i = 0; i < count; ++i) {
-            const Sphere& ball = scene.spheres[i];
-            if (!ball.shown) continue;
-            sphere_.draw_as(frame.commands, frame.pipelines.layout.get(),
-                            mesh_draw(ball.material, ball.centre_mm, ball.radius_mm));
-        }
-    }
-    if (!frame.desc.cached) draw_models(frame, scene);
-}
-
-void MoverPass::draw_models(const FrameContext& frame, const Scene& scene) const {
-    if (scene.movers.empty() || !scene.mover_library) return;
+void MoverPass::draw(const FrameContext& frame, const Scene& scene, const MoverModels& models) const {
+    if (scene.movers.empty() || !uploaded_) return;
     frame.bind(pipeline_);
-    models_.bind(frame.commands);
-    if (!chosen_indices_.empty())
-        vkCmdBindIndexBuffer(frame.commands, chosen_buffer_.handle(), 0, VK_INDEX_TYPE_UINT32);
-    std::size_t number = 0;
-    for (const Mover& mover : scene.movers) {
-        const std::vector<MoverModels::Range>& ranges = models_.ranges(mover.model);
-        for (std::size_t mesh = 0; mesh < ranges.size(); ++mesh) {
-            const Drawn drawn = frame.desc.chooses_mover_faces
-                                    ? chosen_[number++]
-                                    : Drawn{ranges[mesh].first_index, ranges[mesh].index_count};
-            if (drawn.index_count == 0) continue;
-            frame.push(mover_draw(mover, (*scene.mover_library)[mover.model].meshes[mesh]));
-            vkCmdDrawIndexed(frame.commands, drawn.index_count, 1, drawn.first_index,
-                             ranges[mesh].first_vertex, 0);
-        }
-    }
+    buffers_.bind(frame.commands);
+    const bool are_chosen = !models.chosen_indices().empty();
+    if (are_chosen) vkCmdBindIndexBuffer(frame.commands, chosen_.handle(), 0, VK_INDEX_TYPE_UINT32);
+    std::uint32_t next = 0;
+    models.for_parts(
+        scene, [&](const Mover& mover, std::size_t mesh, std::span<const std::uint32_t> indices) {
+            if (indices.empty()) return;
+            const auto count = static_cast<std::uint32_t>(indices.size());
+            const Range& range = ranges_[mover.model][mesh];
+            const std::uint32_t first = are_chosen ? std::exchange(next, next + count) : range.first_index;
+            frame.push(mover_draw(mover, (*uploaded_)[mover.model].meshes[mesh]));
+            vkCmdDrawIndexed(frame.commands, count, 1, first, range.first_vertex, 0);
+        });
 }
 
 }  // namespace onggi::render

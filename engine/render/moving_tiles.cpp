@@ -59,8 +59,7 @@ void note_covered(const EdgeView& view, const TileGrid& grid, BuiltFrame& built)
         for (int column = first; column < end; ++column) {
             const auto tile = static_cast<std::size_t>(row * grid.across() + column);
             // A hand may be in front of the pot.
-            if (built.mover_tiles.empty() || built.mover_tiles[tile] == 0)
-                built.moving_tiles[tile] = kCovered;
+            if (built.mover_tiles[tile] == 0) built.moving_tiles[tile] = kCovered;
         }
     }
 }
@@ -79,28 +78,14 @@ void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& bui
                               glm::max(vec2(edge.from), vec2(edge.to)) + kReachPx),
                    tiles);
     }
-    rects_of_tiles(grid, tiles, built.edge_rects);
-    const auto want = [&](const Box& box) {
-        want_tiles(grid, pixels_of({&box, 1}, view.camera, view.width_px, view.height_px), tiles);
-    };
-    if (built.mover_tiles.empty()) {
-        for (const Box& box : boxes_beside_lathe(scene))
-            want(box);
-    } else {
-        for (const Sphere& sphere : scene.spheres) {
-            if (sphere.shown) want(sphere_box(sphere));
-        }
-        std::transform(tiles.begin(), tiles.end(), built.mover_tiles.begin(), tiles.begin(),
-                       [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-    }
+    std::transform(tiles.begin(), tiles.end(), built.mover_tiles.begin(), tiles.begin(),
+                   [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     // The faces of a cut are no rows.
     const bool is_whole = scene.lathe && !scene.lathe->cut && want_lathe(view, grid, built);
-    if (scene.lathe && !is_whole) want(lathe_box(*scene.lathe));
-    rects_of_tiles(grid, tiles, built.moving_rects);
-    std::vector<std::uint8_t> beside = tiles;
-    for (std::size_t tile = 0; tile < built.mover_tiles.size(); ++tile)
-        beside[tile] = built.mover_tiles[tile] != 0 ? 0 : beside[tile];
-    rects_of_tiles(grid, beside, built.beside_mover_rects);
+    if (scene.lathe && !is_whole) {
+        const Box box = lathe_box(*scene.lathe);
+        want_tiles(grid, pixels_of({&box, 1}, view.camera, view.width_px, view.height_px), tiles);
+    }
     if (is_whole) note_covered(view, grid, built);
 }
 

@@ -6,15 +6,14 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/render/byte_order.h"
 #include "engine/render/overlay_pictures.h"
 #include "engine/render/shadow_region.h"
 #include "engine/ui/draw_list.h"
 
 namespace onggi::render {
 
-// Red lies lowest in the lists and paintings of an overlay; in the pixels it does, or blue.
-enum class ByteOrder { kRedFirst, kBlueFirst };
-
+// Red lies lowest in the lists and paintings of an overlay, whatever the order is in the pixels.
 struct OverlayPainting {
     const ui::DrawList& list;
     const OverlayPictures& pictures;

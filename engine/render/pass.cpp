@@ -45,35 +45,6 @@ void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::span<const Pas
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
 }
 
-void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, std::span<const PixelRect> rects) {
-    if (rects.empty()) return;
-    std::vector<VkImageCopy> regions;
-    regions.reserve(rects.size());
-    for (const PixelRect& rect : rects) {
-        VkImageCopy region{};
-        region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.dstSubresource = region.srcSubresource;
-        region.srcOffset = {rect.x, rect.y, 0};
-        region.dstOffset = region.srcOffset;
-        region.extent = {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height), 1};
-        regions.push_back(region);
-    }
-    vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<std::uint32_t>(regions.size()),
-                   regions.data());
-}
-
-void copy_depth(VkCommandBuffer commands, VkBuffer from, std::uint32_t width_px, VkImage into,
-                std::span<const PixelRect> rects) {
-    if (rects.empty()) return;
-    std::vector<VkBufferImageCopy> regions;
-    rows_in_buffer(rects, width_px, regions);
-    for (VkBufferImageCopy& region : regions)
-        region.imageSubresource.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
-    vkCmdCopyBufferToImage(commands, from, into, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                           static_cast<std::uint32_t>(regions.size()), regions.data());
-}
-
 void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
                     std::vector<VkBufferImageCopy>& regions) {
     regions.clear();
@@ -88,12 +59,6 @@ void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
                               1};
         regions.push_back(region);
     }
-}
-
-void set_scissor(VkCommandBuffer commands, const PixelRect& rect) {
-    const VkRect2D scissor{{rect.x, rect.y},
-                           {static_cast<std::uint32_t>(rect.width), static_cast<std::uint32_t>(rect.height)}};
-    vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
 }  // namespace onggi::render

@@ -30,19 +30,9 @@ inline void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initial
     begin_pass(commands, extent, std::span(colours.begin(), colours.size()), depth);
 }
 
-// The parts of both colour images inside the rectangles; laid out as copy source and copy target.
-void copy_rects(VkCommandBuffer commands, VkImage from, VkImage to, std::span<const PixelRect> rects);
-
-// Depth out of a buffer, rows of this width of a float a pixel, into an image that is laid out to be copied
-// into.
-void copy_depth(VkCommandBuffer commands, VkBuffer from, std::uint32_t width_px, VkImage into,
-                std::span<const PixelRect> rects);
-
 // The same rectangles of a picture of this width whose rows lie one after another in a buffer, four bytes a
 // pixel, and of a colour image.
 void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
                     std::vector<VkBufferImageCopy>& regions);
-
-void set_scissor(VkCommandBuffer commands, const PixelRect& rect);
 
 }  // namespace onggi::render

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/render/outline_strips.h"
 #include "shaders/frame_data.h"
 #include "shaders/shaders.h"
 
@@ -22,6 +21,7 @@ constexpr vk::Binding kVertexData{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_S
 // In the order of the kBind... constants.
 constexpr std::array kBindings{
     vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kBoth},
+    kImage,
     vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBoth},
     kVertexData,
     kTexels,
@@ -31,22 +31,18 @@ constexpr std::array kBindings{
     kImage,
     kImage,
     kImage,
-    kImage,
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     vk::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_VERTEX_BIT},
     kVertexData,
-    kImage,
     kTexels};
+// lavapipe reads what is in a slot whether a shader does or not: where there is nothing, there is no slot.
+constexpr std::size_t kBindingsOfLayers = shaders::kBindKeyMap + 1;
 static_assert(kBindings.size() == shaders::kBindSlip + 1);
 
 constexpr std::array kMeshAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, position_mm)},
     VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, normal)},
     VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32_SFLOAT, offsetof(Mesh::Vertex, open_sky)}};
-
-constexpr std::array kStripAttributes{
-    VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(StripCorner, at)},
-    VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(StripCorner, line)}};
 
 // Formats that Vulkan does not promise everywhere; every desktop driver we know has them.
 Result<void> check_formats(const vk::Device& device) {
@@ -120,9 +116,7 @@ void make_glide_pipelines(Maker& maker, const vk::PipelineDesc& plate_surface,
                           std::span<const VkFormat> picture_formats, std::uint32_t transfer,
                           Pipelines& pipelines) {
     for (std::size_t need = 0; need < pipelines.glide.size(); ++need) {
-        constexpr std::uint32_t kNotRead = 0;
-        const std::array constants{transfer, kNotRead, need == kGlideAlone ? 0U : 1U,
-                                   need == kGlideDimmed ? 1U : 0U};
+        const std::array constants{transfer, need == kGlideAlone ? 0U : 1U, need == kGlideDimmed ? 1U : 0U};
         vk::PipelineDesc surface = plate_surface;
         surface.name = "plates on the still life, moving";
         surface.vertex_spirv = shaders::kGlideSurfaceVert;
@@ -141,108 +135,28 @@ void make_glide_pipelines(Maker& maker, const vk::PipelineDesc& plate_surface,
     }
 }
 
-// What not every scene shows.
-struct Needs {
-    bool own_colours = false;  // of the still life: there is no plate
-    bool spheres = false;
-    bool section = false;
-};
-
-Needs needs_of(const Scene& scene) {
-    const auto is_shown = [](const Sphere& sphere) { return sphere.shown; };
-    return {.own_colours = scene.plate == nullptr,
-            .spheres = std::any_of(scene.spheres.begin(), scene.spheres.end(), is_shown),
-            .section = scene.lathe && scene.lathe->cut};
-}
-
-// Those that every scene may show, and those that are needed, where they are not there yet.
-Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, const Needs& needs,
-                            Pipelines& pipelines) {
+// The clay; not where the processor draws it. From one that draws into the picture.
+void make_lathe_pipelines(Maker& maker, const RendererDesc& desc, bool needs_section,
+                          const vk::PipelineDesc& into_picture, Pipelines& pipelines) {
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
-    constexpr std::uint32_t kStands = 0;  // of the lathe: no sphere is near
-    constexpr std::uint32_t kMoves = 1;   // of the lathe: one may be
-    const std::array still_constants{transfer, kStands};
-    const std::array mover_constants{transfer, kMoves};
     const auto slip_across = static_cast<std::uint32_t>(desc.slip_across);
     const auto slip_up = static_cast<std::uint32_t>(desc.slip_up);
-    const std::array plain_lathe_constants{transfer, kStands, slip_across, slip_up};
-    const std::array lathe_constants{transfer, kMoves, slip_across, slip_up};
-    const std::array picture_formats{desc.colour_format};
-    const std::array layer_formats{desc.colour_format, desc.colour_format, kPackedFormat};
-    const std::array place_formats{desc.colour_format, kPackedFormat};
-    const std::array mask_formats{kMaskFormat};
-    const std::span<const VkFormat> still_formats =
-        desc.cached ? std::span<const VkFormat>(layer_formats) : std::span<const VkFormat>(picture_formats);
-    const auto samples = static_cast<VkSampleCountFlagBits>(desc.samples);
+    constexpr std::uint32_t kNoSphereIsNear = 0;
+    constexpr std::uint32_t kOneMayBe = 1;
+    const std::array plain_constants{transfer, kNoSphereIsNear, slip_across, slip_up};
+    const std::array constants{transfer, kOneMayBe, slip_across, slip_up};
 
-    vk::PipelineDesc screen{
-        .name = "backdrop",
-        .vertex_spirv = shaders::kScreenVert,
-        .fragment_spirv = desc.cached ? shaders::kBackdropLayersFrag : shaders::kBackdropFrag,
-        .constants = still_constants,
-        .layout = pipelines.layout.get(),
-        .colour_formats = still_formats,
-        .depth_format = kDepthFormat,
-        .samples = samples,
-        .depth_test = true,
-        .cull = VK_CULL_MODE_NONE};
-    vk::PipelineDesc mesh{.name = "still life",
-                          .vertex_spirv = shaders::kMeshVert,
-                          .fragment_spirv = desc.cached ? shaders::kMeshLayersFrag : shaders::kMeshFrag,
-                          .constants = still_constants,
-                          .layout = pipelines.layout.get(),
-                          .attributes = kMeshAttributes,
-                          .vertex_stride = sizeof(Mesh::Vertex),
-                          .colour_formats = still_formats,
-                          .depth_format = kDepthFormat,
-                          .samples = samples,
-                          .depth_test = true,
-                          .depth_write = true};
-    Maker maker(device);
-    if (needs.own_colours) {
-        maker.make(pipelines.backdrop, screen);
-        maker.make(pipelines.still, mesh);
-    }
-    vk::PipelineDesc plate_surface = mesh;
-    plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
-    plate_surface.attributes = std::span(kMeshAttributes).first(2);
-    if (desc.cached) {
-        // The photographs are laid and bent by the processor.
-        vk::PipelineDesc places = plate_surface;
-        places.name = "places of the still life";
-        places.fragment_spirv = shaders::kPlacesFrag;
-        places.constants = {};
-        places.colour_formats = place_formats;
-        maker.make(pipelines.places, places);
-    } else {
-        vk::PipelineDesc plate = screen;
-        plate.name = "plate";
-        plate.fragment_spirv = shaders::kPlateFrag;
-        maker.make(pipelines.plate, plate);
-        plate_surface.name = "plate on the still life";
-        plate_surface.fragment_spirv = shaders::kPlateSurfaceFrag;
-        maker.make(pipelines.plate_surface, plate_surface);
-        make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
-    }
-
-    vk::PipelineDesc mover = mesh;
-    mover.name = "moving sphere";
-    mover.fragment_spirv = shaders::kMeshFrag;
-    mover.constants = mover_constants;
-    mover.colour_formats = picture_formats;
-    if (needs.spheres) maker.make(pipelines.mover, mover);
-
-    vk::PipelineDesc lathe = mover;
+    vk::PipelineDesc lathe = into_picture;
     lathe.name = "lathe";
     lathe.vertex_spirv = shaders::kLatheVert;
     lathe.fragment_spirv = shaders::kLatheFrag;
     lathe.attributes = {};
     lathe.vertex_stride = 0;
-    lathe.constants = lathe_constants;
+    lathe.constants = constants;
     if (desc.inside_out) lathe.cull = VK_CULL_MODE_FRONT_BIT;
     maker.make(pipelines.lathe_near_spheres, lathe);
     vk::PipelineDesc plain = lathe;
-    plain.constants = plain_lathe_constants;
+    plain.constants = plain_constants;
     maker.make(pipelines.lathe, plain);
 
     vk::PipelineDesc load = lathe;
@@ -256,41 +170,104 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     section.vertex_spirv = shaders::kLatheSectionVert;
     section.fragment_spirv = shaders::kLatheSectionFrag;
     section.cull = VK_CULL_MODE_NONE;
-    if (needs.section) maker.make(pipelines.lathe_section, section);
+    if (needs_section) maker.make(pipelines.lathe_section, section);
+}
 
-    vk::PipelineDesc key_map = mesh;
-    key_map.name = "still life's shadow map";
-    key_map.vertex_spirv = shaders::kKeyMapVert;
-    key_map.fragment_spirv = {};
-    key_map.constants = {};
-    key_map.attributes = std::span(kMeshAttributes).first(1);
-    key_map.colour_formats = {};
-    key_map.samples = VK_SAMPLE_COUNT_1_BIT;
-    key_map.depth_bias = true;
-    key_map.cull = VK_CULL_MODE_NONE;
-    if (needs.own_colours) maker.make(pipelines.key_map, key_map);
+// What not every scene shows.
+struct Needs {
+    bool own_colours = false;  // of the still life: there is no plate
+    bool section = false;
+};
 
-    if (desc.cached) {
-        vk::PipelineDesc edges = screen;
-        edges.name = "smoothed outlines";
-        edges.vertex_spirv = shaders::kEdgesVert;
-        edges.fragment_spirv = shaders::kEdgesFrag;
-        edges.constants = {};
-        edges.attributes = kStripAttributes;
-        edges.vertex_stride = sizeof(StripCorner);
-        edges.colour_formats = picture_formats;
-        maker.make(pipelines.edges, edges);
-    } else {
-        vk::PipelineDesc mask = screen;
-        mask.name = "shadow mask";
-        mask.fragment_spirv = shaders::kMaskFrag;
-        mask.constants = {};
-        mask.colour_formats = mask_formats;
-        mask.depth_format = VK_FORMAT_UNDEFINED;
-        mask.samples = VK_SAMPLE_COUNT_1_BIT;
-        mask.depth_test = false;
-        maker.make(pipelines.mask, mask);
+Needs needs_of(const RendererDesc& desc, const Scene& scene) {
+    return {.own_colours = scene.plate == nullptr,
+            .section = !desc.cached && scene.lathe && scene.lathe->cut};
+}
+
+// Those that every scene may show, and those that are needed, where they are not there yet.
+Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, const Needs& needs,
+                            Pipelines& pipelines) {
+    const auto transfer = static_cast<std::uint32_t>(desc.transfer);
+    const std::array constants{transfer};
+    const std::array picture_formats{desc.colour_format};
+    const std::array layer_formats{desc.colour_format, desc.colour_format, kPackedFormat};
+    const std::array place_formats{desc.colour_format, kPackedFormat};
+    const std::array mask_formats{kMaskFormat};
+    const std::span<const VkFormat> still_formats =
+        desc.cached ? std::span<const VkFormat>(layer_formats) : std::span<const VkFormat>(picture_formats);
+    const auto samples = static_cast<VkSampleCountFlagBits>(desc.samples);
+
+    vk::PipelineDesc screen{
+        .name = "backdrop",
+        .vertex_spirv = shaders::kScreenVert,
+        .fragment_spirv = desc.cached ? shaders::kBackdropLayersFrag : shaders::kBackdropFrag,
+        .constants = constants,
+        .layout = pipelines.layout.get(),
+        .colour_formats = still_formats,
+        .depth_format = kDepthFormat,
+        .samples = samples,
+        .depth_test = true,
+        .cull = VK_CULL_MODE_NONE};
+    vk::PipelineDesc mesh{.name = "still life",
+                          .vertex_spirv = shaders::kMeshVert,
+                          .fragment_spirv = desc.cached ? shaders::kMeshLayersFrag : shaders::kMeshFrag,
+                          .constants = constants,
+                          .layout = pipelines.layout.get(),
+                          .attributes = kMeshAttributes,
+                          .vertex_stride = sizeof(Mesh::Vertex),
+                          .colour_formats = still_formats,
+                          .depth_format = kDepthFormat,
+                          .samples = samples,
+                          .depth_test = true,
+                          .depth_write = true};
+    Maker maker(device);
+    if (needs.own_colours) {
+        maker.make(pipelines.backdrop, screen);
+        maker.make(pipelines.still, mesh);
+        vk::PipelineDesc key_map = mesh;
+        key_map.name = "still life's shadow map";
+        key_map.vertex_spirv = shaders::kKeyMapVert;
+        key_map.fragment_spirv = {};
+        key_map.constants = {};
+        key_map.attributes = std::span(kMeshAttributes).first(1);
+        key_map.colour_formats = {};
+        key_map.samples = VK_SAMPLE_COUNT_1_BIT;
+        key_map.depth_bias = true;
+        key_map.cull = VK_CULL_MODE_NONE;
+        maker.make(pipelines.key_map, key_map);
     }
+    vk::PipelineDesc plate_surface = mesh;
+    plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
+    plate_surface.attributes = std::span(kMeshAttributes).first(2);
+    if (desc.cached) {
+        // The photographs are laid and bent by the processor, and what moves is drawn by it.
+        vk::PipelineDesc places = plate_surface;
+        places.name = "places of the still life";
+        places.fragment_spirv = shaders::kPlacesFrag;
+        places.constants = {};
+        places.colour_formats = place_formats;
+        maker.make(pipelines.places, places);
+        return maker.outcome();
+    }
+    vk::PipelineDesc plate = screen;
+    plate.name = "plate";
+    plate.fragment_spirv = shaders::kPlateFrag;
+    maker.make(pipelines.plate, plate);
+    plate_surface.name = "plate on the still life";
+    plate_surface.fragment_spirv = shaders::kPlateSurfaceFrag;
+    maker.make(pipelines.plate_surface, plate_surface);
+    make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
+    make_lathe_pipelines(maker, desc, needs.section, mesh, pipelines);
+
+    vk::PipelineDesc mask = screen;
+    mask.name = "shadow mask";
+    mask.fragment_spirv = shaders::kMaskFrag;
+    mask.constants = {};
+    mask.colour_formats = mask_formats;
+    mask.depth_format = VK_FORMAT_UNDEFINED;
+    mask.samples = VK_SAMPLE_COUNT_1_BIT;
+    mask.depth_test = false;
+    maker.make(pipelines.mask, mask);
     return maker.outcome();
 }
 
@@ -299,7 +276,8 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
 Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc) {
     if (auto formats = check_formats(device); !formats) return formats.error();
     Pipelines pipelines;
-    auto set = vk::create_set(device, kBindings, "scene");
+    const std::span<const vk::Binding> bindings(kBindings);
+    auto set = vk::create_set(device, desc.cached ? bindings.first(kBindingsOfLayers) : bindings, "scene");
     if (!set) return set.error();
     pipelines.set = std::move(*set);
     constexpr auto kPushBytes = static_cast<std::uint32_t>(
@@ -315,11 +293,11 @@ Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc&
 
 Result<void> fit_pipelines(const vk::Device& device, const RendererDesc& desc, const Scene& scene,
                            Pipelines& pipelines) {
-    const Needs needs = needs_of(scene);
+    const Needs needs = needs_of(desc, scene);
     const auto is_missing = [](bool is_needed, const vk::Pipeline& pipeline) {
         return is_needed && pipeline.get() == VK_NULL_HANDLE;
     };
-    if (!is_missing(needs.own_colours, pipelines.still) && !is_missing(needs.spheres, pipelines.mover) &&
+    if (!is_missing(needs.own_colours, pipelines.still) &&
         !is_missing(needs.section, pipelines.lathe_section)) {
         return {};
     }

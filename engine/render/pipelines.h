@@ -40,14 +40,13 @@ struct Pipelines {
     // Instead of these two while the camera moves, by what it needs; never into layers.
     std::array<vk::Pipeline, kGlideNeeds> glide;
     std::array<vk::Pipeline, kGlideNeeds> glide_surface;
-    vk::Pipeline key_map;             // of a room in its own colours
-    vk::Pipeline mask;                // not cached
+    vk::Pipeline key_map;  // of a room in its own colours
+    vk::Pipeline mask;     // not cached
+    // None of the lathe's when cached: then the processor draws it.
     vk::Pipeline lathe;               // where no moving sphere's shadow falls
     vk::Pipeline lathe_near_spheres;  // where one may
     vk::Pipeline lathe_load;          // the same with its load shown
     vk::Pipeline lathe_section;       // the faces of a cut, where there is one
-    vk::Pipeline edges;               // cached only
-    vk::Pipeline mover;               // where a sphere is shown
 };
 
 // All but those that not every scene needs: a pipeline takes 2 MB of a software driver's memory.

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "engine/math/math.h"
+#include "engine/render/byte_order.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -55,6 +56,28 @@ struct Block3 {
 }
 [[gnu::always_inline]] inline Block dot(const Block3& a, const vec3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// From 0 to 1 without a corner at either.
+[[gnu::always_inline]] inline Block eased(const Block& share) {
+    return share * share * (3.0F - 2.0F * share);
+}
+[[gnu::always_inline]] inline Block magnitude(const Block& number) {
+    return number < 0.0F ? -number : number;
+}
+
+// encode() of shaders/tone.glsl with the square root, to pixels.
+[[gnu::always_inline]] inline Ints encoded(const Block3& light, ByteOrder order) {
+    const Block3 under{light.x * 0.8F + 0.35F, light.y * 0.8F + 0.35F, light.z * 0.8F + 0.35F};
+    const Block share = 1.0F / (under.x * under.y * under.z);
+    const auto shown = [&](const Block& own, const Block& a, const Block& b) __attribute__((always_inline)) {
+        return ints(root(least(own * a * b * share, 1.0F)) * 255.0F + 0.5F);
+    };
+    const Ints red = shown(light.x, under.y, under.z);
+    const Ints green = shown(light.y, under.z, under.x);
+    const Ints blue = shown(light.z, under.x, under.y);
+    return order == ByteOrder::kRedFirst ? kOpaque | blue << 16 | green << 8 | red
+                                         : kOpaque | red << 16 | green << 8 | blue;
 }
 
 }  // namespace onggi::render::blocks

@@ -165,7 +165,7 @@ void PlatePass::bind_placeholders(const FrameContext& frame) {
 void PlatePass::let_go(const FrameContext& frame, const PlateSlots& slots,
                        std::shared_ptr<const Plate>& bound) const {
     if (!bound || find(bound) != nullptr) return;
-    bind_nothing(frame, slots);
+    if (!frame.desc.cached) bind_nothing(frame, slots);
     bound = nullptr;
 }
 

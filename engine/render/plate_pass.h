@@ -28,7 +28,7 @@ struct BendablePlate {
 
 class PlatePass {
   public:
-    // Binds something to every slot that a shader might read before there is a plate.
+    // Not when cached: binds something to every slot that a shader might read before there is a plate.
     static void bind_placeholders(const FrameContext& frame);
 
     // The scene's plates to where they are used, unless they are there; true if another one is shown now. The

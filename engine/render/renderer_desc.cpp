@@ -2,6 +2,10 @@
 
 namespace onggi::render {
 
+ByteOrder byte_order(VkFormat format) {
+    return format == VK_FORMAT_B8G8R8A8_UNORM ? ByteOrder::kBlueFirst : ByteOrder::kRedFirst;
+}
+
 RendererDesc still_desc(VkFormat colour_format) {
     return {.colour_format = colour_format,
             .samples = 4,

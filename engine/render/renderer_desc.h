@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "engine/render/byte_order.h"
 #include "engine/vk/vulkan.h"
 
 namespace onggi::render {
@@ -43,6 +44,8 @@ struct RendererDesc {
 
     friend bool operator==(const RendererDesc&, const RendererDesc&) = default;
 };
+
+[[nodiscard]] ByteOrder byte_order(VkFormat format);
 
 // For a screenshot, and for the moving picture on this kind of device and at this size.
 [[nodiscard]] RendererDesc still_desc(VkFormat colour_format);

@@ -76,11 +76,10 @@ struct Lathe {
     std::optional<LatheCut> cut{};
 };
 
+// Not seen itself: it casts the shadow of something that moves and is about as round.
 struct Sphere {
     vec3 centre_mm{0.0F};
     float radius_mm = 10.0F;
-    bool shown = true;  // false: it only casts a shadow, standing in for something of another shape
-    Material material{};
 };
 
 // Triangles, counter-clockwise seen from outside. `open_sky` is 1 where nothing stands in the way of ambient
@@ -198,7 +197,7 @@ struct Scene {
         plates_at_hand;  // kept on the device: a glide may begin with any frame
     ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
-    std::vector<Sphere> spheres;  // at most kMaxSpheres are drawn and cast shadows
+    std::vector<Sphere> spheres;  // at most kMaxSpheres cast shadows
     std::shared_ptr<const MoverLibrary> mover_library;
     std::vector<Mover> movers;  // these cast no shadow themselves
 };

@@ -78,16 +78,15 @@ Result<bool> StillLayers::fit(const FrameContext& frame) {
     struct Wish {
         vk::Buffer& into;
         const char* name;
-        VkBufferUsageFlags also = 0;
     };
-    for (const Wish& wish : {Wish{with_key_, "still life with the key light"},
-                             Wish{without_key_, "still life without the key light"},
-                             Wish{places_, "still life's places in the shadow mask"},
-                             Wish{depth_, "still life's depth", VK_BUFFER_USAGE_TRANSFER_SRC_BIT}}) {
+    for (const Wish& wish :
+         {Wish{with_key_, "still life with the key light"},
+          Wish{without_key_, "still life without the key light"},
+          Wish{places_, "still life's places in the shadow mask"}, Wish{depth_, "still life's depth"}}) {
         auto buffer =
             vk::Buffer::create(frame.device, {.name = wish.name,
                                               .size = VkDeviceSize{4} * extent.width * extent.height,
-                                              .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | wish.also,
+                                              .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                               .use = vk::MemoryUse::kReadback});
         if (!buffer) return buffer.error();
         wish.into = std::move(*buffer);

@@ -14,7 +14,7 @@ Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& stil
     std::vector<std::uint32_t> indices;
     parts_.clear();
     for (const StillLife::Part& part : still_life.parts) {
-        parts_.push_back({.draw = mesh_draw(part.material, part.position_mm, 1.0F),
+        parts_.push_back({.draw = mesh_draw(part.material, part.position_mm),
                           .first_index = static_cast<std::uint32_t>(indices.size()),
                           .index_count = static_cast<std::uint32_t>(part.mesh->indices.size()),
                           .first_vertex = static_cast<std::int32_t>(vertices.size()),
@@ -36,15 +36,6 @@ void StillMeshes::draw(VkCommandBuffer commands, VkPipelineLayout layout, Which 
         vkCmdPushConstants(commands, layout, kBothStages, 0, sizeof part.draw, &part.draw);
         vkCmdDrawIndexed(commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
     }
-}
-
-void StillMeshes::draw_as(VkCommandBuffer commands, VkPipelineLayout layout,
-                          const shaders::MeshDraw& draw) const {
-    if (parts_.empty()) return;
-    buffers_.bind(commands);
-    vkCmdPushConstants(commands, layout, kBothStages, 0, sizeof draw, &draw);
-    for (const Part& part : parts_)
-        vkCmdDrawIndexed(commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
 }
 
 }  // namespace onggi::render

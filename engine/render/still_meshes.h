@@ -20,8 +20,6 @@ class StillMeshes {
     enum class Which { kAll, kCasters, kNotInRelief };
     // Draws each part with its push constants.
     void draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const;
-    // All parts, each with these push constants instead of its own.
-    void draw_as(VkCommandBuffer commands, VkPipelineLayout layout, const shaders::MeshDraw& draw) const;
     [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
 
   private:

@@ -42,7 +42,7 @@ void StillPass::update(FrameContext& frame, const Scene& scene) {
     drawn_ = now;
 }
 
-Result<void> StillPass::draw_layers(FrameContext& frame, const Scene& scene, const vk::Buffer& frame_buffer) {
+Result<void> StillPass::draw_layers(FrameContext& frame, const Scene& scene) {
     const auto fitted = layers_.fit(frame);
     if (!fitted) return fitted.error();
     if (!frame.stats.still_life_drawn && !*fitted) return {};
@@ -51,7 +51,7 @@ Result<void> StillPass::draw_layers(FrameContext& frame, const Scene& scene, con
     const shaders::FrameData by_day =
         by_full_light(scene, bounds(), frame.built, static_cast<int>(frame.extent.width),
                       static_cast<int>(frame.extent.height));
-    frame.write(frame_buffer, std::as_bytes(std::span(&by_day, 1)));
+    frame.upload_uniforms(by_day);
     if (!has_plate_) {
         if (auto mapped = frame.run_once([&] { record_key_map(frame); }); !mapped) return mapped;
     }
@@ -67,7 +67,7 @@ void StillPass::let_go_layers() {
 }
 
 void StillPass::record(const FrameContext& frame) const {
-    if (!frame.desc.cached && !is_gliding_ && !has_plate_) record_key_map(frame);
+    if (!is_gliding_ && !has_plate_) record_key_map(frame);
 }
 
 void StillPass::record_key_map(const FrameContext& frame) const {
@@ -78,11 +78,6 @@ void StillPass::record_key_map(const FrameContext& frame) const {
     still_.draw(frame.commands, frame.pipelines.layout.get(), StillMeshes::Which::kCasters);
     vkCmdEndRendering(frame.commands);
     vk::barrier(frame.commands, map, vk::state::kDepth, vk::state::kSampled);
-}
-
-void StillPass::record_depth(const FrameContext& frame) const {
-    copy_depth(frame.commands, layers_.depth().handle(), frame.extent.width, frame.images.depth.handle(),
-               frame.built.beside_mover_rects);
 }
 
 void StillPass::draw(const FrameContext& frame) const {

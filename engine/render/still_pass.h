@@ -20,17 +20,14 @@ class StillPass {
     // Decides whether the still life has to be drawn, or its layers again, and notes it in the stats.
     void update(FrameContext& frame, const Scene& scene);
 
-    // Cached, and the camera stands: draws the layers if update() asked for it, and waits for them.
-    // `frame_buffer` is written over. The device is idle.
-    Result<void> draw_layers(FrameContext& frame, const Scene& scene, const vk::Buffer& frame_buffer);
+    // Cached, and the camera stands: draws the layers if update() asked for it, and waits for them. The
+    // frame's uniforms are written over. The device is idle.
+    Result<void> draw_layers(FrameContext& frame, const Scene& scene);
     // Cached: whether the layers show this scene.
     [[nodiscard]] bool shows(const FrameContext& frame, const Scene& scene) const;
     [[nodiscard]] const StillLayers& layers() const { return layers_; }
     // Cached: no layers are needed for a while. The device is idle.
     void let_go_layers();
-    // Cached: the still life's depth, where something moves and the host draws nothing, into the frame's,
-    // which is laid out to be copied into.
-    void record_depth(const FrameContext& frame) const;
 
     // Direct: the still life's shadow map.
     void record(const FrameContext& frame) const;

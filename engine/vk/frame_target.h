@@ -16,7 +16,6 @@ struct TargetImage {
     VkImageView view = VK_NULL_HANDLE;
     VkExtent2D extent{};
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    bool can_be_read = false;  // copied from, once drawn
     // How many frames it was given for before. 0: its contents are undefined. Else it still is as the last of
     // them left it, in `final_layout`.
     std::uint64_t frames_before = 0;

@@ -30,7 +30,6 @@ Result<std::optional<TargetImage>> Offscreen::begin() {
                                      .view = image_.view(),
                                      .extent = image_.extent(),
                                      .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                     .can_be_read = true,
                                      .frames_before = frames_begun_++});
 }
 

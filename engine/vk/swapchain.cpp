@@ -103,9 +103,7 @@ Result<bool> Swapchain::rebuild() {
     info.imageArrayLayers = 1;
     // The still picture is copied in, then drawn over; every surface we know can be copied to.
     info.imageUsage =
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
-        (can.supportedUsageFlags & (VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
-    can_be_read_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_SRC_BIT) != 0;
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.preTransform = can.currentTransform;
     info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
@@ -184,7 +182,6 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
                                      .view = frames_[frame_].view.get(),
                                      .extent = extent_,
                                      .final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
-                                     .can_be_read = can_be_read_,
                                      .frames_before = frames_[frame_].begun++});
 }
 

@@ -66,7 +66,6 @@ class Swapchain final : public FrameTarget {
     VkSurfaceFormatKHR format_{};
     VkExtent2D extent_{};
     VkExtent2D wanted_{};
-    bool can_be_read_ = false;  // the images: copied from, once drawn
     bool is_current_ = false;
     std::vector<Frame> frames_;
     std::uint32_t frame_ = 0;  // the image that begin() gave

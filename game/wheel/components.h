@@ -50,7 +50,6 @@ struct Tool {
     ToolSight sight{};
     ToolPose pose{};
     bool as_ball = true;
-    render::Material ball_material{};
 };
 
 // The wire that cuts the pot off, or its rim.
@@ -59,9 +58,11 @@ struct Wire {
     double height_mm = 0.0;
 };
 
-// What tools look like; null: all are balls.
+// What tools look like; see load_tool_models(). Of the ball alone: all are balls.
 struct ToolShelf {
-    std::shared_ptr<const render::MoverLibrary> library{};
+    std::shared_ptr<const render::MoverLibrary> library;
+
+    [[nodiscard]] bool has_tools() const { return library->size() > 1; }
 };
 
 // Frames the wheel so that `height_mm` of it fill the picture's height, or `width_mm` its width, whichever

@@ -12,12 +12,13 @@
 #include "engine/asset/gltf_read.h"
 #include "engine/files/asset_folder.h"
 #include "engine/files/read_file.h"
+#include "engine/render/profile_mesh.h"
 
 namespace onggi::wheel {
 namespace {
 
-constexpr std::array<const char*, kToolModels> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
-                                                      "trimmer",    "stick",      "wire"};
+constexpr std::array<const char*, kToolModels - 1> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
+                                                          "trimmer",    "stick",      "wire"};
 // A tool of more triangles than this would cost a software renderer its frame.
 constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
                                     .max_vertices = 20'000,
@@ -79,10 +80,28 @@ Result<render::MoverModel> read_model(const std::filesystem::path& path) {
     return model;
 }
 
+render::MoverModel wooden_ball() {
+    const render::Mesh sphere = render::sphere_mesh(36, 60);
+    render::MoverMesh mesh;
+    mesh.albedo = vec3(0.56F, 0.37F, 0.19F);
+    mesh.roughness = 0.28F;
+    mesh.indices = sphere.indices;
+    for (const render::Mesh::Vertex& vertex : sphere.vertices)
+        mesh.vertices.push_back({.position_mm = kBallRadiusMm * vertex.position_mm, .normal = vertex.normal});
+    render::MoverModel model;
+    model.meshes.push_back(std::move(mesh));
+    render::measure(model);
+    return model;
+}
+
 }  // namespace
 
+std::shared_ptr<const render::MoverLibrary> ball_alone() {
+    return std::make_shared<const render::MoverLibrary>(render::MoverLibrary{wooden_ball()});
+}
+
 Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models(const std::filesystem::path& folder) {
-    auto library = std::make_shared<render::MoverLibrary>();
+    auto library = std::make_shared<render::MoverLibrary>(*ball_alone());
     for (const char* file : kFiles) {
         auto model = read_model(folder / (std::string(file) + ".glb"));
         if (!model) return model.error();

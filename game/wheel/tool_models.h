@@ -1,4 +1,5 @@
-// The hands and tools of assets/tools as models that can be drawn. Main thread; read once, while loading.
+// The hands and tools of assets/tools as models that can be drawn, and the paper's ball. Main thread; read
+// once, while loading.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +14,7 @@ namespace onggi::wheel {
 // Places in the library. Every model touches the clay at its origin, clay on its -X side, up is +Y; those of
 // a right hand lead to the visitor's right, at +Z. The mirrored ones are left hands.
 enum class ToolModel : std::size_t {
+    kBall,  // of wood, kBallRadiusMm about its origin
     kHandOuter,
     kHandInner,
     kRib,
@@ -23,13 +25,17 @@ enum class ToolModel : std::size_t {
     kCount,
 };
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
+constexpr float kBallRadiusMm = 10.0F;
 
 // The place of a model, or of its mirror image in z, which a left hand leads.
 [[nodiscard]] constexpr std::size_t library_place(ToolModel model, bool left) {
     return static_cast<std::size_t>(model) + (left ? kToolModels : 0);
 }
 
-// Reads the folder's GLB files. What a read or a file's contents have against it comes back as it is.
+// A library of the ball alone, which needs no file.
+[[nodiscard]] std::shared_ptr<const render::MoverLibrary> ball_alone();
+
+// The ball, and the folder's GLB files. What a read or a file's contents have against it comes back as it is.
 Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models(const std::filesystem::path& folder);
 
 // Those of the folder that the program brings; system lacks where there is none.

@@ -61,8 +61,7 @@ constexpr Ball kToolBall{{22.0F, 0.0F, 0.0F}, 20.0F};
 
 render::Sphere shadow_of(const Ball& ball, const mat4& place, bool left) {
     const vec3 at(ball.at.x, ball.at.y, left ? -ball.at.z : ball.at.z);
-    return {
-        .centre_mm = vec3(place * vec4(at, 1.0F)), .radius_mm = ball.radius, .shown = false, .material = {}};
+    return {.centre_mm = vec3(place * vec4(at, 1.0F)), .radius_mm = ball.radius};
 }
 
 // How deep a held thing is between the clay and the finger tips that hold it, mm.

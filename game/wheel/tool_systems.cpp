@@ -81,8 +81,11 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     render::Scene& scene = context.scene;
     scene.spheres.clear();
     scene.movers.clear();
-    registry.each<ToolShelf>(
-        [&](ecs::Entity, const ToolShelf& shelf) { scene.mover_library = shelf.library; });
+    bool has_tools = false;
+    registry.each<ToolShelf>([&](ecs::Entity, const ToolShelf& shelf) {
+        scene.mover_library = shelf.library;
+        has_tools = shelf.has_tools();
+    });
     vec3 clay(0.3F);
     float wetness = 0.0F;
     registry.each<Clay>([&](ecs::Entity, const Clay& wet) {
@@ -95,11 +98,13 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
             {.model = library_place(model, left), .place = place, .clay = clay, .wetness = wetness});
     };
     registry.each<Tool>([&](ecs::Entity, const Tool& tool) {
-        if (tool.as_ball || !scene.mover_library) {
+        if (tool.as_ball || !has_tools) {
             if (!tool.sight.shown) return;
-            scene.spheres.push_back({.centre_mm = vec3(tool.sight.centre_mm),
-                                     .radius_mm = static_cast<float>(tool.sight.radius_mm),
-                                     .material = tool.ball_material});
+            const vec3 centre_mm(tool.sight.centre_mm);
+            const auto radius_mm = static_cast<float>(tool.sight.radius_mm);
+            add(ToolModel::kBall, false,
+                glm::scale(glm::translate(mat4(1.0F), centre_mm), vec3(radius_mm / kBallRadiusMm)));
+            scene.spheres.push_back({.centre_mm = centre_mm, .radius_mm = radius_mm});
             return;
         }
         const ToolPicture picture = tool.pose.picture();
@@ -108,7 +113,7 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
         scene.spheres.insert(scene.spheres.end(), picture.shadows.begin(), picture.shadows.end());
     });
     registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
-        if (!wire.shown || !scene.mover_library) return;
+        if (!wire.shown || !has_tools) return;
         // Across the picture, so that it is seen to pass under the pot.
         constexpr double kAcross = 1.5707963267948966;
         add(ToolModel::kWire, false, placed({0.0, wire.height_mm, 0.0}, kAcross, 0.0));

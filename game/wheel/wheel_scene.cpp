@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "game/wheel/components.h"
+#include "game/wheel/tool_models.h"
 #include "game/wheel/workshop.h"
 
 namespace onggi::wheel {
@@ -13,13 +14,12 @@ WheelScene::WheelScene(std::shared_ptr<const Workshop> workshop, RoomModel model
     registry_.add(clay_, Clay{.edge_rounding_mm = 4.0F});
     registry_.add(clay_, Wheel{});
     tool_ = registry_.create();
-    registry_.add(tool_, Tool{.ball_material = polished_wood()});
+    registry_.add(tool_, Tool{});
     second_tool_ = registry_.create();
-    registry_.add(second_tool_,
-                  Tool{.sight = {.shown = false, .is_assistant = true}, .ball_material = polished_wood()});
+    registry_.add(second_tool_, Tool{.sight = {.shown = false, .is_assistant = true}});
     registry_.add(registry_.create(), Wire{});
     shelf_ = registry_.create();
-    registry_.add(shelf_, ToolShelf{});
+    registry_.add(shelf_, ToolShelf{ball_alone()});
     camera_ = registry_.create();
     registry_.add(camera_, throwing_camera());
     registry_.add(registry_.create(), TimeOfDay{});
@@ -112,7 +112,7 @@ void WheelScene::set_tools(std::shared_ptr<const render::MoverLibrary> library) 
 }
 
 bool WheelScene::has_tools() {
-    return registry_.get<ToolShelf>(shelf_).library != nullptr;
+    return registry_.get<ToolShelf>(shelf_).has_tools();
 }
 
 const render::Camera& WheelScene::camera_now(int width_px, int height_px) {

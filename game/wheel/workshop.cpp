@@ -209,10 +209,6 @@ void build_room(ecs::Registry& registry, const Workshop& workshop, RoomModel mod
     add_light(registry, workshop);
 }
 
-render::Material polished_wood() {
-    return {.albedo = vec3(0.56F, 0.37F, 0.19F), .roughness = 0.28F, .grain = 0.10F};
-}
-
 CameraRig throwing_camera() {
     return {.target_mm = dvec3(0.0, 66.0, 0.0),
             .distance_mm = 1150.0,

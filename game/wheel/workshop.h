@@ -20,7 +20,6 @@ void stand_in(ecs::Registry& registry, const Workshop& workshop);
 // A modelled room in the workshop's light, with our wheel if it has none of its own.
 void build_room(ecs::Registry& registry, const Workshop& workshop, RoomModel model);
 
-[[nodiscard]] render::Material polished_wood();
 [[nodiscard]] CameraRig throwing_camera();
 
 }  // namespace onggi::wheel

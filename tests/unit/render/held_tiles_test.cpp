@@ -27,7 +27,7 @@ TEST_F(HeldPictureTiles, AreCopiedOnlyWhereTheTargetShowsSomethingElse) {
     frame();
     EXPECT_EQ(work_.bare, Tiles(kTiles, 0));
     frame({0, 1, 0, 0});
-    EXPECT_EQ(work_.bare, Tiles(kTiles, 0)) << "nothing is in the way of what is drawn there first";
+    EXPECT_EQ(work_.bare, Tiles(kTiles, 0));
     frame();
     EXPECT_EQ(work_.bare, (Tiles{0, 1, 0, 0}));
     picture_[3] = 15;
@@ -38,12 +38,12 @@ TEST_F(HeldPictureTiles, AreCopiedOnlyWhereTheTargetShowsSomethingElse) {
     EXPECT_EQ(work_.bare, Tiles(kTiles, 1));
 }
 
-TEST_F(HeldPictureTiles, AreNotCopiedWhereSomethingIsDrawnOverAllOfThem) {
+TEST_F(HeldPictureTiles, AreNotCopiedWhereSomethingMoves) {
     frame({0, kCovered, kMoves, 0});
-    EXPECT_EQ(work_.bare, (Tiles{1, 0, 1, 1}));
+    EXPECT_EQ(work_.bare, (Tiles{1, 0, 0, 1}));
     frame({0, kCovered, kMoves, 0}, {0, 7, 7, 0});
-    EXPECT_EQ(work_.bare, (Tiles{0, 0, 1, 0}));
-    EXPECT_EQ(work_.drawn_over, (Tiles{0, 1, 1, 0}));
+    EXPECT_EQ(work_.bare, Tiles(kTiles, 0));
+    EXPECT_EQ(work_.moves_under, (Tiles{0, 1, 1, 0}));
     frame();
     EXPECT_EQ(work_.bare, (Tiles{0, 1, 1, 0}));
 }
@@ -63,21 +63,18 @@ TEST_F(HeldPictureTiles, KeepAnOverlayThatStaysAsItIs) {
     EXPECT_EQ(work_.laid_over, Tiles(kTiles, 0));
 }
 
-TEST_F(HeldPictureTiles, AreBareUnderWhatMovesAndGetTheOverlayAfterIt) {
+TEST_F(HeldPictureTiles, HaveTheOverlayOnWhatMovesAndBackWhenNothingMovesThereAnyMore) {
     frame({}, {0, 7, 8, 0});
-    // Else it would lie there twice, and under what moves.
     frame({0, 1, 0, 1}, {0, 7, 8, 0});
-    EXPECT_EQ(work_.bare, (Tiles{0, 1, 0, 0}));
+    EXPECT_EQ(work_.bare, Tiles(kTiles, 0));
     EXPECT_EQ(work_.laid_over, Tiles(kTiles, 0));
-    EXPECT_EQ(work_.drawn_over, (Tiles{0, 1, 0, 0}));
+    EXPECT_EQ(work_.moves_under, (Tiles{0, 1, 0, 0}));
     frame({0, 1, 0, 1}, {0, 7, 8, 0});
-    EXPECT_EQ(work_.bare, (Tiles{0, 1, 0, 1}));
-    EXPECT_EQ(work_.drawn_over, (Tiles{0, 1, 0, 0}));
-    // Nothing moves there any more.
+    EXPECT_EQ(work_.moves_under, (Tiles{0, 1, 0, 0})) << "what moves is another in every frame";
     frame({}, {0, 7, 8, 0});
     EXPECT_EQ(work_.bare, (Tiles{0, 0, 0, 1}));
     EXPECT_EQ(work_.laid_over, (Tiles{0, 1, 0, 0}));
-    EXPECT_EQ(work_.drawn_over, Tiles(kTiles, 0));
+    EXPECT_EQ(work_.moves_under, Tiles(kTiles, 0));
 }
 
 TEST_F(HeldPictureTiles, OfOtherPicturesAreNeverTakenForThoseTheTargetHolds) {

@@ -45,7 +45,8 @@ class LathePixels : public testing::Test {
                     .normals = *normals_,
                     .slip = slip_,
                     .slip_size = {4, 4},
-                    .order = order_},
+                    .order = order_,
+                    .shows_load = shows_load_},
                    {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
     }
     void draw(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices) {
@@ -89,6 +90,7 @@ class LathePixels : public testing::Test {
     std::unique_ptr<NormalTexels> normals_ = std::make_unique<NormalTexels>();
     std::array<std::uint32_t, 16> slip_{};
     ByteOrder order_ = ByteOrder::kRedFirst;
+    bool shows_load_ = false;
     std::vector<std::uint32_t> pixels_ =
         std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, kUntouched);
     std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
@@ -267,6 +269,58 @@ TEST_F(LathePixels, LoseTheKeyBehindASphereWhereOneMayBe) {
     // The light is 0.05 wide to each side: on the sphere's outline half of it is seen.
     const float half = red({{value::kPlace + 1, 20.0F}}, true);
     EXPECT_NEAR(half, red({{value::kSeen, 0.5F}}), 1.0F);
+}
+
+// Load from 0 on the left to 1 on the right of a grey wall in soft light.
+TEST_F(LathePixels, ShowHowNearTheClayIsToGivingWay) {
+    shows_load_ = true;
+    draw_.dry = draw_.wet = vec4(0.3F, 0.3F, 0.3F, 0.0F);
+    draw_.wet.w = 0.1F;
+    std::vector<LatheCorner> corners = sheet();
+    for (LatheCorner& own : corners) {
+        own.values[value::kLoad] = own.at_px.x / static_cast<float>(kWidth);
+        // Three tenths of a mm along the hatch to a pixel.
+        own.values[value::kSlip] = (18.0F + 0.01F * own.at_px.x) * own.values[value::kNear];
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            own.values[value::kAmbient + channel] = 0.3F;
+    }
+    draw(corners, kSheet);
+    const auto blue = [&](int x, int y) { return static_cast<float>(at(x, y) >> 16U & 255U); };
+    const auto red = [&](int x, int y) { return static_cast<float>(at(x, y) & 255U); };
+    EXPECT_NEAR(red(20, 20), shown(0.3F), 1.0F);
+    EXPECT_NEAR(blue(30, 20), shown(0.3F), 1.0F) << "no warning up to six tenths";
+    EXPECT_GT(red(36, 20), shown(0.6F)) << "where it begins, a pale line";
+    float reddest = 0.0F;
+    for (int x = 45; x < kWidth; ++x)
+        reddest = std::max(reddest, red(x, 20) - blue(x, 20));
+    EXPECT_GT(reddest, 60.0F);
+}
+
+TEST_F(LathePixels, HatchTheSameClayHoweverFarItHasTurned) {
+    shows_load_ = true;
+    draw_.dry = draw_.wet = vec4(0.3F, 0.3F, 0.3F, 0.0F);
+    const auto hatched = [&](float turned) {
+        std::fill(depth_.begin(), depth_.end(), 1.0F);
+        std::vector<LatheCorner> corners = sheet();
+        draw_.turn.x = turned;
+        for (LatheCorner& own : corners) {
+            own.values[value::kLoad] = 0.8F;
+            own.values[value::kSlip] =
+                4.0F * (0.01F * (own.at_px.x + 50.0F) + turned + kSlipWidthsMore) * own.values[value::kNear];
+            own.values[value::kAmbient] = 0.3F;
+        }
+        draw(corners, kSheet);
+        return pixels_;
+    };
+    const std::vector<std::uint32_t> before = hatched(0.0F);
+    const std::vector<std::uint32_t> after = hatched(0.375F);
+    int lines = 0;
+    for (int x = 1; x < kWidth; ++x) {
+        const auto at = static_cast<std::size_t>(20 * kWidth + x);
+        EXPECT_NEAR(before[at] & 255U, after[at] & 255U, 3) << x;
+        lines += std::abs(static_cast<int>(before[at] & 255U) - static_cast<int>(before[at - 1] & 255U)) > 20;
+    }
+    EXPECT_GT(lines, 8) << "nothing is hatched";
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "engine/render/outline_strips.h"
 #include "engine/render/profile_mesh.h"
 
 namespace onggi::render {
@@ -110,28 +109,6 @@ TEST_F(MoverEdges, OfAHandInsideThePotAreLeftOut) {
     add_mover_edges(placed, towards, mesh_edges(mesh), &inside, {camera_, kWidth, kHeight}, seen);
     EXPECT_FALSE(all.empty());
     EXPECT_LT(length(seen), 0.5F * length(all));
-}
-
-TEST(OutlineStrips, HoldEveryPixelHalfAPixelFromTheLine) {
-    const std::vector<OutlinePiece> pieces{
-        {.from = vec4(10.0F, 20.0F, 0.5F, 1.0F), .to = vec4(30.0F, 24.0F, 0.25F, 1.0F)},
-        {.from = vec4(40.0F, 10.0F, 0.5F, 1.0F), .to = vec4(42.0F, 30.0F, 0.5F, 1.0F)}};
-    std::vector<StripCorner> corners;
-    make_strips(pieces, vec2(100.0F, 50.0F), corners);
-    ASSERT_EQ(corners.size(), 2 * kStripCorners);
-    const auto px = [&](std::size_t corner) {
-        return (vec2(corners[corner].at) + 1.0F) * 0.5F * vec2(100.0F, 50.0F);
-    };
-    // The first runs mostly across: wide up and down; a little longer than the piece.
-    EXPECT_NEAR(px(2).y - px(0).y, 1.04F, 1e-3F);
-    EXPECT_NEAR(px(2).x, px(0).x, 1e-3F);
-    EXPECT_NEAR(px(0).x, 9.75F, 1e-3F);
-    EXPECT_NEAR(px(1).x, 30.25F, 1e-3F);
-    EXPECT_EQ(corners[0].line, vec4(10.0F, 20.0F, 0.2F, 1.0F));
-    EXPECT_EQ(corners[1].at.z, 0.25F);
-    // The second runs mostly down.
-    EXPECT_NEAR(px(6).x - px(4).x, 1.04F, 1e-3F);
-    EXPECT_EQ(corners[4].line, vec4(40.0F, 10.0F, 0.1F, 0.0F));
 }
 
 }  // namespace

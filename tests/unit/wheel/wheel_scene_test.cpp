@@ -41,8 +41,19 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     ASSERT_EQ(scene.spheres.size(), 1U);
     EXPECT_EQ(scene.spheres[0].centre_mm, vec3(70.0F, 90.0F, 5.0F));
     EXPECT_EQ(scene.spheres[0].radius_mm, 12.0F);
+    ASSERT_EQ(scene.movers.size(), 1U);
+    const render::Mover& ball = scene.movers[0];
+    const std::vector<render::Box>& boxes = scene.mover_library->at(ball.model).boxes_mm;
+    render::Box seen = render::placed(boxes.at(0), ball.place);
+    for (const render::Box& box : boxes) {
+        seen.low = glm::min(seen.low, render::placed(box, ball.place).low);
+        seen.high = glm::max(seen.high, render::placed(box, ball.place).high);
+    }
+    EXPECT_LT(glm::length(seen.low - vec3(58.0F, 78.0F, -7.0F)), 0.1F);
+    EXPECT_LT(glm::length(seen.high - vec3(82.0F, 102.0F, 17.0F)), 0.1F);
     pot_.hand.shown = false;
     EXPECT_TRUE(show(pot_).spheres.empty());
+    EXPECT_TRUE(show(pot_).movers.empty());
 }
 
 TEST_F(TheWheelScene, TurnsTheClayWithTheWheel) {
