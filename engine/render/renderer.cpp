@@ -1,8 +1,8 @@
 // What both ways to a picture share, and which of them it is.
 #include "engine/render/renderer.h"
 
-#include "engine/render/cached_picture.h"
-#include "engine/render/direct_picture.h"
+#include "engine/render/cached/cached_picture.h"
+#include "engine/render/direct/direct_picture.h"
 
 namespace onggi::render {
 

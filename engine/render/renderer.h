@@ -2,30 +2,17 @@
 // flight: a second one would be a frame of delay that the hand sees.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/frame_stats.h"
 #include "engine/render/overlay.h"
-#include "engine/render/pass_clock.h"
 #include "engine/render/renderer_desc.h"
 #include "engine/render/scene.h"
 #include "engine/vk/device.h"
 #include "engine/vk/frame_target.h"
 
 namespace onggi::render {
-
-// What the last frame took, for tests and for whoever watches.
-struct FrameStats {
-    int rings = 0;
-    float ring_error_px = 0.0F;  // the tolerance that met the cap
-    bool still_life_drawn = false;
-    bool shadow_drawn = false;
-    double device_ms = 0.0;  // of the frame before, from its first command to its last; 0: not measured
-    std::vector<PassTime> parts{};   // and of its parts, the host's too, where they are measured
-    bool device_drew_scene = false;  // in that time; false: it showed a screen, or a scene at rest under one
-};
 
 class Renderer {
   public:

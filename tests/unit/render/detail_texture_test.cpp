@@ -1,4 +1,4 @@
-#include "engine/render/detail_texture.h"
+#include "engine/render/shapes/detail_texture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/edge_pixels.h"
+#include "engine/render/pixels/edge_pixels.h"
 
 #include <gtest/gtest.h>
 

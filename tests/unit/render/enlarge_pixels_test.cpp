@@ -1,4 +1,4 @@
-#include "engine/render/enlarge_pixels.h"
+#include "engine/render/pixels/enlarge_pixels.h"
 
 #include <gtest/gtest.h>
 

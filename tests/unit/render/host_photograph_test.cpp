@@ -1,4 +1,4 @@
-#include "engine/render/host_photograph.h"
+#include "engine/render/pixels/host_photograph.h"
 
 #include <gtest/gtest.h>
 

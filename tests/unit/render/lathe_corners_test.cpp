@@ -1,6 +1,6 @@
 // The shader that does the same is drawn beside it by tests/golden/paths_agree_test.cpp; here, light whose
 // answer is known.
-#include "engine/render/lathe_corners.h"
+#include "engine/render/pixels/lathe_corners.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/render/projector.h"
+#include "engine/render/shapes/projector.h"
 
 namespace onggi::render {
 namespace {

@@ -1,9 +1,9 @@
-#include "engine/render/lathe_cover.h"
+#include "engine/render/shapes/lathe_cover.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/render/lathe_sectors.h"
-#include "engine/render/lathe_vertices.h"
+#include "engine/render/shapes/lathe_sectors.h"
+#include "engine/render/shapes/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {

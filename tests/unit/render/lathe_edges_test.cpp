@@ -1,11 +1,11 @@
-#include "engine/render/lathe_edges.h"
+#include "engine/render/shapes/lathe_edges.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/render/lathe_sectors.h"
-#include "engine/render/lathe_vertices.h"
+#include "engine/render/shapes/lathe_sectors.h"
+#include "engine/render/shapes/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {

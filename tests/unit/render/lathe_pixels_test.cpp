@@ -1,6 +1,6 @@
 // The shader that does the same is drawn beside it by tests/golden/paths_agree_test.cpp; here, which pixels
 // are drawn, and light whose answer is known.
-#include "engine/render/lathe_pixels.h"
+#include "engine/render/pixels/lathe_pixels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/lathe_profile.h"
+#include "engine/render/shapes/lathe_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/lathe_sectors.h"
+#include "engine/render/shapes/lathe_sectors.h"
 
 #include <gtest/gtest.h>
 

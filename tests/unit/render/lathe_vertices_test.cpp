@@ -1,10 +1,10 @@
-#include "engine/render/lathe_vertices.h"
+#include "engine/render/shapes/lathe_vertices.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/render/lathe_sectors.h"
+#include "engine/render/shapes/lathe_sectors.h"
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {

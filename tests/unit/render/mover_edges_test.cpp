@@ -1,4 +1,4 @@
-#include "engine/render/mover_edges.h"
+#include "engine/render/shapes/mover_edges.h"
 
 #include <gtest/gtest.h>
 

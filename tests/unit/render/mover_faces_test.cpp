@@ -1,4 +1,4 @@
-#include "engine/render/mover_faces.h"
+#include "engine/render/shapes/mover_faces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The shader that does the same is drawn beside it by tests/golden/paths_agree_test.cpp; here, light whose
 // answer is known.
-#include "engine/render/mover_light.h"
+#include "engine/render/pixels/mover_light.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/render/projector.h"
+#include "engine/render/shapes/projector.h"
 
 namespace onggi::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/render/mover_pixels.h"
+#include "engine/render/pixels/mover_pixels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "engine/render/moving_tiles.h"
+#include "engine/render/shapes/moving_tiles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/projector.h"
+#include "engine/render/shapes/projector.h"
 
 namespace onggi::render {
 namespace {

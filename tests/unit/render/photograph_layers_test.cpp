@@ -1,4 +1,4 @@
-#include "engine/render/photograph_layers.h"
+#include "engine/render/pixels/photograph_layers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/relief.h"
+#include "engine/render/shapes/relief.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/shade_edges.h"
+#include "engine/render/pixels/shade_edges.h"
 
 #include <gtest/gtest.h>
 

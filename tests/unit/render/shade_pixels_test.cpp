@@ -1,4 +1,4 @@
-#include "engine/render/shade_pixels.h"
+#include "engine/render/pixels/shade_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 #include <random>
 
-#include "engine/render/shadow_region.h"
+#include "engine/render/shapes/shadow_region.h"
 
 namespace onggi::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/render/shade_tiles.h"
+#include "engine/render/pixels/shade_tiles.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 #include <random>
 
-#include "engine/render/shade_pixels.h"
+#include "engine/render/pixels/shade_pixels.h"
 
 namespace onggi::render {
 namespace {

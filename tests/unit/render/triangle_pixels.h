@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/render/picture_shapes.h"
+#include "engine/render/pixels/picture_shapes.h"
 
 namespace onggi::render {
 

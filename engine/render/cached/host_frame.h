@@ -1,0 +1,46 @@
+// Brings into a target what the processor made of a frame: a scene with the overlay on it, or an overlay that
+// covers all; and of them only what the target does not show already. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/cached/held_tiles.h"
+#include "engine/render/cached/painted_overlay.h"
+#include "engine/render/frame/frame_context.h"
+
+namespace onggi::render {
+
+// As large as the frame.
+struct HostPicture {
+    const vk::Buffer& pixels;
+    std::span<const std::uint64_t> numbers;  // of its tiles, see TileContents
+    // Another that has its place on these tiles, and is another in every frame; the overlay may be laid on
+    // it. Null: none.
+    const vk::Buffer* instead = nullptr;
+    std::span<const std::uint8_t> instead_on{};
+};
+
+class HostFrame {
+  public:
+    // A picture with the overlay; lays the target out as colour. The device is idle.
+    Result<void> record(const FrameContext& frame, const vk::TargetImage& target, const HostPicture& picture,
+                        const PaintedOverlay& overlay);
+    // The overlay alone, which covers everything.
+    void record_covered(const FrameContext& frame, const vk::TargetImage& target,
+                        const PaintedOverlay& overlay);
+
+  private:
+    void copy(const FrameContext& frame, const vk::Buffer& from, std::span<const std::uint8_t> tiles,
+              const vk::TargetImage& into);
+
+    HeldTargets targets_;
+    TileWork work_;
+    vk::Buffer laid_;  // a picture with the overlay on it; only this frame's laid-over tiles are good
+    std::vector<std::uint64_t> no_picture_;
+    std::vector<PixelRect> rects_;
+    std::vector<VkBufferImageCopy> regions_;
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,73 @@
+#include "engine/render/cached/host_shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/render/cached/painted_overlay.h"
+
+namespace onggi::render {
+namespace {
+
+ShadeLight shade_light(const LightLevels& levels, VkFormat format) {
+    const vec3& ambient = levels.ambient;
+    if (byte_order(format) == ByteOrder::kRedFirst) return {{ambient.x, ambient.y, ambient.z}, levels.key};
+    return {{ambient.z, ambient.y, ambient.x}, levels.key};
+}
+
+}  // namespace
+
+Result<void> HostShade::fit(const FrameContext& frame) {
+    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
+    if (shaded_.size() == bytes) return {};
+    auto buffer = vk::Buffer::create(
+        frame.device,
+        {.name = "shaded still life", .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    if (!buffer) return buffer.error();
+    shaded_ = std::move(*buffer);
+    has_layers_ = false;
+    return {};
+}
+
+void HostShade::let_go() {
+    shaded_ = {};
+    has_layers_ = false;
+}
+
+void HostShade::note_light(const LightLevels& levels) {
+    // Of the light, from frame to frame: what no eye sees where it lies beside what has not changed yet.
+    constexpr float kLittle = 0.04F;
+    const vec3 ambient = glm::abs(levels.ambient - levels_.ambient);
+    const float change = std::max({ambient.x, ambient.y, ambient.z, std::abs(levels.key - levels_.key)});
+    if (change == 0.0F) return;
+    levels_ = levels;
+    tiles_.note_light(change < kLittle ? LightChange::kLittle : LightChange::kMuch);
+}
+
+void HostShade::shade(FrameContext& frame, const Scene& scene, const ShadeLayers& layers) {
+    const std::uint64_t shadow = shadow_hash(scene);
+    frame.stats.shadow_drawn = !has_layers_ || mask_of_ != shadow;
+    if (frame.stats.shadow_drawn) {
+        std::swap(mask_, mask_before_);
+        fill_shadow_mask(frame.built.frame, *mask_);
+    }
+    mask_of_ = shadow;
+    if (!has_layers_) {
+        tiles_.learn({layers.width, layers.height}, layers.places);
+        edges_.forget();
+        if (frame.desc.smooths_outlines) edges_.find(layers.width, layers.places);
+        levels_ = scene.levels;
+        has_layers_ = true;
+    } else {
+        if (frame.stats.shadow_drawn) {
+            keep_what_is_alike(*mask_before_, *mask_);
+            tiles_.note_mask(*mask_before_, *mask_);
+        }
+        note_light(scene.levels);
+    }
+    tiles_.take(frame.built.moving_tiles, rects_);
+    shade_pixels(layers, *mask_, shade_light(scene.levels, frame.desc.colour_format), rects_,
+                 shaded_.as<std::uint32_t>());
+    edges_.smooth(*mask_, rects_, shaded_.as<std::uint32_t>());
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,77 @@
+// What the passes of one frame share: the device's objects, what the scene became, and the commands they
+// record into. Main thread. Pixels.
+#pragma once
+
+#include <utility>
+
+#include "engine/render/frame/frame_images.h"
+#include "engine/render/frame/pass.h"
+#include "engine/render/frame/pipelines.h"
+#include "engine/render/frame_stats.h"
+#include "engine/render/pass_clock.h"
+#include "engine/render/shapes/frame_build.h"
+#include "engine/vk/buffer.h"
+#include "engine/vk/frame_target.h"
+
+namespace onggi::render {
+
+struct FrameContext {
+    vk::Device& device;
+    RendererDesc desc;
+    Pipelines pipelines{};
+    FrameImages images{};
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkExtent2D extent{};
+    BuiltFrame built{};
+    FrameStats stats{};
+    PassClock clock{};
+    vk::Buffer uniforms{};
+
+    // The command buffer; end() leaves the target, which is laid out as colour, as whoever shows it wants it.
+    Result<void> begin();
+    Result<void> end(const vk::TargetImage& target);
+    // A part of the frame begins, on the device.
+    void enter(const char* part) { clock.enter(device, commands, part); }
+
+    [[nodiscard]] EdgeView view(const Scene& scene) const {
+        return {scene.camera, static_cast<int>(extent.width), static_cast<int>(extent.height)};
+    }
+    // What the scene becomes; the stats begin anew.
+    void build(const Scene& scene, const StillBounds& still);
+    void upload_uniforms(const shaders::FrameData& data) {
+        uniforms.write(std::as_bytes(std::span(&data, 1)));
+    }
+
+    [[nodiscard]] VkDescriptorSet set() const { return pipelines.set.set; }
+    void bind_set() const {
+        const VkDescriptorSet own = set();
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout.get(), 0, 1, &own,
+                                0, nullptr);
+    }
+    // `record` into commands of their own, which are done when this returns.
+    template <typename Record>
+    Result<void> run_once(Record&& record) {
+        return device.run_once([&](VkCommandBuffer once) {
+            const VkCommandBuffer of_frame = std::exchange(commands, once);
+            bind_set();
+            record();
+            commands = of_frame;
+        });
+    }
+    void bind(const vk::Pipeline& pipeline) const {
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.get());
+    }
+    template <typename Constants>
+    void push(const Constants& constants) const {
+        vkCmdPushConstants(commands, pipelines.layout.get(),
+                           VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
+                           &constants);
+    }
+    // One triangle over the whole target.
+    void draw_screen(const vk::Pipeline& pipeline) const {
+        bind(pipeline);
+        vkCmdDraw(commands, 3, 1, 0, 0);
+    }
+};
+
+}  // namespace onggi::render

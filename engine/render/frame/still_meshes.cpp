@@ -1,0 +1,41 @@
+#include "engine/render/frame/still_meshes.h"
+
+#include <algorithm>
+
+namespace onggi::render {
+namespace {
+
+constexpr VkShaderStageFlags kBothStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+}  // namespace
+
+Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& still_life) {
+    std::vector<Mesh::Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    parts_.clear();
+    for (const StillLife::Part& part : still_life.parts) {
+        parts_.push_back({.draw = mesh_draw(part.material, part.position_mm),
+                          .first_index = static_cast<std::uint32_t>(indices.size()),
+                          .index_count = static_cast<std::uint32_t>(part.mesh->indices.size()),
+                          .first_vertex = static_cast<std::int32_t>(vertices.size()),
+                          .in_relief = part.in_relief,
+                          .casts_shadow = part.casts_shadow});
+        vertices.insert(vertices.end(), part.mesh->vertices.begin(), part.mesh->vertices.end());
+        indices.insert(indices.end(), part.mesh->indices.begin(), part.mesh->indices.end());
+    }
+    bounds_ = bounds_of(still_life);
+    return buffers_.upload(device, "still life", std::as_bytes(std::span(vertices)), indices);
+}
+
+void StillMeshes::draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const {
+    if (parts_.empty()) return;
+    buffers_.bind(commands);
+    for (const Part& part : parts_) {
+        if (which == Which::kCasters && !part.casts_shadow) continue;
+        if (which == Which::kNotInRelief && part.in_relief) continue;
+        vkCmdPushConstants(commands, layout, kBothStages, 0, sizeof part.draw, &part.draw);
+        vkCmdDrawIndexed(commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
+    }
+}
+
+}  // namespace onggi::render

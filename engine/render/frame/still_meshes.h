@@ -1,0 +1,39 @@
+// The still life on the device: one vertex and one index buffer, filled when its revision changes. Main
+// thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/render/frame/mesh_buffers.h"
+#include "engine/render/scene.h"
+#include "engine/render/shapes/frame_build.h"
+
+namespace onggi::render {
+
+class StillMeshes {
+  public:
+    // Precondition: the device does not read what was uploaded before.
+    Result<void> upload(const vk::Device& device, const StillLife& still_life);
+
+    enum class Which { kAll, kCasters, kNotInRelief };
+    // Draws each part with its push constants.
+    void draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const;
+    [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
+
+  private:
+    struct Part {
+        shaders::MeshDraw draw;
+        std::uint32_t first_index = 0;
+        std::uint32_t index_count = 0;
+        std::int32_t first_vertex = 0;
+        bool in_relief = false;
+        bool casts_shadow = true;
+    };
+    MeshBuffers buffers_;
+    std::vector<Part> parts_;
+    StillBounds bounds_;
+};
+
+}  // namespace onggi::render

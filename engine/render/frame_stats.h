@@ -1,0 +1,21 @@
+// How a frame went. Pixels, ms.
+#pragma once
+
+#include <vector>
+
+#include "engine/render/pass_clock.h"
+
+namespace onggi::render {
+
+// What the last frame took, for tests and for whoever watches.
+struct FrameStats {
+    int rings = 0;
+    float ring_error_px = 0.0F;  // the tolerance that met the cap
+    bool still_life_drawn = false;
+    bool shadow_drawn = false;
+    double device_ms = 0.0;  // of the frame before, from its first command to its last; 0: not measured
+    std::vector<PassTime> parts{};   // and of its parts, the host's too, where they are measured
+    bool device_drew_scene = false;  // in that time; false: it showed a screen, or a scene at rest under one
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,204 @@
+#include "engine/render/pixels/lathe_pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "engine/render/pixels/lathe_shade.h"
+#include "engine/render/pixels/pixel_blocks.h"
+#include "engine/render/pixels/wide_vectors.h"
+
+// No vector leaves this file by value, see pixel_blocks.h.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace onggi::render {
+namespace {
+
+using blocks::any;
+using blocks::Block;
+using blocks::floats;
+using blocks::Ints;
+using blocks::kBlock;
+using blocks::kNumbers;
+using blocks::magnitude;
+using shading::Pot;
+using shading::Queue;
+using shading::shade;
+
+namespace value = lathe_value;
+using shapes::Reach;
+using shapes::Shape;
+
+// What grows evenly over a triangle, as vectors of values: at its first corner, and from pixel to pixel.
+constexpr std::size_t kValueBlocks = value::kCount / kBlock;
+using Values = std::array<Block, kValueBlocks>;
+
+[[gnu::always_inline]] inline Values values_of(const LatheCorner& corner) {
+    Values values;
+    static_assert(sizeof values == sizeof corner.values);
+    std::memcpy(&values, corner.values.data(), sizeof values);
+    return values;
+}
+
+// How a triangle's values grow, as vectors of values and one by one.
+struct Growth {
+    vec2 from;    // its first corner
+    Values base;  // there
+    Values across;
+    Values down;
+    alignas(32) std::array<Block, value::kCount> along;  // a row's first eight pixels
+
+    [[gnu::always_inline]] Growth(const Shape<value::kCount>& shape, float area)
+        : from(shape.corners[0]->at_px),
+          base(values_of(*shape.corners[0])) {
+        const vec2 to_1 = (shape.corners[1]->at_px - from) / area;
+        const vec2 to_2 = (shape.corners[2]->at_px - from) / area;
+        const Values of_1 = values_of(*shape.corners[1]);
+        const Values of_2 = values_of(*shape.corners[2]);
+        for (std::size_t i = 0; i < kValueBlocks; ++i) {
+            const Block grown_1 = of_1[i] - base[i];
+            const Block grown_2 = of_2[i] - base[i];
+            across[i] = grown_1 * to_2.y - grown_2 * to_1.y;
+            down[i] = grown_2 * to_1.x - grown_1 * to_2.x;
+        }
+        for (std::size_t i = 0; i < value::kCount; ++i)
+            along[i] = across[i / kBlock][i % kBlock] * floats(kNumbers);
+    }
+    // At a pixel.
+    [[gnu::always_inline]] void find(int x, int y, std::array<float, value::kCount>& found) const {
+        const float right_by = static_cast<float>(x) + 0.5F - from.x;
+        const float down_by = static_cast<float>(y) + 0.5F - from.y;
+        for (std::size_t i = 0; i < kValueBlocks; ++i) {
+            const Block values = base[i] + across[i] * right_by + down[i] * down_by;
+            std::memcpy(found.data() + i * kBlock, &values, sizeof values);
+        }
+    }
+};
+
+// By how much a block's load and its place along the hatch change from pixel to pixel: fwidth() of a shader.
+[[gnu::always_inline]] inline void add_widths(const Growth& growth,
+                                              const std::array<float, value::kCount>& first,
+                                              const LatheLook& look, Queue& queue, std::size_t at) {
+    const shading::HatchPerTexel hatch(look.slip_size);
+    const auto of = [](const Values& grown, std::size_t number) {
+        return grown[number / kBlock][number % kBlock];
+    };
+    const auto along = [&](const Values& grown) {
+        return of(grown, value::kSlip) * hatch.round_mm + of(grown, value::kSlip + 1) * hatch.up_mm;
+    };
+    const Block near = first[value::kNear] + growth.along[value::kNear];
+    const Block place = ((first[value::kSlip] + growth.along[value::kSlip]) * hatch.round_mm +
+                         (first[value::kSlip + 1] + growth.along[value::kSlip + 1]) * hatch.up_mm) /
+                        near;
+    const Block width = (magnitude(along(growth.across) - place * of(growth.across, value::kNear)) +
+                         magnitude(along(growth.down) - place * of(growth.down, value::kNear))) /
+                        near;
+    std::memcpy(queue.values[shading::kHatchWidth].data() + at, &width, sizeof width);
+    const Block load_width =
+        Block{} + (std::abs(of(growth.across, value::kLoad)) + std::abs(of(growth.down, value::kLoad)));
+    std::memcpy(queue.values[shading::kLoadWidth].data() + at, &load_width, sizeof load_width);
+}
+
+// The part of a row from `x` on that a block holds; `end`: its last pixel's next.
+template <Pot kPot>
+[[gnu::always_inline]] inline void add(const Growth& growth, int x, int end, int y, const LatheLook& look,
+                                       const PictureCanvas& canvas, Queue& queue) {
+    const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(y) * canvas.size.width + x;
+    const std::ptrdiff_t at =
+        std::min(wanted, static_cast<std::ptrdiff_t>(canvas.pixels.size()) - std::ptrdiff_t{kBlock});
+    const int early = static_cast<int>(wanted - at);  // pixels of the block before the part
+    const int count = std::min(end - x + early, kBlock);
+    alignas(32) std::array<float, value::kCount> first;
+    growth.find(x - early, y, first);
+    const Block here = first[value::kDepth] + growth.along[value::kDepth];
+    Block depth;
+    std::memcpy(&depth, canvas.depth.data() + at, sizeof depth);
+    const Ints is_drawn = (here <= depth) & (kNumbers >= early) & (kNumbers < count);
+    if (!any(is_drawn)) return;
+    depth = is_drawn ? here : depth;
+    std::memcpy(canvas.depth.data() + at, &depth, sizeof depth);
+    const std::size_t before = queue.count;
+    const Ints places = is_drawn ? kNumbers + static_cast<int>(at) : Ints{} - 1;
+    std::memcpy(queue.at.data() + before, &places, sizeof places);
+    constexpr std::size_t kValues = kPot == Pot::kPlain ? value::kPlain : value::kDepth;
+#pragma GCC unroll 24
+    for (std::size_t i = 0; i < kValues; ++i) {
+        const Block values = first[i] + growth.along[i];
+        std::memcpy(queue.values[i].data() + before, &values, sizeof values);
+    }
+    if constexpr (kPot == Pot::kWithLoad) add_widths(growth, first, look, queue, before);
+    queue.count = before + static_cast<std::size_t>(count);
+}
+
+// `area`: twice its own in the picture, below 0: its corners go counter-clockwise.
+template <Pot kPot>
+[[gnu::always_inline]] inline void draw_triangle(const Shape<value::kCount>& shape, float area,
+                                                 const LatheLook& look, Reach& reach,
+                                                 const PictureCanvas& canvas, Queue& queue) {
+    shapes::find_reach(shape, false, canvas.size, reach);
+    const Growth growth(shape, area);
+    for (int y = reach.top; y < reach.end; ++y) {
+        const int left = reach.left[static_cast<std::size_t>(y)];
+        const int end = reach.right[static_cast<std::size_t>(y)];
+        if (end <= left) continue;
+        shapes::fetch_ahead(canvas, left, y);
+        for (int x = left; x < end; x += kBlock) {
+            add<kPot>(growth, x, end, y, look, canvas, queue);
+            if (queue.is_full()) shade<kPot>(queue, look, canvas);
+        }
+    }
+}
+
+template <Pot kPot>
+[[gnu::always_inline]] inline void draw_some(std::span<const LatheCorner> corners,
+                                             std::span<const std::uint16_t> indices, const LatheLook& look,
+                                             Reach& reach, const PictureCanvas& canvas) {
+    Queue queue{};  // the last block may be part of one
+    Shape<value::kCount> shape;
+    for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {
+        const LatheCorner& a = corners[indices[first]];
+        const LatheCorner& b = corners[indices[first + 1]];
+        const LatheCorner& c = corners[indices[first + 2]];
+        if (std::min({a.away_mm, b.away_mm, c.away_mm}) <= 0.0F) continue;
+        const float area = shapes::area_of(a.at_px, b.at_px, c.at_px);
+        if (area > -shapes::kNoArea) continue;  // it looks away
+        shape.corners = {&a, &b, &c, nullptr};
+        draw_triangle<kPot>(shape, area, look, reach, canvas, queue);
+    }
+    shade<kPot>(queue, look, canvas);
+}
+
+[[gnu::always_inline]] inline void draw_all(std::span<const LatheCorner> corners,
+                                            std::span<const std::uint16_t> indices, std::size_t plain,
+                                            const LatheLook& look, const PictureCanvas& canvas) {
+    if (canvas.pixels.size() < kBlock) return;
+    Reach reach(canvas.size);
+    if (look.shows_load) {
+        draw_some<Pot::kWithLoad>(corners, indices, look, reach, canvas);
+        return;
+    }
+    draw_some<Pot::kPlain>(corners, indices.first(plain), look, reach, canvas);
+    draw_some<Pot::kNearSpheres>(corners, indices.subspan(plain), look, reach, canvas);
+}
+
+void draw_plain(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
+                std::size_t plain, const LatheLook& look, const PictureCanvas& canvas) {
+    draw_all(corners, indices, plain, look, canvas);
+}
+
+ONGGI_WIDE_VECTORS void draw_wide(std::span<const LatheCorner> corners,
+                                  std::span<const std::uint16_t> indices, std::size_t plain,
+                                  const LatheLook& look, const PictureCanvas& canvas) {
+    draw_all(corners, indices, plain, look, canvas);
+}
+
+}  // namespace
+
+void draw_lathe(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
+                std::size_t plain, const LatheLook& look, const PictureCanvas& canvas) {
+    static auto* const best = best_of(draw_plain, draw_wide);
+    best(corners, indices, plain, look, canvas);
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,193 @@
+#include "engine/render/pixels/shade_pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "engine/render/pixels/wide_vectors.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr std::uint32_t kAcross = shaders::kMaskTexels;
+constexpr std::size_t kBlock = kShadeBlockPx;
+
+// Where a coordinate of sixteen bits lies: the texel before it and, in 1/256, how far it is to the next.
+// Outside of the first and the last half texel it is their middle.
+[[gnu::always_inline]] inline std::uint32_t steps_of(std::uint32_t coordinate) {
+    constexpr int kHalf = 128;
+    constexpr int kMost = 256 * (static_cast<int>(kAcross) - 1) - 1;
+    const int steps = static_cast<int>(coordinate * (256U * kAcross) / 65535U) - kHalf;
+    return static_cast<std::uint32_t>(std::min(std::max(steps, 0), kMost));
+}
+
+[[gnu::always_inline]] inline std::uint32_t place_of(std::uint32_t packed_coords) {
+    const std::uint32_t high_first =
+        (packed_coords & 0x00FF00FFU) << 8U | (packed_coords >> 8U & 0x00FF00FFU);
+    const std::uint32_t across = steps_of(high_first & 0xFFFFU);
+    const std::uint32_t down = steps_of(high_first >> 16U);
+    const std::uint32_t texel = (down >> 8U) * kAcross + (across >> 8U);
+    return (texel << 16U) | ((down & 0xFFU) << 8U) | (across & 0xFFU);
+}
+
+// Of a block of pixels, each part side by side, so that every loop over it is one the compiler makes vectors
+// of.
+template <typename T>
+using Lanes = std::array<T, kBlock>;
+
+// The texels of the mask about each pixel's place, key and sky as the two halves of a word, the left one and
+// the right one side by side as they lie in the mask; and how far the place is from the first towards the
+// last.
+struct MaskAbout {
+    Lanes<std::uint64_t> near;
+    Lanes<std::uint64_t> far;
+    Lanes<std::uint32_t> place;
+};
+static_assert(std::endian::native == std::endian::little);
+[[gnu::always_inline]] inline std::uint32_t left_of(std::uint64_t texels) {
+    return static_cast<std::uint32_t>(texels);
+}
+[[gnu::always_inline]] inline std::uint32_t right_of(std::uint64_t texels) {
+    return static_cast<std::uint32_t>(texels >> 32U);
+}
+
+// Whether nothing of them is in shade.
+[[gnu::always_inline]] inline bool read_mask(const ShadowMask& mask, const std::uint32_t* places,
+                                             MaskAbout& about) {
+    constexpr std::uint64_t kBothUnshaded = std::uint64_t{kUnshaded} << 32U | kUnshaded;
+    std::uint64_t all_of = kBothUnshaded;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+        const std::uint32_t* const texel = mask.data() + (places[i] >> 16U);
+        std::memcpy(&about.near[i], texel, sizeof about.near[i]);
+        std::memcpy(&about.far[i], texel + kAcross, sizeof about.far[i]);
+        all_of &= about.near[i] & about.far[i];
+    }
+    std::memcpy(about.place.data(), places, sizeof(about.place));
+    return all_of == kBothUnshaded;
+}
+
+// encode() of shaders/tone.glsl of both lights together, with the square-root transfer, for one channel of a
+// texel: the light without the key times `ambient`, and the key's own, which is the difference of the two,
+// times `key`, all of it times `left`. As one fraction instead of three: of a = A / (1 - .8 A) and b alike it
+// is (A (ambient - key)(1 - .8 B) + B key (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
+[[gnu::always_inline]] inline std::uint32_t mix_lights(std::uint32_t without_key, std::uint32_t with_key,
+                                                       float ambient, float key, float left) {
+    constexpr float kOneOver255 = 1.0F / 255.0F;
+    const float a = static_cast<float>(static_cast<int>(without_key & 0xFFU)) * kOneOver255;
+    const float b = static_cast<float>(static_cast<int>(with_key & 0xFFU)) * kOneOver255;
+    const float curve_a = a * a;
+    const float curve_b = b * b;
+    const float under_a = 1.0F - 0.8F * curve_a;
+    const float under_b = 1.0F - 0.8F * curve_b;
+    const float light = std::max(curve_a * under_b * (ambient - key) + curve_b * under_a * key, 0.0F) * left;
+    const float shown = std::sqrt(light / (light * 0.8F + under_a * under_b));
+    return static_cast<std::uint32_t>(static_cast<int>(shown * 255.0F + 0.5F));
+}
+
+[[gnu::always_inline]] inline void shade_block(const ShadeLayers& layers, const ShadowMask& mask,
+                                               const ShadeLight& light, bool is_day, std::size_t first,
+                                               std::uint32_t* into) {
+    constexpr float kOneOver255 = 1.0F / 255.0F;
+    constexpr float kOneOverMixed = kOneOver255 / 65536.0F;
+    MaskAbout about;
+    const bool is_unshaded = read_mask(mask, layers.places.data() + first, about);
+    if (is_unshaded && is_day) {
+        std::memcpy(into + first, layers.with_key.data() + first, kBlock * sizeof(std::uint32_t));
+        return;
+    }
+    Lanes<std::uint32_t> with_key;
+    Lanes<std::uint32_t> without_key;
+    std::memcpy(with_key.data(), layers.with_key.data() + first, sizeof(with_key));
+    std::memcpy(without_key.data(), layers.without_key.data() + first, sizeof(without_key));
+    Lanes<std::uint32_t> out;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+        // The four texels mixed, times 65536: nothing is lost on the way, because where little of a bright
+        // light is left the eye sees less than 1/255 of it.
+        const std::uint32_t across = about.place[i] & 0xFFU;
+        const std::uint32_t down = (about.place[i] >> 8U) & 0xFFU;
+        const std::uint32_t near_row =
+            left_of(about.near[i]) * (256U - across) + right_of(about.near[i]) * across;
+        const std::uint32_t far_row =
+            left_of(about.far[i]) * (256U - across) + right_of(about.far[i]) * across;
+        const std::uint32_t key = (near_row & 0xFFFFU) * (256U - down) + (far_row & 0xFFFFU) * down;
+        const std::uint32_t sky = (near_row >> 16U) * (256U - down) + (far_row >> 16U) * down;
+        const float share = static_cast<float>(static_cast<int>(key)) * kOneOverMixed * light.key;
+        const float open = static_cast<float>(static_cast<int>(sky)) * kOneOverMixed;
+        const float weight = static_cast<float>(static_cast<int>(without_key[i] >> 24U)) * kOneOver255;
+        const float left = 1.0F + (open - 1.0F) * weight;
+        std::uint32_t shaded = 0xFF000000U;
+        for (std::uint32_t byte = 0; byte < 3U; ++byte) {
+            const std::uint32_t shift = 8U * byte;
+            shaded |=
+                mix_lights(without_key[i] >> shift, with_key[i] >> shift, light.ambient[byte], share, left)
+                << shift;
+        }
+        out[i] = shaded;
+    }
+    std::memcpy(into + first, out.data(), sizeof(out));
+}
+
+// Asks for what a block reads and writes: rows of a picture are too far apart for a processor to guess the
+// next.
+[[gnu::always_inline]] inline void fetch_block(const ShadeLayers& layers, std::size_t first,
+                                               std::uint32_t* into) {
+    __builtin_prefetch(layers.places.data() + first);
+    __builtin_prefetch(layers.with_key.data() + first);
+    __builtin_prefetch(layers.without_key.data() + first);
+    __builtin_prefetch(into + first, 1);
+}
+
+// Whole blocks only: the last of a line begins earlier, and a rectangle that is narrower than one is shaded
+// with its neighbours.
+[[gnu::always_inline]] inline void shade_rect(const ShadeLayers& layers, const ShadowMask& mask,
+                                              const ShadeLight& light, const PixelRect& rect,
+                                              std::uint32_t* into) {
+    const bool is_day = light == ShadeLight{};
+    const auto width = static_cast<std::size_t>(layers.width);
+    const auto left = static_cast<std::size_t>(rect.x);
+    const auto right = std::max(static_cast<std::size_t>(rect.x + rect.width), kBlock);
+    const auto bottom = static_cast<std::size_t>(rect.y + rect.height);
+    for (auto y = static_cast<std::size_t>(rect.y); y < bottom; ++y) {
+        for (std::size_t x = left; x < right; x += kBlock) {
+            const std::size_t first = y * width + std::min(x, right - kBlock);
+            if (y + 1 < bottom) fetch_block(layers, first + width, into);
+            shade_block(layers, mask, light, is_day, first, into);
+        }
+    }
+}
+
+void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
+                      const PixelRect& rect, std::uint32_t* into) {
+    shade_rect(layers, mask, light, rect, into);
+}
+
+ONGGI_WIDE_VECTORS void shade_rect_wide(const ShadeLayers& layers, const ShadowMask& mask,
+                                        const ShadeLight& light, const PixelRect& rect, std::uint32_t* into) {
+    shade_rect(layers, mask, light, rect, into);
+}
+
+}  // namespace
+
+std::uint32_t mask_place(std::uint32_t packed_coords) {
+    return place_of(packed_coords);
+}
+
+void turn_into_places(std::span<std::uint32_t> packed_coords) {
+    for (std::uint32_t& coords : packed_coords)
+        coords = place_of(coords);
+}
+
+void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
+                  std::span<const PixelRect> rects, std::span<std::uint32_t> into) {
+    if (layers.width < kShadeBlockPx) {
+        std::copy(layers.with_key.begin(), layers.with_key.end(), into.begin());
+        return;
+    }
+    static auto* const shade = best_of(shade_rect_plain, shade_rect_wide);
+    for (const PixelRect& rect : rects)
+        shade(layers, mask, light, rect, into.data());
+}
+
+}  // namespace onggi::render

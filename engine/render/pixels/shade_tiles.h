@@ -1,0 +1,59 @@
+// Which tiles of the picture a changed shadow mask makes another picture of, so that what has not changed is
+// not shaded again. Any thread; one user at a time. Pixels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/pixels/shadow_mask.h"
+#include "engine/render/shapes/tiles.h"
+
+namespace onggi::render {
+
+// From one frame to the next: so little that a tile may wait a frame for it, or not.
+enum class LightChange { kLittle, kMuch };
+
+// A shaded picture's tiles. Each has a number, another whenever its pixels become others.
+class ShadeTiles {
+  public:
+    // For layers of this size, each of whose pixels lies at a place of the mask (mask_place()). Every tile
+    // has to be shaded.
+    void learn(const TileGrid& grid, std::span<const std::uint32_t> places);
+    // The mask becomes another: the tiles that read a texel which differs have to be shaded.
+    void note_mask(const ShadowMask& before, const ShadowMask& now);
+    // The light becomes another.
+    void note_light(LightChange change);
+    // The tiles that have to be shaded, as rectangles; from here on they count as shaded. Those that are
+    // covered wait until they are seen, and every other row of those that may wait. `moving`: one entry a
+    // tile, or empty: nothing moves.
+    void take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects);
+
+    [[nodiscard]] const TileGrid& grid() const { return grid_; }
+    [[nodiscard]] std::span<const std::uint64_t> numbers() const { return numbers_; }
+
+  private:
+    // Texels of the mask that a tile reads, both ends included.
+    struct Reach {
+        std::uint8_t left = 255;
+        std::uint8_t right = 0;
+        std::uint8_t top = 255;
+        std::uint8_t bottom = 0;
+
+        // At least one, see mask_place().
+        void hold(std::span<const std::uint32_t> places);
+    };
+
+    TileGrid grid_;
+    std::vector<Reach> reach_;
+    std::vector<std::uint8_t> is_stale_;
+    std::vector<std::uint8_t> may_wait_;  // of a little other light; one frame
+    int waiting_rows_ = 0;                // the even ones or the odd ones
+    std::vector<std::uint8_t> is_due_;
+    std::vector<std::uint64_t> numbers_;
+    std::uint64_t last_number_ = 0;  // never used again, so that a target cannot take new layers for old
+    std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes
+};
+
+}  // namespace onggi::render

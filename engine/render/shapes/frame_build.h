@@ -1,0 +1,72 @@
+// From a scene to what one frame uploads: pure functions, so that most of the renderer is tested without a
+// pixel. Any thread. mm, pixels.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/renderer_desc.h"
+#include "engine/render/scene.h"
+#include "engine/render/shapes/lathe_edges.h"
+#include "engine/render/shapes/lathe_faces.h"
+#include "engine/render/shapes/lathe_profile.h"
+#include "engine/render/shapes/lathe_rows.h"
+#include "engine/render/shapes/shadow_region.h"
+#include "engine/render/shapes/tiles.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+
+struct BuiltFrame {
+    shaders::FrameData frame{};
+    shaders::LatheDraw lathe{};
+    LatheProfile profile;
+    LatheSamples samples;
+    LatheRows choice;
+    std::vector<shaders::RowData> rows;
+    int sectors = 0;  // a row has one vertex more
+    std::vector<shaders::VertexData> vertices;
+    std::vector<OutlinePiece> edges;  // outlines of what moves; cached only
+    NormalTexels normals{};
+    shaders::LatheDraw section{};
+    std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
+    std::uint32_t section_count = 0;
+    bool shows_load = false;
+    LatheFaces faces;  // none: no lathe
+    PixelRect moving;  // where anything that moves can be seen
+    // Cached only: which tiles that is in (kMoves and its like), and which of them hands and tools are in;
+    // one entry a tile.
+    std::vector<std::uint8_t> moving_tiles;
+    std::vector<std::uint8_t> mover_tiles;
+    float ring_error_px = 0.0F;
+};
+
+// What of the still life the frame needs to know: its ground's depth and the size of what casts shadows.
+struct StillBounds {
+    float lowest_mm = 0.0F;
+    vec3 centre_mm{0.0F};
+    float radius_mm = 1.0F;  // of a sphere about all parts that cast shadows
+};
+[[nodiscard]] StillBounds bounds_of(const StillLife& still_life);
+
+// Into `built`, whose memory is used again. The tiles in which something moves are found when all outlines
+// are there, see moving_tiles.h.
+void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
+                 int height_px, BuiltFrame& built);
+
+// The frame's uniforms as they are with all lights full, whatever the scene's levels.
+[[nodiscard]] shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still,
+                                               const BuiltFrame& built, int width_px, int height_px);
+
+[[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
+
+// Triangles of the lathe's rows and sectors, for as many rows as there may be; any first part that ends at a
+// whole row is a lathe with fewer.
+[[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors);
+
+// Of everything the cached layers depend on (the levels of the light do not count), and of everything the
+// shadow mask does.
+[[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
+[[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
+
+}  // namespace onggi::render

@@ -1,0 +1,159 @@
+#include "engine/render/shapes/lathe_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace onggi::render {
+namespace {
+
+constexpr float kTurn = 6.28318531F;
+constexpr int kSkyRays = 40;
+constexpr int kSkySteps = 14;
+
+// Directions about +Y with a cosine's density, on a spiral of the golden angle: the same every time, and no
+// two of them in one plane with the axis.
+const std::array<vec3, kSkyRays>& sky_rays() {
+    static const std::array<vec3, kSkyRays> rays = [] {
+        std::array<vec3, kSkyRays> made{};
+        for (int i = 0; i < kSkyRays; ++i) {
+            const float share = (static_cast<float>(i) + 0.5F) / kSkyRays;
+            const float flat = std::sqrt(share);
+            const float angle = 2.39996323F * static_cast<float>(i);
+            made[static_cast<std::size_t>(i)] = {flat * std::cos(angle), std::sqrt(1.0F - share),
+                                                 flat * std::sin(angle)};
+        }
+        return made;
+    }();
+    return rays;
+}
+
+float smooth_step(float from, float to, float value) {
+    const float share = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
+    return share * share * (3.0F - 2.0F * share);
+}
+
+// The cosine of each column's angle from the light.
+const KeyColumns& column_cosines() {
+    static const KeyColumns cosines = [] {
+        KeyColumns made{};
+        for (int i = 0; i < kKeyColumns; ++i)
+            made[static_cast<std::size_t>(i)] =
+                std::cos(0.5F * kTurn * static_cast<float>(i) / (kKeyColumns - 1));
+        return made;
+    }();
+    return cosines;
+}
+
+}  // namespace
+
+float open_outside(const LatheSamples& samples, float radius_mm, float y_mm) {
+    constexpr int kStride = 8;    // a horizon is made by the belly, not by a groove
+    float steepest_above = 0.0F;  // tangent of the horizon's lean over the place, outwards from upright
+    float steepest_below = 0.0F;
+    const float step_mm = samples.per_mm > 0.0F ? 1.0F / samples.per_mm : 0.0F;
+    for (int i = kStride / 2; i < LatheSamples::kCount; i += kStride) {
+        const float rise = (static_cast<float>(i) + 0.5F) * step_mm - y_mm;
+        const float out = samples.outer_mm[static_cast<std::size_t>(i)] - radius_mm;
+        // A horizon nearer than a sample's width is the place's own slope, which its normal knows of.
+        if (rise > 2.0F * kStride * step_mm) steepest_above = std::max(steepest_above, out / rise);
+        if (rise < -2.0F * kStride * step_mm) steepest_below = std::max(steepest_below, out / -rise);
+    }
+    const auto sine_of_view = [](float tangent) { return 1.0F / std::sqrt(1.0F + tangent * tangent); };
+    return 0.5F * (sine_of_view(steepest_above) + sine_of_view(steepest_below));
+}
+
+float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2 normal) {
+    // The place is at (radius, y, 0); its frame is the normal, the way round, and what is upright to both.
+    const vec2 across(normal.y, -normal.x);
+    const float widest = *std::max_element(samples.inner_mm.begin(), samples.inner_mm.end());
+    const float reach = 2.0F * widest + (samples.height_mm - y_mm);
+    float open = 0.0F;
+    for (const vec3& ray : sky_rays()) {
+        const vec3 direction(normal.x * ray.y + across.x * ray.x, normal.y * ray.y + across.y * ray.x, ray.z);
+        bool seen = direction.y > 0.0F;
+        for (int step = 1; seen && step <= kSkySteps; ++step) {
+            // Close steps first: the wall that hides a place is mostly the one beside it.
+            const float share = static_cast<float>(step) / kSkySteps;
+            const float t = reach * share * share;
+            const float y = y_mm + direction.y * t;
+            if (y >= samples.height_mm) break;
+            const float x = radius_mm + direction.x * t;
+            const float z = direction.z * t;
+            const float limit = samples.inner_mm[samples.at(y)] + 0.3F;
+            seen = x * x + z * z < limit * limit;
+        }
+        if (seen) open += 1.0F;
+    }
+    return open / kSkyRays;
+}
+
+namespace {
+
+// What is met on the way from a place towards the light, the same in all directions about the axis.
+struct KeySteps {
+    static constexpr std::size_t kCount = 16;
+    std::array<float, kCount> t{};
+    std::array<float, kCount> one_over_t{};
+    std::array<float, kCount> wall_mm{};  // the wall's radius at that height
+};
+KeySteps key_steps(const LatheSamples& samples, LatheFace face, float y_mm, const KeyRay& key) {
+    KeySteps steps;
+    const float reach = std::max(samples.height_mm - y_mm, 0.1F) / std::max(key.towards_light.y, 0.05F);
+    const auto& wall_mm = face == LatheFace::kOuter ? samples.outer_mm : samples.inner_mm;
+    for (std::size_t i = 0; i < KeySteps::kCount; ++i) {
+        steps.t[i] = reach * static_cast<float>(i + 1) / KeySteps::kCount;
+        steps.one_over_t[i] = 1.0F / steps.t[i];
+        steps.wall_mm[i] = wall_mm[samples.at(y_mm + key.towards_light.y * steps.t[i])];
+    }
+    return steps;
+}
+
+// flat: how far the light goes across while it goes by 1; cosine: of the angle from its azimuth.
+float past_lathe(const KeySteps& steps, LatheFace face, float radius_mm, float cosine, float flat,
+                 const KeyRay& key) {
+    const float x = radius_mm * cosine;
+    const float z2 = radius_mm * radius_mm - x * x;
+    const float outwards = face == LatheFace::kOuter ? 1.0F : -1.0F;
+    float least = 1e3F;
+    for (std::size_t i = 0; i < KeySteps::kCount; ++i) {
+        const float ahead = x + flat * steps.t[i];
+        const float gap = outwards * (std::sqrt(ahead * ahead + z2) - steps.wall_mm[i]);
+        least = std::min(least, gap * steps.one_over_t[i]);
+    }
+    // Along a convex wall the gap opens as slowly as the light grazes it; that shade is the cosine's, so only
+    // what is truly inside the wall counts as hidden.
+    if (face == LatheFace::kOuter) return smooth_step(-2.0F * key.tangent, 0.25F * key.tangent, least);
+    return smooth_step(-key.tangent, key.tangent, least);
+}
+
+float across(const KeyRay& key) {
+    return std::hypot(key.towards_light.x, key.towards_light.z);
+}
+
+}  // namespace
+
+float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float angle_rad,
+                     const KeyRay& key) {
+    return past_lathe(key_steps(samples, face, place.y, key), face, place.x, std::cos(angle_rad), across(key),
+                      key);
+}
+
+void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 normal, const KeyRay& key,
+                 KeyColumns& columns) {
+    const float flat = across(key);
+    const KeyColumns& cosines = column_cosines();
+    // From a little off the wall, or it would hide itself.
+    const vec2 from = place + 0.5F * normal;
+    const KeySteps steps = key_steps(samples, face, from.y, key);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const float cosine = normal.x * flat * cosines[i] + normal.y * key.towards_light.y;
+        // What faces away is dark without a shadow; a soft edge of light must still fade into it.
+        const bool may_be_lit = cosine > -0.35F;
+        columns[i] = may_be_lit ? past_lathe(steps, face, from.x, cosines[i], flat, key)
+                                : (face == LatheFace::kOuter ? 1.0F : 0.0F);
+    }
+}
+
+}  // namespace onggi::render
