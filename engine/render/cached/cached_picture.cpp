@@ -94,7 +94,7 @@ Result<HostPicture> CachedPicture::make_bent(FrameContext& frame, StillPass& roo
     room.let_go_layers();
     if (auto bent = glide_.bend(frame, scene, room.plates()); !bent) return bent.error();
     frame.clock.enter_host("hands and clay");
-    moving_.draw(frame, glide_.canvas(frame));
+    moving_.draw(frame, glide_.canvas());
     return glide_.picture();
 }
 

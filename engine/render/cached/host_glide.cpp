@@ -20,18 +20,6 @@ std::uint8_t dimmed(std::size_t value, float left) {
 
 }  // namespace
 
-Result<void> HostGlide::fit(const FrameContext& frame) {
-    const std::size_t pixels = std::size_t{frame.extent.width} * frame.extent.height;
-    if (depth_.size() == pixels) return {};
-    auto picture = vk::Buffer::create(frame.device, {.name = "bent photographs",
-                                                     .size = sizeof(std::uint32_t) * pixels,
-                                                     .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-    if (!picture) return picture.error();
-    picture_ = std::move(*picture);
-    depth_.resize(pixels);
-    return {};
-}
-
 void HostGlide::fit_mesh(const Scene& scene) {
     const std::uint64_t revision = scene.still_life ? scene.still_life->revision : 0;
     if (scene.still_life == mesh_of_ && revision == mesh_revision_) return;
@@ -41,8 +29,7 @@ void HostGlide::fit_mesh(const Scene& scene) {
 }
 
 void HostGlide::rest() {
-    picture_ = {};
-    depth_ = {};
+    canvas_.clear();
     half_picture_ = {};
     half_depth_ = {};
     is_fast_ = false;
@@ -99,7 +86,8 @@ void HostGlide::draw(std::span<const Quad> cells, BentPicture& picture) {
 }
 
 Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, const PlatePass& plates) {
-    if (auto fitted = fit(frame); !fitted) return fitted;
+    if (auto fitted = canvas_.fit(frame, "bent photographs"); !fitted) return fitted;
+    const PictureCanvas canvas = canvas_.canvas();
     const Glide& glide = *scene.glide;
     const auto from = plates.bendable(scene.plate);
     if (!from) return from.error();
@@ -108,12 +96,11 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
     const shaders::FrameData& data = frame.built.frame;
     fill_shadow_mask(data, *mask_);
 
-    const int width = static_cast<int>(frame.extent.width);
-    const int height = static_cast<int>(frame.extent.height);
+    const auto [width, height] = canvas.size;
     BentPicture picture{.width = width,
                         .height = height,
-                        .pixels = picture_.as<std::uint32_t>(),
-                        .depth = depth_,
+                        .pixels = canvas.pixels,
+                        .depth = canvas.depth,
                         .from = &(*from)->photographs,
                         .to = &(*to)->photographs,
                         .mask = mask_.get(),
@@ -145,20 +132,14 @@ Result<void> HostGlide::bend(const FrameContext& frame, const Scene& scene, cons
     draw(nearer.cells, picture);
     note_speed(frame, nearer, scale);
     if (is_coarse) {
-        enlarge_pixels(half_picture_, width, height, picture_.as<std::uint32_t>());
-        enlarge_depth(half_depth_, width, height, depth_);
+        enlarge_pixels(half_picture_, width, height, canvas.pixels);
+        enlarge_depth(half_depth_, width, height, canvas.depth);
     }
 
     const TileGrid grid{width, height};
     constexpr std::uint64_t kNoOtherTile = std::uint64_t{1} << 62U;
     numbers_.assign(grid.count(), kNoOtherTile | ++last_number_);
     return {};
-}
-
-PictureCanvas HostGlide::canvas(const FrameContext& frame) {
-    return {.size = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
-            .pixels = picture_.as<std::uint32_t>(),
-            .depth = depth_};
 }
 
 }  // namespace onggi::render

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/cached/host_canvas.h"
 #include "engine/render/cached/host_frame.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/frame/plate_pass.h"
@@ -28,19 +29,17 @@ class HostGlide {
     void rest();
 
     // What bend() made.
-    [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
+    [[nodiscard]] HostPicture picture() const { return {canvas_.picture(), numbers_}; }
     // The same, for what moves to be drawn into.
-    [[nodiscard]] PictureCanvas canvas(const FrameContext& frame);
+    [[nodiscard]] PictureCanvas canvas() { return canvas_.canvas(); }
 
   private:
-    Result<void> fit(const FrameContext& frame);
     void fit_mesh(const Scene& scene);
     void fill_dimmed(const LightLevels& levels, ByteOrder order);
     void draw(std::span<const Quad> cells, BentPicture& picture);
     void note_speed(const FrameContext& frame, const BendablePlate& plate, float scale);
 
-    vk::Buffer picture_;
-    std::vector<float> depth_;
+    HostCanvas canvas_;
     // At half the size, while the camera goes fast.
     std::vector<std::uint32_t> half_picture_;
     std::vector<float> half_depth_;

@@ -66,18 +66,6 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
     edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
 }
 
-Result<void> HostMoving::fit(const FrameContext& frame) {
-    const std::size_t pixels = std::size_t{frame.extent.width} * frame.extent.height;
-    if (depth_.size() == pixels) return {};
-    auto picture = vk::Buffer::create(frame.device, {.name = "still life with what moves",
-                                                     .size = sizeof(std::uint32_t) * pixels,
-                                                     .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-    if (!picture) return picture.error();
-    picture_ = std::move(*picture);
-    depth_.resize(pixels);
-    return {};
-}
-
 // What clay covers wholly needs nothing under it but the greatest depth.
 void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                             std::span<const float> depth, const PictureCanvas& canvas) {
@@ -108,11 +96,8 @@ void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint
 
 Result<void> HostMoving::draw_over(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                                    std::span<const float> depth) {
-    if (auto fitted = fit(frame); !fitted) return fitted;
-    const PictureCanvas canvas{
-        .size = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)},
-        .pixels = picture_.as<std::uint32_t>(),
-        .depth = depth_};
+    if (auto fitted = canvas_.fit(frame, "still life with what moves"); !fitted) return fitted;
+    const PictureCanvas canvas = canvas_.canvas();
     copy_under(frame, pixels, depth, canvas);
     draw(frame, canvas);
     return {};

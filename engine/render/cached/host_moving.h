@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/cached/host_canvas.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/pixels/edge_pixels.h"
 #include "engine/render/pixels/lathe_pixels.h"
@@ -32,10 +33,9 @@ class HostMoving {
     Result<void> draw_over(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                            std::span<const float> depth);
     // That copy; only the tiles are good in which something moves.
-    [[nodiscard]] const vk::Buffer& picture() const { return picture_; }
+    [[nodiscard]] const vk::Buffer& picture() const { return canvas_.picture(); }
 
   private:
-    Result<void> fit(const FrameContext& frame);
     void copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                     std::span<const float> depth, const PictureCanvas& canvas);
 
@@ -55,8 +55,7 @@ class HostMoving {
     std::vector<LatheCorner> lathe_corners_;
     std::vector<SectionCorner> section_corners_;
     EdgePixels edges_;
-    vk::Buffer picture_;
-    std::vector<float> depth_;
+    HostCanvas canvas_;
     std::vector<std::uint8_t> wanted_;
     std::vector<PixelRect> rects_;
 };

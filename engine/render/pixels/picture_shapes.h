@@ -18,6 +18,8 @@ namespace onggi::render {
 struct PictureSize {
     int width = 0;
     int height = 0;
+
+    friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
 // What is drawn into, row by row.
