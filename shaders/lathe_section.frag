@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The cut faces of a wall, as a drawing has them: pale, hatched at 45 degrees, with a line where they end. A
-// longer line of the hatch every ten millimetres of height is a scale. section_pixels.cpp of engine/render is the
-// same in C++.
+// longer line of the hatch every ten millimetres of height is a scale. section_pixels.cpp of engine/render is
+// the same in C++.
 #include "frame.glsl"
 #include "load.glsl"
 #include "tone.glsl"

@@ -1,6 +1,10 @@
 // What both ways to a picture share, and which of them it is.
 #include "engine/render/renderer.h"
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "engine/render/cached/cached_picture.h"
 #include "engine/render/direct/direct_picture.h"
 
