@@ -85,6 +85,8 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     if (holder_ != 0) {
         const ToolState& held = tools_[holder_];
         tool.position_mm = held.position_mm;
+        tool.guided = held.guided;
+        tool.pressing = held.pressing;
         turn_by(tool, held, seen_[holder_].is_here);
     }
     bool lives = false;
@@ -99,6 +101,8 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     if (lives)
         signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 
+    // A finger on a screen has no way through the clay to go.
+    approaches_ = approaches_ && !tool.guided;
     if (approaches_) {
         const dvec3 way = tool.position_mm - tool_.position_mm;
         const double length = std::sqrt(glm::dot(way, way));

@@ -41,6 +41,12 @@ ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
         position_mm_ = target.position_mm;
         at_rest_ = false;
     }
+    if (target.guided) {
+        // A finger on a screen is where it is; what lags behind it are the hands, in the clay.
+        position_mm_ = target.position_mm;
+        velocity_mm_s_ = force_n_ = dvec3(0.0);
+        return target;
+    }
     // N on a mass in kg is m/s^2; the tool moves in mm.
     constexpr double kMmPerM = 1000.0;
     const double step_over_mass = dt_s / model_.mass_kg * kMmPerM;

@@ -48,6 +48,10 @@ struct ToolState {
     double assist_gap_mm = 0.0;
     double shaft_mm = 0.0;  // radius of what carries an inside tool from above; 0 to 40
     SecondHand second{};
+    // The place is that of a finger on the upright plane through the axis (x, y), which skilled hands follow;
+    // not that of a ball in the clay.
+    bool guided = false;
+    bool pressing = true;  // a hand that does not press is not in the clay, wherever it is
 
     friend bool operator==(const ToolState&, const ToolState&) = default;
 };

@@ -84,6 +84,7 @@ void tick_studio(clay::StudioClay& clay, HapticState& state, const haptics::Tool
     result.side = forces.side;
     result.second_side = forces.second_side;
     result.wheel_load_n_mm = forces.wheel_load_n_mm;
+    result.grip = forces.grip;
 }
 
 // What goes to the device. The gate judges what it really said, not what the clay was told.
@@ -173,6 +174,8 @@ clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept {
     input.water = tool.water;
     input.wire = studio_wire(tool.wire);
     input.wire_height_mm = tool.wire_height_mm;
+    input.guided = tool.guided;
+    input.pressing = tool.pressing;
     return input;
 }
 

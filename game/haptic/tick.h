@@ -80,7 +80,8 @@ struct TickResult {
     bool has_second = false;
     clay::studio::Side side = clay::studio::Side::kFree;
     clay::studio::Side second_side = clay::studio::Side::kFree;
-    double wheel_load_n_mm = 0.0;  // of the hands' friction, against the turning
+    double wheel_load_n_mm = 0.0;   // of the hands' friction, against the turning
+    clay::studio::GripReport grip;  // of a guided hand
 };
 
 // What a device says besides the tool, and what the loop knows of its own time. As it stands: every device

@@ -337,7 +337,8 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
 
     // The hands, and what each touches.
     std::array<Hand, 2> hand{};
-    std::array<bool, 2> present{is_finite(input.hand), input.has_second && is_finite(input.second)};
+    std::array<bool, 2> present{input.pressing && is_finite(input.hand),
+                                input.pressing && input.has_second && is_finite(input.second)};
     for (std::size_t h = 0; h < 2; ++h) {
         if (present[h]) {
             hand[h] =

@@ -14,6 +14,7 @@
 #include "engine/core/result.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/contact.h"
+#include "game/clay/studio/grip.h"
 #include "game/clay/studio/hand.h"
 #include "game/clay/studio/ledger.h"
 #include "game/clay/studio/load.h"
@@ -39,6 +40,7 @@ struct StudioForces {
     bool rings_moved = false;  // rings came or went: every index is new
     bool has_second = false;   // a second hand or the assist was at work, here:
     dvec3 second_position_mm{0.0};
+    studio::GripReport grip;  // of a guided hand
 
     [[nodiscard]] dvec3 total_n() const { return hand.total_n(); }  // what the device in the first hand feels
 };

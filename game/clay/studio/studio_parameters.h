@@ -103,6 +103,9 @@ struct StudioInput {
     double water = 0.0;              // of hands or sponge, 0 dry to 1 dripping
     Wire wire = Wire::kNone;
     double wire_height_mm = 0.0;
+    // The first hand's place is a finger's, which skilled hands follow: see grip.h.
+    bool guided = false;
+    bool pressing = true;  // hands that do not press are not in the clay
 };
 
 }  // namespace onggi::clay
