@@ -23,9 +23,6 @@ using studio::HandState;
 using studio::Rings;
 using studio::Side;
 
-// A wheel that turns slower than this does not bring the clay round under a hand.
-constexpr double kTurningRadS = 0.2;
-
 // The scan for rings to split or join: a round, and how many may change a second.
 constexpr double kTendS = 0.020;
 constexpr double kChangesPerS = 2000.0;
@@ -83,6 +80,7 @@ StudioClay::StudioClay(const StudioLump& lump)
     : lump_(lump),
       rings_(studio::ring_capacity(lump), lump.sectors),
       contacts_{Contact(rings_.capacity), Contact(rings_.capacity)},
+      grip_space_(rings_.capacity),
       scratch_(static_cast<std::size_t>(rings_.capacity), 0.0) {
     assert(check(lump));
     restart();
@@ -93,6 +91,7 @@ void StudioClay::restart() noexcept {
     sweep_ = {};
     studio::restart(sweep_, rings_);
     hands_ = {};
+    grip_ = {};
     film_ = tend_credit_ = change_credit_ = wheel_load_n_mm_ = load_height_mm_ = 0.0;
     tend_next_ = stripe_ = 0;
     cut_off_ = wire_was_used_ = owes_cursors_ = false;
@@ -106,6 +105,7 @@ void StudioClay::restart_from(const StudioClay& start) noexcept {
     wheel_ = start.wheel_;
     sweep_ = start.sweep_;
     hands_ = start.hands_;
+    grip_ = start.grip_;
     film_ = start.film_;
     tend_credit_ = start.tend_credit_;
     change_credit_ = start.change_credit_;
@@ -194,7 +194,7 @@ void StudioClay::use_wire(const StudioInput& input) {
 Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, const Hand* other, double water,
                         const StudioParameters& parameters) {
     const double dt = parameters.dt_s();
-    const bool turning = wheel_.speed_rad_s() > kTurningRadS;
+    const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
     const auto su = static_cast<double>(rings_.strength_kpa[Rings::at(contact.nearest)]);
     const double share = studio::relaxed_share(dt / studio::flow_time_s(su, parameters.flow_time_s));
     if (!turning) {
@@ -337,8 +337,11 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
 
     // The hands, and what each touches.
     std::array<Hand, 2> hand{};
-    std::array<bool, 2> present{input.pressing && is_finite(input.hand),
-                                input.pressing && input.has_second && is_finite(input.second)};
+    const bool touches = input.pressing && is_finite(input.hand);
+    const bool guided = touches && input.guided;
+    std::array<bool, 2> present{touches && !guided,
+                                touches && !guided && input.has_second && is_finite(input.second)};
+    if (!guided) studio::let_go(grip_);
     for (std::size_t h = 0; h < 2; ++h) {
         if (present[h]) {
             hand[h] =
@@ -388,6 +391,7 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         changed = studio::together(changed, by_hand);
     }
     if (changed.size() > 0) rings_.place(changed.first, changed.end);
+    if (guided) guide(input, parameters, result);
 
     result.wheel_load_n_mm = wheel_load_n_mm_;
     const double cursor_dt = owes_cursors_ ? 2.0 * dt : dt;

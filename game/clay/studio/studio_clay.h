@@ -14,7 +14,7 @@
 #include "engine/core/result.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/contact.h"
-#include "game/clay/studio/grip.h"
+#include "game/clay/studio/grip_work.h"
 #include "game/clay/studio/hand.h"
 #include "game/clay/studio/ledger.h"
 #include "game/clay/studio/load.h"
@@ -29,6 +29,11 @@ class StudioClay;
 struct Joining;
 // See joining.h.
 Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, const Joining& joining);
+
+namespace studio {
+// A wheel that turns slower than this does not bring the clay round under a hand.
+constexpr double kTurningRadS = 0.2;
+}  // namespace studio
 
 // What one tick did.
 struct StudioForces {
@@ -156,6 +161,8 @@ class StudioClay {
     void use_wire(const StudioInput& input);
     studio::Changed act(studio::HandState& state, studio::Contact& contact, const studio::Hand& hand,
                         const studio::Hand* other, double water, const StudioParameters& parameters);
+    [[nodiscard]] studio::GripClimate climate(const StudioParameters& parameters) const;
+    studio::Changed guide(const StudioInput& input, const StudioParameters& parameters, StudioForces& result);
     bool tend_rings(double dt_s);
     double allowed_speed(double wanted_rad_s, const StudioParameters& parameters) const;
     ContactForces feel_hand(studio::HandState& state, const studio::Contact& contact,
@@ -170,6 +177,7 @@ class StudioClay {
     studio::PoweredWheel wheel_;
     studio::LoadSweep sweep_;
     std::array<studio::HandState, 2> hands_;
+    studio::GripState grip_;
     double film_ = 0.0;           // of water on the hands, 0 to 1
     double tend_credit_ = 0.0;    // rings to look at that simulated time has paid for
     double change_credit_ = 0.0;  // splits and joins, the same
@@ -186,6 +194,7 @@ class StudioClay {
     // Work space; never hashed.
     bool walls_took_turn_ = false;
     std::array<studio::Contact, 2> contacts_;
+    studio::GripSpace grip_space_;
     std::vector<double> scratch_;
 };
 

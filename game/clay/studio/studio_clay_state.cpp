@@ -1,6 +1,7 @@
 // The studio clay outside its tick: what it takes, its state as bytes and as a hash, and what is said of it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace {
 using studio::Rings;
 
 // The start state opens with this and the lump: they say how much more there is.
-constexpr std::uint32_t kStateTag = 0x324c4353;  // "SCL2"
+constexpr std::uint32_t kStateTag = 0x334c4353;  // "SCL3"
 constexpr std::size_t kHeadBytes = 4 + 8 + 4 + 8 + 4 + 4 + 8 + 4;
 
 struct Bound {
@@ -126,8 +127,68 @@ void visit_vector(Visitor& visitor, Vector& v) {
     if constexpr (requires { v.z; }) visitor.number(v.z);
 }
 
+// The trail as what of it is meant, oldest first.
+template <typename Visitor, typename Grip>
+void visit_grip(Visitor& visitor, Grip& grip) {
+    visitor.number(grip.presses);
+    if (!grip.presses) return;
+    visit_enum(visitor, grip.grip);
+    visit_enum(visitor, grip.guard);
+    visit_enum(visitor, grip.shown_guard);
+    for (auto* flag : {&grip.is_spent, &grip.pulls, &grip.opens_by_itself})
+        visitor.number(*flag);
+    for (auto* place : {&grip.finger_mm, &grip.hand_mm, &grip.landed_mm})
+        visit_vector(visitor, *place);
+    for (auto* number :
+         {&grip.side, &grip.landed_top_mm, &grip.offset_mm, &grip.offset_way_mm, &grip.travel_mm,
+          &grip.heading, &grip.still_s, &grip.rests_mm, &grip.wants_s, &grip.pulled_mm, &grip.sunk_mm,
+          &grip.bottom_mm, &grip.bore_mm, &grip.press_mm, &grip.low_mm, &grip.high_mm, &grip.credit_s})
+        visitor.number(*number);
+    for (auto& radius : grip.landed_outer_mm)
+        visitor.number(radius);
+    visitor.number(grip.stage);
+    int count = grip.trail.count;
+    visitor.number(count);
+    const int points = std::clamp(count, 0, studio::GripTrail::kMost);
+    if constexpr (!std::is_const_v<Grip>) {
+        grip.trail.first = 0;
+        grip.trail.count = count;
+    }
+    for (int i = 0; i < points; ++i) {
+        const int place = (grip.trail.first + i) % studio::GripTrail::kMost;
+        visit_vector(visitor, grip.trail.point_mm[static_cast<std::size_t>(place)]);
+    }
+}
+
 bool is_between(double value, double least, double most) {
     return value >= least && value <= most;
+}
+
+bool is_sound(const studio::GripState& grip) {
+    constexpr double kFarMm = 1e4;
+    const auto is_near = [](double value) { return is_between(value, -kFarMm, kFarMm); };
+    const auto is_place = [&](const dvec2& place) { return is_near(place.x) && is_near(place.y); };
+    const auto is_number = [&](double value) { return is_between(value, -1e7, 1e7); };
+    const studio::GripTrail& trail = grip.trail;
+    const auto points =
+        std::span(trail.point_mm)
+            .first(static_cast<std::size_t>(std::clamp(trail.count, 0, studio::GripTrail::kMost)));
+    return is_between(static_cast<int>(grip.grip), 0, static_cast<int>(studio::Grip::kRim)) &&
+           is_between(static_cast<int>(grip.guard), 0, static_cast<int>(studio::GripGuard::kNearLimit)) &&
+           is_between(static_cast<int>(grip.shown_guard), 0,
+                      static_cast<int>(studio::GripGuard::kNearLimit)) &&
+           is_place(grip.finger_mm) && is_place(grip.hand_mm) && is_place(grip.landed_mm) &&
+           std::fabs(grip.side) == 1.0 && is_near(grip.landed_top_mm) && is_near(grip.offset_mm) &&
+           is_between(grip.offset_way_mm, 1.0, 1e7) && is_number(grip.travel_mm) &&
+           is_between(grip.heading, -2.0, 2.0) && is_number(grip.still_s) && is_near(grip.rests_mm) &&
+           is_number(grip.wants_s) && is_near(grip.pulled_mm) && is_near(grip.sunk_mm) &&
+           is_near(grip.bottom_mm) && is_near(grip.bore_mm) && is_near(grip.press_mm) &&
+           is_near(grip.low_mm) && is_near(grip.high_mm) && is_between(grip.credit_s, 0.0, 1.0) &&
+           is_between(grip.stage, 0, studio::kGripStages - 1) &&
+           is_between(trail.count, 0, studio::GripTrail::kMost) &&
+           std::all_of(points.begin(), points.end(), is_place) &&
+           std::all_of(grip.landed_outer_mm.begin(), grip.landed_outer_mm.end(),
+                       [&](float radius) { return is_between(static_cast<double>(radius), 0.0, 1e3); });
 }
 
 }  // namespace
@@ -181,6 +242,7 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
         visit_vector(visitor, hand.previous_position_mm);
         visitor.number(hand.has_previous);
     }
+    visit_grip(visitor, self.grip_);
     for (auto* number : {&self.film_, &self.tend_credit_, &self.change_credit_, &self.wheel_load_n_mm_,
                          &self.load_height_mm_})
         visitor.number(*number);
@@ -331,6 +393,7 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
             std::isfinite(hand.previous_position_mm.z);
         if (!sound) return "hand: expected a known side, a unit direction and finite numbers";
     }
+    if (!is_sound(clay.grip_)) return "grip: expected numbers within their bounds";
     if (!is_between(clay.film_, 0.0, 1.0) || !is_between(clay.tend_credit_, 0.0, 1e6) ||
         !is_between(clay.change_credit_, 0.0, 1e6) || !is_between(clay.wheel_load_n_mm_, 0.0, 1e9) ||
         !std::isfinite(clay.load_height_mm_) || !is_between(clay.tend_next_, 0, rings.capacity + 2) ||

@@ -1,0 +1,130 @@
+// The guided hand's part of the tick: grip_work.h on this clay, and what is felt and heard of it.
+#include <algorithm>
+#include <cmath>
+
+#include "game/clay/exact_math.h"
+#include "game/clay/studio/force.h"
+#include "game/clay/studio/roundness.h"
+#include "game/clay/studio/strength.h"
+#include "game/clay/studio/studio_clay.h"
+
+namespace onggi::clay {
+namespace {
+
+using studio::Changed;
+using studio::Contact;
+using studio::Grip;
+using studio::Hand;
+using studio::Rings;
+using studio::Side;
+
+// Fingers touch so much of a wall, above and below their middle.
+constexpr double kPrintMm = 12.0;
+constexpr double kFingersMm = 12.0;
+
+Side side_of(Grip grip) {
+    switch (grip) {
+        case Grip::kNone:
+        case Grip::kAsking:
+            return Side::kFree;
+        case Grip::kOpen:
+        case Grip::kInside:
+            return Side::kIn;
+        case Grip::kWall:
+            return Side::kOut;
+        case Grip::kRim:
+            return Side::kTop;
+    }
+    return Side::kFree;
+}
+
+// The hands of a grip as one contact, of the depth that a ball would need to do what they do.
+void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double depth_mm) {
+    contact.height_mm = std::clamp(y_mm, 0.0, rings.top_mm());
+    contact.range = rings.rings_between(contact.height_mm - kPrintMm, contact.height_mm + kPrintMm);
+    contact.nearest = rings.ring_at(contact.height_mm);
+    contact.floor_depth_mm = 0.0;
+    contact.far_depth_mm = contact.rim_depth_mm = -1e9;
+    contact.deepest_mm = depth_mm;
+    contact.has_rough_rows = false;
+    rings.centres_from(contact.height_mm, contact.range, contact.offset_mm.data());
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const std::size_t at = Rings::at(k);
+        const double s = contact.offset_mm[at] * (1.0 / kPrintMm);
+        contact.half_width_mm[at] = kFingersMm;
+        contact.depth_mm[at] = depth_mm * std::max(1.0 - s * s, 0.0);
+        contact.residual_mm[at] = 0.0;
+        contact.has_rough_rows =
+            contact.has_rough_rows || rings.rough_mm[Rings::at(contact.range.first + k)] > 0.0F;
+    }
+}
+
+}  // namespace
+
+studio::GripClimate StudioClay::climate(const StudioParameters& parameters) const {
+    constexpr double kFreshKpa = 13.0;
+    constexpr double kKilogram = 1000.0;
+    const int middle = std::max(rings_.ring_at(std::clamp(grip_.hand_mm.y, 0.0, rings_.top_mm())), 0);
+    const auto su = static_cast<double>(rings_.strength_kpa[Rings::at(middle)]);
+    const double pace = studio::flow_time_s(kFreshKpa, parameters.flow_time_s) /
+                        studio::flow_time_s(su, parameters.flow_time_s);
+    return {.load_index = std::max(sweep_.peak_index, sweep_.growing_peak),
+            .softness = std::clamp(pace, 0.4, 1.3),
+            .size = exponential(natural_log(lump_.mass_g / kKilogram) / 3.0)};
+}
+
+// On a wheel that turns the hands of the grip are at work; on one that stands a finger leaves its print.
+Changed StudioClay::guide(const StudioInput& input, const StudioParameters& parameters,
+                          StudioForces& result) {
+    const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
+    const double dt = parameters.dt_s();
+    const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
+    Changed changed{};
+    if (turning) {
+        changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
+        result.grip = studio::report_of(grip_, finger);
+        result.side = side_of(grip_.grip);
+    } else {
+        studio::let_go(grip_);
+        result.grip.hand_mm = result.grip.finger_mm = finger;
+        result.side = Side::kOut;
+    }
+    if (result.side == Side::kFree || rings_.count < 3) return changed;
+
+    const double side = result.grip.hand_mm.x < 0.0 ? -1.0 : 1.0;
+    Hand hand;
+    hand.radius_mm = kFingersMm;
+    hand.side = result.side;
+    hand.direction = {side, 0.0};
+    hand.in_clay = studio::into_clay(hand.direction, wheel_.heading());
+    hand.distance_mm = std::fabs(result.grip.hand_mm.x) + (turning ? 0.0 : kFingersMm);
+    hand.position_mm = {side * hand.distance_mm, result.grip.hand_mm.y, 0.0};
+    Contact& contact = contacts_[0];
+    if (turning) {
+        find_grip_contact(contact, rings_, hand.position_mm.y, grip_.press_mm);
+    } else {
+        studio::find_contact(contact, rings_, hand, {}, parameters);
+    }
+    if (!contact.touches() || contact.range.size() <= 0) return changed;
+    if (turning) {
+        studio::round_sectors(rings_, contact, hand, stripe_, parameters);
+    } else {
+        studio::dent_sectors(rings_, contact, hand, studio::relaxed_share(dt / parameters.denting_time_s),
+                             parameters.yield_depth_mm);
+    }
+    if (film_ > 0.0)
+        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(), film_);
+    // The other hand holds against it: a wall does not give way as a whole.
+    constexpr double kHeld = 1.0;
+    const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
+    const studio::Feel felt =
+        studio::feel(rings_, contact, hand, dvec3(0.0), wheel_.speed_rad_s(), wet, kHeld, parameters);
+    if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);
+    wheel_load_n_mm_ += felt.wheel_load_n_mm;
+    result.hand = felt.forces;
+    result.hand.first_touched = contact.range.first;
+    result.hand.touched_count = contact.range.size();
+    return changed;
+}
+
+}  // namespace onggi::clay

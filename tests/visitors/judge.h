@@ -1,0 +1,26 @@
+// Whether what a visitor leaves is a pot one would keep: by what it is, not by what was pressed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "game/clay/studio/studio_clay.h"
+
+namespace onggi::visitors {
+
+struct Verdict {
+    double height_mm = 0.0;
+    double capacity_ml = 0.0;
+    double thinnest_mm = 0.0;
+    double thickest_mm = 0.0;
+    double steep_share = 0.0;   // of its height, that leans more than 2 to 1
+    double drawn_rms_mm = 0.0;  // from the outline that was meant; 0 where none was
+    bool is_pot = false;
+    std::string why_not;
+};
+
+// A pot holds 60 ml and stands 45 mm high, is nowhere thinner than 2.5 mm, and no more than a tenth of its
+// height leans more than 2 to 1.
+Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn_mm);
+
+}  // namespace onggi::visitors

@@ -1,0 +1,49 @@
+// Simulated visitors: who know no more than the screen shows, and aim and pace as people do. Every one is
+// made of a kind and a seed, so that a pot can be thrown again. Their behaviour is what they intend and how
+// they miss; what the clay makes of it is not theirs to decide.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "tests/visitors/wheel_rig.h"
+
+namespace onggi::visitors {
+
+enum class Kind {
+    kLesson,       // does the three steps as the screen shows them
+    kLeftHand,     // the same from the left
+    kTopFirst,     // presses on top before anything else
+    kOutsidePull,  // draws the outside up, again and again
+    kBowl,         // draws the outline of a bowl
+    kVase,         // draws the outline of a vase
+    kScribble,     // a child, for half a minute
+    kLiftsOften,   // never presses for more than half a second
+    kHoldsStill,   // presses and waits
+};
+constexpr int kKindCount = 9;
+constexpr std::array<std::string_view, kKindCount> kKindNames{"lesson",       "left hand",   "top first",
+                                                              "outside pull", "bowl",        "vase",
+                                                              "scribble",     "lifts often", "holds still"};
+
+// How one of them aims: standard deviations in mm. 4.8 mm are ten pixels of a screen 1280 wide.
+struct Skill {
+    double aim_mm = 4.8;
+    double wander_mm = 1.5;
+};
+
+struct Visit {
+    double seconds = 0.0;         // to the last release
+    double made_s = -1.0;         // until the clay was hollow and raised; -1: never
+    std::vector<dvec2> drawn_mm;  // the outline that was meant, radius and height from below; empty: none
+};
+
+// Throws until they are content or tired, then moves on to the button that ends it, 2.5 s of hovering. The
+// caller may look at the clay between: released() is called after the last release.
+Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
+                  const std::function<void()>& released);
+
+}  // namespace onggi::visitors
