@@ -400,7 +400,9 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         result.rings_moved = rings_.count != rings_before;
         return result;
     }
-    const bool tended = tend_rings(cursor_dt);
+    // Clay that nobody touches and that stands is left as it is, to the bit.
+    const bool sinks = std::max(sweep_.peak_index, sweep_.growing_peak) >= 1.0;
+    const bool tended = (touches || sinks) && tend_rings(cursor_dt);
     const Changed slumped = studio::sweep_load(sweep_, rings_,
                                                {.wheel_speed_rad_s = wheel_.speed_rad_s(),
                                                 .twist_n_mm = wheel_load_n_mm_,
