@@ -103,6 +103,10 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "  wire, wire_y_mm  none, rim (cut it level) or off (cut the pot off), and at which height\n"
         "  hand2_x_mm, hand2_y_mm, hand2_z_mm, and if wanted hand2_radius_mm, hand2_tool: the second hand,\n"
         "                   absent where its place is empty\n"
+        "  guided           0 or 1: x, y are a finger on the upright plane z = 0 through the axis, and two "
+        "skilled\n"
+        "                   hands follow it; 0 a ball in the clay (0)\n"
+        "  pressing         0 or 1: hands that do not press are not in the clay, wherever they are (1)\n"
         "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.");
 }
 
