@@ -202,10 +202,16 @@ std::vector<dvec2> outline_through(const std::vector<dvec2>& knots, double heigh
     return outline;
 }
 
+// What one has in mind goes with the clay one sees: 1 for the 62 mm of a kilogram.
+double size_seen(const WheelRig& wheel) {
+    return wheel.outer_mm(0.3 * wheel.height_mm()) / 62.0;
+}
+
 std::vector<dvec2> bowl_of(Person& person) {
-    const double foot = person.uniform(34.0, 46.0);
-    const double rim = person.uniform(58.0, 84.0);
-    const double height = person.uniform(64.0, 92.0);
+    const double size = size_seen(person.wheel());
+    const double foot = size * person.uniform(34.0, 46.0);
+    const double rim = size * person.uniform(58.0, 84.0);
+    const double height = size * person.uniform(64.0, 92.0);
     std::vector<dvec2> outline;
     constexpr int kSteps = 40;
     for (int i = 0; i <= kSteps; ++i) {
@@ -218,13 +224,14 @@ std::vector<dvec2> bowl_of(Person& person) {
 }
 
 std::vector<dvec2> vase_of(Person& person) {
-    const double foot = person.uniform(36.0, 46.0);
-    const double belly = person.uniform(48.0, 62.0);
-    const double neck = person.uniform(26.0, 36.0);
+    const double size = size_seen(person.wheel());
+    const double foot = size * person.uniform(36.0, 46.0);
+    const double belly = size * person.uniform(48.0, 62.0);
+    const double neck = size * person.uniform(26.0, 36.0);
     const double lip = neck + person.uniform(2.0, 9.0);
     const double middle = person.uniform(0.38, 0.52);
     return outline_through({{foot, 0.0}, {belly, middle}, {neck, 0.86}, {lip, 1.0}},
-                           person.uniform(110.0, 160.0));
+                           size * person.uniform(110.0, 160.0));
 }
 
 // How far the seen outline is from the meant one, RMS over its height.
@@ -244,9 +251,17 @@ std::vector<dvec2> draw(Person& person, const std::vector<dvec2>& outline) {
     WheelRig& wheel = person.wheel();
     person.wait(1.0);
     for (int i = 0; i < 10; ++i) {
+        const double over = wheel.height_mm() - outline.back().y;
+        if (over > 5.0 && person.happens(0.5)) {
+            // Too tall: some press on the rim.
+            const double rim = wheel.outer_mm(wheel.height_mm() - 1.0) - 3.0;
+            person.stroke({{rim, wheel.height_mm() + 2.0}, {rim, outline.back().y}},
+                          person.uniform(1.0, 2.5));
+        }
         person.stroke(outline, person.uniform(2.5, 5.0));
         person.note_progress();
-        if (i >= 2 && seen_error_mm(wheel, outline) < 3.0) break;
+        // Content sooner or later: the longer it takes, the more passes for what was meant.
+        if (i >= 2 && seen_error_mm(wheel, outline) < 1.6 + 0.3 * i) break;
     }
     return outline;
 }

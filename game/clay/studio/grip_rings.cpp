@@ -14,10 +14,12 @@ std::size_t at(int i) {
 
 constexpr double kSteepest = 1.4;        // |dR/dy| that the hands leave
 constexpr double kSteepestAtFoot = 0.8;  // up to a little over the floor
+constexpr double kWidestSkirt = 0.35;    // there, the other way: wider below
 constexpr double kFootZoneMm = 6.0;
-constexpr double kFairestStepMm = 0.1;  // of a slope that is brought back while nothing else moves there
-constexpr int kSlopeReachRings = 24;    // to either side, of a slope
-constexpr double kLargestGive = 0.02;   // of a ring's clay that may come or go in one step
+constexpr double kFairestFootMm = 0.25;  // the same, of a foot that follows the wall above it
+constexpr double kFairestStepMm = 0.1;   // of a slope that is brought back while nothing else moves there
+constexpr int kSlopeReachRings = 24;     // to either side, of a slope
+constexpr double kLargestGive = 0.02;    // of a ring's clay that may come or go in one step
 constexpr double kGiveReachMm = 30.0;
 
 double middle_mm(const Rings& rings, int i) {
@@ -38,6 +40,13 @@ double thinnest_mm(const Rings& rings, double y) {
     const double depth = std::max(rings.top_mm() - floor, 1.0);
     const double s = std::clamp((y - floor) / depth, 0.0, 1.0);
     return kThinnestAtFloorMm + s * (kThinnestAtRimMm - kThinnestAtFloorMm);
+}
+
+// A thick wall is no neck: it keeps a bore that fingers find again.
+double narrowest_bore(double wall) {
+    constexpr double kThinEnoughMm = 10.0;
+    constexpr double kPerMm = 0.8;
+    return kNarrowestBoreMm + kPerMm * std::clamp(wall - kThinEnoughMm, 0.0, 10.0);
 }
 
 // Takes ring i to those radii at the height it has; what does not fit is returned, less than nothing where
@@ -86,7 +95,7 @@ Changed share_out(Rings& rings, GripSpace& space, double y, double free_mm3) {
         double want = 0.0;
         if (gives) {
             const double q = t * (1.0 / 14.0);
-            const double room = ri - kNarrowestBoreMm - 1.0;
+            const double room = ri - narrowest_bore(t) - 1.0;
             want = room > 0.0 ? room * ri * rings.height_mm[at(i)] / (1.0 + (q * q) * (q * q)) : 0.0;
         } else {
             const double spare = t - 1.25 * thinnest_mm(rings, rings.centre_mm(i));
@@ -115,21 +124,29 @@ Changed share_out(Rings& rings, GripSpace& space, double y, double free_mm3) {
         }
     }
     if (left == 0.0) return {from, near.end};
-    // What is over: the hollow clay stands higher or lower by the same share everywhere.
-    double hollow_mm3 = 0.0;
-    for (int i = first; i < rings.count; ++i)
-        hollow_mm3 += rings.volume_mm3[at(i)];
-    const double share = std::fabs(left) / hollow_mm3;
-    for (int i = rings.count - 1; i >= first; --i) {
+    // What is over: the hollow clay stands higher or lower by the same share everywhere; all of the clay,
+    // where there is little of it.
+    constexpr double kMostOfHollow = 0.05;
+    const auto sum_from = [&](int ring) {
+        double sum = 0.0;
+        for (int i = ring; i < rings.count; ++i)
+            sum += rings.volume_mm3[at(i)];
+        return sum;
+    };
+    const double hollow_mm3 = sum_from(first);
+    const bool is_much = std::fabs(left) > kMostOfHollow * hollow_mm3;
+    const int lowest = is_much ? 0 : first;
+    const double share = std::fabs(left) / (is_much ? sum_from(0) : hollow_mm3);
+    for (int i = rings.count - 1; i >= lowest; --i) {
         const double volume = rings.volume_mm3[at(i)];
         double part = std::min(on_grid(share * volume), std::fabs(left));
-        if (i == first) part = std::fabs(left);
+        if (i == lowest) part = std::fabs(left);
         const double signed_part = gives ? part : -part;
         rings.volume_mm3[at(i)] += signed_part;
         left -= signed_part;
     }
-    rings.settle(first, rings.count);
-    return {std::min(first, from), rings.count};
+    rings.settle(lowest, rings.count);
+    return {std::min(lowest, from), rings.count};
 }
 
 // New outer faces wanted_mm for rings [low, high): the inner faces follow at the same heights.
@@ -157,7 +174,7 @@ Changed take_outer(Rings& rings, GripSpace& space, int low, int high, double y) 
         const double slope = slope_at(rings, i);
         const double lean = std::sqrt(1.0 + std::min(slope * slope, 2.5));
         const double thinnest = std::min(old_outer - old_inner, 4.0 * lean);
-        const double narrowest = std::min(old_inner, kNarrowestBoreMm);
+        const double narrowest = std::min(old_inner, narrowest_bore(old_outer - old_inner));
         double inner = square > narrowest * narrowest ? std::sqrt(square) : narrowest;
         inner = std::min(inner, outer - thinnest);
         if (!(inner > 0.05)) continue;
@@ -199,14 +216,20 @@ Changed carry_wall(Rings& rings, GripSpace& space, const Carry& carry) noexcept 
         wanted[i] = bounded(i, outer[i] + carry.step_mm * rest * rest, centre);
     }
     // A wall no steeper than hands leave it: from the hand up and down, then from the foot up.
-    const double foot_zone = (rings.first_hollow < rings.count ? rings.floor_mm() : 0.0) + kFootZoneMm;
+    const double foot_zone = std::min(rings.floor_mm(), kFloorMm) + kFootZoneMm;
     const double most = std::max(std::fabs(carry.step_mm), kFairestStepMm);
     const auto follow = [&](int i, int neighbour) {
         const double centre = rings.centre_mm(i);
         const double rise = std::fabs(centre - rings.centre_mm(neighbour));
-        const double limit = (centre < foot_zone ? kSteepestAtFoot : kSteepest) * rise;
-        const double kept = std::clamp(wanted[i], wanted[neighbour] - limit, wanted[neighbour] + limit);
-        return bounded(i, std::clamp(kept, outer[i] - most, outer[i] + most), centre);
+        const bool at_foot = centre < foot_zone;
+        // A foot spreads less than it leans out.
+        const double leans = (at_foot ? kSteepestAtFoot : kSteepest) * rise;
+        const double spreads = (at_foot ? kWidestSkirt : kSteepest) * rise;
+        const bool is_above = i > neighbour;
+        const double kept = std::clamp(wanted[i], wanted[neighbour] - (is_above ? spreads : leans),
+                                       wanted[neighbour] + (is_above ? leans : spreads));
+        const double fastest = at_foot ? std::max(most, kFairestFootMm) : most;
+        return bounded(i, std::clamp(kept, outer[i] - fastest, outer[i] + fastest), centre);
     };
     for (int i = here + 1; i < rings.count; ++i) {
         const bool is_beyond = i >= high;
@@ -226,7 +249,7 @@ Changed carry_wall(Rings& rings, GripSpace& space, const Carry& carry) noexcept 
     }
     if (low > 0) wanted[low - 1] = outer[low - 1];
     for (int i = std::max(low, 1); i < high; ++i)
-        wanted[i] = follow(i, i - 1);
+        wanted[i] = std::min(wanted[i], std::max(follow(i, i - 1), outer[i] - most));
     return take_outer(rings, space, low, high, y);
 }
 

@@ -24,6 +24,7 @@ struct GripSpace {
 constexpr double kThinnestAtFloorMm = 8.0;
 constexpr double kThinnestAtRimMm = 4.6;
 constexpr double kNarrowestBoreMm = 9.0;
+constexpr double kFloorMm = 11.0;  // that is left when a pot is opened
 constexpr double kWidestGripMm = 135.0;
 
 // A wall that is carried: the outer face moves by step_mm at height_mm, less above and below.

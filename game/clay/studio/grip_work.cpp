@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "game/clay/studio/strength.h"
@@ -43,7 +44,6 @@ constexpr double kStrainPerS = 2.0;
 
 // OPEN.
 constexpr double kThumbsMm = 17.0;
-constexpr double kFloorMm = 11.0;
 constexpr double kThickFloorMm = 12.5;
 
 double relaxed(double tau_s) {
@@ -87,7 +87,7 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) {
     }
     const double wall = outer_at(rings, finger.y);
     state.offset_mm = wall - state.finger_mm.x;
-    state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 12.0 : 60.0;
+    state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 6.0 : 60.0;
     state.bottom_mm = is_hollow(rings) ? rings.floor_mm() : top;
     state.bore_mm = kThumbsMm;
     if (state.grip == Grip::kOpen && is_hollow(rings)) {
@@ -243,7 +243,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     } else {
         error = wall_target(state, rings) - now;
     }
-    double step = error * relaxed(kWallS);
+    double step = error * std::fabs(error) / (std::fabs(error) + 2.0) * relaxed(kWallS);
     const double inward = (hollow ? kInwardMmS : kConeMmS) * kStepS * climate.softness;
     step = std::clamp(step, -inward, kOutwardMmS * kStepS * climate.softness);
     const double wanted = step;
@@ -293,14 +293,24 @@ Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripCl
     return {rings.first_hollow, rings.count};
 }
 
-// Moving up below the rim draws thick walls up a little, so that who lifts often gets on.
+// The thinnest of the wall at three heights between floor and rim.
+double sampled_wall(const Rings& rings) {
+    const double floor = rings.floor_mm();
+    const double depth = rings.top_mm() - floor;
+    double thinnest = 1e9;
+    for (const double share : {0.25, 0.5, 0.75})
+        thinnest = std::min(thinnest, rings.wall_mm(rings.ring_at(floor + share * depth)));
+    return thinnest;
+}
+
+// Moving up below the rim draws a pot that is thick all over up a little, so that who lifts often gets on.
+// One that is drawn to an outline keeps its height.
 Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double climbed_mm,
                    const GripClimate& climate) {
     constexpr double kMostATouchMm = 4.0;
-    if (state.pulls || !(climbed_mm > 0.0) || state.pulled_mm >= kMostATouchMm) return {};
-    const int ring = rings.ring_at(std::clamp(state.hand_mm.y, 0.0, rings.top_mm()));
-    if (!rings.is_hollow(ring)) return {};
-    const double thick = std::clamp((rings.wall_mm(ring) - 14.0) / 10.0, 0.0, 1.0);
+    if (state.pulls || !(climbed_mm > 0.0) || state.pulled_mm >= kMostATouchMm || !is_hollow(rings))
+        return {};
+    const double thick = std::clamp((sampled_wall(rings) - 14.0) / 10.0, 0.0, 1.0);
     const double rise = std::min(0.5 * thick * climbed_mm, kMostATouchMm - state.pulled_mm);
     const double risen = pull_up(rings, space, rise * load_share(climate), kStrainPerS * kStepS);
     state.pulled_mm += risen;
@@ -327,6 +337,22 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     state.sunk_mm += sink;
     state.press_mm = 1.2;
     return press_down(rings, sink);
+}
+
+// The torque that half breaks the weakest ring under the hands: a steady potter rubs no harder.
+double bearable_twist(const Rings& rings, double y) {
+    double least = 1e9;
+    const int end = rings.ring_at(std::clamp(y, 0.0, rings.top_mm())) + 1;
+    for (int i = 0; i < end; ++i) {
+        const std::size_t k = Rings::at(i);
+        const double middle = 0.5 * (rings.outer_mm[k] + rings.inner_mm[k]);
+        const double wall = rings.outer_mm[k] - rings.inner_mm[k];
+        const double bears = static_cast<double>(rings.strength_kpa[k]) * middle * middle * wall;
+        least = bears < least ? bears : least;
+    }
+    // su of 2 pi r^2 t; what is equivalent to it by von Mises is the square root of three as much.
+    constexpr double kHalf = 0.5;
+    return kHalf * least * 2.0 * std::numbers::pi / (std::sqrt(3.0) * kKpaPerNMm2);
 }
 
 // A floor too thick for a pot is lowered while the hands are at work.
@@ -424,17 +450,17 @@ Changed third_stage(GripState& state, Rings& rings, GripSpace& space, const Grip
 }
 
 Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
+    state.bears_n_mm = bearable_twist(rings, state.hand_mm.y);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking || !is_hollow(rings)) return {};
-    const bool works = state.grip == Grip::kOpen || state.travel_mm >= kStartsAfterMm;
-    if (!works) return {};
+    const bool opens = state.grip == Grip::kOpen || state.opens_by_itself;
+    if (opens || state.travel_mm < kStartsAfterMm) return {};
     Changed changed =
         fair_wall(rings, space, std::clamp(state.hand_mm.y, 0.0, rings.top_mm()), relaxed(0.3), relaxed(1.5));
     place(rings, changed);
     if (state.hand_mm.y > rings.top_mm() - 20.0)
         changed = together(changed, soften_lip(rings, space, relaxed(0.6)));
     place(rings, changed);
-    if (state.grip != Grip::kOpen) changed = together(changed, lower_floor(rings, 10.0));
-    return changed;
+    return together(changed, lower_floor(rings, 10.0));
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ struct GripState {
     double sunk_mm = 0.0;    // pressed down
     double bottom_mm = 0.0;  // of the opening
     double bore_mm = 0.0;
-    double press_mm = 0.0;  // depth that the hands feel
+    double press_mm = 0.0;    // depth that the hands feel
+    double bears_n_mm = 0.0;  // torque of the hands that the clay below them takes without harm
     double low_mm = 0.0;
     double high_mm = 0.0;
     double credit_s = 0.0;  // simulated time not yet worked

@@ -117,8 +117,14 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     // The other hand holds against it: a wall does not give way as a whole.
     constexpr double kHeld = 1.0;
     const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
-    const studio::Feel felt =
+    studio::Feel felt =
         studio::feel(rings_, contact, hand, dvec3(0.0), wheel_.speed_rad_s(), wet, kHeld, parameters);
+    if (turning && felt.wheel_load_n_mm > grip_.bears_n_mm) {
+        const double share = grip_.bears_n_mm / felt.wheel_load_n_mm;
+        felt.forces.stiffness_n *= share;
+        felt.forces.friction_n *= share;
+        felt.wheel_load_n_mm = grip_.bears_n_mm;
+    }
     if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);
     wheel_load_n_mm_ += felt.wheel_load_n_mm;
     result.hand = felt.forces;

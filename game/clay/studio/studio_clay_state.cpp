@@ -139,10 +139,10 @@ void visit_grip(Visitor& visitor, Grip& grip) {
         visitor.number(*flag);
     for (auto* place : {&grip.finger_mm, &grip.hand_mm, &grip.landed_mm})
         visit_vector(visitor, *place);
-    for (auto* number :
-         {&grip.side, &grip.landed_top_mm, &grip.offset_mm, &grip.offset_way_mm, &grip.travel_mm,
-          &grip.heading, &grip.still_s, &grip.rests_mm, &grip.wants_s, &grip.pulled_mm, &grip.sunk_mm,
-          &grip.bottom_mm, &grip.bore_mm, &grip.press_mm, &grip.low_mm, &grip.high_mm, &grip.credit_s})
+    for (auto* number : {&grip.side, &grip.landed_top_mm, &grip.offset_mm, &grip.offset_way_mm,
+                         &grip.travel_mm, &grip.heading, &grip.still_s, &grip.rests_mm, &grip.wants_s,
+                         &grip.pulled_mm, &grip.sunk_mm, &grip.bottom_mm, &grip.bore_mm, &grip.press_mm,
+                         &grip.bears_n_mm, &grip.low_mm, &grip.high_mm, &grip.credit_s})
         visitor.number(*number);
     for (auto& radius : grip.landed_outer_mm)
         visitor.number(radius);
@@ -183,8 +183,8 @@ bool is_sound(const studio::GripState& grip) {
            is_between(grip.heading, -2.0, 2.0) && is_number(grip.still_s) && is_near(grip.rests_mm) &&
            is_number(grip.wants_s) && is_near(grip.pulled_mm) && is_near(grip.sunk_mm) &&
            is_near(grip.bottom_mm) && is_near(grip.bore_mm) && is_near(grip.press_mm) &&
-           is_near(grip.low_mm) && is_near(grip.high_mm) && is_between(grip.credit_s, 0.0, 1.0) &&
-           is_between(grip.stage, 0, studio::kGripStages - 1) &&
+           is_between(grip.bears_n_mm, 0.0, 1e12) && is_near(grip.low_mm) && is_near(grip.high_mm) &&
+           is_between(grip.credit_s, 0.0, 1.0) && is_between(grip.stage, 0, studio::kGripStages - 1) &&
            is_between(trail.count, 0, studio::GripTrail::kMost) &&
            std::all_of(points.begin(), points.end(), is_place) &&
            std::all_of(grip.landed_outer_mm.begin(), grip.landed_outer_mm.end(),
