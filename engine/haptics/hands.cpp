@@ -48,6 +48,9 @@ void Hands::close() noexcept {
 
 namespace {
 
+// In front of the widest clay.
+constexpr double kBeforeClayMm = 180.0;
+
 bool is_in_workspace(const dvec3& place_mm) noexcept {
     const auto is_within = [](double coordinate_mm) { return std::abs(coordinate_mm) <= kWorkspaceMm; };
     return is_within(place_mm.x) && is_within(place_mm.y) && is_within(place_mm.z);
@@ -74,6 +77,11 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     holder_ = chooser_.choose(seen_, dt_s);
     if (holder_ != before) {
         shown_holder_.store(holder_, std::memory_order_relaxed);
+        // Where a finger is on its plane is most often in the clay: a ball comes from before it.
+        if (tool_.guided) {
+            tool_.position_mm.z = kBeforeClayMm;
+            tool_.guided = false;
+        }
         // There is no way back from nonsense: the new hand begins where it is.
         const bool knows_the_way = knows_a_tool_ && is_in_workspace(tool_.position_mm);
         if (knows_the_way) hands_[holder_]->take_over(tool_);

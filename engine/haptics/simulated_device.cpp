@@ -35,8 +35,11 @@ void SimulatedDevice::take_over(const ToolState& tool) noexcept {
 
 ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const ToolState& target = target_.latest();
-    is_moving_ = sense_.moved_to(target.position_mm) || target.wheel_button != last_button_;
+    // Who lays a finger down does something, also where it lay before.
+    is_moving_ = sense_.moved_to(target.position_mm) || target.wheel_button != last_button_ ||
+                 target.pressing != last_pressing_;
     last_button_ = target.wheel_button;
+    last_pressing_ = target.pressing;
     if (at_rest_) {
         position_mm_ = target.position_mm;
         at_rest_ = false;

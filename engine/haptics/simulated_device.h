@@ -60,6 +60,7 @@ class SimulatedDevice final : public Hand {
     bool at_rest_ = true;  // the next read starts at the target
     MotionSense sense_{1.0};
     bool last_button_ = false;
+    bool last_pressing_ = true;
     bool is_moving_ = false;
 };
 

@@ -61,7 +61,12 @@ struct ResizeEvent {
     int height = 0;
 };
 struct CloseEvent {};
+// Whether what the person does comes to this window. What is let go elsewhere is not told.
+struct FocusEvent {
+    bool focused = false;
+};
 
-using Event = std::variant<KeyEvent, ButtonEvent, PointerEvent, ScrollEvent, ResizeEvent, CloseEvent>;
+using Event =
+    std::variant<KeyEvent, ButtonEvent, PointerEvent, ScrollEvent, ResizeEvent, CloseEvent, FocusEvent>;
 
 }  // namespace onggi::window

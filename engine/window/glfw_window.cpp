@@ -175,6 +175,8 @@ class GlfwWindow final : public Window {
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {
             self(w).push(ResizeEvent{width, height});
         });
+        glfwSetWindowFocusCallback(
+            window_, [](GLFWwindow* w, int focused) { self(w).push(FocusEvent{focused == GLFW_TRUE}); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).push(CloseEvent{}); });
     }
     ~GlfwWindow() override { glfwDestroyWindow(window_); }

@@ -22,6 +22,16 @@ dvec2 shaped(dvec2 stick, double dead_band) {
 
 }  // namespace
 
+bool GamepadHand::presses(bool button, double trigger, bool is_moving, double dt_s) {
+    trigger_presses_ = trigger > (trigger_presses_ ? mapping_.released_at : mapping_.pressed_at);
+    const bool is_held = button || trigger_presses_;
+    // Once it counts as stuck, it must be let go before it presses again.
+    const bool is_stuck = still_s_ >= mapping_.longest_still_s;
+    if (!is_held || (is_moving && !is_stuck)) still_s_ = 0.0;
+    if (is_held) still_s_ += dt_s;
+    return is_held && !is_stuck;
+}
+
 GamepadWish GamepadHand::wish(std::span<const Gamepad> pads, double dt_s) {
     GamepadWish wish;
     std::uint32_t buttons = 0;
@@ -30,20 +40,19 @@ GamepadWish GamepadHand::wish(std::span<const Gamepad> pads, double dt_s) {
     for (const Gamepad& pad : pads) {
         push += shaped({pad.left_x, -pad.left_y}, mapping_.dead_band);
         push += mapping_.finer * shaped({pad.right_x, -pad.right_y}, mapping_.dead_band);
-        trigger = std::max({trigger, pad.left_trigger, pad.right_trigger});
+        trigger = std::max(trigger, pad.right_trigger);
         buttons |= pad.buttons;
     }
     const std::uint32_t pressed = buttons & ~last_buttons_;
     wish.is_used = push != dvec2(0.0) || buttons != last_buttons_ || trigger > kTriggerPulled;
     last_buttons_ = buttons;
 
-    const dvec2 step = glm::clamp(push, -1.0, 1.0) * (mapping_.fastest_mm_s * dt_s);
-    wish.step_mm = {step.x, step.y, 0.0};
-    if (trigger > kTriggerPulled)
-        wish.wheel_rev_min = static_cast<double>(trigger) * mapping_.fastest_rev_min;
-    wish.turns_wheel = wish.wheel_rev_min > 0.0 || (buttons & Gamepad::kA) != 0;
-    if ((pressed & (Gamepad::kRightBumper | Gamepad::kUp)) != 0) wish.radius_steps += 1.0;
-    if ((pressed & (Gamepad::kLeftBumper | Gamepad::kDown)) != 0) wish.radius_steps -= 1.0;
+    wish.step_mm = glm::clamp(push, -1.0, 1.0) * (mapping_.fastest_mm_s * dt_s);
+    wish.presses = presses((buttons & Gamepad::kA) != 0, double{trigger}, push != dvec2(0.0), dt_s);
+    if ((pressed & Gamepad::kRightBumper) != 0) wish.speed_steps += 1.0;
+    if ((pressed & Gamepad::kLeftBumper) != 0) wish.speed_steps -= 1.0;
+    if ((pressed & Gamepad::kUp) != 0) wish.radius_steps += 1.0;
+    if ((pressed & Gamepad::kDown) != 0) wish.radius_steps -= 1.0;
     wish.next_tool = (pressed & Gamepad::kX) != 0;
     wish.fresh_lump = (pressed & Gamepad::kStart) != 0;
     return wish;

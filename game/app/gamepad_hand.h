@@ -12,18 +12,21 @@ namespace onggi::app {
 struct GamepadMapping {
     double dead_band = 0.15;  // of a stick's travel: worn sticks do not come back to the middle
     double fastest_mm_s = 160.0;
-    double finer = 0.35;             // share of that for the right stick
-    double fastest_rev_min = 240.0;  // the wheel with a trigger pulled all the way
+    double finer = 0.35;  // share of that for the right stick
+    // A trigger presses when it is pulled so far, and until it is let go so far.
+    double pressed_at = 0.5;
+    double released_at = 0.3;
+    double longest_still_s = 60.0;  // a button that is held so long while nothing moves is stuck
 };
 
 // What a pad asks for in one frame.
 struct GamepadWish {
-    dvec3 step_mm{0.0};    // of the tool
-    bool is_used = false;  // anything at all
-    bool turns_wheel = false;
-    double wheel_rev_min = 0.0;  // by how far a trigger is pulled; 0: a button holds it at its usual speed
-    double radius_steps = 0.0;   // larger or smaller tool
-    bool fresh_lump = false;     // asked once
+    dvec2 step_mm{0.0};         // of the finger on its plane
+    bool is_used = false;       // anything at all
+    bool presses = false;       // the finger is on the clay
+    double speed_steps = 0.0;   // a faster or slower wheel
+    double radius_steps = 0.0;  // larger or smaller tool
+    bool fresh_lump = false;    // asked once
     bool next_tool = false;
 };
 
@@ -31,13 +34,17 @@ class GamepadHand {
   public:
     explicit GamepadHand(const GamepadMapping& mapping = {}) : mapping_(mapping) {}
 
-    // The wish of the pads together, after dt_s. Left stick: out and in, up and down; right stick: the same,
-    // finely. A trigger or A turns the wheel; bumpers and the cross up and down change the tool's size; X is
-    // the next tool; Start is a fresh lump.
+    // The wish of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
+    // same, finely. A or the right trigger presses; bumpers make the wheel slower and faster, the cross up
+    // and down changes the tool's size; X is the next tool; Start is a fresh lump.
     [[nodiscard]] GamepadWish wish(std::span<const window::Gamepad> pads, double dt_s);
 
   private:
+    [[nodiscard]] bool presses(bool button, double trigger, bool is_moving, double dt_s);
+
     GamepadMapping mapping_;
+    bool trigger_presses_ = false;
+    double still_s_ = 0.0;            // since the finger was moved while it presses
     std::uint32_t last_buttons_ = 0;  // of all pads
 };
 

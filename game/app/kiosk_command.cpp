@@ -127,7 +127,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     parameters.studio.forgiving = settings->config.visit.forgiving;
     auto device = std::make_unique<haptics::SimulatedDevice>();
     haptics::SimulatedDevice& hand = *device;
-    hand.set_target({.position_mm = kRestingMm});
+    hand.set_target(resting_hand());
     parameters.safety = haptics::limits_for(device->capabilities());
     const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
     std::vector<std::string> show_lacks;

@@ -1,4 +1,5 @@
 // What the visitor does, by pointer, keys, devices and gamepads: a part of KioskVisit.
+#include <cmath>
 #include <vector>
 
 #include "game/app/kiosk_visit.h"
@@ -11,39 +12,61 @@ using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
-constexpr double kNudgeMm = 5.0;
 constexpr double kFrameS = 1.0 / 60.0;
 
-dvec3 nudge_of(Button button) {
+HandKey hand_key(Button button) {
     switch (button) {
         case Button::kHandUp:
-            return {0.0, kNudgeMm, 0.0};
+            return HandKey::kUp;
         case Button::kHandDown:
-            return {0.0, -kNudgeMm, 0.0};
+            return HandKey::kDown;
         case Button::kHandLeft:
-            return {-kNudgeMm, 0.0, 0.0};
-        case Button::kHandRight:
-            return {kNudgeMm, 0.0, 0.0};
+            return HandKey::kLeft;
         default:
-            return dvec3(0.0);
+            return HandKey::kRight;
     }
 }
 
 }  // namespace
 
-std::optional<dvec3> KioskVisit::place_at(vec2 px) const {
-    return parts_.view.tool_target_mm(double{px.x}, double{px.y});
+// On the upright plane through the axis that faces the camera: how far to the right, and how high.
+std::optional<dvec2> KioskVisit::place_at(vec2 px) const {
+    const auto place = parts_.view.tool_target_mm(double{px.x}, double{px.y});
+    if (!place) return std::nullopt;
+    return dvec2(std::copysign(std::hypot(place->x, place->z), place->x), place->y);
 }
 
 double KioskVisit::side() const {
     return state_.comfort.left_hand ? -1.0 : 1.0;
 }
 
-void KioskVisit::nudge_hand(Button button, const haptic::PotShape& shape) {
-    hand_.nudge(nudge_of(button), shape, side());
+void KioskVisit::nudge_hand(Button button) {
+    hand_.button(hand_key(button), side());
 }
 
-void KioskVisit::take_news(const PointerNews& news, const haptic::Snapshot& snapshot) {
+bool KioskVisit::clay_is_open() const {
+    return state_.panel == Panel::kNone && state_.screen == Screen::kThrow;
+}
+
+// The more a visitor can, the less.
+void KioskVisit::help_along() {
+    constexpr double kLessEachStep = 0.15;
+    const std::optional<int> target =
+        parts_.settings.config.visit.forgiving && state_.screen == Screen::kThrow ? state_.throwing.target
+                                                                                  : std::nullopt;
+    const int steps_done = state_.throwing.steps_done;
+    if (target == helped_ && steps_done == helped_steps_) return;
+    helped_ = target;
+    helped_steps_ = steps_done;
+    if (!target) {
+        hand_.set_outline({}, 0.0);
+        return;
+    }
+    const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*target)];
+    hand_.set_outline(wet_outline(parts_.settings.targets[place]), 1.0 - kLessEachStep * steps_done);
+}
+
+void KioskVisit::take_news(const PointerNews& news) {
     const bool scene_is_open =
         state_.panel == Panel::kNone && (state_.screen == Screen::kThrow || state_.screen == Screen::kChoose);
     switch (news.kind) {
@@ -56,9 +79,9 @@ void KioskVisit::take_news(const PointerNews& news, const haptic::Snapshot& snap
             tell(Event::pressed(news.button, news.value));
             break;
         case PointerNews::Kind::kHandDown:
-            if (state_.panel == Panel::kNone && state_.screen == Screen::kThrow) {
+            if (clay_is_open()) {
                 tell({Event::Kind::kClayTouched});
-                if (const auto place = place_at(news.at_px)) hand_.press(*place, *snapshot.shape);
+                if (const auto place = place_at(news.at_px)) hand_.press(*place);
             } else {
                 tell({Event::Kind::kInput});
             }
@@ -72,13 +95,12 @@ void KioskVisit::take_news(const PointerNews& news, const haptic::Snapshot& snap
             hand_.release();
             break;
         case PointerNews::Kind::kHovered:
-            if (const auto place = place_at(news.at_px)) hand_.hover(*place, parts_.view.towards_eye(*place));
+            if (const auto place = place_at(news.at_px)) hand_.hover(*place);
             break;
         case PointerNews::Kind::kNudged:
-            if (state_.panel == Panel::kNone && state_.screen == Screen::kThrow) {
-                tell({Event::Kind::kClayTouched});
-                nudge_hand(news.button, *snapshot.shape);
-            }
+            if (!clay_is_open()) break;
+            tell({Event::Kind::kClayTouched});
+            hand_.key(hand_key(news.button), side());
             break;
         case PointerNews::Kind::kCornerHeld:
             tell({Event::Kind::kCornerHeld});
@@ -103,14 +125,20 @@ void KioskVisit::take_input(const haptic::Snapshot& snapshot) {
         pointer_.handle(event, now_s_, all);
     pointer_.pass_time(now_s_, all);
     for (const PointerNews& news : all)
-        take_news(news, snapshot);
+        take_news(news);
     for (const std::string& line : parts_.devices.news())
         say(line);
     const bool has_device = parts_.devices.has_hand();
     if (has_device != had_device_) tell({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
     had_device_ = has_device;
+    // Another hand has the tool now: what the finger does from here on is another touch.
+    const std::string holder = parts_.devices.holder();
+    if (!holder.empty() && holder != holder_) hand_.release();
+    holder_ = holder;
     if (parts_.devices.somebody_moved()) tell({Event::Kind::kInput});
     take_gamepads(snapshot);
+    help_along();
+    if (!clay_is_open()) hand_.release();
 }
 
 void KioskVisit::take_gamepads(const haptic::Snapshot& snapshot) {
@@ -118,13 +146,14 @@ void KioskVisit::take_gamepads(const haptic::Snapshot& snapshot) {
     std::erase_if(pads,
                   [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
     const GamepadWish wish = gamepads_.wish(pads, kFrameS);
-    if (!wish.is_used) return;
-    tell({Event::Kind::kInput});
-    if (state_.screen != Screen::kThrow || state_.panel != Panel::kNone) return;
-    tell({Event::Kind::kClayTouched});
-    hand_.nudge(wish.step_mm, *snapshot.shape, side());
+    if (wish.is_used) tell({Event::Kind::kInput});
+    if (!clay_is_open()) return;
+    if (wish.is_used) tell({Event::Kind::kClayTouched});
+    hand_.steer(wish.step_mm, wish.presses, *snapshot.shape, side());
     if (wish.radius_steps > 0.5) tell(Event::pressed(Button::kToolMore));
     if (wish.radius_steps < -0.5) tell(Event::pressed(Button::kToolLess));
+    if (wish.speed_steps > 0.5) tell(Event::pressed(Button::kSpeedMore));
+    if (wish.speed_steps < -0.5) tell(Event::pressed(Button::kSpeedLess));
     if (wish.fresh_lump) tell(Event::pressed(Button::kNewClay));
 }
 

@@ -1,6 +1,7 @@
 #include "game/app/kiosk_pointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace onggi::app {
@@ -16,6 +17,9 @@ constexpr double kRepeatEveryS = 0.25;
 constexpr double kCornerS = 5.0;
 constexpr float kCornerU = 80.0F;
 constexpr double kScanEveryS = 1.4;
+// A touch that nobody moves for so long is a screen that hangs.
+constexpr double kLongestStillS = 60.0;
+constexpr float kHandStillPx = 4.0F;
 
 }  // namespace
 
@@ -41,6 +45,13 @@ bool KioskPointer::in_corner(vec2 px) const {
     const vec2 at = px / composition_->px_per_u;
     const float x = right_to_left_ ? composition_->bounds.width - at.x : at.x;
     return x >= 0.0F && x < kCornerU && at.y >= 0.0F && at.y < kCornerU;
+}
+
+bool KioskPointer::in_window(vec2 px) const {
+    if (composition_ == nullptr) return true;
+    const vec2 size = composition_->px_per_u * vec2(composition_->bounds.width, composition_->bounds.height);
+    // Half a pixel, for what is rounded.
+    return px.x > -0.5F && px.y > -0.5F && px.x < size.x + 0.5F && px.y < size.y + 0.5F;
 }
 
 void KioskPointer::look_at(const screens::Composition* composition, int screen_key, bool right_to_left) {
@@ -129,56 +140,92 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
     }
 }
 
+void KioskPointer::lift_hand(std::vector<PointerNews>& news) {
+    if (hand_down_) news.push_back({.kind = Kind::kHandUp, .at_px = at_px_});
+    hand_down_ = false;
+}
+
+void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double now_s,
+                                  std::vector<PointerNews>& news) {
+    if (!std::isfinite(pointer.x_px) || !std::isfinite(pointer.y_px)) {
+        lift_hand(news);
+        return;
+    }
+    at_px_ = vec2(pointer.x_px, pointer.y_px);
+    if (!in_corner(at_px_)) corner_s_.reset();
+    if (!pointer_came_) still_px_ = at_px_;  // where a window finds a mouse that nobody moves
+    pointer_came_ = true;
+    if (glm::length(at_px_ - still_px_) > kLifePx) {
+        still_px_ = at_px_;
+        if (!life_s_) life_s_ = now_s + kLandingS;
+    }
+    if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
+    if (hand_down_ && !in_window(at_px_)) lift_hand(news);
+    if (hand_down_ && glm::length(at_px_ - hand_still_px_) > kHandStillPx) {
+        hand_still_px_ = at_px_;
+        hand_still_s_ = now_s;
+    }
+    if (hand_down_) {
+        news.push_back({.kind = Kind::kHandMoved, .at_px = at_px_});
+    } else if (buttons_down_ == 0) {
+        news.push_back({.kind = Kind::kHovered, .at_px = at_px_});
+    }
+}
+
+void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s,
+                                 std::vector<PointerNews>& news) {
+    const unsigned bit = 1U << static_cast<unsigned>(button.button);
+    const bool is_alone = (buttons_down_ & ~bit) == 0;
+    buttons_down_ = button.pressed ? buttons_down_ | bit : buttons_down_ & ~bit;
+    if (button.pressed) lift_hand(news);  // a second button, or one whose release was lost
+    if (button.button != window::MouseButton::kLeft) return;
+    if (button.pressed) {
+        scans_ = false;
+        focus_ = -1;
+        if (in_corner(at_px_)) corner_s_ = now_s;
+        pressed_ = target_at(at_px_);
+        pressed_over_ = pressed_ >= 0;
+        pressed_key_ = screen_key_;
+        repeat_s_ = now_s + kRepeatAfterS;
+        has_repeated_ = false;
+        hand_down_ = pressed_ < 0 && !corner_s_ && is_alone;
+        hand_still_px_ = at_px_;
+        hand_still_s_ = now_s;
+        if (pressed_ >= 0) {
+            life_s_.reset();
+        } else {
+            news.push_back({.kind = hand_down_ ? Kind::kHandDown : Kind::kLife, .at_px = at_px_});
+        }
+        return;
+    }
+    corner_s_.reset();
+    lift_hand(news);
+    const bool counts =
+        pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_;
+    // A token that was held until it repeated has done its work.
+    if (counts && !has_repeated_) {
+        const screens::Target& target = composition_->targets[static_cast<std::size_t>(pressed_)];
+        news.push_back({Kind::kPressed, target.button, target.value, at_px_});
+    }
+    pressed_ = -1;
+    pressed_over_ = false;
+}
+
 void KioskPointer::handle(const window::Event& event, double now_s, std::vector<PointerNews>& news) {
     if (const auto* pointer = std::get_if<window::PointerEvent>(&event)) {
-        at_px_ = vec2(pointer->x_px, pointer->y_px);
-        if (!in_corner(at_px_)) corner_s_.reset();
-        if (!pointer_came_) still_px_ = at_px_;  // where a window finds a mouse that nobody moves
-        pointer_came_ = true;
-        if (glm::length(at_px_ - still_px_) > kLifePx) {
-            still_px_ = at_px_;
-            if (!life_s_) life_s_ = now_s + kLandingS;
-        }
-        if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
-        if (hand_down_) {
-            news.push_back({.kind = Kind::kHandMoved, .at_px = at_px_});
-        } else if (!button_down_) {
-            news.push_back({.kind = Kind::kHovered, .at_px = at_px_});
-        }
+        handle_pointer(*pointer, now_s, news);
     } else if (const auto* button = std::get_if<window::ButtonEvent>(&event)) {
-        if (button->button != window::MouseButton::kLeft) return;
-        button_down_ = button->pressed;
-        if (button->pressed) {
-            scans_ = false;
-            focus_ = -1;
-            if (in_corner(at_px_)) corner_s_ = now_s;
-            pressed_ = target_at(at_px_);
-            pressed_over_ = pressed_ >= 0;
-            pressed_key_ = screen_key_;
-            repeat_s_ = now_s + kRepeatAfterS;
-            has_repeated_ = false;
-            hand_down_ = pressed_ < 0 && !corner_s_;
-            if (pressed_ >= 0) {
-                life_s_.reset();
-            } else {
-                news.push_back({.kind = hand_down_ ? Kind::kHandDown : Kind::kLife, .at_px = at_px_});
-            }
-            return;
-        }
-        corner_s_.reset();
-        if (hand_down_) news.push_back({.kind = Kind::kHandUp, .at_px = at_px_});
-        hand_down_ = false;
-        const bool counts =
-            pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_;
-        // A token that was held until it repeated has done its work.
-        if (counts && !has_repeated_) {
-            const screens::Target& target = composition_->targets[static_cast<std::size_t>(pressed_)];
-            news.push_back({Kind::kPressed, target.button, target.value, at_px_});
-        }
-        pressed_ = -1;
-        pressed_over_ = false;
+        handle_button(*button, now_s, news);
     } else if (const auto* key = std::get_if<window::KeyEvent>(&event)) {
         handle_key(*key, now_s, news);
+    } else if (const auto* focus = std::get_if<window::FocusEvent>(&event)) {
+        if (focus->focused) return;
+        // What is released elsewhere is never told.
+        lift_hand(news);
+        buttons_down_ = 0;
+        pressed_ = -1;
+        pressed_over_ = false;
+        corner_s_.reset();
     } else if (std::holds_alternative<window::ScrollEvent>(event)) {
         news.push_back({.kind = Kind::kLife});
     } else if (std::holds_alternative<window::CloseEvent>(event)) {
@@ -195,6 +242,7 @@ void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
             news.push_back({Kind::kPressed, target.button, target.value, at_px_});
         }
     }
+    if (hand_down_ && now_s - hand_still_s_ >= kLongestStillS) lift_hand(news);
     if (life_s_ && now_s >= *life_s_) {
         life_s_.reset();
         news.push_back({.kind = Kind::kLife, .at_px = at_px_});

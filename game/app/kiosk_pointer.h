@@ -15,11 +15,11 @@ namespace onggi::app {
 struct PointerNews {
     enum class Kind {
         kNone,
-        kLife,       // somebody is there
-        kPressed,    // a target, on release or by repeating; `button` and `value`
-        kHandDown,   // on the scene, not on a target
-        kHandMoved,  // while it is down
-        kHandUp,
+        kLife,        // somebody is there
+        kPressed,     // a target, on release or by repeating; `button` and `value`
+        kHandDown,    // on the scene, not on a target
+        kHandMoved,   // while it is down
+        kHandUp,      // lifted, or taken for lifted: it cannot be a finger's any more
         kHovered,     // the mouse, with no button held
         kNudged,      // an arrow key where nothing has the ring; `button` is one of the pad's
         kCornerHeld,  // the staff's corner, long enough
@@ -47,7 +47,8 @@ class KioskPointer {
     [[nodiscard]] int focus() const { return focus_; }
     [[nodiscard]] bool scans() const { return scans_; }
     [[nodiscard]] vec2 at_px() const { return at_px_; }
-    // A finger lies beside all targets.
+    // A finger lies beside all targets. One that leaves the window, stays a minute where it is, comes with a
+    // second button or loses the window's attention lies there no more.
     [[nodiscard]] bool rests_on_scene() const { return hand_down_; }
     // A new visit: no ring, no scan.
     void forget();
@@ -56,6 +57,10 @@ class KioskPointer {
     [[nodiscard]] int target_at(vec2 px) const;
     [[nodiscard]] int target_count() const;
     [[nodiscard]] bool in_corner(vec2 px) const;
+    [[nodiscard]] bool in_window(vec2 px) const;
+    void handle_pointer(const window::PointerEvent& pointer, double now_s, std::vector<PointerNews>& news);
+    void handle_button(const window::ButtonEvent& button, double now_s, std::vector<PointerNews>& news);
+    void lift_hand(std::vector<PointerNews>& news);
     void handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news);
     void press_focus(std::vector<PointerNews>& news) const;
     void move_focus(int by);
@@ -67,8 +72,10 @@ class KioskPointer {
     vec2 still_px_{0.0F};           // where a mouse that only jitters counts as resting
     std::optional<double> life_s_;  // when it is told that it has moved
     bool pointer_came_ = false;
-    bool button_down_ = false;
+    unsigned buttons_down_ = 0;  // a bit each
     bool hand_down_ = false;
+    vec2 hand_still_px_{0.0F};  // where the hand has rested on the scene, and since when
+    double hand_still_s_ = 0.0;
     int pressed_ = -1;
     bool pressed_over_ = false;  // the pointer is still on it
     int pressed_key_ = -1;       // the screen on which it was pressed

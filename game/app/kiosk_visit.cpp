@@ -117,7 +117,7 @@ void KioskVisit::carry_out(const Effect& effect) {
             break;
         }
         case Effect::Kind::kMoveHand:
-            nudge_hand(static_cast<Button>(effect.value), *parts_.job.newest_snapshot().shape);
+            nudge_hand(static_cast<Button>(effect.value));
             break;
         case Effect::Kind::kCutOff:
             hand_.release();
@@ -252,7 +252,7 @@ void KioskVisit::take_answers() {
 void KioskVisit::move_hand(const haptic::Snapshot& snapshot, double dt_s) {
     // Under the staff's panel nothing moves by itself, so that a hand can be tested.
     if (state_.panel == Panel::kPin || state_.panel == Panel::kStaff) {
-        parts_.hand.set_target({.position_mm = kRestingMm});
+        parts_.hand.set_target(resting_hand());
         if (demo_runs_ && shown_) fresh_clay();
         return;
     }

@@ -71,14 +71,15 @@ class KioskVisit {
 
   private:
     void take_input(const haptic::Snapshot& snapshot);
-    void take_news(const PointerNews& news, const haptic::Snapshot& snapshot);
+    void take_news(const PointerNews& news);
     void take_clay(const haptic::Snapshot& snapshot);
     void take_fault(const haptic::Snapshot& snapshot);
     void take_answers();
     void take_gamepads(const haptic::Snapshot& snapshot);
-    [[nodiscard]] double side() const;  // on which the hand comes to the clay: +1 right, -1 left
-    // One press of the pad's buttons, or of an arrow key.
-    void nudge_hand(kiosk::Button button, const haptic::PotShape& shape);
+    [[nodiscard]] double side() const;      // on which the hand comes to the clay: +1 right, -1 left
+    void nudge_hand(kiosk::Button button);  // one press of the pad's buttons
+    void help_along();                      // draws a finger to the outline that is shown
+    [[nodiscard]] bool clay_is_open() const;
     void tell(const kiosk::Event& event);
     void carry_out(const kiosk::Effect& effect);
     void set_volume(int volume) { parts_.sound.set_volume(volume / kLoudestStep); }
@@ -92,7 +93,7 @@ class KioskVisit {
     [[nodiscard]] bool kiln_burns() const;
     void aim_camera(const haptic::Snapshot& snapshot);
     [[nodiscard]] std::optional<screens::Band> warning_band(const haptic::Snapshot& snapshot) const;
-    [[nodiscard]] std::optional<dvec3> place_at(vec2 px) const;
+    [[nodiscard]] std::optional<dvec2> place_at(vec2 px) const;
     void fresh_clay();
     void begin_show();
     // False: there is nothing to show.
@@ -134,6 +135,9 @@ class KioskVisit {
     std::uint64_t pots_kept_ = 0;
     bool has_begun_ = false;  // the clock is known from the first frame on
     bool had_device_ = false;
+    std::optional<int> helped_;  // along the outline of which target, and how far the lesson had come
+    int helped_steps_ = 0;
+    std::string holder_;  // the device that has the tool
     bool full_screen_ = false;
     bool quits_ = false;
     bool restarts_ = false;

@@ -1,5 +1,7 @@
 #include "game/app/snapshot_view.h"
 
+#include "game/app/guided_hands.h"
+
 namespace onggi::app {
 
 wheel::PotView pot_view(const haptic::Snapshot& snapshot) {
@@ -39,6 +41,7 @@ wheel::PotView pot_view(const haptic::Snapshot& snapshot) {
                        .side = result.second_side,
                        .shown = result.has_second || told.has_second,
                        .touching = result.second_forces.contacts > 0};
+    if (snapshot.tool.guided) show_guided_hands(pot, snapshot);
     return pot;
 }
 

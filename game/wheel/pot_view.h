@@ -19,6 +19,10 @@ struct HandView {
     clay::studio::Side side = clay::studio::Side::kFree;
     bool shown = true;
     bool touching = false;
+    // It follows a finger on a screen, which may leap: then it goes and comes again, and takes its time where
+    // it only hovers.
+    bool guided = false;
+    bool digs = false;  // with the thumbs straight down; `side` is the top
 };
 
 // All spans must live until apply() and the draw have returned. A ring is an element of the paper's clay or a

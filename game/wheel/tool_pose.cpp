@@ -14,6 +14,11 @@ constexpr double kDegree = kPi / 180.0;
 // The hand is where the tool is, within the time that hides a device's steps; it turns at a wrist's pace.
 constexpr double kFollowS = 0.012;
 constexpr double kTurnS = 0.10;
+// One that follows a finger on a screen is there as often as the screen tells, and hovers about at leisure.
+constexpr double kFollowFingerS = 0.03;
+constexpr double kHoverS = 0.09;
+constexpr double kLeapMm = 60.0;  // farther than that it goes, and comes again
+constexpr double kLeaveS = 0.06;
 constexpr double kComeS = 0.11;
 constexpr double kGoneMm = 150.0;       // a hand that is not shown draws back so far, then is not drawn
 constexpr double kChangeMm = 45.0;      // and one that changes sides or tools so far, then comes again
@@ -26,6 +31,7 @@ constexpr double kMostToFront = 25.0 * kDegree;
 constexpr double kMostToBack = 60.0 * kDegree;
 constexpr double kMostLean = 30.0 * kDegree;
 constexpr double kFromAbove = 52.0 * kDegree;
+constexpr double kDigs = 78.0 * kDegree;
 // A hand beside a foot has the wheel under it: from there on it may lean no lower than level.
 constexpr double kWheelClearanceMm = 12.0;
 constexpr double kReachMm = 120.0;
@@ -47,6 +53,13 @@ dvec2 outwards(const dvec3& at_mm) {
     const dvec2 flat(at_mm.x, at_mm.z);
     const double length = glm::length(flat);
     return length > 1.0 ? flat / length : dvec2(1.0, 0.0);
+}
+
+// Which way from the clay to the hand.
+dvec3 reach_of(const dvec3& at_mm, clay::studio::Side side) {
+    if (side == clay::studio::Side::kTop) return {0.0, 1.0, 0.0};
+    const dvec2 out = outwards(at_mm);
+    return is_inside(side) ? dvec3(-out.x, 0.0, -out.y) : dvec3(out.x, 0.0, out.y);
 }
 
 // Where the parts of a hand are that are thick enough to see their shadow, in its model's frame, mm.
@@ -104,7 +117,17 @@ void ToolPose::settle(const ToolSight& sight) {
     if (changed) away_mm_ = std::max(away_mm_, kChangeMm);
 }
 
+bool ToolPose::leaps_to(const ToolSight& sight) const {
+    const dvec3 touch = sight.centre_mm - sight.radius_mm * reach_of(sight.centre_mm, sight.side);
+    return glm::length(touch - touch_mm_) > kLeapMm || is_inside(sight.side) != is_inside(side_);
+}
+
 void ToolPose::follow(const ToolSight& sight, double dt_s) {
+    if (is_known_ && dt_s > 0.0 && sight.guided && sight.shown && leaps_to(sight)) {
+        away_mm_ = eased(away_mm_, 1.1 * kGoneMm, dt_s, kLeaveS);
+        if (away_mm_ < kGoneMm) return;
+        is_known_ = false;
+    }
     const bool was_known = is_known_;
     settle(sight);
     is_known_ = true;
@@ -112,8 +135,7 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     const dvec2 out = outwards(sight.centre_mm);
     const dvec2 normal = is_inside(side_) ? -out : out;
     const bool from_above = side_ == clay::studio::Side::kTop;
-    const dvec3 reach = from_above ? dvec3(0.0, 1.0, 0.0) : dvec3(normal.x, 0.0, normal.y);
-    const dvec3 touch = sight.centre_mm - sight.radius_mm * reach;
+    const dvec3 touch = sight.centre_mm - sight.radius_mm * reach_of(sight.centre_mm, side_);
 
     // How far round from straight to the side: positive is to the back. The model's own +X leads out of the
     // clay.
@@ -123,12 +145,14 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     const double yaw = leads_right ? held : kPi - held;
     const double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
     const double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
-    const double pitch = from_above ? kFromAbove : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
+    const double pitch = from_above ? (sight.digs ? kDigs : kFromAbove)
+                                    : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
 
     const double dt = was_known ? dt_s : 0.0;
     const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes anew comes to where it is wanted
+    const double follow_s = !sight.guided ? kFollowS : sight.touching ? kFollowFingerS : kHoverS;
     for (int axis = 0; axis < 3; ++axis)
-        touch_mm_[axis] = eased(touch_mm_[axis], touch[axis], dt, kFollowS);
+        touch_mm_[axis] = eased(touch_mm_[axis], touch[axis], dt, follow_s);
     yaw_rad_ = jumps ? yaw : yaw_rad_ + eased(0.0, wrapped(yaw - yaw_rad_), dt, kTurnS);
     pitch_rad_ = jumps ? pitch : eased(pitch_rad_, pitch, dt, kTurnS);
     // The first sight of a hand in a moving picture is of one that comes.

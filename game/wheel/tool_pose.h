@@ -24,6 +24,8 @@ struct ToolSight {
     double wall_lean = 0.0;        // of the face it touches: how much wider a mm higher up is, mm
     double mouth_radius_mm = 0.0;  // of the pot's opening; 0: none
     bool is_assistant = false;     // the second hand
+    bool guided = false;           // see HandView
+    bool digs = false;
 };
 
 // A tool as it is to be drawn, and the balls that cast its shadow.
@@ -48,6 +50,8 @@ class ToolPose {
 
   private:
     void settle(const ToolSight& sight);
+    // Where that hand touches is so far from here that there may be clay between.
+    [[nodiscard]] bool leaps_to(const ToolSight& sight) const;
 
     bool is_known_ = false;
     clay::StudioTool kind_ = clay::StudioTool::kHand;

@@ -49,11 +49,14 @@ ToolSight sight_of(const PotView& pot, const HandView& hand, bool is_assistant) 
             .radius_mm = hand.radius_mm,
             .kind = hand.tool,
             .side = hand.side,
-            .shown = hand.shown,
+            // Nobody's hand belongs in the kiln, nor to a pot that comes out of it.
+            .shown = hand.shown && pot.stage == clay::Firing::kWet,
             .touching = hand.touching,
             .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.radii_mm, hand.position_mm.y),
             .mouth_radius_mm = mouth_radius(pot),
-            .is_assistant = is_assistant};
+            .is_assistant = is_assistant,
+            .guided = hand.guided,
+            .digs = hand.digs};
 }
 
 }  // namespace

@@ -140,9 +140,18 @@ TEST_F(GamepadsThroughGlfw, MoveTheTool) {
     const app::GamepadWish wish = hand.wish(now(), 0.1);
     EXPECT_TRUE(wish.is_used);
     EXPECT_NEAR(wish.step_mm.x, 16.0, 0.5) << "160 mm/s to the right";
+    EXPECT_FALSE(wish.presses);
     pad.press(BTN_A, true);
     ASSERT_TRUE(first_comes_to([](const Gamepad& one) { return one.buttons == Gamepad::kA; }));
-    EXPECT_TRUE(hand.wish(now(), 0.1).turns_wheel);
+    EXPECT_TRUE(hand.wish(now(), 0.1).presses);
+    pad.press(BTN_A, false);
+    pad.move(ABS_RZ, 255);
+    ASSERT_TRUE(
+        first_comes_to([](const Gamepad& one) { return one.right_trigger > 0.99F && one.buttons == 0; }));
+    EXPECT_TRUE(hand.wish(now(), 0.1).presses) << "the right trigger does, too";
+    pad.pull_out();
+    ASSERT_TRUE(comes_true([](const std::vector<Gamepad>& pads) { return pads.empty(); }));
+    EXPECT_FALSE(hand.wish(now(), 0.1).presses);
 }
 
 }  // namespace

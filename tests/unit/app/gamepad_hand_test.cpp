@@ -16,9 +16,9 @@ GamepadWish wish_of(const Gamepad& pad) {
 
 TEST(GamepadHand, IsStillWithinItsDeadBand) {
     const GamepadWish wish = wish_of({.left_x = 0.1F, .left_y = -0.1F, .left_trigger = 0.05F});
-    EXPECT_EQ(wish.step_mm, dvec3(0.0));
+    EXPECT_EQ(wish.step_mm, dvec2(0.0));
     EXPECT_FALSE(wish.is_used);
-    EXPECT_FALSE(wish.turns_wheel);
+    EXPECT_FALSE(wish.presses);
 }
 
 TEST(GamepadHand, MovesTheToolByTheSticksFinelyByTheRightOne) {
@@ -41,32 +41,62 @@ TEST(GamepadHand, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
         {{.left_x = 1.0F}, {.slot = 1, .left_x = 1.0F, .buttons = Gamepad::kA}}};
     const GamepadWish wish = hand.wish(pads, kFrame);
     EXPECT_NEAR(wish.step_mm.x, 160.0 * kFrame, 1e-9);
-    EXPECT_TRUE(wish.turns_wheel);
+    EXPECT_TRUE(wish.presses);
 }
 
-TEST(GamepadHand, TurnsTheWheelByHowFarATriggerIsPulledOrByAButton) {
-    EXPECT_EQ(wish_of({.right_trigger = 0.5F}).wheel_rev_min, 120.0);
-    EXPECT_EQ(wish_of({.left_trigger = 1.0F}).wheel_rev_min, 240.0);
-    EXPECT_TRUE(wish_of({.left_trigger = 1.0F}).turns_wheel);
-    EXPECT_TRUE(wish_of({.buttons = Gamepad::kA}).turns_wheel);
-    EXPECT_EQ(wish_of({.buttons = Gamepad::kA}).wheel_rev_min, 0.0);
+TEST(GamepadHand, PressesWithItsButtonOrATriggerThatIsPulledFarEnough) {
+    EXPECT_TRUE(wish_of({.buttons = Gamepad::kA}).presses);
+    EXPECT_TRUE(wish_of({.right_trigger = 0.6F}).presses);
+    EXPECT_FALSE(wish_of({.right_trigger = 0.4F}).presses);
+    EXPECT_FALSE(wish_of({.left_trigger = 1.0F, .buttons = Gamepad::kB}).presses);
+    GamepadHand hand;
+    Gamepad pad{.right_trigger = 0.6F};
+    EXPECT_TRUE(hand.wish(std::span(&pad, 1), kFrame).presses);
+    pad.right_trigger = 0.4F;
+    EXPECT_TRUE(hand.wish(std::span(&pad, 1), kFrame).presses) << "a finger that trembles is still there";
+    pad.right_trigger = 0.2F;
+    EXPECT_FALSE(hand.wish(std::span(&pad, 1), kFrame).presses);
+    EXPECT_FALSE(hand.wish({}, kFrame).presses) << "and none when it is pulled out";
+}
+
+TEST(GamepadHand, LetsGoOfAButtonThatIsStuck) {
+    GamepadHand hand;
+    Gamepad pad{.buttons = Gamepad::kA};
+    for (int second = 0; second < 59; ++second)
+        EXPECT_TRUE(hand.wish(std::span(&pad, 1), 1.0).presses);
+    pad.left_x = 1.0F;
+    EXPECT_TRUE(hand.wish(std::span(&pad, 1), 1.0).presses) << "somebody moves it";
+    pad.left_x = 0.0F;
+    for (int second = 0; second < 60; ++second)
+        static_cast<void>(hand.wish(std::span(&pad, 1), 1.0));
+    EXPECT_FALSE(hand.wish(std::span(&pad, 1), 1.0).presses);
+    pad.left_x = 1.0F;
+    EXPECT_FALSE(hand.wish(std::span(&pad, 1), 1.0).presses) << "until it is let go";
+    pad.buttons = 0;
+    static_cast<void>(hand.wish(std::span(&pad, 1), 1.0));
+    pad.buttons = Gamepad::kA;
+    EXPECT_TRUE(hand.wish(std::span(&pad, 1), 1.0).presses);
 }
 
 TEST(GamepadHand, AsksOncePerPressOfAButton) {
     GamepadHand hand;
-    Gamepad pad{.buttons = Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kX};
+    Gamepad pad{.buttons = Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kUp | Gamepad::kX};
     const GamepadWish first = hand.wish(std::span(&pad, 1), kFrame);
     EXPECT_TRUE(first.fresh_lump);
     EXPECT_TRUE(first.next_tool);
     EXPECT_EQ(first.radius_steps, 1.0);
+    EXPECT_EQ(first.speed_steps, 1.0);
     const GamepadWish held = hand.wish(std::span(&pad, 1), kFrame);
     EXPECT_FALSE(held.fresh_lump);
     EXPECT_FALSE(held.next_tool);
     EXPECT_EQ(held.radius_steps, 0.0);
+    EXPECT_EQ(held.speed_steps, 0.0);
     pad.buttons = 0;
     EXPECT_TRUE(hand.wish(std::span(&pad, 1), kFrame).is_used) << "letting go is use, too";
     pad.buttons = Gamepad::kDown;
     EXPECT_EQ(hand.wish(std::span(&pad, 1), kFrame).radius_steps, -1.0);
+    pad.buttons = Gamepad::kLeftBumper;
+    EXPECT_EQ(hand.wish(std::span(&pad, 1), kFrame).speed_steps, -1.0);
 }
 
 }  // namespace

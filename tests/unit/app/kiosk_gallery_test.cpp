@@ -66,7 +66,7 @@ TEST(Gallery, DeletesOnePotWithAllItsFilesAndNoOther) {
 struct Cut {
     Cut() {
         for (std::uint32_t tick = 0; tick < 50; ++tick) {
-            const haptic::TickResult result = haptic::tick(state, {.position_mm = kRestingMm}, parameters);
+            const haptic::TickResult result = haptic::tick(state, resting_hand(), parameters);
             history.add({.tick = tick,
                          .flags = tick == 0 ? haptic::TickRecord::kFreshLump : 0U,
                          .tool = state.tool,

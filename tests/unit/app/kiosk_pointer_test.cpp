@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace onggi::app {
 namespace {
@@ -105,6 +106,90 @@ TEST(KioskPointer, GivesTheSceneAHandWhereNoTargetIs) {
     EXPECT_TRUE(finger.said(Kind::kHandMoved));
     EXPECT_TRUE(finger.said(Kind::kHandUp));
     EXPECT_TRUE(finger.pressed().empty());
+}
+
+class TouchThatGoesWrong : public ::testing::Test {
+  protected:
+    TouchThatGoesWrong() {
+        finger_.moves(640, 300).presses().moves(600, 300);
+        finger_.news.clear();
+    }
+    [[nodiscard]] bool ended() const { return finger_.said(Kind::kHandUp); }
+    // What still comes of it does nothing more to the clay.
+    void stays_ended() {
+        EXPECT_FALSE(finger_.pointer.rests_on_scene());
+        finger_.news.clear();
+        finger_.moves(610, 300).lifts();
+        EXPECT_FALSE(finger_.said(Kind::kHandMoved));
+        EXPECT_FALSE(finger_.said(Kind::kHandUp)) << "it is told once";
+        finger_.news.clear();
+        finger_.presses().moves(620, 300);
+        EXPECT_TRUE(finger_.said(Kind::kHandDown)) << "the next touch is as good as any";
+        EXPECT_TRUE(finger_.said(Kind::kHandMoved));
+    }
+
+    Finger finger_;
+};
+
+TEST_F(TouchThatGoesWrong, EndsWhereItLeavesTheWindow) {
+    finger_.moves(1279.6, 300);
+    EXPECT_FALSE(ended());
+    finger_.moves(1300, 300);
+    EXPECT_TRUE(ended());
+    stays_ended();
+}
+
+TEST_F(TouchThatGoesWrong, EndsWithASecondButton) {
+    finger_.does(window::ButtonEvent{window::MouseButton::kRight, true});
+    EXPECT_TRUE(ended());
+    finger_.does(window::ButtonEvent{window::MouseButton::kRight, false});
+    stays_ended();
+    Finger other;
+    other.moves(640, 300).does(window::ButtonEvent{window::MouseButton::kRight, true}).presses();
+    EXPECT_FALSE(other.said(Kind::kHandDown)) << "in whichever order";
+}
+
+TEST_F(TouchThatGoesWrong, EndsWhenNobodyMovesItForAMinute) {
+    finger_.waits(58.0);
+    EXPECT_FALSE(ended());
+    finger_.moves(602, 301).waits(1.0);
+    EXPECT_FALSE(ended());
+    finger_.waits(1.5);
+    EXPECT_TRUE(ended()) << "a tremble is no motion";
+    stays_ended();
+}
+
+TEST_F(TouchThatGoesWrong, GoesOnAsLongAsSomebodyMovesIt) {
+    for (int minute = 0; minute < 5; ++minute)
+        finger_.waits(50.0).moves(600 + 10 * (minute % 2), 310);
+    EXPECT_FALSE(ended());
+}
+
+TEST_F(TouchThatGoesWrong, EndsWhenTheWindowLosesAttention) {
+    finger_.does(window::FocusEvent{true});
+    EXPECT_FALSE(ended());
+    finger_.does(window::FocusEvent{false});
+    EXPECT_TRUE(ended());
+    stays_ended();
+    Finger other;
+    other.moves(150, 630).presses().does(window::FocusEvent{false}).lifts();
+    EXPECT_TRUE(other.pressed().empty()) << "nor is a button pressed by what comes after";
+}
+
+TEST_F(TouchThatGoesWrong, EndsWithAPlaceThatIsNoNumber) {
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    finger_.moves(kNoNumber, 300);
+    EXPECT_TRUE(ended());
+    EXPECT_FALSE(finger_.said(Kind::kHandMoved));
+    stays_ended();
+}
+
+TEST_F(TouchThatGoesWrong, EndsWhereItsReleaseWasLost) {
+    finger_.presses();
+    EXPECT_TRUE(ended());
+    EXPECT_TRUE(finger_.said(Kind::kHandDown)) << "and another begins";
+    finger_.lifts();
+    EXPECT_FALSE(finger_.pointer.rests_on_scene());
 }
 
 TEST(KioskPointer, TakesAShakenMouseForNobody) {

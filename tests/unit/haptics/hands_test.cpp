@@ -198,6 +198,30 @@ TEST_F(HandsTest, TheToolGoesFromHandToHandWithoutAJump) {
     EXPECT_EQ(stick_.took_over->position_mm, mouse_.tool.position_mm);
 }
 
+TEST_F(HandsTest, ADeviceThatComesInTheMidstOfATouchIsABallThatComesFromBeforeTheClay) {
+    mouse_.tool = {.position_mm = {10.0, 40.0, 0.0}, .guided = true, .pressing = true};
+    mouse_.is_moving = true;
+    const ToolState finger = after(1.0);
+    EXPECT_TRUE(finger.guided && finger.pressing);
+    EXPECT_EQ(finger.position_mm, mouse_.tool.position_mm);
+    mouse_.is_moving = false;
+    stick_.is_moving = true;
+    const ToolState first = after(0.5 + kStep);
+    EXPECT_FALSE(first.guided) << "not a finger in the clay, for no tick";
+    EXPECT_GT(first.position_mm.z, 150.0);
+    ASSERT_TRUE(stick_.took_over);
+    EXPECT_GT(stick_.took_over->position_mm.z, 150.0);
+    EXPECT_EQ(after(1.0).position_mm, stick_.tool.position_mm);
+    // And back: a finger is where it is, with no way through the clay.
+    stick_.is_moving = false;
+    mouse_.is_moving = true;
+    mouse_.tool.pressing = false;
+    const ToolState back = after(0.5 + kStep);
+    EXPECT_TRUE(back.guided);
+    EXPECT_FALSE(back.pressing);
+    EXPECT_EQ(back.position_mm, mouse_.tool.position_mm);
+}
+
 TEST_F(HandsTest, WhatTheToolIsIsTheFirstHandsAffair) {
     stick_.is_moving = true;
     EXPECT_EQ(after(1.0).radius_mm, 14.0);

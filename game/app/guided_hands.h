@@ -1,0 +1,17 @@
+// Where the hands are seen that follow a finger: at their work in the clay, or near where a touch would take
+// hold, in the pose that it would begin with. Any thread. mm.
+#pragma once
+
+#include "game/clay/studio/grip.h"
+#include "game/haptic/messages.h"
+#include "game/wheel/pot_view.h"
+
+namespace onggi::app {
+
+// What a finger at that height meets; for clay::studio::grip_of_touch().
+[[nodiscard]] clay::studio::GripOutline grip_outline(const haptic::PotShape& shape, double y_mm);
+
+// Both hands of the view, for a snapshot whose tool is guided.
+void show_guided_hands(wheel::PotView& pot, const haptic::Snapshot& snapshot);
+
+}  // namespace onggi::app

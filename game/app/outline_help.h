@@ -1,0 +1,27 @@
+// Helps a finger along a drawn outline: near it the finger is drawn to it a little, so that a hand that
+// trembles still throws the pot that it was shown. Pure state, main thread. mm, s.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/math/math.h"
+
+namespace onggi::app {
+
+class OutlineHelp {
+  public:
+    // Radius and height from below, as app::wet_outline(); empty: none. strength: 0 none to 1 all the help.
+    void set(std::span<const vec2> radius_height, double strength);
+    // So that help which comes or goes is not felt to.
+    void pass_time(double dt_s);
+    // Where the finger is taken to be. Never farther from the outline than it is, nor on its other side.
+    [[nodiscard]] dvec2 drawn(const dvec2& finger_mm) const;
+
+  private:
+    std::vector<vec2> outline_mm_;
+    double strength_ = 0.0;  // as wished
+    double now_ = 0.0;
+};
+
+}  // namespace onggi::app

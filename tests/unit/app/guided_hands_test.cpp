@@ -1,0 +1,156 @@
+// Where the hands of a finger are seen: at the work, or off the clay in the pose of what a touch would begin.
+#include "game/app/guided_hands.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "game/app/kiosk_touch.h"
+#include "game/app/snapshot_view.h"
+
+namespace onggi::app {
+namespace {
+
+using clay::studio::Grip;
+using clay::studio::Side;
+
+// A cylinder of millimetre rings, hollow above floor_mm.
+haptic::PotShape pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {
+    haptic::PotShape shape;
+    shape.rings = static_cast<int>(height_mm);
+    shape.height_mm = height_mm;
+    shape.floor_mm = floor_mm;
+    shape.is_hollow = true;
+    for (int i = 0; i < shape.rings; ++i) {
+        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
+        shape.inner_mm_.push_back(i < floor_mm ? 0.0F : static_cast<float>(outer_mm - wall_mm));
+        shape.top_mm_.push_back(static_cast<float>(i + 1));
+    }
+    return shape;
+}
+
+class GuidedHands : public ::testing::Test {
+  protected:
+    GuidedHands() {
+        snapshot_.tool.guided = true;
+        snapshot_.tool.radius_mm = 12.0;
+    }
+    wheel::PotView hovers(const haptic::PotShape& shape, const dvec2& finger_mm) {
+        snapshot_.shape = &shape;
+        snapshot_.tool.pressing = false;
+        snapshot_.tool.position_mm = dvec3(finger_mm, 0.0);
+        snapshot_.result.grip = {.finger_mm = finger_mm};
+        return pot_view(snapshot_);
+    }
+    wheel::PotView works(const haptic::PotShape& shape, Grip grip, const dvec2& hand_mm) {
+        snapshot_.shape = &shape;
+        snapshot_.tool.pressing = true;
+        snapshot_.tool.position_mm = {0.0, 200.0, 0.0};  // far off: the hands are not there
+        snapshot_.result.grip = {.grip = grip, .hand_mm = hand_mm};
+        return pot_view(snapshot_);
+    }
+    // The place at which a hand touches.
+    static dvec3 touch_of(const wheel::HandView& hand) {
+        const double out = std::copysign(1.0, hand.position_mm.x);
+        switch (hand.side) {
+            case Side::kTop:
+                return hand.position_mm - dvec3(0.0, hand.radius_mm, 0.0);
+            case Side::kIn:
+                return hand.position_mm + dvec3(out * hand.radius_mm, 0.0, 0.0);
+            default:
+                return hand.position_mm - dvec3(out * hand.radius_mm, 0.0, 0.0);
+        }
+    }
+
+    const haptic::PotShape lump_ = pot(50, 62, 62, 50);
+    const haptic::PotShape cup_ = pot(100, 60, 8, 11);
+    haptic::Snapshot snapshot_;
+};
+
+TEST_F(GuidedHands, HoldTheWallFromBothSides) {
+    for (const double side : {1.0, -1.0}) {
+        const wheel::PotView view = works(cup_, Grip::kWall, {side * 20.0, 40.0});
+        EXPECT_EQ(view.hand.side, Side::kOut);
+        EXPECT_LT(glm::length(touch_of(view.hand) - dvec3(side * 60.0, 40.0, 0.0)), 1e-6) << "on the clay";
+        ASSERT_TRUE(view.second_hand.shown);
+        EXPECT_EQ(view.second_hand.side, Side::kIn);
+        EXPECT_LT(glm::length(touch_of(view.second_hand) - dvec3(side * 52.0, 40.0, 0.0)), 1e-6);
+        EXPECT_TRUE(view.hand.guided && view.hand.touching && !view.hand.digs);
+    }
+    const wheel::PotView low = works(cup_, Grip::kWall, {60.0, -5.0});
+    EXPECT_GT(low.hand.position_mm.y, 10.0) << "above the wheel";
+    EXPECT_GT(low.second_hand.position_mm.y, 11.0) << "above the floor";
+    const wheel::PotView high = works(cup_, Grip::kWall, {60.0, 101.5});
+    EXPECT_LT(high.hand.position_mm.y, 100.0) << "finger tips at the rim";
+    EXPECT_NEAR(high.hand.position_mm.y, high.second_hand.position_mm.y, 1e-9);
+}
+
+TEST_F(GuidedHands, HoldALumpBetweenTwoPalms) {
+    const wheel::PotView view = works(lump_, Grip::kWall, {62.0, 20.0});
+    ASSERT_TRUE(view.second_hand.shown);
+    EXPECT_EQ(view.second_hand.side, Side::kOut);
+    EXPECT_EQ(touch_of(view.hand).x, 62.0);
+    EXPECT_EQ(touch_of(view.second_hand).x, -62.0);
+}
+
+TEST_F(GuidedHands, OpenInTheMiddleReachInsideAndPressTheRim) {
+    const wheel::PotView opens = works(lump_, Grip::kOpen, {5.0, 30.0});
+    EXPECT_TRUE(opens.hand.digs);
+    EXPECT_EQ(opens.hand.side, Side::kTop);
+    EXPECT_EQ(touch_of(opens.hand).x, 5.0);
+    EXPECT_LT(touch_of(opens.hand).y, 30.0);
+    EXPECT_FALSE(opens.second_hand.shown);
+
+    const wheel::PotView inside = works(cup_, Grip::kInside, {52.0, 60.0});
+    EXPECT_EQ(inside.second_hand.side, Side::kIn);
+    EXPECT_EQ(touch_of(inside.second_hand), dvec3(52.0, 60.0, 0.0));
+    EXPECT_EQ(inside.hand.side, Side::kOut);
+    EXPECT_EQ(touch_of(inside.hand), dvec3(60.0, 60.0, 0.0));
+
+    const wheel::PotView rim = works(cup_, Grip::kRim, {58.0, 100.0});
+    EXPECT_EQ(rim.hand.side, Side::kTop);
+    EXPECT_FALSE(rim.hand.digs);
+    EXPECT_EQ(touch_of(rim.hand), dvec3(56.0, 100.0, 0.0));
+}
+
+TEST_F(GuidedHands, HangOffTheClayInThePoseOfWhatATouchWouldBegin) {
+    for (const haptic::PotShape* shape : {&lump_, &cup_}) {
+        for (double x = -130.0; x <= 130.0; x += 3.0) {
+            for (double y = 0.0; y < 170.0; y += 3.0) {
+                const wheel::PotView view = hovers(*shape, {x, y});
+                for (const wheel::HandView* hand : {&view.hand, &view.second_hand}) {
+                    if (!hand->shown) continue;
+                    const dvec3 at = touch_of(*hand);
+                    const double outer = wall_at(*shape, std::min(at.y, shape->height_mm - 0.5)).outer_mm;
+                    EXPECT_TRUE(at.y >= shape->height_mm || std::abs(at.x) >= outer)
+                        << "in the clay at " << x << ", " << y;
+                    EXPECT_FALSE(hand->touching);
+                }
+                EXPECT_NE(view.hand.shown, view.second_hand.shown) << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_TRUE(hovers(lump_, {0.0, 48.0}).hand.digs);
+    EXPECT_EQ(hovers(cup_, {58.0, 100.0}).hand.side, Side::kTop);
+    EXPECT_EQ(hovers(cup_, {10.0, 90.0}).second_hand.side, Side::kIn);
+    EXPECT_EQ(hovers(cup_, {-10.0, 30.0}).hand.side, Side::kOut);
+    EXPECT_LT(hovers(cup_, {-10.0, 30.0}).hand.position_mm.x, -60.0);
+}
+
+TEST_F(GuidedHands, LieBesideEvenTheWidestPotWhenTheyRest) {
+    const haptic::PotShape plate = pot(40, 135, 8, 10);
+    const wheel::PotView view = hovers(plate, {230.0, 20.0});
+    EXPECT_GE(touch_of(view.hand).x, 135.0);
+    EXPECT_LE(hovers(cup_, {230.0, 260.0}).hand.position_mm.x, 210.0);
+}
+
+TEST_F(GuidedHands, LeaveADeviceItsBall) {
+    snapshot_.tool = {.position_mm = {70.0, 40.0, 20.0}, .radius_mm = 12.0};
+    snapshot_.shape = &cup_;
+    const wheel::PotView view = pot_view(snapshot_);
+    EXPECT_EQ(view.hand.position_mm, dvec3(70.0, 40.0, 20.0));
+    EXPECT_FALSE(view.hand.guided);
+}
+
+}  // namespace
+}  // namespace onggi::app
