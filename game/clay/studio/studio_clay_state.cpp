@@ -180,6 +180,8 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
         visit_vector(visitor, hand.wobble_mm);
         visit_vector(visitor, hand.previous_position_mm);
         visitor.number(hand.has_previous);
+        visitor.number(hand.has_slow_height);
+        visitor.number(hand.slow_height_mm);
     }
     for (auto* number : {&self.film_, &self.tend_credit_, &self.change_credit_, &self.wheel_load_n_mm_,
                          &self.load_height_mm_})
@@ -328,7 +330,7 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
             std::fabs(length2 - 1.0) < 1e-9 && std::isfinite(hand.mean_distance_mm) &&
             is_between(hand.wobble_mm.x, -10.0, 10.0) && is_between(hand.wobble_mm.y, -10.0, 10.0) &&
             std::isfinite(hand.previous_position_mm.x) && std::isfinite(hand.previous_position_mm.y) &&
-            std::isfinite(hand.previous_position_mm.z);
+            std::isfinite(hand.previous_position_mm.z) && std::isfinite(hand.slow_height_mm);
         if (!sound) return "hand: expected a known side, a unit direction and finite numbers";
     }
     if (!is_between(clay.film_, 0.0, 1.0) || !is_between(clay.tend_credit_, 0.0, 1e6) ||
