@@ -211,7 +211,7 @@ namespace {
 constexpr double kPressedWalls = 4.0;
 constexpr double kLeastPressedMm = 12.0;
 
-// Clay that carries on a smaller area than the rim's gives way so much faster at most.
+// Where the area is smaller than the rim's the stress is larger; it counts up to so many times.
 constexpr double kMostStress = 4.0;
 
 // Clay that gets flat resists: fully yielding up to the first of the two, not at all from the second on.
@@ -253,9 +253,11 @@ Changed press_rim(Rings& rings, const Contact& contact, double share,
     int first = rings.count;
     double weighed_mm = 0.0;
     double pressed_mm3 = 0.0;
-    while (first > 0 && rings.is_hollow(first - 1) == hollow && weight_of(first - 1) > 0.0) {
+    while (first > 0 && rings.is_hollow(first - 1) == hollow) {
+        const double weight = weight_of(first - 1);
+        if (!(weight > 0.0)) break;
         --first;
-        weighed_mm += weight_of(first) * rings.height_mm[at(first)];
+        weighed_mm += weight * rings.height_mm[at(first)];
         pressed_mm3 += rings.volume_mm3[at(first)];
     }
     if (!(weighed_mm > 0.0)) return {};
