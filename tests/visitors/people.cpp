@@ -300,8 +300,7 @@ void hold_still(Person& person) {
 
 }  // namespace
 
-Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
-                  const std::function<void()>& released) {
+Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig) {
     Person person(seed * kKindCount + static_cast<std::uint64_t>(kind), skill, rig,
                   kind == Kind::kLeftHand ? -1.0 : 1.0);
     Visit visit;
@@ -334,7 +333,6 @@ Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& r
     }
     visit.seconds = person.released_s();
     visit.made_s = person.made_s;
-    released();
     person.go_to_done();
     return visit;
 }

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -41,9 +40,7 @@ struct Visit {
     std::vector<dvec2> drawn_mm;  // the outline that was meant, radius and height from below; empty: none
 };
 
-// Throws until they are content or tired, then moves on to the button that ends it, 2.5 s of hovering. The
-// caller may look at the clay between: released() is called after the last release.
-Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
-                  const std::function<void()>& released);
+// Throws until they are content or tired, then moves on to the button that ends it, 2.5 s of hovering.
+Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig);
 
 }  // namespace onggi::visitors

@@ -21,7 +21,6 @@ struct GripSpace {
     std::vector<double> weight;
 };
 
-
 // A wall that is carried: the outer face moves by step_mm at height_mm, less above and below.
 struct Carry {
     double height_mm = 0.0;

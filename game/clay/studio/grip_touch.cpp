@@ -49,7 +49,7 @@ bool is_hollow(const Rings& rings) noexcept {
     return rings.top_mm() - rings.floor_mm() > kHollowMm;
 }
 
-double outer_at(const Rings& rings, double y) noexcept {
+double outer_face_mm(const Rings& rings, double y) noexcept {
     return rings.outer_mm[Rings::at(rings.ring_at(std::clamp(y, 0.0, rings.top_mm())))];
 }
 
@@ -65,9 +65,9 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
     state.landed_top_mm = top;
     for (std::size_t i = 0; i < state.landed_outer_mm.size(); ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(state.landed_outer_mm.size() - 1);
-        state.landed_outer_mm[i] = static_cast<float>(outer_at(rings, share * top));
+        state.landed_outer_mm[i] = static_cast<float>(outer_face_mm(rings, share * top));
     }
-    const double wall = outer_at(rings, finger.y);
+    const double wall = outer_face_mm(rings, finger.y);
     state.offset_mm = wall - state.finger_mm.x;
     state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 6.0 : 60.0;
     state.bottom_mm = is_hollow(rings) ? rings.floor_mm() : top;
@@ -159,7 +159,7 @@ void decide(GripState& state, const Rings& rings) noexcept {
     if (state.grip == Grip::kOpen && is_hollow(rings) && state.bottom_mm <= kFloorMm + 1.0 &&
         state.finger_mm.y > rings.top_mm() && state.finger_mm.y > state.landed_mm.y) {
         state.grip = Grip::kWall;
-        state.offset_mm = outer_at(rings, rings.top_mm()) - state.finger_mm.x;
+        state.offset_mm = outer_face_mm(rings, rings.top_mm()) - state.finger_mm.x;
         state.offset_way_mm = 1e6;
         state.hand_mm = {state.finger_mm.x, rings.top_mm()};
         state.heading = 1.0;
@@ -168,7 +168,7 @@ void decide(GripState& state, const Rings& rings) noexcept {
     }
     const bool works_wall = state.grip == Grip::kWall && state.travel_mm > kStartsAfterMm;
     if (works_wall && !is_hollow(rings) && !state.opens_by_itself) {
-        const bool asks = state.hand_mm.x + state.offset_mm > outer_at(rings, state.hand_mm.y) + 8.0 ||
+        const bool asks = state.hand_mm.x + state.offset_mm > outer_face_mm(rings, state.hand_mm.y) + 8.0 ||
                           state.finger_mm.y > rings.top_mm() + 8.0;
         state.wants_s = asks ? state.wants_s + kGripStepS : 0.0;
         if (state.wants_s > 0.12) {
@@ -184,7 +184,7 @@ GripOutline outline_of(const Rings& rings, double y) noexcept {
     if (last < 0) return {};
     return {.height_mm = rings.top_mm(),
             .floor_mm = rings.floor_mm(),
-            .outer_mm = outer_at(rings, y),
+            .outer_mm = outer_face_mm(rings, y),
             .rim_outer_mm = rings.outer_mm[Rings::at(last)],
             .rim_inner_mm = rings.inner_mm[Rings::at(last)]};
 }

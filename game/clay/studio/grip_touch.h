@@ -68,7 +68,7 @@ double relaxed(double tau_s) noexcept;
 
 bool is_hollow(const Rings& rings) noexcept;
 // Of the ring at that height, the rim's above it.
-double outer_at(const Rings& rings, double y_mm) noexcept;
+double outer_face_mm(const Rings& rings, double y_mm) noexcept;
 
 // A finger comes down at (x, y).
 void land(GripState& state, const Rings& rings, const dvec2& finger_mm) noexcept;

@@ -58,7 +58,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double r = state.finger_mm.x;
     const double down = std::max(state.landed_mm.y - state.finger_mm.y, 0.0);
     const double aside = std::fabs(r - state.landed_mm.x);
-    const double solid = outer_at(rings, 0.5 * rings.top_mm());
+    const double solid = outer_face_mm(rings, 0.5 * rings.top_mm());
     // One and a half times as deep as the finger went, or by itself where it lies still.
     const double wanted = state.landed_top_mm - 1.5 * down;
     double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
@@ -83,7 +83,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
 
 // Solid clay that is asked for what only hollow clay can do: the other hand goes in.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
-    const double widest = 0.45 * outer_at(rings, 0.5 * rings.top_mm());
+    const double widest = 0.45 * outer_face_mm(rings, 0.5 * rings.top_mm());
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
     const bool is_open = deepen(state, rings, 60.0 * kGripStepS * climate.softness,
                                 30.0 * kGripStepS * climate.softness, widest);
@@ -98,7 +98,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     const double top = rings.top_mm();
     const double y = std::clamp(state.hand_mm.y, 0.0, top);
     const bool hollow = is_hollow(rings);
-    const double now = outer_at(rings, y);
+    const double now = outer_face_mm(rings, y);
     double error = 0.0;
     if (state.grip == Grip::kInside) {
         const int ring = rings.ring_at(std::max(y, std::min(rings.floor_mm() + 0.5, top)));
@@ -246,7 +246,7 @@ Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec
     }
     if (state.opens_by_itself) return open_by_itself(state, rings, climate);
     const double top = rings.top_mm();
-    const double now = outer_at(rings, state.hand_mm.y);
+    const double now = outer_face_mm(rings, state.hand_mm.y);
     const double error = state.grip == Grip::kWall ? wall_target(state, rings) - now : 0.0;
     const double before = state.hand_mm.y;
     walk(state, error, top + 1.5);

@@ -1,0 +1,46 @@
+// So many visitors of a kind, one after another on wheels of their own, and what came of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/visitors/judge.h"
+#include "tests/visitors/people.h"
+
+namespace onggi::visitors {
+
+struct Crowd {
+    Kind kind = Kind::kLesson;
+    int count = 1;
+    std::uint64_t first_seed = 1;
+    double mass_g = 1000.0;
+    Skill skill{};
+};
+
+// What one of them left.
+struct Left {
+    std::uint64_t seed = 0;
+    Visit visit;
+    Verdict verdict;
+    bool is_untouched = false;  // since the last release, to the bit
+    double ledger_error_mm3 = 0.0;
+    std::vector<dvec2> outer_mm;  // radius and height, every millimetre
+    std::vector<dvec2> inner_mm;
+};
+
+std::vector<Left> throw_pots(const Crowd& crowd);
+
+// Shares of 1.
+double share_of_pots(const std::vector<Left>& all);
+double share_within_mm(const std::vector<Left>& all, double rms_mm);
+bool all_untouched(const std::vector<Left>& all);
+double median_rms_mm(const std::vector<Left>& all);
+double median_made_s(const std::vector<Left>& all);  // those who never made one count as for ever
+
+// A line for each that is no pot, for who reads the failure.
+std::string words_for(const std::vector<Left>& all);
+
+// Writes their pots as a picture, a row a crowd, half outside and half cut, the outline they meant in white.
+void write_sheet(const std::string& path, const std::vector<std::vector<Left>>& rows);
+
+}  // namespace onggi::visitors
