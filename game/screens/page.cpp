@@ -228,7 +228,16 @@ void Page::name_ring(const Rect& ring, const std::string& name) {
         std::min(most, words_width({.text = name, .size = 26.0F}) * text_scale_ * 1.02F + 44.0F);
     const float x = std::clamp(ring.centre().x - 0.5F * wide, kEdge, width() - kEdge - wide);
     const float above = ring.y - 8.0F - high;
-    const float y = above >= 8.0F ? above : std::min(ring.bottom() + 8.0F, height() - high - 8.0F);
+    const float below = std::min(ring.bottom() + 8.0F, height() - high - 8.0F);
+    const auto hides_words = [&](float at) {
+        return std::any_of(composition_.writings.begin(), composition_.writings.end(),
+                           [&](const Writing& text) {
+                               const Rect common = overlap(Rect{x, at, wide, high}, text.rect);
+                               return common.width > 2.0F && common.height > 3.0F;
+                           });
+    };
+    const bool goes_below = above < 8.0F || (hides_words(above) && !hides_words(below));
+    const float y = goes_below ? below : above;
     ui::Sketch sketch;
     sketch.add(ui::Box{{0.0F, 0.0F, wide, high}, 24.0F, Fill::flat(design::kNight.with_alpha(0.94F))});
     sprite({x, y, wide, high}, std::move(sketch));
