@@ -94,15 +94,13 @@ void Page::across(const Rect& rect, const Colour& left, const Colour& right) {
     box(rect, {left, right, right, left});
 }
 
-void Page::sprite(const Rect& rect, ui::Sketch sketch, int target, Role role, vec2 way) {
+void Page::sprite(const Rect& rect, ui::Sketch sketch, int target) {
     sketch.size = {rect.width, rect.height};
     sketch.px_per_u = composition_.px_per_u;
     Item item;
     item.rect = rect;
     item.painting = store_.get(sketch, item.key);
     item.target = target;
-    item.role = role;
-    item.way = way;
     composition_.items.push_back(std::move(item));
 }
 
@@ -219,7 +217,7 @@ int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::str
     return static_cast<int>(composition_.targets.size()) - 1;
 }
 
-// Above the ring, or below it where there is no room.
+// Above the ring, or below it where there is no room or words stand.
 void Page::name_ring(const Rect& ring, const std::string& name) {
     constexpr float kEdge = 24.0F;
     const float high = 20.0F + 32.0F * text_scale_;
