@@ -31,6 +31,12 @@ Complaint take_word(std::string_view field, const std::array<std::string_view, k
     return std::nullopt;
 }
 
+Complaint take_bit(std::string_view field, bool& bit) {
+    if (field != "0" && field != "1") return "0 or 1";
+    bit = field == "1";
+    return std::nullopt;
+}
+
 constexpr std::array<std::string_view, 4> kTools{"hand", "rib", "sponge", "trimmer"};
 constexpr std::array<std::string_view, 4> kSides{"auto", "outer", "inner", "rim"};
 constexpr std::array<std::string_view, 3> kWires{"none", "rim", "off"};
@@ -78,6 +84,10 @@ std::optional<std::string> take_field(GestureColumn column, std::string_view fie
             return take_number(field, kMinToolRadiusMm, kMaxToolRadiusMm, second.radius_mm);
         case GestureColumn::kSecondTool:
             return take_word(field, kTools, second.tool);
+        case GestureColumn::kGuided:
+            return take_bit(field, tool.guided);
+        case GestureColumn::kPressing:
+            return take_bit(field, tool.pressing);
         case GestureColumn::kNotOurs:
             break;
     }

@@ -27,13 +27,16 @@ enum class GestureColumn {
     kSecondZ,
     kSecondRadius,  // mm; without the column as large as the first
     kSecondTool,    // as tool
+    kGuided,        // 0 or 1: the place is a finger's, which skilled hands follow
+    kPressing,      // 0 or 1: without it no hand is in the clay
     kNotOurs,
 };
 
 // The columns' names, kNotOurs excepted, in the order of the numbers.
-constexpr std::array<std::string_view, 13> kGestureColumns{
-    "tool",      "side",       "water",      "wheel_rev_min", "assist_gap_mm",   "shaft_mm",  "wire",
-    "wire_y_mm", "hand2_x_mm", "hand2_y_mm", "hand2_z_mm",    "hand2_radius_mm", "hand2_tool"};
+constexpr std::array<std::string_view, 15> kGestureColumns{
+    "tool",       "side",      "water",      "wheel_rev_min", "assist_gap_mm", "shaft_mm",
+    "wire",       "wire_y_mm", "hand2_x_mm", "hand2_y_mm",    "hand2_z_mm",    "hand2_radius_mm",
+    "hand2_tool", "guided",    "pressing"};
 
 [[nodiscard]] GestureColumn gesture_column(std::string_view name);
 

@@ -43,8 +43,8 @@ struct ToolState {
     WireCommand wire = WireCommand::kNone;
     double wire_height_mm = 0.0;         // 0 to 1000
     double wheel_speed_rev_min = 120.0;  // of the pedal while the button is held; 0 to 300
-    // The assist holds a second hand opposite the first, their surfaces so far apart; 0: it does not. Taken
-    // only where there is no second hand. At most 60.
+    // The assist holds a second hand opposite the first, their surfaces no nearer than this; 0: it does not.
+    // Taken only where there is no second hand. At most 60.
     double assist_gap_mm = 0.0;
     double shaft_mm = 0.0;  // radius of what carries an inside tool from above; 0 to 40
     SecondHand second{};

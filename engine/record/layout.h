@@ -49,7 +49,7 @@ enum class RecordKind : std::uint8_t {
     kTool = 1,      // x, y, z, radius (doubles, mm), button (byte): one tick
     kPosition = 2,  // x, y, z: one tick, the rest as in the tick before
     kRepeat = 3,    // how many (16 bits, at least 1): so many ticks more like the last
-    // From version 1.1 on:
+    // Of the studio's clay alone:
     kStudioTool = 4,     // a tool with all it says to a clay with an inside (tool_bytes.h): one tick
     kBothPositions = 5,  // both hands' x, y, z: one tick, the rest as in the tick before
 };

@@ -13,8 +13,9 @@ namespace onggi::record {
 
 // Not text, and spoilt by every kind of line-end conversion.
 constexpr std::string_view kMagic{"\x89ONGGI\r\n", 8};
-constexpr std::uint16_t kMajorVersion = 1;
-constexpr std::uint16_t kMinorVersion = 1;     // the newest; a session of the paper's clay needs none but 0
+// What is added raises the minor version, and the older ones stay readable: README.md says how.
+constexpr std::uint16_t kMajorVersion = 2;
+constexpr std::uint16_t kMinorVersion = 0;
 constexpr std::uint32_t kHashInterval = 1000;  // ticks; a state hash, and a block, every so many
 
 // What a file may hold at most; more is damage or malice, not a session.

@@ -81,7 +81,6 @@ class SessionReader {
     std::string_view name_;
     Session session_;
     std::size_t at_ = 0;
-    std::uint16_t minor_version_ = 0;
     bool cut_ = false;  // the file ends before its end marker
 };
 
@@ -91,7 +90,9 @@ std::optional<Error> SessionReader::check_version() const {
     if (major == kMajorVersion && minor <= kMinorVersion) return std::nullopt;
     const bool newer = major >= kMajorVersion;  // an equal one got here by its minor version
     return wrong(header_at::kMajor, fmt::format("a session of version {}.{}", kMajorVersion, kMinorVersion),
-                 fmt::format("{}.{}{}", major, minor, newer ? ", written by a newer program" : ""));
+                 fmt::format("{}.{}, {}", major, minor,
+                             newer ? "written by a newer program"
+                                   : "recorded before hands could let go: record it anew"));
 }
 
 Result<void> SessionReader::read_header() {
@@ -111,7 +112,6 @@ Result<void> SessionReader::read_header() {
                                                   header_at::kSize, header_at::kSize)) {
         return *error;
     }
-    minor_version_ = number_at<std::uint16_t>(header_at::kMinor);
     SessionHeader& header = session_.header_;
     header.rate_hz = get_double(session_.at(header_at::kRate));
     if (!(header.rate_hz >= kMinSessionRateHz && header.rate_hz <= kMaxSessionRateHz)) {
@@ -284,16 +284,16 @@ std::optional<Error> SessionReader::check_tool(RecordKind kind, std::size_t at) 
 }
 
 Result<void> SessionReader::check_records(std::size_t from, std::size_t to, std::uint32_t tick_count) const {
+    const bool is_studio = session_.header_.clay_model == ClayModel::kStudio;
     std::uint32_t ticks = 0;
     for (std::size_t at = from; at < to;) {
         const auto kind = static_cast<RecordKind>(get<std::uint8_t>(session_.at(at)));
-        const bool opens =
-            kind == RecordKind::kTool || (kind == RecordKind::kStudioTool && minor_version_ >= 1);
+        const bool opens = kind == RecordKind::kTool || (kind == RecordKind::kStudioTool && is_studio);
         if (at == from && !opens) {
             return wrong_at(at, "a tool record to open the block",
                             fmt::format("kind {}", static_cast<int>(kind)));
         }
-        const bool known = kind <= RecordKind::kRepeat || minor_version_ >= 1;
+        const bool known = kind <= RecordKind::kRepeat || is_studio;
         const std::size_t size = known ? record_bytes(kind) : 0;
         if (size == 0) return wrong_at(at, "a record's kind", fmt::format("{}", static_cast<int>(kind)));
         ++at;

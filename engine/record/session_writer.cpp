@@ -39,18 +39,13 @@ Result<void> check_header(const SessionHeader& header, std::size_t start_state_b
     return {};
 }
 
-// The oldest version that has all that this session may hold: older readers keep reading the paper's.
-std::uint16_t minor_version(const SessionHeader& header) {
-    return header.clay_model == ClayModel::kStudio ? kMinorVersion : std::uint16_t{0};
-}
-
 std::vector<std::byte> header_bytes(const SessionHeader& header, std::span<const std::byte> start_state) {
     std::vector<std::byte> bytes;
     bytes.reserve(header_at::kSize);
     for (const char c : kMagic)
         bytes.push_back(static_cast<std::byte>(c));
     put(bytes, kMajorVersion);
-    put(bytes, minor_version(header));
+    put(bytes, kMinorVersion);
     put(bytes, static_cast<std::uint32_t>(header_at::kSize));
     put(bytes, header.rate_hz);
     put(bytes, header.element_count);
@@ -108,7 +103,8 @@ bool same_settings(const haptics::ToolState& a, const haptics::ToolState& b) {
            same_bits(a.wheel_speed_rev_min, b.wheel_speed_rev_min) &&
            same_bits(a.assist_gap_mm, b.assist_gap_mm) && same_bits(a.shaft_mm, b.shaft_mm) &&
            a.second.present == b.second.present && a.second.tool == b.second.tool &&
-           same_bits(a.second.radius_mm, b.second.radius_mm);
+           same_bits(a.second.radius_mm, b.second.radius_mm) && a.guided == b.guided &&
+           a.pressing == b.pressing;
 }
 
 // Nothing but what a plain tool record holds.

@@ -42,8 +42,9 @@ struct Choice {
     std::string_view what;
     unsigned most;
 };
-constexpr std::array kChoices{Choice{"a button", 1}, Choice{"a tool", 3},        Choice{"a side", 3},
-                              Choice{"a wire", 2},   Choice{"a second hand", 1}, Choice{"a second tool", 3}};
+constexpr std::array kChoices{
+    Choice{"a button", 1},      Choice{"a tool", 3},        Choice{"a side", 3},       Choice{"a wire", 2},
+    Choice{"a second hand", 1}, Choice{"a second tool", 3}, Choice{"being guided", 1}, Choice{"pressing", 1}};
 
 constexpr std::size_t kChoicesAt = kBothPositionsBytes + kNumbers.size() * 8;
 static_assert(kChoicesAt + kChoices.size() == kStudioToolBytes);
@@ -73,9 +74,10 @@ void put_studio_tool(std::vector<std::byte>& bytes, const ToolState& tool) {
     put_both_positions(bytes, tool);
     for (const double* number : numbers_of(tool))
         put(bytes, *number);
-    for (const unsigned choice : {unsigned{tool.wheel_button}, static_cast<unsigned>(tool.tool),
-                                  static_cast<unsigned>(tool.side), static_cast<unsigned>(tool.wire),
-                                  unsigned{tool.second.present}, static_cast<unsigned>(tool.second.tool)})
+    for (const unsigned choice :
+         {unsigned{tool.wheel_button}, static_cast<unsigned>(tool.tool), static_cast<unsigned>(tool.side),
+          static_cast<unsigned>(tool.wire), unsigned{tool.second.present},
+          static_cast<unsigned>(tool.second.tool), unsigned{tool.guided}, unsigned{tool.pressing}})
         bytes.push_back(static_cast<std::byte>(choice));
 }
 
@@ -98,6 +100,8 @@ ToolState get_studio_tool(const std::byte* bytes) noexcept {
     tool.wire = static_cast<haptics::WireCommand>(byte_at(bytes, 3));
     tool.second.present = byte_at(bytes, 4) == 1;
     tool.second.tool = static_cast<haptics::ToolKind>(byte_at(bytes, 5));
+    tool.guided = byte_at(bytes, 6) == 1;
+    tool.pressing = byte_at(bytes, 7) == 1;
     return tool;
 }
 

@@ -1,6 +1,7 @@
 // A tool with all that speaks to a clay with an inside, as bytes. Little-endian: both hands' x, y, z; both
 // radii, the assist's gap, the wire's height, the wheel's speed, the shaft, the water (doubles); button,
-// tool, side, wire, whether there is a second hand, its tool (bytes). Reading is fit for the tick.
+// tool, side, wire, whether there is a second hand, its tool, whether the hand is guided, whether it presses
+// (bytes). Reading is fit for the tick.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 namespace onggi::record {
 
 constexpr std::size_t kBothPositionsBytes = 6 * 8;
-constexpr std::size_t kStudioToolBytes = kBothPositionsBytes + 7 * 8 + 6;
+constexpr std::size_t kStudioToolBytes = kBothPositionsBytes + 7 * 8 + 8;
 
 void put_studio_tool(std::vector<std::byte>& bytes, const haptics::ToolState& tool);
 void put_both_positions(std::vector<std::byte>& bytes, const haptics::ToolState& tool);

@@ -124,13 +124,15 @@ DemonstrationHand::DemonstrationHand(std::unique_ptr<haptics::SimulatedDevice> p
     }
 }
 
-// Between two ticks of the recording the hands go straight on; all else holds until the next.
+// Between two ticks of the recording the hands go straight on, but not to where they land or let go; all else
+// holds until the next.
 haptics::ToolState DemonstrationHand::at(Player& player, std::uint64_t tick) noexcept {
     const double recorded = static_cast<double>(tick) * player.ticks_a_tick;
     const auto before = static_cast<std::uint64_t>(recorded);
     const double share = recorded - static_cast<double>(before);
     haptics::ToolState tool = player.now.at(before);
     const haptics::ToolState next = player.next.at(before + 1);
+    if (tool.pressing != next.pressing || tool.guided != next.guided) return tool;
     tool.position_mm = glm::mix(tool.position_mm, next.position_mm, share);
     if (tool.second.present && next.second.present)
         tool.second.position_mm = glm::mix(tool.second.position_mm, next.second.position_mm, share);

@@ -98,11 +98,15 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "  side             auto, outer, inner or rim: where a hand that comes to the clay means to be\n"
         "  water            0 dry to 1 dripping: hands that slide, a sponge that gives\n"
         "  wheel_rev_min    0 to 300: speed while the button is 1 (120)\n"
-        "  assist_gap_mm    0 to 60: between the hand and a second one held opposite; 0 none\n"
+        "  assist_gap_mm    0 to 60: least gap to a second hand, which squeezes on the way up; 0 none\n"
         "  shaft_mm         0 to 40: radius of the arm that holds an inside tool from above\n"
         "  wire, wire_y_mm  none, rim (cut it level) or off (cut the pot off), and at which height\n"
         "  hand2_x_mm, hand2_y_mm, hand2_z_mm, and if wanted hand2_radius_mm, hand2_tool: the second hand,\n"
         "                   absent where its place is empty\n"
+        "  guided           0 or 1: x, y are a finger on the upright plane z = 0 through the axis, and two "
+        "skilled\n"
+        "                   hands follow it; 0 a ball in the clay (0)\n"
+        "  pressing         0 or 1: hands that do not press are not in the clay, wherever they are (1)\n"
         "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.");
 }
 

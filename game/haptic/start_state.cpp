@@ -1,6 +1,6 @@
 // Layout, little-endian. The paper's clay: "HST1"; c1, c2, c3, K turning, K standing, wheel speed, minimum
 // radius; the wheel's cosine and sine; the tool's x, y, z and radius (doubles); its button (32 bits); ticks
-// (64 bits); the clay. The studio's clay: "HST2"; its parameters (doubles, yes and no as 1 and 0); the tool
+// (64 bits); the clay. The studio's clay: "HST3"; its parameters (doubles, yes and no as 1 and 0); the tool
 // (tool_bytes); ticks (64 bits); the clay, with its wheel.
 #include "game/haptic/start_state.h"
 
@@ -17,7 +17,7 @@ namespace onggi::haptic {
 namespace {
 
 constexpr std::uint32_t kPaperTag = 0x31545348;   // "HST1"
-constexpr std::uint32_t kStudioTag = 0x32545348;  // "HST2"
+constexpr std::uint32_t kStudioTag = 0x33545348;  // "HST3"
 constexpr std::size_t kDoubles = 7 + 2 + 4;
 constexpr std::size_t kButtonAt = 4 + kDoubles * 8;
 constexpr std::size_t kTicksAt = kButtonAt + 4;

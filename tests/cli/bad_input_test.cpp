@@ -119,14 +119,20 @@ TEST(ABadSession, IsRefusedWithTheOffset) {
     std::string flipped = whole;
     flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 0x10);
     std::string newer = whole;
-    newer[8] = 2;
+    newer[8] = 3;
+    std::string older = whole;
+    older[8] = 1;
     std::string wrong_size = whole;
     wrong_size[24] = 0x7f;
     const std::pair<std::string, std::string> cases[] = {
         {whole.substr(0, 40), "byte 40: expected a header of 72 bytes, found the end of the file"},
         {whole.substr(0, 200), "byte 200: expected"},
         {flipped, ": expected the checksum"},
-        {newer, "byte 8: expected a session of version 1.1, found 2.0, written by a newer program"},
+        {newer, "byte 8: expected a session of version 2.0, found 3.0, written by a newer program"},
+        {older,
+         "byte 8: expected a session of version 2.0, found 1.0, recorded before hands could let go: record "
+         "it "
+         "anew"},
         {wrong_size, "byte 68: expected the checksum"},
         {whole + "more", "byte " + std::to_string(whole.size()) + ": expected the end of the file"},
     };

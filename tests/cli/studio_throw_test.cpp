@@ -117,11 +117,35 @@ TEST_F(StudioThrow, IsReplayedToTheBitAndThrownAgainFromItsSession) {
     }
 }
 
+// Down onto the lump twice the same way, once without pressing.
+TEST_F(StudioThrow, LeavesTheClayAloneWhereTheHandDoesNotPress) {
+    put_file(folder_ / "g.csv", kGestureHeaderLine.substr(0, kGestureHeaderLine.size() - 1) +
+                                    ",pressing\n0,0,90,0,1,10,0\n1,0,40,0,1,10,0\n2,0,90,0,1,10,1\n"
+                                    "3,0,40,0,1,10,\n4,0,40,0,1,10,0\n5,0,40,0,1,10,0\n");
+    expect_silent_success(onggi({"throw", "g.csv", "--forces", "f.csv", "--save", "s.onggi"}));
+    const auto lines = lines_of(content_of(folder_ / "f.csv"));
+    ASSERT_EQ(lines.size(), 5002U);
+    std::size_t touching = 0;
+    for (std::size_t tick = 0; tick <= 5000; ++tick) {
+        const std::string& line = lines[1 + tick];
+        const std::string contacts = line.substr(line.find(',', line.find(',') + 1) + 1);
+        if (contacts.starts_with("0,")) continue;
+        ++touching;
+        ASSERT_TRUE(tick >= 2000 && tick < 4000) << line;
+    }
+    EXPECT_GT(touching, 1000U);
+    const ProgramRun replayed = onggi({"replay", "s.onggi", "--validate"});
+    EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+}
+
 TEST_F(StudioThrow, RefusesAColumnItCannotUseWithItsLine) {
     put_file(folder_ / "bad.csv", kGestureHeaderLine.substr(0, kGestureHeaderLine.size() - 1) +
                                       ",tool\n0,1,2,3,0,10,hand\n1,1,2,3,0,10,fork\n");
     expect_one_line(onggi({"throw", "bad.csv"}), 2,
                     "bad.csv:3: tool: expected hand, rib, sponge, trimmer, found 'fork'");
+    put_file(folder_ / "bad.csv", kGestureHeaderLine.substr(0, kGestureHeaderLine.size() - 1) +
+                                      ",guided,pressing\n0,1,2,3,0,10,1,1\n1,1,2,3,0,10,1,maybe\n");
+    expect_one_line(onggi({"throw", "bad.csv"}), 2, "bad.csv:3: pressing: expected 0 or 1, found 'maybe'");
 }
 
 }  // namespace

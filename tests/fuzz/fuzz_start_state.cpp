@@ -50,6 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         tool.tool = static_cast<haptics::ToolKind>(tick % 4);
         tool.assist_gap_mm = tick % 3 == 0 ? 5.0 : 0.0;
         tool.water = 0.5;
+        tool.guided = tick >= 8;
+        tool.pressing = tick % 6 != 5;
         tool.wire = tick == 15 ? haptics::WireCommand::kCutRim : haptics::WireCommand::kNone;
         tool.wire_height_mm = 10.0;
         const auto result = haptic::tick(start->state, tool, start->parameters);

@@ -33,7 +33,8 @@ std::string words_for(const std::optional<Difference>& difference) {
            difference->what;
 }
 
-constexpr std::array kSessions{"vase-100hz.onggi", "touch-still-300hz.onggi", "two-hands-250hz.onggi"};
+constexpr std::array kSessions{"vase-100hz.onggi", "touch-still-300hz.onggi", "two-hands-250hz.onggi",
+                               "one-finger-250hz.onggi"};
 
 TEST(StoredSession, ReplaysToTheBitInThisBuild) {
     for (const char* name : kSessions) {
@@ -91,7 +92,33 @@ TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     EXPECT_GT(clay.ledger().slip_mm3, 0.0);
     EXPECT_TRUE(clay.is_cut_off());
     EXPECT_EQ(clay.ledger_error_mm3(), 0.0);
-    EXPECT_EQ(fmt::format("{:016x}", start.state.hash()), "c83f317724666d09");
+    EXPECT_EQ(fmt::format("{:016x}", start.state.hash()), "0327bec9cc72ff71");
+}
+
+// A finger that lands and lifts: what is recorded says when it was in the clay, wherever it stood.
+TEST(StoredSession, OfOneFingerLeavesTheClayAloneWhereItDoesNotPress) {
+    LoadedSession session = loaded(stored("one-finger-250hz.onggi"));
+    haptic::Start& start = session.start;
+    record::SessionCursor hands(session.session);
+    int landings = 0;
+    std::uint64_t touching = 0;
+    haptics::ToolState before;
+    before.pressing = false;
+    for (std::uint64_t tick = 0; tick < session.session.tick_count(); ++tick) {
+        const haptics::ToolState tool = hands.at(tick);
+        const haptic::TickResult result = haptic::tick(start.state, tool, start.parameters);
+        if (tool.guided && tool.pressing && !before.pressing) ++landings;
+        const bool touches = result.forces.contacts > 0 || result.grip.grip != clay::studio::Grip::kNone;
+        if (touches) ++touching;
+        if (!tool.pressing) {
+            ASSERT_FALSE(touches) << tick;
+            ASSERT_EQ(result.forces.total_n(), dvec3(0.0)) << tick;
+        }
+        before = tool;
+    }
+    EXPECT_EQ(landings, 7);
+    EXPECT_GT(touching, 1000U);
+    EXPECT_EQ(start.state.studio()->ledger_error_mm3(), 0.0);
 }
 
 // What is taken back leaves no trace in a session; but whoever takes back and does it again is where he was.

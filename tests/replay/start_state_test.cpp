@@ -16,13 +16,16 @@ haptics::ToolState tool_at(std::uint64_t tick) {
             .wheel_button = tick % 200 < 150};
 }
 
-// Two hands in a studio lump, the first coming down at the axis.
+// Two hands in a studio lump, the first coming down at the axis, later as a finger's; now and then they let
+// go.
 haptics::ToolState studio_tool_at(std::uint64_t tick) {
     const double t = static_cast<double>(tick) / 1000.0;
     haptics::ToolState tool{
         .position_mm = {10.0 * t, 60.0 - 15.0 * t, 0.0}, .radius_mm = 9.0, .wheel_button = tick % 500 < 450};
     tool.water = 1.0;
     tool.second = {.present = tick > 300, .position_mm = {-45.0, 15.0, 0.0}};
+    tool.guided = tick > 700;
+    tool.pressing = tick % 200 < 190;
     return tool;
 }
 
@@ -63,32 +66,37 @@ TEST(StartState, IsTheSameBytesBackAgain) {
 }
 
 // A studio lump somewhere in the middle of being thrown.
-Start a_studio_start() {
+Start a_studio_start(std::uint64_t ticks = 777) {
     Start start{HapticState(clay::StudioClay({.mass_g = 300.0, .rings = 400, .sectors = 32})), {}};
     start.parameters.set_rate_hz(1000.0);
     start.parameters.studio.wheel = clay::studio::kick_wheel();
     start.parameters.studio.forgiving = true;
-    for (std::uint64_t tick = 0; tick < 777; ++tick)
+    for (std::uint64_t tick = 0; tick < ticks; ++tick)
         haptic::tick(start.state, studio_tool_at(tick), start.parameters);
     return start;
 }
 
+// With a ball in the clay, with a finger on it, and with a finger that has just let go.
 TEST(StudioStartState, GoesOnAsIfNothingHadHappened) {
-    Start original = a_studio_start();
-    const auto bytes = start_state_bytes(original.state, original.parameters);
-    auto copy = start_from_bytes(bytes, 1000.0);
-    ASSERT_TRUE(copy) << copy.error().message;
-    EXPECT_TRUE(start_state_bytes(copy->state, copy->parameters) == bytes);
-    EXPECT_EQ(copy->state.hash(), original.state.hash());
-    EXPECT_EQ(copy->state.tool, original.state.tool);
-    EXPECT_FALSE(copy->parameters.studio.wheel.can_brake);
-    EXPECT_TRUE(copy->parameters.studio.forgiving);
-    for (std::uint64_t tick = 777; tick < 3000; ++tick) {
-        const auto a = haptic::tick(original.state, studio_tool_at(tick), original.parameters);
-        const auto b = haptic::tick(copy->state, studio_tool_at(tick), copy->parameters);
-        ASSERT_EQ(a.forces.total_n(), b.forces.total_n()) << tick;
+    for (const std::uint64_t ticks : {std::uint64_t{555}, std::uint64_t{777}, std::uint64_t{795}}) {
+        Start original = a_studio_start(ticks);
+        const auto bytes = start_state_bytes(original.state, original.parameters);
+        auto copy = start_from_bytes(bytes, 1000.0);
+        ASSERT_TRUE(copy) << copy.error().message;
+        EXPECT_TRUE(start_state_bytes(copy->state, copy->parameters) == bytes);
+        EXPECT_EQ(copy->state.hash(), original.state.hash());
+        EXPECT_EQ(copy->state.tool, original.state.tool);
+        EXPECT_EQ(copy->state.tool.guided, ticks > 700);
+        EXPECT_EQ(copy->state.tool.pressing, ticks < 790);
+        EXPECT_FALSE(copy->parameters.studio.wheel.can_brake);
+        EXPECT_TRUE(copy->parameters.studio.forgiving);
+        for (std::uint64_t tick = ticks; tick < 3000; ++tick) {
+            const auto a = haptic::tick(original.state, studio_tool_at(tick), original.parameters);
+            const auto b = haptic::tick(copy->state, studio_tool_at(tick), copy->parameters);
+            ASSERT_EQ(a.forces.total_n(), b.forces.total_n()) << tick;
+        }
+        EXPECT_EQ(copy->state.hash(), original.state.hash());
     }
-    EXPECT_EQ(copy->state.hash(), original.state.hash());
 }
 
 TEST(RejectsStudioStartState, WhatNoTickCouldHaveLeft) {
@@ -102,9 +110,12 @@ TEST(RejectsStudioStartState, WhatNoTickCouldHaveLeft) {
     };
     EXPECT_NE(refusal(0, 'X').find("tag"), std::string::npos);
     EXPECT_NE(refusal(4 + 7, 0xff).find("flow time"), std::string::npos) << refusal(4 + 7, 0xff);
-    const std::size_t tool_at = bytes.size() - original.state.studio()->start_state().size() - 8 - 110;
+    constexpr std::size_t kToolBytes = 112;
+    const std::size_t tool_at = bytes.size() - original.state.studio()->start_state().size() - 8 - kToolBytes;
     EXPECT_NE(refusal(tool_at + 7, 0x7f).find("tool"), std::string::npos) << refusal(tool_at + 7, 0x7f);
-    EXPECT_NE(refusal(tool_at + 110 + 8, 'X').find("studio clay start state, tag"), std::string::npos);
+    EXPECT_NE(refusal(tool_at + kToolBytes - 1, 2).find("tool: expected pressing of 0 to 1, found 2"),
+              std::string::npos);
+    EXPECT_NE(refusal(tool_at + kToolBytes + 8, 'X').find("studio clay start state, tag"), std::string::npos);
     for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{200}, bytes.size() - 1}) {
         EXPECT_FALSE(start_from_bytes(std::span(bytes).first(size), 1000.0)) << size;
     }

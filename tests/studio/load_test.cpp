@@ -248,7 +248,9 @@ TEST(Slump, DryHandsTearAThinWetWallOff) {
     bench.wall(30.0, 1.6, 12.0, 90.0, 900);
     bench.parameters.friction_dry = 1.5;  // a hand that sticks
     bench.parameters.largest_force_n = 100.0;
-    bench.input.assist_gap_mm = 0.2;
+    // Two hands of one's own, 0.2 mm apart: the assist would not squeeze where nobody climbs.
+    bench.input.has_second = true;
+    bench.input.second.position_mm = {17.8, 70.05, 0.0};
     bench.at(45.0, 70.05);
     bench.move({38.0, 70.05, 0.0}, 0.5);
     bench.hold(4.0);

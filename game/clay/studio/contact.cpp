@@ -20,6 +20,7 @@ Contact::Contact(int capacity)
       residual_mm(Rings::at(capacity), 0.0),
       field(Rings::at(capacity), 0.0),
       met(Rings::at(capacity), 0.0),
+      held(Rings::at(capacity), 0.0),
       place_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
       mean_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
       outer_step_mm(Rings::at(capacity), 0.0F),
@@ -35,16 +36,31 @@ double residual_at(const Rings& rings, int i, double turn) noexcept {
            part * static_cast<double>(row[(below + 1) & mask]);
 }
 
-double support_at(const Rings& rings, int i, double y, const Hand& other) noexcept {
+Backing backing_at(const Rings& rings, int i, double y, const Hand& other) noexcept {
     const double dy = y - other.position_mm.y;
     const double square = (other.radius_mm - dy) * (other.radius_mm + dy);
-    if (square <= 0.0) return 0.0;
-    if (other.is_assist) return 1.0;
+    if (square <= 0.0) return {};
     const double half_width = std::sqrt(square);
-    const double gap = other.side == Side::kIn
-                           ? rings.inner_mm[Rings::at(i)] - (other.distance_mm + half_width)
-                           : other.distance_mm - half_width - rings.outer_mm[Rings::at(i)];
-    return gap <= 0.0 ? 1.0 : gap >= 1.0 ? 0.0 : 1.0 - gap;
+    const double depth = other.side == Side::kIn
+                             ? other.distance_mm + half_width - rings.inner_mm[Rings::at(i)]
+                             : rings.outer_mm[Rings::at(i)] - (other.distance_mm - half_width);
+    return {.held = other.is_assist ? 1.0 : std::clamp(1.0 + depth, 0.0, 1.0),
+            .depth_mm = depth > 0.0 ? depth : 0.0};
+}
+
+double resting_distance_mm(const Rings& rings, Side side, double y, double r1) noexcept {
+    const bool inside = side == Side::kIn;
+    Rings::Range range = rings.rings_between(y - r1, y + r1);
+    if (inside) range.first = std::max(range.first, rings.first_hollow);
+    const double sign = inside ? -1.0 : 1.0;
+    const std::vector<double>& face = inside ? rings.inner_mm : rings.outer_mm;
+    double reach = sign * face[Rings::at(rings.ring_at(y))];
+    for (int i = range.first; i < range.end; ++i) {
+        const double dy = rings.centre_mm(i) - y;
+        const double square = (r1 - dy) * (r1 + dy);
+        reach = std::max(reach, sign * face[Rings::at(i)] + std::sqrt(square > 0.0 ? square : 0.0));
+    }
+    return sign * reach;
 }
 
 namespace {

@@ -23,7 +23,8 @@ struct Contact {
     std::vector<double> push_mm;  // x, of the mean circle against the mean hand, beyond the yield: what flows
     std::vector<double> residual_mm;  // w where the hand is; told only where has_rough_rows
     std::vector<double> field;        // the part of x that moves the wall as a whole
-    std::vector<double> met;          // how much of a push the other hand meets, 0 to 1
+    std::vector<double> met;          // how much of a push the other hand pushes back, 0 to 1
+    std::vector<double> held;         // whether it is there at all, 0 to 1
     // Of the wall field, entry k of its own range: y and R for the slope, how the two faces move.
     std::vector<float> place_mm;
     std::vector<float> mean_mm;
@@ -50,9 +51,19 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
 // The residual w of a ring where the hand is, between the two sectors' middles.
 double residual_at(const Rings& rings, int i, double turn) noexcept;
 
-// How much of a push on ring i is met by the other hand: 1 where its surface touches the opposite face, 0
-// from 1 mm away.
-double support_at(const Rings& rings, int i, double y_mm, const Hand& other) noexcept;
+// The other hand, across ring i.
+struct Backing {
+    double held = 0.0;      // 1 where its surface touches the opposite face, 0 from 1 mm away
+    double depth_mm = 0.0;  // how far its surface is beyond that face
+};
+
+// An assist is a whole hand: what is within its reach is held, however its ball lies against a slope.
+Backing backing_at(const Rings& rings, int i, double y_mm, const Hand& other) noexcept;
+
+// How far from the axis the middle of a ball is that just touches the face on that side, kOut or kIn, with
+// its middle at that height. Only hollow rings have an inner face. Less than 0 where the hollow is too
+// narrow.
+double resting_distance_mm(const Rings& rings, Side side, double y_mm, double radius_mm) noexcept;
 
 // How firmly a wall stands on the floor at that height: 0 at the floor, 1 from 0.7 t above it.
 inline double tie_to_floor(double above_floor_mm, double wall_mm) {

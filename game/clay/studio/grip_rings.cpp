@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/clay/studio/volume_grid.h"
+#include "game/clay/studio/grip_touch.h"
+#include "game/clay/studio/spare_clay.h"
 
 namespace onggi::clay::studio {
 namespace {
@@ -19,8 +20,6 @@ constexpr double kFootZoneMm = 6.0;
 constexpr double kFairestFootMm = 0.25;  // the same, of a foot that follows the wall above it
 constexpr double kFairestStepMm = 0.1;   // of a slope that is brought back while nothing else moves there
 constexpr int kSlopeReachRings = 24;     // to either side, of a slope
-constexpr double kLargestGive = 0.02;    // of a ring's clay that may come or go in one step
-constexpr double kGiveReachMm = 30.0;
 
 double middle_mm(const Rings& rings, int i) {
     return 0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]);
@@ -32,121 +31,6 @@ double slope_at(const Rings& rings, int i) {
     const int high = std::min(i + kSlopeReachRings, rings.count - 1);
     const double rise = rings.centre_mm(high) - rings.centre_mm(low);
     return rise > 1e-6 ? (rings.outer_mm[at(high)] - rings.outer_mm[at(low)]) / rise : 0.0;
-}
-
-// The thinnest that a wall is drawn at that height.
-double thinnest_mm(const Rings& rings, double y) {
-    const double floor = rings.floor_mm();
-    const double depth = std::max(rings.top_mm() - floor, 1.0);
-    const double s = std::clamp((y - floor) / depth, 0.0, 1.0);
-    return kThinnestAtFloorMm + s * (kThinnestAtRimMm - kThinnestAtFloorMm);
-}
-
-// A thick wall is no neck: it keeps a bore that fingers find again.
-double narrowest_bore(double wall) {
-    constexpr double kThinEnoughMm = 10.0;
-    constexpr double kPerMm = 0.8;
-    return kNarrowestBoreMm + kPerMm * std::clamp(wall - kThinEnoughMm, 0.0, 10.0);
-}
-
-// Takes ring i to those radii at the height it has; what does not fit is returned, less than nothing where
-// clay is missing.
-double reshape(Rings& rings, int i, double outer, double inner) {
-    const double height = rings.height_mm[at(i)];
-    const double before = rings.volume_mm3[at(i)];
-    const double volume = on_grid(std::numbers::pi * height * ((outer - inner) * (outer + inner)));
-    if (!(volume > 0.0)) return 0.0;
-    rings.outer_mm[at(i)] = outer;
-    rings.inner_mm[at(i)] = inner;
-    rings.volume_mm3[at(i)] = volume;
-    rings.height_mm[at(i)] = ring_height_mm(volume, outer, inner);
-    return before - volume;
-}
-
-// Clay that came free (above 0) or is missing goes into walls near by or comes out of thick ones; what they
-// do not bear changes the heights of all hollow clay evenly. Returns the rings that changed.
-Changed share_out(Rings& rings, GripSpace& space, double y, double free_mm3) {
-    if (free_mm3 == 0.0) return {};
-    const bool gives = free_mm3 > 0.0;
-    const int first = rings.first_hollow;
-    // Solid clay rises or sinks as a whole.
-    if (first >= rings.count) {
-        const double whole = rings.on_wheel_mm3();
-        double left = free_mm3;
-        for (int i = rings.count - 1; i >= 0; --i) {
-            const double volume = rings.volume_mm3[at(i)];
-            double part = on_grid(std::fabs(free_mm3) * volume / whole);
-            part = gives ? part : -part;
-            if (i == 0) part = left;
-            rings.volume_mm3[at(i)] += part;
-            left -= part;
-        }
-        rings.settle(0, rings.count);
-        return {0, rings.count};
-    }
-    const Rings::Range near = rings.rings_between(y - 2.5 * kGiveReachMm, y + 2.5 * kGiveReachMm);
-    const int from = std::max(first, near.first);
-    double whole = 0.0;
-    for (int i = from; i < near.end; ++i) {
-        const double t = rings.wall_mm(i);
-        const double ri = rings.inner_mm[at(i)];
-        const double dy = (rings.centre_mm(i) - y) * (1.0 / kGiveReachMm);
-        const double fade = 1.0 / ((1.0 + dy * dy) * (1.0 + dy * dy));
-        double want = 0.0;
-        if (gives) {
-            const double q = t * (1.0 / 14.0);
-            const double room = ri - narrowest_bore(t) - 1.0;
-            want = room > 0.0 ? room * ri * rings.height_mm[at(i)] / (1.0 + (q * q) * (q * q)) : 0.0;
-        } else {
-            const double spare = t - 1.25 * thinnest_mm(rings, rings.centre_mm(i));
-            want = spare > 0.0 ? spare * ri * rings.height_mm[at(i)] : 0.0;
-        }
-        space.weight[at(i)] = want * fade;
-        whole += want * fade;
-    }
-    double left = free_mm3;
-    if (whole > 0.0) {
-        const double per_weight = std::fabs(free_mm3) / whole;
-        for (int i = from; i < near.end; ++i) {
-            if (!(space.weight[at(i)] > 0.0)) continue;
-            const double volume = rings.volume_mm3[at(i)];
-            const double part = on_grid(std::min(space.weight[at(i)] * per_weight, kLargestGive * volume));
-            const double taken = std::min(part, std::fabs(left));
-            const double signed_part = gives ? taken : -taken;
-            const double outer = rings.outer_mm[at(i)];
-            const double area = (volume + signed_part) / (std::numbers::pi * rings.height_mm[at(i)]);
-            const double square = outer * outer - area;
-            if (!(square > 0.25)) continue;
-            rings.volume_mm3[at(i)] = volume + signed_part;
-            rings.inner_mm[at(i)] = std::sqrt(square);
-            rings.height_mm[at(i)] = ring_height_mm(rings.volume_mm3[at(i)], outer, rings.inner_mm[at(i)]);
-            left -= signed_part;
-        }
-    }
-    if (left == 0.0) return {from, near.end};
-    // What is over: the hollow clay stands higher or lower by the same share everywhere; all of the clay,
-    // where there is little of it.
-    constexpr double kMostOfHollow = 0.05;
-    const auto sum_from = [&](int ring) {
-        double sum = 0.0;
-        for (int i = ring; i < rings.count; ++i)
-            sum += rings.volume_mm3[at(i)];
-        return sum;
-    };
-    const double hollow_mm3 = sum_from(first);
-    const bool is_much = std::fabs(left) > kMostOfHollow * hollow_mm3;
-    const int lowest = is_much ? 0 : first;
-    const double share = std::fabs(left) / (is_much ? sum_from(0) : hollow_mm3);
-    for (int i = rings.count - 1; i >= lowest; --i) {
-        const double volume = rings.volume_mm3[at(i)];
-        double part = std::min(on_grid(share * volume), std::fabs(left));
-        if (i == lowest) part = std::fabs(left);
-        const double signed_part = gives ? part : -part;
-        rings.volume_mm3[at(i)] += signed_part;
-        left -= signed_part;
-    }
-    rings.settle(lowest, rings.count);
-    return {std::min(lowest, from), rings.count};
 }
 
 // New outer faces wanted_mm for rings [low, high): the inner faces follow at the same heights.
@@ -180,7 +64,7 @@ Changed take_outer(Rings& rings, GripSpace& space, int low, int high, double y) 
         if (!(inner > 0.05)) continue;
         free += reshape(rings, i, outer, inner);
     }
-    return together({low, high}, share_out(rings, space, y, free));
+    return together({low, high}, share_out(rings, space.weight, y, free));
 }
 
 }  // namespace
@@ -420,7 +304,7 @@ Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_share,
         if (!(new_m - 0.5 * new_t > 1.0) || !(new_t > kThinnestWallMm)) continue;
         free += reshape(rings, i, new_m + 0.5 * new_t, new_m - 0.5 * new_t);
     }
-    return together(range, share_out(rings, space, y, free));
+    return together(range, share_out(rings, space.weight, y, free));
 }
 
 Changed soften_lip(Rings& rings, GripSpace& space, double share) noexcept {
@@ -447,7 +331,7 @@ Changed soften_lip(Rings& rings, GripSpace& space, double share) noexcept {
             free += reshape(rings, i, m + 0.5 * t, m - 0.5 * t);
         first = i;
     }
-    return together({first, rings.count}, share_out(rings, space, top - kBelowMm, free));
+    return together({first, rings.count}, share_out(rings, space.weight, top - kBelowMm, free));
 }
 
 }  // namespace onggi::clay::studio

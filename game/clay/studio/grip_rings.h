@@ -8,6 +8,7 @@
 
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/rings.h"
+#include "game/clay/studio/spare_clay.h"
 
 namespace onggi::clay::studio {
 
@@ -20,12 +21,6 @@ struct GripSpace {
     std::vector<double> weight;
 };
 
-// No wall is drawn thinner: at the floor, and at the rim.
-constexpr double kThinnestAtFloorMm = 8.0;
-constexpr double kThinnestAtRimMm = 4.6;
-constexpr double kNarrowestBoreMm = 9.0;
-constexpr double kFloorMm = 11.0;  // that is left when a pot is opened
-constexpr double kWidestGripMm = 135.0;
 
 // A wall that is carried: the outer face moves by step_mm at height_mm, less above and below.
 struct Carry {

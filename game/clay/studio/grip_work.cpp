@@ -10,29 +10,15 @@
 namespace onggi::clay::studio {
 namespace {
 
-constexpr double kStageS = 0.001;
-constexpr double kStepS = kGripStages * kStageS;
-
-constexpr double kFingerS = 0.025;  // low pass: a pointer comes sixty times a second
-constexpr double kTrailMm = 0.5;
-constexpr double kHandMmS = 260.0;
-constexpr double kErrorSlowsFromMm = 4.0;
-constexpr double kErrorSlowsOverMm = 10.0;
-constexpr double kSlowest = 0.12;
-constexpr double kStillMmS = 12.0;  // a finger slower than this lies still
-
 // WALL.
 constexpr double kWallS = 0.05;
 constexpr double kInwardMmS = 96.0;
 constexpr double kOutwardMmS = 160.0;
 constexpr double kConeMmS = 60.0;
-constexpr double kStartsAfterMm = 3.0;
 constexpr double kRestsAfterS = 0.5;
 constexpr double kRestMmS = 4.0;
 constexpr double kRestMm = 4.0;
-constexpr double kNarrowsTo = 0.7;  // of the radius at the beginning of a touch
 constexpr double kBehindMm = 12.0;
-constexpr double kHollowMm = 8.0;
 
 // The rim.
 constexpr double kCatchBelowMm = 3.0;
@@ -43,118 +29,7 @@ constexpr double kTallestPullMm = 225.0;
 constexpr double kStrainPerS = 2.0;
 
 // OPEN.
-constexpr double kThumbsMm = 17.0;
 constexpr double kThickFloorMm = 12.5;
-
-double relaxed(double tau_s) {
-    return relaxed_share(kStepS / tau_s);
-}
-
-double distance(const dvec2& a, const dvec2& b) {
-    const dvec2 way = a - b;
-    return std::sqrt(way.x * way.x + way.y * way.y);
-}
-
-bool is_hollow(const Rings& rings) {
-    return rings.top_mm() - rings.floor_mm() > kHollowMm;
-}
-
-double outer_at(const Rings& rings, double y) {
-    return rings.outer_mm[Rings::at(rings.ring_at(std::clamp(y, 0.0, rings.top_mm())))];
-}
-
-double landed_outer(const GripState& state, double share) {
-    const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(state.landed_outer_mm.size() - 1);
-    const auto low = std::min(static_cast<std::size_t>(place), state.landed_outer_mm.size() - 2);
-    const double part = place - static_cast<double>(low);
-    return (1.0 - part) * static_cast<double>(state.landed_outer_mm[low]) +
-           part * static_cast<double>(state.landed_outer_mm[low + 1]);
-}
-
-void land(GripState& state, const Rings& rings, const dvec2& finger) {
-    const double credit = state.credit_s;
-    state = {};
-    state.credit_s = credit;
-    state.presses = true;
-    state.side = finger.x < 0.0 ? -1.0 : 1.0;
-    state.finger_mm = state.hand_mm = state.landed_mm = {std::fabs(finger.x), finger.y};
-    state.grip = grip_of_touch(outline_of(rings, finger.y), finger);
-    const double top = rings.top_mm();
-    state.landed_top_mm = top;
-    for (std::size_t i = 0; i < state.landed_outer_mm.size(); ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(state.landed_outer_mm.size() - 1);
-        state.landed_outer_mm[i] = static_cast<float>(outer_at(rings, share * top));
-    }
-    const double wall = outer_at(rings, finger.y);
-    state.offset_mm = wall - state.finger_mm.x;
-    state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 6.0 : 60.0;
-    state.bottom_mm = is_hollow(rings) ? rings.floor_mm() : top;
-    state.bore_mm = kThumbsMm;
-    if (state.grip == Grip::kOpen && is_hollow(rings)) {
-        const int above = rings.ring_at(std::min(rings.floor_mm() + kThumbsMm, top));
-        state.bore_mm = std::max(kThumbsMm, rings.inner_mm[Rings::at(above)]);
-    }
-}
-
-void drop_oldest(GripTrail& trail) {
-    trail.first = (trail.first + 1) % GripTrail::kMost;
-    --trail.count;
-}
-
-// The finger as the hands see it, and the way that it leaves for them.
-void follow_finger(GripState& state, const dvec2& finger) {
-    const dvec2 now{std::max(0.0, state.side * finger.x), finger.y};
-    const dvec2 before = state.finger_mm;
-    state.finger_mm += (now - before) * relaxed(kFingerS);
-    const double way = distance(state.finger_mm, before);
-    state.still_s = way < kStillMmS * kStepS ? state.still_s + kStepS : 0.0;
-    GripTrail& trail = state.trail;
-    const auto last = [&]() -> const dvec2& {
-        return trail.point_mm[static_cast<std::size_t>((trail.first + trail.count - 1) % GripTrail::kMost)];
-    };
-    const dvec2& end = trail.count > 0 ? last() : state.hand_mm;
-    if (distance(state.finger_mm, end) < kTrailMm) return;
-    // More than that behind, the oldest way is left out.
-    if (trail.count == GripTrail::kMost) drop_oldest(trail);
-    trail.point_mm[static_cast<std::size_t>((trail.first + trail.count) % GripTrail::kMost)] =
-        state.finger_mm;
-    ++trail.count;
-}
-
-// The hands walk that way, slower where the wall is not where it should be yet. highest_mm: they wait there.
-void walk(GripState& state, double error_mm, double highest_mm) {
-    const double pace =
-        std::clamp(1.0 - (std::fabs(error_mm) - kErrorSlowsFromMm) / kErrorSlowsOverMm, kSlowest, 1.0);
-    double left = kHandMmS * pace * kStepS;
-    GripTrail& trail = state.trail;
-    while (left > 0.0 && trail.count > 0) {
-        const dvec2& next = trail.point_mm[static_cast<std::size_t>(trail.first)];
-        if (next.y > highest_mm && next.y > state.hand_mm.y) {
-            // The rim is not there yet. Where it comes no higher the hands go on to the side.
-            const dvec2 way = next - state.hand_mm;
-            const double part = std::clamp((highest_mm - state.hand_mm.y) / way.y, 0.0, 1.0);
-            const double aside = state.is_spent ? way.x : part * way.x;
-            state.hand_mm.x += std::clamp(aside, -left, left);
-            state.hand_mm.y += std::min(part * way.y, left);
-            if (!state.is_spent || trail.count < 2 || std::fabs(aside) > left) break;
-            left -= std::fabs(aside);
-            drop_oldest(trail);
-            continue;
-        }
-        const double way = distance(next, state.hand_mm);
-        const double step = std::min(way, left);
-        if (way > 1e-9) {
-            const dvec2 move = (next - state.hand_mm) * (step / way);
-            state.hand_mm += move;
-            state.travel_mm += step;
-            const double share = relaxed_share(std::min(step / 4.0, 50.0));
-            state.heading += share * (move.y / std::max(step, 1e-9) - state.heading);
-            state.offset_mm -= state.offset_mm * relaxed_share(std::min(step / state.offset_way_mm, 50.0));
-        }
-        left -= step;
-        if (step >= way) drop_oldest(trail);
-    }
-}
 
 // What the load leaves of a move that thins or widens.
 double load_share(const GripClimate& climate) {
@@ -186,22 +61,22 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double solid = outer_at(rings, 0.5 * rings.top_mm());
     // One and a half times as deep as the finger went, or by itself where it lies still.
     const double wanted = state.landed_top_mm - 1.5 * down;
-    double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kStepS);
+    double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
     const bool lies = state.still_s > 0.15;
-    if (lies) sink = std::max(sink, 28.0 * kStepS);
+    if (lies) sink = std::max(sink, 28.0 * kGripStepS);
     double widest = state.bore_mm;
     double widen = 0.0;
     if (aside > 4.0) {
         widest = std::min(kThumbsMm + aside, 60.0 * climate.size);
-        widen = 55.0 * kStepS;
+        widen = 55.0 * kGripStepS;
     } else if (lies) {
         widest = 0.45 * solid;
-        widen = 15.0 * kStepS;
+        widen = 15.0 * kGripStepS;
     }
     const double grant = load_share(climate) * climate.softness;
     deepen(state, rings, sink * climate.softness, widen * grant, widest);
     state.hand_mm = {std::max(state.bore_mm - kThumbsMm, 0.0), state.bottom_mm + 0.5 * kThumbsMm};
-    state.press_mm = 0.5 + (sink + widen) * 0.1 / kStepS;
+    state.press_mm = 0.5 + (sink + widen) * 0.1 / kGripStepS;
     hold(state, state.bottom_mm, rings.top_mm());
     return open_bore(rings, bore_of(state));
 }
@@ -210,25 +85,13 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
     const double widest = 0.45 * outer_at(rings, 0.5 * rings.top_mm());
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
-    const bool is_open =
-        deepen(state, rings, 60.0 * kStepS * climate.softness, 30.0 * kStepS * climate.softness, widest);
+    const bool is_open = deepen(state, rings, 60.0 * kGripStepS * climate.softness,
+                                30.0 * kGripStepS * climate.softness, widest);
     if (is_open) {
         state.opens_by_itself = false;
         state.landed_top_mm = rings.top_mm();
     }
     return open_bore(rings, bore_of(state));
-}
-
-// Where the hands want the wall to be, at their height.
-double wall_target(const GripState& state, const Rings& rings) {
-    const double top = rings.top_mm();
-    const double share = std::clamp(state.hand_mm.y / std::max(top, 1.0), 0.0, 1.0);
-    double target = state.hand_mm.x + state.offset_mm - state.rests_mm;
-    target = std::max(target, kNarrowsTo * landed_outer(state, share));
-    // Who comes down onto the top from above does not mean to press the side in.
-    if (state.landed_mm.y > state.landed_top_mm - 1.0 && state.landed_mm.x < landed_outer(state, 1.0) - 5.0)
-        target = std::max(target, landed_outer(state, share));
-    return std::min(target, kWidestGripMm);
 }
 
 Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
@@ -244,8 +107,8 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
         error = wall_target(state, rings) - now;
     }
     double step = error * std::fabs(error) / (std::fabs(error) + 2.0) * relaxed(kWallS);
-    const double inward = (hollow ? kInwardMmS : kConeMmS) * kStepS * climate.softness;
-    step = std::clamp(step, -inward, kOutwardMmS * kStepS * climate.softness);
+    const double inward = (hollow ? kInwardMmS : kConeMmS) * kGripStepS * climate.softness;
+    step = std::clamp(step, -inward, kOutwardMmS * kGripStepS * climate.softness);
     const double wanted = step;
     if (step > 0.0) {
         step *= load_share(climate);
@@ -259,7 +122,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     const double ahead = std::clamp(0.26 * top + 8.0, 16.0, 42.0);
     const double up = ahead + std::max(-state.heading, 0.0) * (kBehindMm - ahead);
     const double down = ahead + std::max(state.heading, 0.0) * (kBehindMm - ahead);
-    state.press_mm = 0.3 + std::fabs(step) * 0.1 / kStepS;
+    state.press_mm = 0.3 + std::fabs(step) * 0.1 / kGripStepS;
     hold(state, std::max(y - down, 0.0), std::min(y + up, top));
     return carry_wall(rings, space,
                       {.height_mm = y,
@@ -278,17 +141,17 @@ Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripCl
     if (state.pulls && y < top - kLoseBelowMm) state.pulls = false;
     if (!state.pulls || !(y > top)) return {};
     const double highest = kTallestPullMm * climate.size;
-    double rise = std::min((y - top) * relaxed(kPullS), kPullMmS * kStepS * climate.softness);
+    double rise = std::min((y - top) * relaxed(kPullS), kPullMmS * kGripStepS * climate.softness);
     rise = std::min(rise, highest - top) * load_share(climate);
     if (!(rise > 0.0)) {
         state.guard = GripGuard::kNearLimit;
         state.is_spent = true;
         return {};
     }
-    const double risen = pull_up(rings, space, rise, kStrainPerS * kStepS);
+    const double risen = pull_up(rings, space, rise, kStrainPerS * kGripStepS);
     state.is_spent = risen < 0.2 * rise;
     if (state.is_spent) state.guard = GripGuard::kNoMoreClay;
-    state.press_mm = std::max(state.press_mm, 0.5 + 0.1 * risen / kStepS);
+    state.press_mm = std::max(state.press_mm, 0.5 + 0.1 * risen / kGripStepS);
     hold(state, std::max(top - 24.0, 0.0), rings.top_mm());
     return {rings.first_hollow, rings.count};
 }
@@ -312,7 +175,7 @@ Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double clim
         return {};
     const double thick = std::clamp((sampled_wall(rings) - 14.0) / 10.0, 0.0, 1.0);
     const double rise = std::min(0.5 * thick * climbed_mm, kMostATouchMm - state.pulled_mm);
-    const double risen = pull_up(rings, space, rise * load_share(climate), kStrainPerS * kStepS);
+    const double risen = pull_up(rings, space, rise * load_share(climate), kStrainPerS * kGripStepS);
     state.pulled_mm += risen;
     return risen > 0.0 ? Changed{rings.first_hollow, rings.count} : Changed{};
 }
@@ -327,7 +190,7 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     state.press_mm = 0.4;
     const double wanted = top - state.finger_mm.y;
     if (!(wanted > 1.0) || state.heading > -0.2) return {};
-    double sink = std::min(wanted, kSinkMmS * kStepS * climate.softness);
+    double sink = std::min(wanted, kSinkMmS * kGripStepS * climate.softness);
     sink = std::min(sink, kMostShare * depth - state.sunk_mm);
     sink = std::min(sink, depth - kLowestOverFloorMm);
     if (!(sink > 0.0)) {
@@ -361,7 +224,7 @@ Changed lower_floor(Rings& rings, double rate_mm_s) {
     if (!is_hollow(rings) || floor <= kThickFloorMm) return {};
     const int above = rings.ring_at(std::min(floor + 4.0, rings.top_mm()));
     const double bore = std::max(rings.inner_mm[Rings::at(above)], kNarrowestBoreMm);
-    return open_bore(rings, {.bottom_mm = std::max(floor - rate_mm_s * kStepS - 0.5, kFloorMm),
+    return open_bore(rings, {.bottom_mm = std::max(floor - rate_mm_s * kGripStepS - 0.5, kFloorMm),
                              .radius_mm = bore,
                              .outward = 0.0,
                              .largest_strain = 0.01});
@@ -369,44 +232,6 @@ Changed lower_floor(Rings& rings, double rate_mm_s) {
 
 void place(Rings& rings, const Changed& changed) {
     if (changed.size() > 0) rings.place(changed.first, rings.count);
-}
-
-// The hands go on, and what they mean may change.
-void decide(GripState& state, const Rings& rings) {
-    if (state.grip == Grip::kAsking) {
-        const double down = state.landed_mm.y - state.finger_mm.y;
-        const double aside = std::fabs(state.finger_mm.x - state.landed_mm.x);
-        const double way = std::sqrt(down * down + aside * aside);
-        if (way > 4.0)
-            state.grip = down > 0.6 * aside ? Grip::kOpen : Grip::kWall;
-        else if (state.still_s > 0.35)
-            state.grip = Grip::kOpen;
-    }
-    if (state.grip == Grip::kRim &&
-        (std::fabs(state.finger_mm.x - state.landed_mm.x) > 6.0 || state.finger_mm.y > rings.top_mm() + 4.0))
-        state.grip = Grip::kWall;
-    // Thumbs that come up again past the rim have fingers outside, and pull.
-    if (state.grip == Grip::kOpen && is_hollow(rings) && state.bottom_mm <= kFloorMm + 1.0 &&
-        state.finger_mm.y > rings.top_mm() && state.finger_mm.y > state.landed_mm.y) {
-        state.grip = Grip::kWall;
-        state.offset_mm = outer_at(rings, rings.top_mm()) - state.finger_mm.x;
-        state.offset_way_mm = 1e6;
-        state.hand_mm = {state.finger_mm.x, rings.top_mm()};
-        state.heading = 1.0;
-        state.travel_mm = kStartsAfterMm;
-        state.trail.count = 0;
-    }
-    const bool works_wall = state.grip == Grip::kWall && state.travel_mm > kStartsAfterMm;
-    if (works_wall && !is_hollow(rings) && !state.opens_by_itself) {
-        const bool asks = state.hand_mm.x + state.offset_mm > outer_at(rings, state.hand_mm.y) + 8.0 ||
-                          state.finger_mm.y > rings.top_mm() + 8.0;
-        state.wants_s = asks ? state.wants_s + kStepS : 0.0;
-        if (state.wants_s > 0.12) {
-            state.opens_by_itself = true;
-            state.bottom_mm = rings.top_mm();
-            state.bore_mm = kThumbsMm;
-        }
-    }
 }
 
 Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
@@ -438,7 +263,7 @@ Changed second_stage(GripState& state, Rings& rings, GripSpace& space, const Gri
              std::min(state.hand_mm.y + kBehindMm, rings.top_mm()));
         state.press_mm = 0.3;
         if (state.still_s < kRestsAfterS || state.grip != Grip::kWall) return {};
-        state.rests_mm = std::min(state.rests_mm + kRestMmS * kStepS, kRestMm);
+        state.rests_mm = std::min(state.rests_mm + kRestMmS * kGripStepS, kRestMm);
     }
     return carry_step(state, rings, space, climate);
 }
@@ -465,28 +290,14 @@ Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
 
 }  // namespace
 
-GripOutline outline_of(const Rings& rings, double y) noexcept {
-    const int last = rings.count - 1;
-    if (last < 0) return {};
-    return {.height_mm = rings.top_mm(),
-            .floor_mm = rings.floor_mm(),
-            .outer_mm = outer_at(rings, y),
-            .rim_outer_mm = rings.outer_mm[Rings::at(last)],
-            .rim_inner_mm = rings.inner_mm[Rings::at(last)]};
-}
-
-void let_go(GripState& state) noexcept {
-    if (state.presses) state = {};
-}
-
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
                   const GripClimate& climate, double dt_s) noexcept {
     if (rings.count < 3) return {};
     if (!state.presses) land(state, rings, finger);
     Changed changed{};
     state.credit_s += dt_s;
-    while (state.credit_s > kStageS - 1e-9) {
-        state.credit_s -= kStageS;
+    while (state.credit_s > kGripStageS - 1e-9) {
+        state.credit_s -= kGripStageS;
         Changed now{};
         switch (state.stage) {
             case 0:
@@ -508,18 +319,6 @@ Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2&
         changed = together(changed, now);
     }
     return changed;
-}
-
-GripReport report_of(const GripState& state, const dvec2& finger) noexcept {
-    if (!state.presses) return {.finger_mm = finger};
-    return {.grip = state.grip,
-            .guard = state.shown_guard,
-            .pulls = state.pulls,
-            .opens_by_itself = state.opens_by_itself,
-            .hand_mm = {state.side * state.hand_mm.x, state.hand_mm.y},
-            .finger_mm = finger,
-            .low_mm = state.low_mm,
-            .high_mm = state.high_mm};
 }
 
 }  // namespace onggi::clay::studio

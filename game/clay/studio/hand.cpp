@@ -12,7 +12,25 @@ namespace {
 constexpr double kOnAxisMm = 1e-9;
 constexpr double kRememberedTurns = 1.5;
 
+// What is near enough to the axis to open solid clay there.
+constexpr double kOpensWithinTop = 1.0 / 3.0;
+constexpr double kOpensWithinHand = 0.75;
+
+// A hand at a steady speed is ahead of its slow height by what it goes in kClimbTimeS; less than kTremorMm
+// of it is no climb.
+constexpr double kClimbTimeS = 0.15;
+constexpr double kTremorMm = 0.3;
+constexpr double kClimbMm = 1.0;
+
 }  // namespace
+
+double opening_radius_mm(const Rings& rings, double r1) noexcept {
+    const std::size_t last = Rings::at(rings.count - 1);
+    const double outer = rings.outer_mm[last];
+    const double inner = rings.inner_mm[last];
+    const double middle = 0.5 * (outer + inner);
+    return std::min(std::max({inner, kOpensWithinHand * r1, kOpensWithinTop * outer}), middle);
+}
 
 Side next_side(Side side, const Rings& rings, double y, double distance, double r1) noexcept {
     const double top = rings.top_mm();
@@ -24,8 +42,7 @@ Side next_side(Side side, const Rings& rings, double y, double distance, double 
         case Side::kFree:
             if (y > top) {
                 if (distance > outer) return Side::kOut;
-                // Solid clay is opened near the axis and pressed farther out.
-                if (distance < (inner > 0.0 ? inner : 0.75 * r1)) return Side::kIn;
+                if (distance < opening_radius_mm(rings, r1)) return Side::kIn;
                 return Side::kTop;
             } else {
                 const int i = rings.ring_at(y);
@@ -38,7 +55,8 @@ Side next_side(Side side, const Rings& rings, double y, double distance, double 
             return Side::kTop;
         case Side::kOut:
         case Side::kIn:
-            if (y > top + 0.3 * r1 && distance > inner && distance < outer) return Side::kTop;
+            if (y > top + 0.3 * r1 && distance > opening_radius_mm(rings, r1) && distance < outer)
+                return Side::kTop;
             return side;
     }
     return side;
@@ -78,8 +96,8 @@ double turn_of(const dvec2& in_clay) noexcept {
     return turn < 1.0 ? turn : 0.0;
 }
 
-Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given,
-                 const Rotation& heading) noexcept {
+Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given, const Rotation& heading,
+                 double dt_s) noexcept {
     Hand hand;
     hand.position_mm = given.position_mm;
     hand.radius_mm = std::clamp(given.radius_mm, 2.0, 40.0);
@@ -103,7 +121,14 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given,
     }
     hand.direction = state.direction;
     hand.in_clay = into_clay(state.direction, heading);
+    if (!state.has_slow_height) state.slow_height_mm = given.position_mm.y;
+    state.has_slow_height = true;
+    state.slow_height_mm += relaxed_share(dt_s / kClimbTimeS) * (given.position_mm.y - state.slow_height_mm);
     return hand;
+}
+
+double climb_share(const HandState& state, double y) noexcept {
+    return std::clamp((y - state.slow_height_mm - kTremorMm) / (kClimbMm - kTremorMm), 0.0, 1.0);
 }
 
 void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexcept {

@@ -25,6 +25,9 @@ struct HandState {
     dvec2 wobble_mm{0.0};
     dvec3 previous_position_mm{0.0};
     bool has_previous = false;
+    // Its height, followed slowly: a hand that climbs is above it.
+    bool has_slow_height = false;
+    double slow_height_mm = 0.0;
 };
 
 // A hand as one tick sees it.
@@ -44,12 +47,21 @@ struct Hand {
 // distance, however fast it came about, moves a hand through a wall.
 Side next_side(Side side, const Rings& rings, double y_mm, double distance_mm, double radius_mm) noexcept;
 
-// Takes the position of this tick into the state and says what the tick needs. heading is the wheel's angle.
+// How near the axis a hand that comes down from above goes into the clay instead of onto its rim: into the
+// mouth there is; where there is none yet, or one too small to hit again, within a third of the top's radius
+// or three quarters of the hand's. Never past the middle of the rim.
+double opening_radius_mm(const Rings& rings, double radius_mm) noexcept;
+
+// Takes the position of this tick, dt_s after the last, into the state and says what the tick needs. heading
+// is the wheel's angle.
 // A hand that comes from free takes the side it wishes for, if that is open to it: outside beyond the inner
 // face, inside within the outer one, on top over the rim.
 // Precondition: rings.count > 0; the position is finite.
-Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& hand,
-                 const Rotation& heading) noexcept;
+Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& hand, const Rotation& heading,
+                 double dt_s) noexcept;
+
+// Whether a hand at that height climbs: 0 while it is still, trembles or sinks, 1 from 7 mm/s on.
+double climb_share(const HandState& state, double y_mm) noexcept;
 
 // One step of the running mean and of B over the last one and a half turns.
 void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexcept;

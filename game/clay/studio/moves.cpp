@@ -45,6 +45,7 @@ struct PushShares {
     double strain;       // the most in one tick
     double k0;
     double per_thin_wall;
+    double per_carried_wall;
 };
 
 // Straight through, without a branch on a ring, so that several are worked on at once.
@@ -52,9 +53,9 @@ template <bool kInside>
 ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inner,
                            double* __restrict__ height, double* __restrict__ field,
                            const double* __restrict__ volume, const double* __restrict__ offset,
-                           const double* __restrict__ push, const double* __restrict__ met, int n,
-                           const PushShares& with, const Gate& gate) {
-    const auto [share, above_floor, strain, k0, per_thin_wall] = with;
+                           const double* __restrict__ push, const double* __restrict__ met,
+                           const double* __restrict__ held, int n, const PushShares& with, const Gate& gate) {
+    const auto [share, above_floor, strain, k0, per_thin_wall, per_carried_wall] = with;
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
         const double ro = outer[k];
@@ -78,7 +79,11 @@ ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inne
         // neck that is all but closed.
         double room = 1.0;
         if constexpr (!kInside) room = 0.5 * ri < 1.0 ? 0.5 * ri : 1.0;
-        const double kappa = k0 * lone * (ri > 0.0 ? tie : 1.0) * room;
+        // What two hands hold between them goes along whole; from a wall much thicker than the hands are
+        // wide, no more than alone.
+        const double c = wall * per_carried_wall;
+        const double crosses = k0 + (1.0 - k0) * held[k] / (1.0 + (c * c) * (c * c));
+        const double kappa = crosses * lone * (ri > 0.0 ? tie : 1.0) * room;
         const double face = kInside ? (ri > 1.0 ? ri : 1.0) : ro;
         // As fast as the clay can rise, and no thinner or narrower than it may become.
         const double fastest = strain * wall * (ro + ri) / (2.0 * face * (1.0 - kappa));
@@ -118,6 +123,7 @@ struct PushedRings {
     const double* offset;
     const double* push;
     const double* met;
+    const double* held;
     int count;
     bool inside;
 };
@@ -125,10 +131,10 @@ struct PushedRings {
 ONGGI_LANES void push_all(const PushedRings& rings, const PushShares& with, const Gate& gate) {
     if (rings.inside)
         push_each<true>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
-                        rings.push, rings.met, rings.count, with, gate);
+                        rings.push, rings.met, rings.held, rings.count, with, gate);
     else
         push_each<false>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
-                         rings.push, rings.met, rings.count, with, gate);
+                         rings.push, rings.met, rings.held, rings.count, with, gate);
 }
 
 void push_plain(const PushedRings& rings, const PushShares& with, const Gate& gate) {
@@ -150,22 +156,27 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     const int first = contact.range.first;
     const int n = contact.range.size();
     double* const met = contact.met.data();
+    double* const held = contact.held.data();
     std::fill_n(met, n, 0.0);
-    if (other != nullptr && other->is_assist) {
-        const double apart = contact.height_mm - other->position_mm.y;
-        const double r1 = other->radius_mm;
+    std::fill_n(held, n, 0.0);
+    if (other != nullptr) {
+        // Two hands squeeze by what both push; what one pushes beyond the other moves the wall.
         for (int k = 0; k < n; ++k) {
-            const double dy = contact.offset_mm[at(k)] + apart;
-            met[k] = (r1 - dy) * (r1 + dy) > 0.0 ? 1.0 : 0.0;
+            const Backing backing =
+                backing_at(rings, first + k, contact.height_mm + contact.offset_mm[at(k)], *other);
+            const double push = contact.push_mm[at(k)];
+            const double back = backing.depth_mm - parameters.yield_depth_mm;
+            held[k] = backing.held;
+            met[k] = back >= push ? 1.0 : back > 0.0 ? back / push : 0.0;
         }
-    } else if (other != nullptr) {
-        for (int k = 0; k < n; ++k)
-            met[k] = support_at(rings, first + k, contact.height_mm + contact.offset_mm[at(k)], *other);
     }
 
-    const PushShares shares{share, contact.height_mm - rings.floor_mm(),
-                            parameters.largest_strain_rate * parameters.dt_s(), parameters.wall_share_k0,
-                            1.0 / parameters.thin_wall_mm};
+    const PushShares shares{share,
+                            contact.height_mm - rings.floor_mm(),
+                            parameters.largest_strain_rate * parameters.dt_s(),
+                            parameters.wall_share_k0,
+                            1.0 / parameters.thin_wall_mm,
+                            0.5 / hand.radius_mm};
     const Gate gate(rings, shares.strain);
     const PushedRings pushed{rings.outer_mm.data() + first,
                              rings.inner_mm.data() + first,
@@ -175,6 +186,7 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
                              contact.offset_mm.data(),
                              contact.push_mm.data(),
                              met,
+                             held,
                              n,
                              inside};
 #if ONGGI_X86_KERNELS
@@ -193,41 +205,79 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     return contact.range;
 }
 
+namespace {
+
+// How far a press on a rim goes down into a wall: so many times its thickness. Solid clay is pressed whole.
+constexpr double kPressedWalls = 4.0;
+constexpr double kLeastPressedMm = 12.0;
+
+// Where the area is smaller than the rim's the stress is larger; it counts up to so many times.
+constexpr double kMostStress = 4.0;
+
+// Clay that gets flat resists: fully yielding up to the first of the two, not at all from the second on.
+// Flatness of solid clay: its radius to its height, as a cylinder of its volume.
+constexpr double kSolidYields = 1.5;
+constexpr double kSolidHolds = 2.4;
+// Of a wall: its thickness to the height of what is pressed.
+constexpr double kWallYields = 0.8;
+constexpr double kWallHolds = 1.8;
+
+double yielding(double flatness, double yields, double holds) {
+    return std::clamp((holds - flatness) / (holds - yields), 0.0, 1.0);
+}
+
+}  // namespace
+
 Changed press_rim(Rings& rings, const Contact& contact, double share,
                   const StudioParameters& parameters) noexcept {
     const double depth = std::min(contact.rim_depth_mm, kDeepestMm) - parameters.yield_depth_mm;
     if (!(depth > 0.0)) return {};
     const int last = rings.count - 1;
     const double top = rings.top_mm();
-    const double length = std::max(6.0, 2.0 * rings.wall_mm(last));
+    const double length = std::max(kLeastPressedMm, kPressedWalls * rings.wall_mm(last));
     const double strain = parameters.largest_strain_rate * parameters.dt_s();
     const bool hollow = rings.is_hollow(last);
+    const auto area_of = [&](int i) {
+        return rings.wall_mm(i) * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]);
+    };
 
-    // Clay directly below the rim gives way first: weight (1 - s)^2 over the zone, of the same kind as the
-    // rim.
+    // A wall gives way over a zone, fading, solid clay all of it; and what carries on a smaller area gives
+    // way faster, so that no rim grows wider than what it stands on.
+    const double rim_area = area_of(last);
     const auto weight_of = [&](int i) {
-        const double s = (top - rings.centre_mm(i)) / length;
-        return s < 1.0 ? (1.0 - s) * (1.0 - s) : 0.0;
+        const double s = hollow ? (top - rings.centre_mm(i)) / length : 0.0;
+        const double fading = std::max(1.0 - s * s, 0.0);
+        const double stress = std::min(rim_area / area_of(i), kMostStress);
+        return fading * fading * stress * stress;
     };
     int first = rings.count;
     double weighed_mm = 0.0;
-    while (first > 0 && rings.is_hollow(first - 1) == hollow && weight_of(first - 1) > 0.0) {
+    double pressed_mm3 = 0.0;
+    while (first > 0 && rings.is_hollow(first - 1) == hollow) {
+        const double weight = weight_of(first - 1);
+        if (!(weight > 0.0)) break;
         --first;
-        weighed_mm += weight_of(first) * rings.height_mm[at(first)];
+        weighed_mm += weight * rings.height_mm[at(first)];
+        pressed_mm3 += rings.volume_mm3[at(first)];
     }
     if (!(weighed_mm > 0.0)) return {};
-    const double shortening = std::min(share * depth / weighed_mm, strain);
+    const double pressed_mm = top - rings.bottom_mm(first);
+    const double area = pressed_mm3 / (std::numbers::pi * pressed_mm);
+    const double yields =
+        hollow ? yielding(area / (rings.outer_mm[at(last)] + rings.inner_mm[at(last)]) / pressed_mm,
+                          kWallYields, kWallHolds)
+               : yielding(std::sqrt(area) / pressed_mm, kSolidYields, kSolidHolds);
+    const double shortening = std::min(share * yields * depth / weighed_mm, strain);
     for (int i = first; i <= last; ++i) {
         const double ro = rings.outer_mm[at(i)];
         const double ri = rings.inner_mm[at(i)];
-        const double ratio = 1.0 / (1.0 - shortening * weight_of(i));  // of the area after to before
-        const double gained = (ratio - 1.0) * (ro - ri) * (ro + ri);
-        const double inner_square = ri * ri - 0.5 * gained;
-        if (hollow && inner_square > kNarrowestHollowMm * kNarrowestHollowMm) {
-            set_radii(rings, i, std::sqrt(ro * ro + 0.5 * gained), std::sqrt(inner_square), 2.0 * strain);
-        } else {
+        const double shortened = std::min(shortening * weight_of(i), strain);
+        const double gained = shortened / (1.0 - shortened) * area_of(i);
+        const double thicker = 0.5 * gained / (ro + ri);  // to both sides, where there is an inner one
+        if (hollow && ri - thicker > kNarrowestHollowMm)
+            set_radii(rings, i, ro + thicker, ri - thicker, 2.0 * strain);
+        else
             set_radii(rings, i, std::sqrt(ro * ro + gained), ri, 2.0 * strain);
-        }
     }
     return {first, rings.count};
 }

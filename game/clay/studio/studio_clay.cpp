@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "game/clay/studio/assist.h"
 #include "game/clay/studio/force.h"
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/resplit.h"
@@ -37,32 +38,6 @@ bool is_finite(const StudioHand& hand) {
 
 bool are_opposite(Side a, Side b) {
     return (a == Side::kOut && b == Side::kIn) || (a == Side::kIn && b == Side::kOut);
-}
-
-bool has_assist(const StudioInput& input, const Hand& hand) {
-    return !input.has_second && input.assist_gap_mm > 0.0 &&
-           (hand.side == Side::kOut || (hand.side == Side::kIn));
-}
-
-// The second hand across the wall from the first, their surfaces gap_mm apart. It answers the first hand and
-// does not lead it: it presses no deeper, and less where the floor keeps it from being opposite.
-Hand assist_of(const Hand& hand, const Contact& contact, const Rings& rings, double gap_mm,
-               const StudioParameters& parameters) {
-    Hand second = hand;
-    second.is_assist = true;
-    second.tool = StudioTool::kHand;
-    const bool outside = hand.side == Side::kIn;  // the assist
-    const double r1 = hand.radius_mm;
-    const double apart = 2.0 * r1 + gap_mm;
-    const std::size_t near = Rings::at(contact.nearest);
-    second.side = outside ? Side::kOut : Side::kIn;
-    const double lifted = std::max(parameters.floor_mm + r1 - hand.position_mm.y, 0.0);
-    const double answer = std::max(contact.deepest_mm, 0.0) * std::max(1.0 - lifted / r1, 0.0);
-    second.distance_mm = outside ? std::max(hand.distance_mm + apart, rings.outer_mm[near] - answer + r1)
-                                 : std::min(hand.distance_mm - apart, rings.inner_mm[near] + answer - r1);
-    second.position_mm.x = second.direction.x * second.distance_mm;
-    second.position_mm.z = second.direction.y * second.distance_mm;
-    return second;
 }
 
 // What was just put on the wheel is the whole lump from now on.
@@ -308,7 +283,7 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
     state.previous_position_mm = hand.position_mm;
     state.has_previous = true;
     const double supported =
-        other != nullptr ? studio::support_at(rings_, contact.nearest, contact.height_mm, *other) : 0.0;
+        other != nullptr ? studio::backing_at(rings_, contact.nearest, contact.height_mm, *other).held : 0.0;
     // A wet face slides as a wet hand does.
     const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     const studio::Feel felt =
@@ -344,17 +319,19 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     if (!guided) studio::let_go(grip_);
     for (std::size_t h = 0; h < 2; ++h) {
         if (present[h]) {
-            hand[h] =
-                studio::follow_hand(hands_[h], rings_, h == 0 ? input.hand : input.second, wheel_.heading());
-        } else if (h == 0 || !has_assist(input, hand[0])) {
+            hand[h] = studio::follow_hand(hands_[h], rings_, h == 0 ? input.hand : input.second,
+                                          wheel_.heading(), dt);
+        } else if (h == 0 || !studio::has_assist(input, rings_, hand[0])) {
             hands_[h] = {};
         }
     }
     if (present[0]) studio::find_contact(contacts_[0], rings_, hand[0], hands_[0], parameters);
-    if (present[0] && !present[1] && has_assist(input, hand[0])) {
-        hand[1] = assist_of(hand[0], contacts_[0], rings_, input.assist_gap_mm, parameters);
+    if (present[0] && !present[1] && studio::has_assist(input, rings_, hand[0])) {
+        hand[1] =
+            studio::assist_of(hand[0], hands_[0], contacts_[0], rings_, input.assist_gap_mm, parameters);
         hands_[1] = hands_[0];
         hands_[1].side = hand[1].side;
+        studio::forget_wobble(hands_[1]);  // it rests on the mean circle
         present[1] = true;
     }
     if (present[1]) studio::find_contact(contacts_[1], rings_, hand[1], hands_[1], parameters);
@@ -400,7 +377,9 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         result.rings_moved = rings_.count != rings_before;
         return result;
     }
-    const bool tended = tend_rings(cursor_dt);
+    // Clay that nobody touches and that stands is left as it is, to the bit.
+    const bool sinks = std::max(sweep_.peak_index, sweep_.growing_peak) >= 1.0;
+    const bool tended = (touches || sinks) && tend_rings(cursor_dt);
     const Changed slumped = studio::sweep_load(sweep_, rings_,
                                                {.wheel_speed_rad_s = wheel_.speed_rad_s(),
                                                 .twist_n_mm = wheel_load_n_mm_,

@@ -241,6 +241,8 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
         visit_vector(visitor, hand.wobble_mm);
         visit_vector(visitor, hand.previous_position_mm);
         visitor.number(hand.has_previous);
+        visitor.number(hand.has_slow_height);
+        visitor.number(hand.slow_height_mm);
     }
     visit_grip(visitor, self.grip_);
     for (auto* number : {&self.film_, &self.tend_credit_, &self.change_credit_, &self.wheel_load_n_mm_,
@@ -390,7 +392,7 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
             std::fabs(length2 - 1.0) < 1e-9 && std::isfinite(hand.mean_distance_mm) &&
             is_between(hand.wobble_mm.x, -10.0, 10.0) && is_between(hand.wobble_mm.y, -10.0, 10.0) &&
             std::isfinite(hand.previous_position_mm.x) && std::isfinite(hand.previous_position_mm.y) &&
-            std::isfinite(hand.previous_position_mm.z);
+            std::isfinite(hand.previous_position_mm.z) && std::isfinite(hand.slow_height_mm);
         if (!sound) return "hand: expected a known side, a unit direction and finite numbers";
     }
     if (!is_sound(clay.grip_)) return "grip: expected numbers within their bounds";

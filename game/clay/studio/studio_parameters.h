@@ -96,8 +96,9 @@ struct StudioInput {
     StudioHand hand;
     StudioHand second;
     bool has_second = false;
-    // The assist: a second hand held opposite the first across the wall, its surface this far from the first
-    // one's. Taken only without a second hand of one's own; 0: none.
+    // The assist: a second hand held opposite the first across the wall. It rests there, and squeezes while
+    // the first hand climbs, until their surfaces are this far apart; see assist.h. Taken only without a
+    // second hand of one's own; 0: none.
     double assist_gap_mm = 0.0;
     double wheel_speed_rad_s = 0.0;  // the pedal
     double water = 0.0;              // of hands or sponge, 0 dry to 1 dripping

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <utility>
 
+#include "engine/record/session_writer.h"
 #include "game/haptic/job.h"
+#include "game/haptic/start_state.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -93,6 +95,41 @@ TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
     EXPECT_TRUE(nothing.recordings.empty());
     EXPECT_FALSE(nothing.gesture);
     EXPECT_EQ(remarks.size(), 4U);
+}
+
+// Played ten times as finely as it was recorded, a finger goes straight on while it presses, and neither
+// slides away as it lifts nor comes sliding as it lands.
+TEST(DemonstrationHand, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
+    const test::TemporaryFolder folder;
+    haptic::Start start{lump(), {}};
+    start.parameters.set_rate_hz(100.0);
+    auto writer = record::SessionWriter::create(folder / "taps.onggi", haptic::session_header(start),
+                                                haptic::start_state_bytes(start.state, start.parameters));
+    ASSERT_TRUE(writer) << writer.error().message;
+    const auto finger = [&](double x_mm, bool pressing) {
+        return writer->add_tick({.position_mm = {x_mm, 20.0, 0.0}, .guided = true, .pressing = pressing},
+                                dvec3(0.0));
+    };
+    for (const auto& [x_mm, pressing] : {std::pair{60.0, true}, {50.0, true}, {-60.0, false}, {40.0, true}})
+        ASSERT_TRUE(finger(x_mm, pressing));
+    ASSERT_TRUE(writer->prepare(0));
+    ASSERT_TRUE(writer->commit());
+    list(folder.path(), "taps\n");
+    std::vector<std::string> remarks;
+    const Show show = load_show(folder.path(), kGesture, {lump()}, remarks);
+    ASSERT_EQ(names_of(show), std::vector<std::string>{"taps"});
+
+    DemonstrationHand hand(std::make_unique<haptics::SimulatedDevice>(), show.recordings, 1000.0);
+    const auto at = [&](std::uint64_t tick) { return hand.read(kShownTicks + tick, 0.001); };
+    EXPECT_NEAR(at(5).position_mm.x, 55.0, 1e-9);
+    EXPECT_EQ(at(19).position_mm.x, 50.0);
+    EXPECT_TRUE(at(19).pressing);
+    EXPECT_EQ(at(20).position_mm.x, -60.0);
+    EXPECT_EQ(at(29).position_mm.x, -60.0);
+    EXPECT_FALSE(at(29).pressing);
+    EXPECT_EQ(at(30).position_mm.x, 40.0);
+    EXPECT_TRUE(at(30).pressing);
+    EXPECT_TRUE(at(30).guided);
 }
 
 // The kiosk's loop, on a clock of its own.

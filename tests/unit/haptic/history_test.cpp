@@ -29,7 +29,9 @@ struct Wheel {
     explicit Wheel(const HistoryOptions& options = {}) : history(state, parameters, options) {}
 
     void tick(std::uint64_t hand_tick, std::uint32_t flags = 0) {
-        const haptics::ToolState tool = test::studio_hand(hand_tick, kRateHz);
+        tick(test::studio_hand(hand_tick, kRateHz), flags);
+    }
+    void tick(const haptics::ToolState& tool, std::uint32_t flags = 0) {
         const TickResult result = haptic::tick(state, tool, parameters);
         history.add({.tick = static_cast<std::uint32_t>(state.ticks - 1),
                      .flags = flags,
@@ -198,6 +200,33 @@ TEST(History, IsSavedAsASessionThatReplays) {
         }
     }
     EXPECT_EQ(start->state.hash(), wheel.history.state().hash());
+}
+
+// A finger that lands and lifts, and a ball between two touches.
+haptics::ToolState landing_and_lifting(std::uint64_t tick) {
+    haptics::ToolState tool = test::studio_hand(tick, kRateHz);
+    tool.guided = tick % 900 < 700;
+    tool.pressing = tick % 150 < 110;
+    return tool;
+}
+
+TEST(History, KeepsWhenAFingerPressesAndWhenItLetsGo) {
+    const test::TemporaryFolder folder;
+    Wheel wheel;
+    std::vector<std::uint64_t> hashes;
+    while (wheel.state.ticks < kTicks) {
+        if (wheel.state.ticks % 331 == 0) hashes.push_back(wheel.state.hash());
+        wheel.tick(landing_and_lifting(wheel.state.ticks));
+    }
+    for (std::size_t i = 0; i < hashes.size(); ++i)
+        ASSERT_EQ(wheel.history.state_at(331 * i).value().hash(), hashes[i]) << "tick " << 331 * i;
+    ASSERT_TRUE(wheel.history.save(folder / "s.onggi"));
+    const auto session = record::parse_session(test::content_of(folder / "s.onggi"), "s.onggi");
+    ASSERT_TRUE(session) << session.error().message;
+    record::SessionCursor cursor(*session);
+    for (std::uint64_t tick = 0; tick < kTicks; ++tick)
+        ASSERT_EQ(cursor.at(tick), landing_and_lifting(tick)) << tick;
+    EXPECT_EQ(session->blocks().back().state_hash, wheel.state.hash());
 }
 
 TEST(History, WritesASessionWhileItGoesOn) {

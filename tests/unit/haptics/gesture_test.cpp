@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace onggi::haptics {
 namespace {
@@ -87,6 +88,30 @@ TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
     EXPECT_EQ(gesture.at(1.5).second.position_mm, dvec3(-30.0, 60.0, 5.0)) << "there is nowhere to go";
 }
 
+TEST(Gesture, SaysWhenAFingerIsFollowedAndWhenItPresses) {
+    const Gesture gesture = gesture_of(
+        "0,60,20,0,1,8,1,0\n"
+        "1,50,40,0,1,8,1,1\n"
+        "2,70,40,0,1,8,,\n"
+        "3,70,40,0,1,8,0,0\n",
+        std::string(kGestureHeader) + ",guided,pressing\n");
+    const auto bits_at = [&](double t_s) {
+        return std::pair{gesture.at(t_s).guided, gesture.at(t_s).pressing};
+    };
+    // From their row's own time until the next, as the button does, while the finger goes straight on.
+    EXPECT_EQ(bits_at(0.0), std::pair(true, false));
+    EXPECT_EQ(bits_at(0.999), std::pair(true, false));
+    EXPECT_EQ(gesture.at(0.5).position_mm, dvec3(55, 30, 0));
+    EXPECT_EQ(bits_at(1.0), std::pair(true, true));
+    EXPECT_EQ(gesture.at(1.5).position_mm, dvec3(60, 40, 0));
+    EXPECT_EQ(bits_at(1.999), std::pair(true, true));
+    EXPECT_EQ(bits_at(2.0), std::pair(false, true)) << "what a row leaves empty is as without the column";
+    EXPECT_EQ(bits_at(3.0), std::pair(false, false));
+    EXPECT_EQ(bits_at(9.0), std::pair(false, false));
+    EXPECT_TRUE(gesture_of("0,60,20,0,1,8\n").at(0.0).pressing);
+    EXPECT_FALSE(gesture_of("0,60,20,0,1,8\n").at(0.0).guided);
+}
+
 TEST(Gesture, LeavesColumnsItDoesNotKnowAlone) {
     const Gesture gesture =
         gesture_of("0,1,2,3,0,10,anything at all,-\n", std::string(kGestureHeader) + ",mood,weather\n");
@@ -105,6 +130,12 @@ TEST(RejectsGesture, WhoseExtraColumnsSayWhatTheyCannot) {
     EXPECT_EQ(with("wheel_rev_min", "301"), "g.csv:2: wheel_rev_min: expected 0 to 300, found '301'");
     EXPECT_EQ(with("assist_gap_mm", "-1"), "g.csv:2: assist_gap_mm: expected 0 to 60, found '-1'");
     EXPECT_EQ(with("shaft_mm", "1e9"), "g.csv:2: shaft_mm: expected 0 to 40, found '1e9'");
+    EXPECT_EQ(with("guided", "2"), "g.csv:2: guided: expected 0 or 1, found '2'");
+    EXPECT_EQ(with("guided", "nan"), "g.csv:2: guided: expected 0 or 1, found 'nan'");
+    EXPECT_EQ(with("guided", "1.0"), "g.csv:2: guided: expected 0 or 1, found '1.0'");
+    EXPECT_EQ(with("pressing", "yes"), "g.csv:2: pressing: expected 0 or 1, found 'yes'");
+    EXPECT_EQ(with("pressing", "-0"), "g.csv:2: pressing: expected 0 or 1, found '-0'");
+    EXPECT_EQ(with("guided,pressing", "1, 1"), "g.csv:2: pressing: expected 0 or 1, found ' 1'");
     EXPECT_EQ(with("wire,wire_y_mm", "cut,5"), "g.csv:2: wire: expected none, rim, off, found 'cut'");
     EXPECT_EQ(with("wire", "rim"), "g.csv:1: expected a column wire_y_mm beside the others, found none");
     EXPECT_EQ(with("hand2_x_mm,hand2_z_mm", "1,2"),

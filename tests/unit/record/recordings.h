@@ -32,7 +32,7 @@ inline haptics::ToolState tool_at(std::uint64_t tick) {
     return tool;
 }
 
-// A pair of hands: rests, moves one hand, moves both, changes what is in them.
+// A pair of hands: rests, moves one hand, moves both, changes what is in them, lets go and presses again.
 inline haptics::ToolState both_hands_at(std::uint64_t tick) {
     haptics::ToolState tool = tool_at(tick);
     const std::uint64_t part = tick / 300;
@@ -44,6 +44,8 @@ inline haptics::ToolState both_hands_at(std::uint64_t tick) {
     tool.wheel_speed_rev_min = 100.0 + static_cast<double>(part);
     tool.assist_gap_mm = part % 5 == 4 ? 6.5 : 0.0;
     tool.shaft_mm = static_cast<double>(part % 3);
+    tool.guided = part % 6 == 2 || part % 6 == 3;
+    tool.pressing = part == 0 || tick % 90 < 60;
     if (part % 4 != 3) {
         const double moved = part % 4 == 1 ? static_cast<double>(tick) / 4096.0 : 0.0;
         tool.second = {.present = true,

@@ -43,10 +43,20 @@ TEST(RejectsSession, OfAnotherKind) {
     EXPECT_NE(refusal(bytes).find("byte 0: expected the first bytes"), std::string::npos);
 }
 
+TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
+    const std::string expected = "s.onggi: byte 8: expected a session of version 2.0, found 1.";
+    const std::string reason = ", recorded before hands could let go: record it anew";
+    std::string bytes = with_header_field<std::uint16_t>(8, 1);
+    EXPECT_EQ(refusal(bytes), expected + "0" + reason);
+    test::put_at<std::uint16_t>(bytes, 10, 1);
+    EXPECT_EQ(refusal(bytes), expected + "1" + reason) << "whatever its checksum says";
+    EXPECT_FALSE(parse_session(bytes, "s.onggi", Damage::kCutThere)) << "nor is there anything to save of it";
+}
+
 TEST(RejectsSession, OfANewerOrUnknownVersion) {
-    EXPECT_EQ(refusal(with_header_field<std::uint16_t>(8, 2)),
-              "s.onggi: byte 8: expected a session of version 1.1, found 2.0, written by a newer program");
-    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 2)).find("found 1.2, written by a newer program"),
+    EXPECT_EQ(refusal(with_header_field<std::uint16_t>(8, 3)),
+              "s.onggi: byte 8: expected a session of version 2.0, found 3.0, written by a newer program");
+    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 1)).find("found 2.1, written by a newer program"),
               std::string::npos);
     EXPECT_NE(refusal(with_header_field<std::uint16_t>(8, 0)).find("byte 8: expected a session of version"),
               std::string::npos);
@@ -141,7 +151,8 @@ TEST(RejectsSession, WithRecordsThatMakeNoSense) {
         EXPECT_NE(refusal(bytes).find(what), std::string::npos) << refusal(bytes);
     };
     expect_found(with_block_field<std::uint8_t>(records, 2), "a tool record to open the block");
-    expect_found(with_block_field<std::uint8_t>(records + 34, 9), "a record's kind");
+    for (const int kind : {0, 5, 6, 9})  // kind 5 is there for the studio's clay only
+        expect_found(with_block_field(records + 34, static_cast<std::uint8_t>(kind)), "a record's kind");
     expect_found(with_block_field(records + 1, 1000.5), "a coordinate of -1000 to 1000 mm, found 1000.5");
     expect_found(with_block_field(records + 9, std::bit_cast<double>(0x7ff8000000000000ULL)), "a coordinate");
     expect_found(with_block_field(records + 25, 41.0), "a tool radius of 2 to 40 mm, found 41");
@@ -180,12 +191,13 @@ TEST(RejectsSession, WithHandsThatNoToolWouldBe) {
     expect_found(refused(104, std::uint8_t{2}), "a button of 0 to 1, found 2");
     expect_found(refused(105, std::uint8_t{4}), "a tool of 0 to 3, found 4");
     expect_found(refused(107, std::uint8_t{3}), "a wire of 0 to 2, found 3");
+    expect_found(refused(110, std::uint8_t{2}), "being guided of 0 to 1, found 2");
+    expect_found(refused(111, std::uint8_t{255}), "pressing of 0 to 1, found 255");
 }
 
-// A session that says it is of the first version may not hold what that version did not know.
-TEST(RejectsSession, OfAnOlderVersionWithRecordsOfANewer) {
+TEST(RejectsSession, OfThePapersClayWithHandsItCannotHear) {
     std::string bytes = studio_session_bytes(700);
-    test::put_at<std::uint16_t>(bytes, 10, 0);
+    test::put_at<std::uint32_t>(bytes, 36, 1);
     test::mend_session_header(bytes);
     EXPECT_NE(refusal(bytes).find("a tool record to open the block"), std::string::npos) << refusal(bytes);
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "tests/support/hostile_system.h"
 #include "tests/unit/record/recordings.h"
@@ -94,7 +95,7 @@ TEST(Session, HasTheBytesItsDocumentSays) {
     };
     EXPECT_EQ(hex(0, 16),
               "894f4e4747490d0a"
-              "0100"
+              "0200"
               "0000"
               "48000000");
     EXPECT_EQ(hex(16, 24),
@@ -254,9 +255,40 @@ TEST(StudioSession, HoldsBothHandsAndAllTheySay) {
         ASSERT_EQ(cursor.at(tick), both_hands_at(tick)) << tick;
 }
 
-TEST(StudioSession, IsOfANewerMinorVersionThanThePapers) {
-    EXPECT_EQ(test::get_at<std::uint16_t>(studio_session_bytes(10), 10), 1U);
-    EXPECT_EQ(test::get_at<std::uint16_t>(session_bytes(10), 10), 0U) << "older programs still read it";
+// The last two bytes of a tool, where its document has them.
+TEST(StudioSession, EndsAToolWithWhetherItIsGuidedAndWhetherItPresses) {
+    const test::TemporaryFolder folder;
+    for (const auto& [guided, pressing] : {std::pair{false, false}, {true, false}, {true, true}}) {
+        auto writer = SessionWriter::create(folder / "s.onggi", studio_header(), {});
+        ASSERT_TRUE(writer);
+        ASSERT_TRUE(writer->add_tick({.guided = guided, .pressing = pressing}, dvec3(0.0)));
+        ASSERT_TRUE(writer->prepare(0));
+        ASSERT_TRUE(writer->commit());
+        const std::string bytes = test::content_of(folder / "s.onggi");
+        const std::size_t record_at = test::kSessionHeaderBytes + test::kSessionBlockHeadBytes;
+        EXPECT_EQ(bytes.at(record_at), 4);
+        EXPECT_EQ(bytes.at(record_at + 1 + 110), guided ? 1 : 0);
+        EXPECT_EQ(bytes.at(record_at + 1 + 111), pressing ? 1 : 0);
+        EXPECT_EQ(bytes.size(), record_at + 1 + 112 + 4 + test::kSessionBlockHeadBytes);
+    }
+}
+
+TEST(StudioSession, KeepsAHandThatLetsGoWhereItIs) {
+    const test::TemporaryFolder folder;
+    auto writer = SessionWriter::create(folder / "s.onggi", studio_header(), {});
+    ASSERT_TRUE(writer);
+    const auto finger_at = [](std::uint64_t tick) {
+        return haptics::ToolState{
+            .position_mm = {50.0, 20.0, 0.0}, .guided = tick % 7 < 4, .pressing = tick % 5 < 3 || tick > 800};
+    };
+    for (std::uint64_t tick = 0; tick < 1000; ++tick)
+        ASSERT_TRUE(writer->add_tick(finger_at(tick), dvec3(0.0)));
+    ASSERT_TRUE(writer->prepare(0));
+    ASSERT_TRUE(writer->commit());
+    const Session session = session_of(test::content_of(folder / "s.onggi"));
+    SessionCursor cursor(session);
+    for (std::uint64_t tick = 0; tick < 1000; ++tick)
+        ASSERT_EQ(cursor.at(tick), finger_at(tick)) << tick;
 }
 
 TEST(StudioSession, TakesLittleForHandsThatRest) {
@@ -269,6 +301,8 @@ TEST(SessionWriter, RejectsAToolThatThePapersClayCannotHear) {
     ASSERT_TRUE(writer);
     EXPECT_FALSE(writer->add_tick({.tool = haptics::ToolKind::kSponge}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.wheel_speed_rev_min = 100.0}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.guided = true}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.pressing = false}, dvec3(0.0)));
     EXPECT_TRUE(writer->add_tick({}, dvec3(0.0)));
 }
 
@@ -288,6 +322,8 @@ TEST(SessionWriter, RejectsWhatTheReaderWouldReject) {
     auto writer = SessionWriter::create(folder / "s.onggi", test_header(), {});
     ASSERT_TRUE(writer);
     EXPECT_FALSE(writer->add_tick({.position_mm = {std::nan(""), 0, 0}}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.position_mm = {std::nan(""), 0, 0}, .guided = true, .pressing = false},
+                                  dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.position_mm = {0, 1000.5, 0}}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.radius_mm = 1.0}, dvec3(0.0)));
     EXPECT_TRUE(writer->add_tick({}, dvec3(0.0)));
