@@ -142,7 +142,8 @@ struct Rules {
     double idle_s = 45.0;
     double countdown_s = 20.0;
     double hint_again_s = 6.0;     // without progress, until the cue for the next move shows again
-    double show_after_s = 8.0;     // likewise, until the wheel's hands show it by themselves
+    bool shows_by_itself = true;   // the wheel's hands show a step that nobody asked to see
+    double show_after_s = 8.0;     // without progress, until they do
     double show_rests_s = 3.0;     // after a touch or a show, until they begin another
     double show_most_s = 6.0;      // of one show
     double staff_locks_s = 120.0;  // without a touch

@@ -31,7 +31,7 @@ void pass_show(Turn& turn) {
         return;
     }
     // Once a step, and never under a visitor's hand, or on clay that hardly stands.
-    const bool is_wanted = throwing.steps_done < kTeachingSteps && !throwing.held &&
+    const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !throwing.held &&
                            throwing.seen_since_touch != throwing.steps_done &&
                            throwing.warning == Warning::kNone;
     const double quiet_s = now_s - std::max(throwing.touched_s, throwing.show_over_s);

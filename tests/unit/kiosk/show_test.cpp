@@ -103,6 +103,14 @@ TEST(Show, NeverComesByItselfUnderAHandOrOnClayThatHardlyStands) {
     EXPECT_FALSE(warned.caused(Effect::Kind::kShowStep));
 }
 
+TEST(Show, ComesOnlyWhenAskedForWhereTheMuseumWantsItSo) {
+    Visitor visitor(Rules{.shows_by_itself = false});
+    visitor.starts_to_throw().waits(30.0);
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kShowStep));
+    visitor.presses(Button::kShowMe);
+    EXPECT_TRUE(visitor.state.throwing.shown);
+}
+
 TEST(Show, ShowsNoCueToAHandThatIsAtWork) {
     Visitor visitor;
     visitor.starts_to_throw();
