@@ -31,6 +31,7 @@ enum class Key {
     kV,
     kW,
     kX,
+    kF1,
     kF11,
     kTab,
     kLeft,

@@ -86,6 +86,8 @@ Key key_of(int code) {
             return Key::kW;
         case GLFW_KEY_X:
             return Key::kX;
+        case GLFW_KEY_F1:
+            return Key::kF1;
         case GLFW_KEY_F11:
             return Key::kF11;
         case GLFW_KEY_TAB:

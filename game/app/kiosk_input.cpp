@@ -41,6 +41,7 @@ double KioskVisit::side() const {
 }
 
 void KioskVisit::nudge_hand(Button button) {
+    keys_lead_ = true;
     hand_.button(hand_key(button), side());
 }
 
@@ -73,13 +74,14 @@ void KioskVisit::take_news(const PointerNews& news) {
         case PointerNews::Kind::kNone:
             break;
         case PointerNews::Kind::kLife:
-            tell({Event::Kind::kInput});
+            tell({Event::Kind::kInput, Button::kNone, news.value});
             break;
         case PointerNews::Kind::kPressed:
             tell(Event::pressed(news.button, news.value));
             break;
         case PointerNews::Kind::kHandDown:
             if (clay_is_open()) {
+                keys_lead_ = false;
                 tell({Event::Kind::kClayTouched});
                 if (const auto place = place_at(news.at_px)) hand_.press(*place);
             } else {
@@ -95,11 +97,14 @@ void KioskVisit::take_news(const PointerNews& news) {
             hand_.release();
             break;
         case PointerNews::Kind::kHovered:
+            hovered_s_ = now_s_;
+            keys_lead_ = false;
             if (const auto place = place_at(news.at_px)) hand_.hover(*place);
             break;
         case PointerNews::Kind::kNudged:
             if (!clay_is_open()) break;
             tell({Event::Kind::kClayTouched});
+            keys_lead_ = true;
             hand_.key(hand_key(news.button), side());
             break;
         case PointerNews::Kind::kCornerHeld:

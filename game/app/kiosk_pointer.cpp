@@ -82,8 +82,9 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
     using window::Key;
     if (!key.pressed) return;
     // A press is a sign of life of its own, and must find the panel that it is meant for.
-    const bool takes = (key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0;
-    if (!takes) news.push_back({.kind = Kind::kLife});
+    const bool takes =
+        key.key == Key::kF1 || ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
+    if (!takes) news.push_back({.kind = Kind::kLife, .value = 1});
     const auto nudge = [&](kiosk::Button button) { news.push_back({Kind::kNudged, button, 0, {}}); };
     switch (key.key) {
         case Key::kTab:
@@ -124,6 +125,9 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
         case Key::kEscape:
         case Key::kQ:
             if (!key.repeat) news.push_back({.kind = Kind::kCloseAsked});
+            return;
+        case Key::kF1:
+            if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kShowMe, 0, {}});
             return;
         case Key::kV:
             if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kForces, 0, {}});

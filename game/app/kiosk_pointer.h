@@ -15,7 +15,7 @@ namespace onggi::app {
 struct PointerNews {
     enum class Kind {
         kNone,
-        kLife,        // somebody is there
+        kLife,        // somebody is there; value 1: by a key
         kPressed,     // a target, on release or by repeating; `button` and `value`
         kHandDown,    // on the scene, not on a target
         kHandMoved,   // while it is down

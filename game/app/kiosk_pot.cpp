@@ -2,19 +2,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "engine/ui/painter.h"
+#include "game/app/kiosk_hand.h"
 #include "game/clay/studio/pot.h"
+#include "game/clay/studio/studio_parameters.h"
 #include "game/finish/glaze.h"
 #include "game/heritage/score.h"
 
 namespace onggi::app {
 namespace {
 
-constexpr double kPressedMm = 3.0;     // a foot narrower by this, or a lump higher by twice as much
-constexpr double kOpenedMm = 18.0;     // from rim to floor
-constexpr double kRaisedShare = 1.15;  // of the height when it was opened
+// What a move of the lesson does to a kilogram; other lumps by the cube root of what they hold.
+constexpr double kPressedMm = 3.0;      // a foot narrower by this, or a lump higher by twice as much
+constexpr double kOpenedMm = 18.0;      // from rim to floor
+constexpr double kOpenedBoreMm = 14.0;  // in the middle of that, to the inner face
+constexpr double kRaisedShare = 1.4;    // of the height when it was opened
+constexpr double kRaisedMm = 75.0;      // or this, however it came to it
+constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 constexpr double kWarnsAt = 0.85;
 constexpr double kRelaxesAt = 0.70;
 
@@ -58,29 +66,47 @@ std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
     return outline;
 }
 
+double volume_mm3(const haptic::PotShape& shape) {
+    const auto outer = shape.outer_mm();
+    const auto inner = shape.inner_mm();
+    const auto tops = shape.top_mm();
+    const double even_mm = shape.height_mm / static_cast<double>(outer.size());
+    double volume = 0.0;
+    double below_mm = 0.0;
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+        const double top_mm = tops.empty() ? below_mm + even_mm : double{tops[i]};
+        const double bore_mm = inner.empty() ? 0.0 : double{inner[i]};
+        volume += std::numbers::pi * (double{outer[i]} * double{outer[i]} - bore_mm * bore_mm) *
+                  (top_mm - below_mm);
+        below_mm = top_mm;
+    }
+    return volume;
+}
+
 }  // namespace
 
 int Lesson::steps_done(const haptic::PotShape& shape) {
     if (shape.rings <= 0) return done_;
     const auto outer = shape.outer_mm();
     const double foot_mm = double{outer[outer.size() / 6]};
+    const double height_mm = shape.height_mm;
     if (!has_start_) {
         has_start_ = true;
-        start_height_mm_ = shape.height_mm;
+        start_height_mm_ = height_mm;
         start_foot_mm_ = foot_mm;
+        size_ = std::cbrt(volume_mm3(shape) / kKilogramMm3);
     }
-    const bool opened = shape.is_hollow && shape.height_mm - shape.floor_mm > kOpenedMm;
-    const bool pressed =
-        start_foot_mm_ - foot_mm > kPressedMm || shape.height_mm - start_height_mm_ > 2.0 * kPressedMm;
-    if (done_ < 1 && (pressed || opened)) done_ = 1;
-    if (done_ < 2 && opened) {
-        done_ = 2;
-        low_height_mm_ = shape.height_mm;
-    }
-    if (done_ == 2) {
-        low_height_mm_ = std::min(low_height_mm_, shape.height_mm);
-        if (shape.height_mm > kRaisedShare * low_height_mm_) done_ = 3;
-    }
+    const double bore_mm = wall_at(shape, 0.5 * (height_mm + shape.floor_mm)).inner_mm;
+    const bool is_open =
+        shape.is_hollow && height_mm - shape.floor_mm > kOpenedMm * size_ && bore_mm >= kOpenedBoreMm * size_;
+    if (is_open && opened_height_mm_ == 0.0) opened_height_mm_ = height_mm;
+    const bool was_opened = opened_height_mm_ > 0.0;
+    const bool pressed = start_foot_mm_ - foot_mm >= kPressedMm * size_ ||
+                         height_mm - start_height_mm_ >= 2.0 * kPressedMm * size_;
+    const bool raised =
+        is_open && (height_mm > kRaisedShare * opened_height_mm_ || height_mm >= kRaisedMm * size_);
+    // Opening is more than pressing, and raising more than both: whoever begins with it has learnt them.
+    done_ = std::max(done_, raised ? 3 : was_opened ? 2 : pressed ? 1 : 0);
     return done_;
 }
 

@@ -15,7 +15,8 @@
 
 namespace onggi::app {
 
-// Follows one lump from fresh to pot and says which of the three moves it shows: pressed, opened, raised.
+// Follows one lump from fresh to pot and says which of the three moves the clay itself shows, whatever made
+// them: pressed, opened, raised.
 class Lesson {
   public:
     void begin() { *this = {}; }
@@ -26,7 +27,8 @@ class Lesson {
     bool has_start_ = false;
     double start_height_mm_ = 0.0;
     double start_foot_mm_ = 0.0;
-    double low_height_mm_ = 0.0;  // since it was opened
+    double opened_height_mm_ = 0.0;  // when it was opened; 0: it is not
+    double size_ = 1.0;              // of the lump, beside one of a kilogram
     int done_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "game/app/kiosk_staff.h"
 #include "game/app/kiosk_visit.h"
+#include "game/screens/layout.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {
@@ -42,11 +43,10 @@ bool looks_the_same(const screens::View& a, const screens::View& b) {
            s.staff.first_line == t.staff.first_line && s.staff.question == t.staff.question &&
            s.house_language == t.house_language && s.device_lost == t.device_lost &&
            s.force_rests == t.force_rests && a.width_px == b.width_px && a.height_px == b.height_px &&
-           a.hint == b.hint && a.seconds_left == b.seconds_left && a.pot == b.pot &&
+           s.throwing.shown == t.throwing.shown && a.seconds_left == b.seconds_left && a.pot == b.pot &&
            a.attract_exhibit == b.attract_exhibit && a.attract_turn == b.attract_turn &&
-           near(a.outline_px, b.outline_px) && glm::length(a.hint_at_px - b.hint_at_px) < 3.0F &&
-           glm::length(a.second_hint_at_px - b.second_hint_at_px) < 3.0F &&
-           a.scene_edges_px == b.scene_edges_px && s.throwing.looks_in == t.throwing.looks_in &&
+           near(a.outline_px, b.outline_px) && a.scene_edges_px == b.scene_edges_px &&
+           s.throwing.looks_in == t.throwing.looks_in &&
            std::lround(a.thinnest_mm * 10.0) == std::lround(b.thinnest_mm * 10.0) && same_warning_place &&
            a.focus == b.focus && a.scans == b.scans && a.heard == b.heard && a.closed == b.closed &&
            a.staff_title == b.staff_title && a.staff_lines == b.staff_lines && a.staff_pot == b.staff_pot &&
@@ -110,7 +110,6 @@ void KioskVisit::compose(const haptic::Snapshot& snapshot) {
     view.px_per_mm = screens::px_per_mm(view.width_px, view.height_px, config.screen.diagonal_inch);
     view.distance_mm = config.screen.distance_mm;
     view.own_digits = config.languages.own_digits;
-    view.hint = state_.screen == kiosk::Screen::kThrow && state_.throwing.steps_done < kiosk::kTeachingSteps;
     view.seconds_left = state_.panel == kiosk::Panel::kIdle
                             ? kiosk::seconds_left(state_, parts_.settings.rules.countdown_s, now_s_)
                         : state_.panel == kiosk::Panel::kPin ? kiosk::pin_seconds_left(state_, now_s_)
@@ -159,15 +158,6 @@ void KioskVisit::add_scene(screens::View& view, const haptic::Snapshot& snapshot
         return px ? vec2(*px) : vec2(0.0F);
     };
     const haptic::PotShape& shape = *snapshot.shape;
-    if (view.hint) {
-        // At the height at which a hand would begin, and in the mouth. Whole tens, so that a clay that moves
-        // a little does not paint the hands anew.
-        const double low_mm = state_.throwing.steps_done == 0 ? 25.0 : 0.4 * shape.height_mm;
-        const double edge_mm = std::round(wall_at(shape, low_mm).outer_mm / 10.0) * 10.0;
-        const double top_mm = std::round(shape.height_mm / 10.0) * 10.0;
-        view.hint_at_px = seen({side() * edge_mm, low_mm, 0.0});
-        view.second_hint_at_px = seen({0.0, top_mm, 0.0});
-    }
     if (state_.throwing.warning != kiosk::Warning::kNone) {
         view.thinnest_mm = thinnest_wall_mm(shape);
         const bool rtl = (*view.languages)[static_cast<std::size_t>(state_.comfort.language)].right_to_left();
@@ -203,29 +193,100 @@ std::optional<screens::ForceFrame> KioskVisit::force_frame(const haptic::Snapsho
     return forces_.frame(snapshot, pot, sight_of(parts_.view), asked);
 }
 
-// The clay where it carries most, from its left edge to its right as the camera sees it.
+// The clay where it carries most.
 std::optional<screens::Band> KioskVisit::warning_band(const haptic::Snapshot& snapshot) const {
     if (state_.screen != kiosk::Screen::kThrow || state_.throwing.warning == kiosk::Warning::kNone)
         return std::nullopt;
     constexpr double kHalfHeightMm = 11.0;
-    constexpr int kPoints = 24;
     const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
                                         std::max(kHalfHeightMm, snapshot.shape->height_mm - kHalfHeightMm));
+    return band_round(*snapshot.shape, middle_mm - kHalfHeightMm, middle_mm + kHalfHeightMm);
+}
+
+std::optional<screens::Band> KioskVisit::band_round(const haptic::PotShape& shape, double low_mm,
+                                                    double high_mm) const {
+    constexpr int kPoints = 24;
     screens::Band band;
-    for (const auto& [edge, y_mm] : {std::pair(&band.upper, middle_mm + kHalfHeightMm),
-                                     std::pair(&band.lower, middle_mm - kHalfHeightMm)}) {
-        const double radius_mm =
-            wall_at(*snapshot.shape, std::min(y_mm, snapshot.shape->height_mm - 0.5)).outer_mm;
+    for (const auto& [edge, y_mm] : {std::pair(&band.upper, high_mm), std::pair(&band.lower, low_mm)}) {
+        const double radius_mm = wall_at(shape, std::min(y_mm, shape.height_mm - 0.5)).outer_mm;
         if (radius_mm <= 0.0) return std::nullopt;
         for (int i = 0; i <= kPoints; ++i) {
             const double angle = std::numbers::pi * (1.0 - static_cast<double>(i) / kPoints);
-            const dvec3 place(radius_mm * std::cos(angle), y_mm, radius_mm * std::sin(angle));
-            const auto px = parts_.view.project(place);
+            const auto px =
+                parts_.view.project({radius_mm * std::cos(angle), y_mm, radius_mm * std::sin(angle)});
             if (!px) return std::nullopt;
             edge->push_back(vec2(*px));
         }
     }
     return band;
+}
+
+std::optional<screens::Cue> KioskVisit::cue(const haptic::Snapshot& snapshot) {
+    constexpr double kHoversS = 4.0;  // a mouse at rest for longer wants nothing
+    if (state_.screen != kiosk::Screen::kThrow || state_.panel != kiosk::Panel::kNone) return std::nullopt;
+    const haptic::PotShape& shape = *snapshot.shape;
+    const vec2 at_px = pointer_.at_px();
+    std::optional<dvec2> hovers_mm;
+    if (now_s_ - hovered_s_ < kHoversS && stage_.target_at(at_px) < 0) {
+        hovers_mm = place_at(at_px);
+    }
+    std::optional<dvec2> marker_mm;
+    if (keys_lead_) marker_mm = hand_.marker_mm();
+    std::optional<int> wanted;
+    if (kiosk::shows_hint(state_, now_s_, parts_.settings.rules)) wanted = state_.throwing.steps_done;
+    const auto place = cue_.look({.now_s = now_s_,
+                                  .shape = shape,
+                                  .grip = snapshot.result.grip,
+                                  .is_shown = state_.throwing.shown.has_value(),
+                                  .wanted_step = wanted,
+                                  .hovers_mm = hovers_mm,
+                                  .marker_mm = marker_mm,
+                                  .still = state_.comfort.still});
+    if (!place) return std::nullopt;
+    screens::Cue cue{.guard = place->guard, .words_on_left = place->hand_side > 0.0};
+    const CueHold& hold = *place->hold;
+    if (hold.opening_mm > 0.0) {
+        constexpr int kPoints = 40;
+        for (int i = 0; i <= kPoints; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / kPoints;
+            const auto px = parts_.view.project(
+                {hold.opening_mm * std::cos(angle), hold.high_mm, hold.opening_mm * std::sin(angle)});
+            if (!px) return std::nullopt;
+            cue.ring.push_back(vec2(*px));
+        }
+    } else {
+        auto belt = band_round(shape, hold.low_mm, hold.high_mm);
+        if (!belt) return std::nullopt;
+        cue.belt = std::move(*belt);
+    }
+    if (place->step) add_way(cue, shape, *place->step);
+    return cue;
+}
+
+// The arrow of a step: towards the wall, down into the middle, or up beside the wall.
+void KioskVisit::add_way(screens::Cue& cue, const haptic::PotShape& shape, int step) const {
+    constexpr float kTowardsU = 150.0F;
+    constexpr float kBesideU = 50.0F;
+    constexpr float kAboveU = 122.0F;
+    const CueHold hold = hold_of_step(shape, step);
+    const double middle_mm = 0.5 * (hold.low_mm + hold.high_mm);
+    const double edge_mm = hold.opening_mm > 0.0 ? 0.0 : side() * wall_at(shape, middle_mm).outer_mm;
+    const auto edge_px =
+        parts_.view.project({edge_mm, hold.opening_mm > 0.0 ? hold.high_mm : middle_mm, 0.0});
+    if (!edge_px) return;
+    const float u = screens::px_per_u_of(parts_.view.width(), parts_.view.height());
+    const float out = static_cast<float>(side());
+    constexpr int kPresses = 0;
+    if (hold.opening_mm > 0.0) {
+        cue.way = screens::CueWay::kDown;
+        cue.way_px = vec2(*edge_px) - vec2(0.0F, kAboveU * u);
+    } else if (step == kPresses) {
+        cue.way = out > 0.0F ? screens::CueWay::kLeft : screens::CueWay::kRight;
+        cue.way_px = vec2(*edge_px) + vec2(out * kTowardsU * u, 0.0F);
+    } else {
+        cue.way = screens::CueWay::kUp;
+        cue.way_px = vec2(*edge_px) + vec2(out * kBesideU * u, 0.0F);
+    }
 }
 
 }  // namespace onggi::app

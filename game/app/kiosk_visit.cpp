@@ -51,6 +51,7 @@ void KioskVisit::fresh_clay() {
     if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
     clay_.expect_lump(run_);
     hand_.leave_clay();
+    cue_.begin();
     shown_.reset();
 }
 
@@ -118,6 +119,12 @@ void KioskVisit::carry_out(const Effect& effect) {
         }
         case Effect::Kind::kMoveHand:
             nudge_hand(static_cast<Button>(effect.value));
+            break;
+        case Effect::Kind::kShowStep:
+            hand_.show(static_cast<ShownStep>(effect.value), *parts_.job.newest_snapshot().shape, side());
+            break;
+        case Effect::Kind::kStopShow:
+            hand_.stop_showing();
             break;
         case Effect::Kind::kCutOff:
             hand_.release();
@@ -187,7 +194,11 @@ void KioskVisit::take_clay(const haptic::Snapshot& snapshot) {
         return;
     }
     if (state_.screen != Screen::kThrow) return;
-    if (touches && (hand_.works() || !parts_.devices.holder().empty())) tell({Event::Kind::kClayTouched});
+    // What the wheel's own hands do is not the visitor's touch.
+    const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
+    if (touches && holds) tell({Event::Kind::kClayTouched});
+    if (holds != state_.throwing.held) tell({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
+    if (state_.throwing.shown && !hand_.shows()) tell({Event::Kind::kShowOver});
     const std::optional<ClayNews> news = clay_.look(snapshot, state_.throwing.warning);
     if (!news) return;
     tell({Event::Kind::kProgress, Button::kNone, news->steps_done});
@@ -289,12 +300,13 @@ Result<void> KioskVisit::frame(double now_s) {
 
     forces_.look(snapshot, now_s_);
     const std::optional<screens::Band> band = warning_band(snapshot);
+    const std::optional<screens::Cue> cue = this->cue(snapshot);
     wheel::PotView pot = pot_view(snapshot);
     const std::optional<screens::ForceFrame> forces = force_frame(snapshot, pot);
     const screens::StageFrame stage_frame{.now_s = now_s_,
-                                          .hint = kiosk::shows_hint(state_, now_s_, parts_.settings.rules),
                                           .pressed = pointer_.pressed(),
                                           .band = band ? &*band : nullptr,
+                                          .cue = cue ? &*cue : nullptr,
                                           .forces = forces ? &*forces : nullptr};
     const ui::DrawList& list = stage_.draw(stage_frame);
     const render::Overlay overlay{.list = &list,

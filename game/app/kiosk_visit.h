@@ -15,6 +15,7 @@
 #include "game/app/hand_devices.h"
 #include "game/app/kiosk_camera.h"
 #include "game/app/kiosk_clay.h"
+#include "game/app/kiosk_cue.h"
 #include "game/app/kiosk_fault.h"
 #include "game/app/kiosk_hand.h"
 #include "game/app/kiosk_keeper.h"
@@ -93,6 +94,12 @@ class KioskVisit {
     [[nodiscard]] bool kiln_burns() const;
     void aim_camera(const haptic::Snapshot& snapshot);
     [[nodiscard]] std::optional<screens::Band> warning_band(const haptic::Snapshot& snapshot) const;
+    // A stretch of the clay from its left edge to its right, as the camera sees it; none where it sees none.
+    [[nodiscard]] std::optional<screens::Band> band_round(const haptic::PotShape& shape, double low_mm,
+                                                          double high_mm) const;
+    // What of the clay the hands hold, or a touch would; none where nobody throws.
+    std::optional<screens::Cue> cue(const haptic::Snapshot& snapshot);
+    void add_way(screens::Cue& cue, const haptic::PotShape& shape, int step) const;
     [[nodiscard]] std::optional<dvec2> place_at(vec2 px) const;
     void fresh_clay();
     void begin_show();
@@ -112,6 +119,9 @@ class KioskVisit {
     KioskHand hand_;
     GamepadHand gamepads_;
     KioskClay clay_;
+    KioskCue cue_;
+    double hovered_s_ = -1e9;  // when a mouse last moved with no button held
+    bool keys_lead_ = false;   // no pointer has been moved since
     ForceView forces_;
     std::shared_ptr<const screens::FiredPot> pot_;
     std::vector<screens::ShelfPot> day_;  // the last few pots that were kept

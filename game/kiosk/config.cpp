@@ -122,6 +122,7 @@ std::map<std::string, Setting> settings_of(Config& config) {
         // WCAG 2.1, 2.2.1: at least 20 s to go on with one simple action.
         {"visit.countdown_s", number(config.visit.countdown_s, 20.0, 120.0, "20 to 120")},
         {"visit.forgiving", yes_or_no(config.visit.forgiving)},
+        {"visit.shows_by_itself", yes_or_no(config.visit.shows_by_itself)},
         {"haptics.rate_hz", number(config.haptics.rate_hz, 100.0, 10000.0, "100 to 10000")},
         {"haptics.devices", yes_or_no(config.haptics.devices)},
         {"gallery.folder", words(config.gallery.folder, "a folder", something)},
@@ -259,6 +260,7 @@ Rules rules_of(const Config& config) {
     Rules rules;
     rules.idle_s = config.visit.idle_s;
     rules.countdown_s = config.visit.countdown_s;
+    rules.shows_by_itself = config.visit.shows_by_itself;
     rules.default_volume = config.sound.volume;
     rules.default_text_size = config.screen.text_always_large ? 2 : 1;
     rules.locked = config.staff.locked;

@@ -27,7 +27,8 @@ struct Config {
     struct {
         double idle_s = 45.0;
         double countdown_s = 20.0;
-        bool forgiving = true;  // the clay bears more than real clay
+        bool forgiving = true;        // the clay bears more than real clay
+        bool shows_by_itself = true;  // a step of the lesson of which nothing comes
     } visit;
     struct {
         double rate_hz = 0.0;  // 0: 4000 where real time is granted, else 1000

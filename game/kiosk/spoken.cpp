@@ -22,6 +22,7 @@ std::string_view warning_key(Warning warning) {
 std::string_view throwing_key(const State& state) {
     if (state.device_lost) return "dev.lost";
     if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
+    if (state.throwing.shown) return "show.on";
     constexpr std::array<std::string_view, kTeachingSteps + 1> kSteps{"step.press", "step.open", "step.raise",
                                                                       "step.own"};
     return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];

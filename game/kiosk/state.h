@@ -54,7 +54,13 @@ struct Throwing {
     int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
     double progress_s = 0.0;      // when the pot last came on, or the visit began
     double touched_s = -1.0;      // when the clay was last touched; before the first touch: -1
+    bool held = false;            // a hand works the clay now
     bool looks_in = false;        // the camera, from above into the pot
+    // What the wheel's own hands are showing on the visitor's clay: a step, counted from 0.
+    std::optional<int> shown{};
+    double shown_s = 0.0;                   // since when
+    double show_over_s = 0.0;               // when they were last done
+    std::optional<int> seen_since_touch{};  // the step last shown, until the visitor touches the clay
     int tool = 2;
     int water = 3;
     int speed = 3;

@@ -39,7 +39,7 @@ int pin_seconds_left(const State& state, double now_s) {
 bool shows_hint(const State& state, double now_s, const Rules& rules) {
     if (state.screen != Screen::kThrow || state.panel != Panel::kNone) return false;
     const Throwing& throwing = state.throwing;
-    if (throwing.steps_done >= kTeachingSteps) return false;
+    if (throwing.steps_done >= kTeachingSteps || throwing.shown || throwing.held) return false;
     if (throwing.touched_s < 0.0) return true;
     return now_s - std::max(throwing.progress_s, throwing.touched_s) >= rules.hint_again_s;
 }
@@ -120,6 +120,7 @@ void pass_time(Turn& turn) {
         return;
     }
     if (state.screen == Screen::kFiring) pass_firing(turn);
+    if (state.screen == Screen::kThrow && state.panel == Panel::kNone) pass_show(turn);
     if (now_s - state.input_s >= turn.rules.idle_s) turn.lay_over(Panel::kIdle);
 }
 
@@ -176,25 +177,38 @@ void touch_clay(Turn& turn) {
         turn.show(Screen::kThrow);
         turn.put_on_clay(std::nullopt);
     }
-    if (state.screen == Screen::kThrow) state.throwing.touched_s = turn.now_s;
+    if (state.screen != Screen::kThrow) return;
+    end_show(turn);
+    state.throwing.touched_s = turn.now_s;
+    state.throwing.seen_since_touch.reset();
 }
 
 }  // namespace
 
 std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules) {
     Turn turn{.state = state, .now_s = now_s, .rules = rules};
+    const bool showed = state.throwing.shown.has_value();
     switch (event.kind) {
         case Event::Kind::kTick:
             pass_time(turn);
             break;
         case Event::Kind::kInput:
             wake(turn);
+            if (event.value == 1) end_show(turn);
             break;
         case Event::Kind::kPressed:
             press(turn, event);
             break;
         case Event::Kind::kClayTouched:
             touch_clay(turn);
+            break;
+        case Event::Kind::kHeld:
+            // Who has just let go is not shown anything at once.
+            if (state.throwing.held && event.value != 1) state.throwing.touched_s = now_s;
+            state.throwing.held = event.value == 1;
+            break;
+        case Event::Kind::kShowOver:
+            end_show(turn);
             break;
         case Event::Kind::kProgress:
             if (state.screen == Screen::kThrow && event.value > state.throwing.steps_done) {
@@ -266,6 +280,10 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             if (!rules.locked) turn.add(Effect::Kind::kQuit);
             break;
     }
+    if (state.screen != Screen::kThrow || state.panel != Panel::kNone) end_show(turn);
+    // Before whatever else is done to the clay.
+    if (showed && !state.throwing.shown)
+        turn.effects.insert(turn.effects.begin(), Effect{Effect::Kind::kStopShow, 0});
     return std::move(turn.effects);
 }
 

@@ -34,6 +34,8 @@ enum class Button {
     kHandLeft,  // on the screen, as are all four
     kHandRight,
     kLookIn,  // from above into the pot, or from the front again
+    kShowMe,  // the wheel's own hands do the next step
+    kMyTurn,  // and leave off
     kBeforeCollapse,
     kKeepSlump,
     kSkip,
@@ -77,9 +79,11 @@ constexpr int kButtonCount = static_cast<int>(Button::kStaffClose) + 1;
 struct Event {
     enum class Kind {
         kTick,         // time has passed
-        kInput,        // a sign of life: pointer, key, or a device's motion above its noise
+        kInput,        // a sign of life: pointer, key, or a device's motion above its noise; value 1: a key
         kPressed,      // a button, on its release
         kClayTouched,  // by the visitor's hand
+        kHeld,         // value: 1 while the visitor's hand is at work, 0 when it lets go
+        kShowOver,     // the wheel's hands have shown what they were to show
         kProgress,     // value: teaching steps that the pot shows as done
         kWarned,       // value: a Warning
         kCollapsed,    // value: the Warning that says what it gave way by
@@ -110,6 +114,8 @@ struct Effect {
         kUndo,            // the last touch
         kBeforeCollapse,  // back to 2 s before it began
         kMoveHand,        // value: a Button of the pad
+        kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay
+        kStopShow,        // they leave the clay as it is
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
         kSave,
         kForgetPot,  // nothing of the visit before may be seen again
@@ -135,7 +141,11 @@ struct Effect {
 struct Rules {
     double idle_s = 45.0;
     double countdown_s = 20.0;
-    double hint_again_s = 6.0;     // without progress, until the ghost shows again
+    double hint_again_s = 6.0;     // without progress, until the cue for the next move shows again
+    bool shows_by_itself = true;   // the wheel's hands show a step that nobody asked to see
+    double show_after_s = 8.0;     // without progress, until they do
+    double show_rests_s = 3.0;     // after a touch or a show, until they begin another
+    double show_most_s = 6.0;      // of one show
     double staff_locks_s = 120.0;  // without a touch
     double cut_s = 1.2;
     double dry_s = 1.4;
@@ -159,7 +169,7 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
 // What a kiosk starts with: attract, everything at its default. Its first effect is kStartDemo.
 [[nodiscard]] State first_state(const Rules& rules, double now_s);
 
-// Whether the ghost of the next move is to be seen now.
+// Whether the cue for the next move is to be seen now.
 [[nodiscard]] bool shows_hint(const State& state, double now_s, const Rules& rules);
 
 }  // namespace onggi::kiosk

@@ -39,7 +39,12 @@ void press_choose(Turn& turn, const Event& event) {
 
 void press_throw(Turn& turn, const Event& event) {
     Throwing& throwing = turn.state.throwing;
+    const bool was_shown = throwing.shown.has_value();
+    if (event.button != Button::kLookIn) end_show(turn);  // who does something has taken over
     switch (event.button) {
+        case Button::kShowMe:
+            if (!was_shown) begin_show(turn);
+            break;
         case Button::kBack:
             turn.show(Screen::kChoose);
             break;

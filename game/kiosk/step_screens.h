@@ -33,6 +33,11 @@ void press_idle(Turn& turn, const Event& event);
 void press_language(Turn& turn, const Event& event);
 // PIN and panel; in step_staff.cpp.
 void press_staff(Turn& turn, const Event& event);
+// The wheel's own hands, on the throwing screen; in step_show.cpp. They begin with the next step, or where
+// all are known with the last, and end where nothing is shown as they end anywhere.
+void begin_show(Turn& turn);
+void end_show(Turn& turn);
+void pass_show(Turn& turn);
 // Cutting, drying and firing go on by themselves.
 void pass_firing(Turn& turn);
 

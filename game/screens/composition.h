@@ -11,15 +11,10 @@
 #include "engine/ui/geometry.h"
 #include "engine/ui/painting.h"
 #include "game/kiosk/step.h"
+#include "game/screens/cue.h"
 #include "game/screens/turning_pot.h"
 
 namespace onggi::screens {
-
-// How an item behaves between two compositions.
-enum class Role {
-    kStill,
-    kHint,  // ghost hands and paths: fade with the hint, and move along its way
-};
 
 struct Item {
     ui::Rect rect;
@@ -29,8 +24,7 @@ struct Item {
     int target = -1;                               // it sinks with this target when that is pressed
     std::uint64_t pressed_key = 0;
     std::shared_ptr<const ui::Painting> pressed_painting;
-    Role role = Role::kStill;
-    vec2 way{0.0F};  // of a hint: how far it goes in a loop
+    float alpha = 1.0F;  // less: it cannot be used now
     bool is_words = false;
     std::shared_ptr<const TurningPot> turning;  // its painting is how it begins
 };
@@ -88,6 +82,9 @@ struct Composition {
     std::vector<Writing> writings;
     std::vector<ui::Rect> pots;                // no words in these
     std::shared_ptr<const ForceParts> forces;  // where forces may be shown
+    bool has_cue = false;                      // where the clay may be touched
+    // Why it does less than the finger asks, as pictures; only their size and painting count.
+    std::array<Item, kCueGuardCount> guard_words;
 };
 
 }  // namespace onggi::screens

@@ -34,14 +34,16 @@ inline constexpr Colour kNiche = hex(0x3a2c21);
 inline constexpr Colour kNicheEdge = hex(0x85705a);
 inline constexpr Colour kOutline = hex(0xfff6e2);
 inline constexpr Colour kTokenEdge = hex(0xe9dcc6);
-inline constexpr Colour kGhostFill = hex(0xe6d3b3);
-inline constexpr Colour kGhostEdge = hex(0xfffaf0);
 inline constexpr Colour kWallLight = hex(0x6a5642);
 inline constexpr Colour kWall = hex(0x4a3a2c);
 inline constexpr Colour kWallDark = hex(0x281e16);
 inline constexpr Colour kShelf = hex(0x70573f);
 inline constexpr Colour kShelfEdge = hex(0x7d5c3a);
 inline constexpr Colour kRule = hex(0xd3c3a8);
+
+// What rests: of a picture's own strength, and words on the ledge beside it.
+inline constexpr float kRestingAlpha = 0.45F;
+inline constexpr Colour kRestingWords = hex(0x948a7f);
 
 // The paper's colours of Fig. 6; their sum is black there and black with a pale edge here.
 inline constexpr Colour kStiffness = hex(0xf79a4b);

@@ -42,11 +42,16 @@ Places places_on(const Page& page) {
                 {plot_x, plot_y + 114.0F, half, 38.0F}};
     }
     const float width = page.shape() == Shape::kSquare ? 308.0F : 330.0F;
-    const Rect panel{24.0F, 124.0F, width, 2.0F * kAir + 4.0F * kRow + 2.0F * (kRow + kPlotHeight) + 20.0F};
+    // Larger text lifts the ledge, and what stands on it is not to be covered.
+    constexpr float kTop = 124.0F;
+    constexpr float kRows = 2.0F * kAir + 6.0F * kRow + 20.0F;
+    const float ledge = ledge_y(page.shape(), page.height(), page.view().state.comfort);
+    const float plot_height = std::min(kPlotHeight, 0.5F * (ledge - 8.0F - kTop - kRows));
+    const Rect panel{24.0F, kTop, width, kRows + 2.0F * plot_height};
     const Rect forces{panel.x + kAir, panel.y + kAir, width - 2.0F * kAir, 4.0F * kRow};
     const float first_y = forces.bottom() + 8.0F + kRow;
-    const Rect plot{forces.x, first_y, forces.width, kPlotHeight};
-    return {panel, forces, plot, plot.moved({0.0F, kPlotHeight + kRow + 12.0F})};
+    const Rect plot{forces.x, first_y, forces.width, plot_height};
+    return {panel, forces, plot, plot.moved({0.0F, plot_height + kRow + 12.0F})};
 }
 
 // Name, number, unit in one line; gives the place of the number. Never mirrored inside: the panel is.

@@ -72,6 +72,11 @@ std::vector<Stroke> strokes_of(Icon icon) {
                  "V40 "
                  "C48 52 40 58 31 58 C22 58 17 53 9 38 C7 33 13 30 18 36",
                  kSkin}};
+        case Icon::kShow:
+            return {{"M22 40 V22 a4 4 0 0 1 8 0 V32 M30 32 V16 a4 4 0 0 1 8 0 V32 M38 32 V20 a4 4 0 0 1 8 0 "
+                     "V42 C46 52 40 57 32 57 C24 57 20 53 13 42 C11 38 16 35 20 39",
+                     kSkin},
+                    {"M20 10 A18 18 0 0 1 46 10 M46 3 V11 H38", {}, 3.2F}};
         case Icon::kLow:
             return {{"M10 8 H54 V56 H10 Z"}, {"M10 36 H54"}, {"M32 12 V28 M24 22 L32 30 L40 22"}};
         case Icon::kStill:
@@ -104,23 +109,6 @@ void add_strokes(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::C
     }
 }
 
-struct Limb {
-    std::string_view path;
-    float width;
-};
-constexpr std::array kPressLimbs{Limb{"M214 204 L116 82", 52.0F},    Limb{"M94 48 L118 82", 58.0F},
-                                 Limb{"M94 85 Q58 82 20 80", 16.0F}, Limb{"M90 67 Q48 57 5 60", 19.0F},
-                                 Limb{"M90 51 Q46 34 0 40", 20.0F},  Limb{"M92 35 Q52 12 6 20", 19.0F},
-                                 Limb{"M102 36 Q88 6 62 -10", 20.0F}};
-constexpr std::array kInsideLimbs{Limb{"M96 -128 L52 -22", 50.0F},    Limb{"M58 -30 L44 -2", 56.0F},
-                                  Limb{"M66 -4 Q74 36 70 64", 16.0F}, Limb{"M52 2 Q58 46 54 84", 19.0F},
-                                  Limb{"M36 2 Q38 50 38 92", 20.0F},  Limb{"M22 0 Q18 46 22 84", 19.0F},
-                                  Limb{"M22 -18 Q-2 6 -8 34", 20.0F}};
-constexpr std::array<std::string_view, 3> kPressSeams{"M80 76 Q50 70 16 70", "M78 59 Q44 46 6 50",
-                                                      "M80 44 Q46 24 8 30"};
-constexpr std::array<std::string_view, 3> kInsideSeams{"M29 12 Q27 50 30 80", "M44 12 Q48 50 46 80",
-                                                       "M59 10 Q66 40 62 66"};
-
 }  // namespace
 
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke) {
@@ -138,40 +126,6 @@ std::span<const std::string_view> icon_paths(Icon icon) {
     for (const Stroke& stroke : strokes_of(icon))
         paths.push_back(stroke.path);
     return paths;
-}
-
-ui::Rect ghost_hand_reach(HandPose pose) {
-    return pose == HandPose::kPress ? ui::Rect{-20.0F, -28.0F, 270.0F, 270.0F}
-                                    : ui::Rect{-28.0F, -164.0F, 160.0F, 280.0F};
-}
-
-void add_ghost_hand(ui::Sketch& sketch, HandPose pose, vec2 at, float scale, bool flipped) {
-    const bool presses = pose == HandPose::kPress;
-    const std::span<const Limb> limbs = presses ? std::span<const Limb>(kPressLimbs) : kInsideLimbs;
-    const ui::Placing placing{.at = at, .scale = vec2(flipped ? -scale : scale, scale)};
-    // A dark halo, a pale edge and the hand itself, each as all limbs together.
-    struct Coat {
-        float wider;
-        ui::Colour colour;
-    };
-    for (const Coat& coat : {Coat{8.0F, design::kNight.with_alpha(0.30F)}, Coat{4.6F, design::kGhostEdge},
-                             Coat{0.0F, design::kGhostFill}}) {
-        for (const Limb& limb : limbs) {
-            sketch.add(ui::Shape{.path = std::string(limb.path),
-                                 .placing = placing,
-                                 .stroke = coat.colour,
-                                 .stroke_width = limb.width + coat.wider});
-        }
-    }
-    for (const std::string_view seam : presses ? kPressSeams : kInsideSeams) {
-        sketch.add(ui::Shape{.path = std::string(seam),
-                             .placing = placing,
-                             .stroke = design::kGhostEdge,
-                             .stroke_width = 2.2F});
-    }
-    const auto placed = [&](float x, float y) { return at + vec2(flipped ? -x : x, y) * scale; };
-    sketch.fade = presses ? ui::Sketch::Fade{placed(90.0F, 70.0F), placed(205.0F, 200.0F)}
-                          : ui::Sketch::Fade{placed(50.0F, -58.0F), placed(92.0F, -150.0F)};
 }
 
 }  // namespace onggi::screens

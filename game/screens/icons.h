@@ -28,6 +28,7 @@ enum class Icon {
     kStill,
     kCheck,
     kLookIn,
+    kShow,
     kStepPress,  // sections of the clay
     kStepOpen,
     kStepRaise,
@@ -42,11 +43,5 @@ void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colo
 
 // All paths, for the test that reads them.
 [[nodiscard]] std::span<const std::string_view> icon_paths(Icon icon);
-
-// Ghost hands: the fingertips at the origin, 190 u long, the right hand.
-enum class HandPose { kPress, kInside };
-void add_ghost_hand(ui::Sketch& sketch, HandPose pose, vec2 at, float scale, bool flipped);
-// Where its strokes reach, u about the origin, unflipped and at scale 1.
-[[nodiscard]] ui::Rect ghost_hand_reach(HandPose pose);
 
 }  // namespace onggi::screens

@@ -94,15 +94,13 @@ void Page::across(const Rect& rect, const Colour& left, const Colour& right) {
     box(rect, {left, right, right, left});
 }
 
-void Page::sprite(const Rect& rect, ui::Sketch sketch, int target, Role role, vec2 way) {
+void Page::sprite(const Rect& rect, ui::Sketch sketch, int target) {
     sketch.size = {rect.width, rect.height};
     sketch.px_per_u = composition_.px_per_u;
     Item item;
     item.rect = rect;
     item.painting = store_.get(sketch, item.key);
     item.target = target;
-    item.role = role;
-    item.way = way;
     composition_.items.push_back(std::move(item));
 }
 
@@ -219,7 +217,7 @@ int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::str
     return static_cast<int>(composition_.targets.size()) - 1;
 }
 
-// Above the ring, or below it where there is no room.
+// Above the ring, or below it where there is no room or words stand.
 void Page::name_ring(const Rect& ring, const std::string& name) {
     constexpr float kEdge = 24.0F;
     const float high = 20.0F + 32.0F * text_scale_;
@@ -228,7 +226,16 @@ void Page::name_ring(const Rect& ring, const std::string& name) {
         std::min(most, words_width({.text = name, .size = 26.0F}) * text_scale_ * 1.02F + 44.0F);
     const float x = std::clamp(ring.centre().x - 0.5F * wide, kEdge, width() - kEdge - wide);
     const float above = ring.y - 8.0F - high;
-    const float y = above >= 8.0F ? above : std::min(ring.bottom() + 8.0F, height() - high - 8.0F);
+    const float below = std::min(ring.bottom() + 8.0F, height() - high - 8.0F);
+    const auto hides_words = [&](float at) {
+        return std::any_of(composition_.writings.begin(), composition_.writings.end(),
+                           [&](const Writing& text) {
+                               const Rect common = overlap(Rect{x, at, wide, high}, text.rect);
+                               return common.width > 2.0F && common.height > 3.0F;
+                           });
+    };
+    const bool goes_below = above < 8.0F || (hides_words(above) && !hides_words(below));
+    const float y = goes_below ? below : above;
     ui::Sketch sketch;
     sketch.add(ui::Box{{0.0F, 0.0F, wide, high}, 24.0F, Fill::flat(design::kNight.with_alpha(0.94F))});
     sprite({x, y, wide, high}, std::move(sketch));

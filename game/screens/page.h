@@ -99,12 +99,15 @@ class Page {
     void box(const ui::Rect& rect, const std::array<ui::Colour, 4>& corners);
     void down(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom);
     void across(const ui::Rect& rect, const ui::Colour& left, const ui::Colour& right);
-    void sprite(const ui::Rect& rect, ui::Sketch sketch, int target = -1, Role role = Role::kStill,
-                vec2 way = vec2(0.0F));
+    void sprite(const ui::Rect& rect, ui::Sketch sketch, int target = -1);
     // One line that the stage places itself: at least so wide, on a dark chip or on nothing.
     [[nodiscard]] Item loose_words(const Words& words, float least_width, bool on_chip);
     // Words that the stage sets there from frame to frame: what a test must know of them.
     void keep_loose(Writing writing) { composition_.writings.push_back(std::move(writing)); }
+    void keep_guard_words(CueGuard guard, Item words) {
+        composition_.has_cue = true;
+        composition_.guard_words[static_cast<std::size_t>(guard)] = std::move(words);
+    }
     void keep_forces(std::shared_ptr<const ForceParts> parts) { composition_.forces = std::move(parts); }
     void picture(const ui::Rect& rect, std::shared_ptr<const ui::Painting> painting, std::uint64_t key);
 
@@ -120,9 +123,10 @@ class Page {
     // Buttons. `rect` is final.
     int token(const ui::Rect& rect, Look look, kiosk::Button button, std::string_view name, int value = 0,
               std::optional<Icon> icon = {}, bool with_words = true, bool repeats = false);
+    // No `less`: it rests, to be seen and not to be pressed.
     void stepper(const ui::Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,
                  const std::string& name, bool reversed);
-    void label(const ui::Rect& rect, const std::string& text);
+    void label(const ui::Rect& rect, const std::string& text, const ui::Colour& colour = design::kSlip);
     void card(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom, int target = -1);
     int card_target(const ui::Rect& rect, bool celadon, kiosk::Button button, int value,
                     const std::string& name);

@@ -70,9 +70,10 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
     const Colour ink = look == Look::kOutline ? design::kSlip : design::kInk;
     const float lift = look == Look::kOutline ? 0.0F : 3.0F;
     const float icon_side = icon ? (rect.height > 75.0F ? 44.0F : 36.0F) : 0.0F;
-    const float gap = icon ? 12.0F : 0.0F;
+    const bool is_narrow = icon && rect.width < 200.0F;
+    const float gap = is_narrow ? 6.0F : icon ? 12.0F : 0.0F;
     Words words{.text = std::string(name), .size = 30.0F, .line = 38.0F, .bold = true, .colour = ink};
-    const float room = rect.width - 36.0F - icon_side - gap;
+    const float room = rect.width - (is_narrow ? 20.0F : 36.0F) - icon_side - gap;
     // One line, as large as it can be, clear of the rounded corners.
     const float base = words.size;
     words.size *= text_scale_;
@@ -121,24 +122,28 @@ void Page::stepper(const Rect& rect, Icon icon, int dots, int on, kiosk::Button 
     add_icon(sketch, Icon::kMinus, reversed ? right : left, sign, design::kInk);
     add_icon(sketch, Icon::kPlus, reversed ? left : right, sign, design::kInk);
     add_icon(sketch, icon, {body.centre().x - 0.5F * picture, body.y + 3.0F}, picture, design::kInk);
-    constexpr float kDotStep = 12.0F;
+    const float dot_step = std::min(12.0F, (rect.width - 2.0F * end - 13.0F) / static_cast<float>(dots - 1));
     for (int i = 0; i < dots; ++i) {
         const int place = reversed ? dots - 1 - i : i;
         const float x =
-            body.centre().x + (static_cast<float>(place) - 0.5F * static_cast<float>(dots - 1)) * kDotStep;
+            body.centre().x + (static_cast<float>(place) - 0.5F * static_cast<float>(dots - 1)) * dot_step;
         const Rect dot{x - 4.5F, body.bottom() - (rect.height > 75.0F ? 24.0F : 19.0F), 9.0F, 9.0F};
         sketch.add(ui::Ellipse{dot, Fill::flat(design::kDot)});
         if (i >= on) sketch.add(ui::Ellipse{dot.grown(-2.0F), Fill::flat(ui::hex(0xf3e9d8))});
     }
     sprite(rect.grown(kShadowReach), std::move(sketch));
+    if (less == kiosk::Button::kNone) {
+        composition_.items.back().alpha = design::kRestingAlpha;
+        return;
+    }
     const Rect first{rect.x, rect.y, end, rect.height};
     const Rect last{rect.right() - end, rect.y, end, rect.height};
     add_target(reversed ? last : first, less, 0, name + " \xe2\x88\x92", true);  // U+2212
     add_target(reversed ? first : last, more, 0, name + " +", true);
 }
 
-void Page::label(const Rect& rect, const std::string& text) {
-    words(rect, {.text = text, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre});
+void Page::label(const Rect& rect, const std::string& text, const Colour& colour) {
+    words(rect, {.text = text, .size = 26.0F, .line = 32.0F, .colour = colour, .align = ui::Align::kCentre});
 }
 
 void Page::card(const Rect& rect, const Colour& top, const Colour& bottom, int target) {

@@ -118,8 +118,12 @@ void draw_language(Page& page) {
     const float high = low ? (tall ? 84.0F : 80.0F) : tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
     const float left =
         0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
-    const float top =
-        low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between) : 140.0F;
+    // On a tall screen there is room above for the name of what the ring is on, below the title.
+    const float room = height - 588.0F - static_cast<float>(rows) * (high + between);
+    const float tall_top = std::clamp(room, 140.0F, 232.0F);
+    const float top = low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between)
+                      : tall ? tall_top
+                             : 140.0F;
     float bottom = 0.0F;
     for (int i = 0; i < count; ++i) {
         const Rect rect{left + static_cast<float>(i % columns) * (wide + gap),

@@ -26,7 +26,8 @@ void draw_staff(Page& page);
 // What forces are shown with, and the panel where the visitor asked for it.
 void add_forces(Page& page);
 
-// Shared by several: dots with a head, cream over dark, within the rect's own coordinates.
-void add_path(ui::Sketch& sketch, const std::string& dots, const std::string& head);
+// The dark ledge under the clay: the lesson, and what can be pressed; or while the wheel's own hands show it,
+// how to take over.
+void add_throw_ledge(Page& page);
 
 }  // namespace onggi::screens

@@ -12,12 +12,9 @@ constexpr double kChangeS = 0.24;
 constexpr double kAttractChangeS = 0.6;  // from the throwing to a museum's pot and back, and to the night
 constexpr double kChangeStillS = 0.12;
 constexpr float kRiseU = 12.0F;
-constexpr double kHintInS = 0.4;
-constexpr double kHintOutS = 0.18;
-constexpr double kHintStillS = 0.12;
-constexpr double kLoopS = 2.6;
-constexpr double kRestS = 0.5;
-constexpr float kHintAlpha = 0.88F;
+constexpr double kCueInS = 0.2;
+constexpr double kCueOutS = 0.18;
+constexpr double kHatchStepsPerS = 6.0 / 13.0;  // 6 u a second
 
 bool is_still(const Composed& composed) {
     return composed.view->state.comfort.still;
@@ -42,8 +39,7 @@ double change_s(const Composed& before, const Composed& now) {
 }
 
 bool are_alike(const Item& a, const Item& b) {
-    const bool stand_still = a.role == Role::kStill && b.role == Role::kStill && !a.turning && !b.turning;
-    return stand_still && a.rect == b.rect && a.key == b.key &&
+    return !a.turning && !b.turning && a.rect == b.rect && a.key == b.key && a.alpha == b.alpha &&
            (a.painting == nullptr) == (b.painting == nullptr) && a.corners == b.corners;
 }
 
@@ -137,6 +133,8 @@ bool Stage::all_placed(const Composed& composed) {
         if (item.painting) static_cast<void>(place_of(item));
         if (item.pressed_painting) static_cast<void>(atlas_.place(item.pressed_key, item.pressed_painting));
     }
+    for (const Item& words : composed.composition.guard_words)
+        if (words.painting) static_cast<void>(atlas_.place(words.key, words.painting));
     if (composed.composition.forces) {
         for (const Item& item : composed.composition.forces->digits)
             static_cast<void>(atlas_.place(item.key, item.painting));
@@ -172,10 +170,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     last_s_ = frame.now_s;
     if (!now_) return list_;
     fit_atlas();
-    if (frame.hint && hint_alpha_ <= 0.0) hint_s_ = frame.now_s;
-    const double comes_s = is_still(*now_) ? kHintStillS : kHintInS;
-    const double goes_s = is_still(*now_) ? kHintStillS : kHintOutS;
-    hint_alpha_ = std::clamp(hint_alpha_ + (frame.hint ? step_s / comes_s : -step_s / goes_s), 0.0, 1.0);
+    follow_cue(frame, step_s);
 
     const double along = before_ ? (frame.now_s - since_s_) / change_s(*before_, *now_) : 1.0;
     const bool has_changed = before_ != nullptr && along >= 1.0;
@@ -232,7 +227,14 @@ void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& f
     const bool is_now = &composed == now_.get();
     const std::vector<char>& alike = is_now ? alike_now_ : alike_before_;
     const bool is_whole = is_now && fade.part != Part::kAlike && fade.alpha >= 1.0F;
-    if (is_whole && frame.band != nullptr) add_band(*frame.band, frame, scale);
+    if (is_whole && frame.band != nullptr) {
+        const double steps = is_still(composed) ? 0.0 : frame.now_s * kHatchStepsPerS;
+        draw_warning(list_, *frame.band, static_cast<float>(steps - std::floor(steps)), scale);
+    }
+    if (is_whole && cue_alpha_ > 0.0 && composition.has_cue) {
+        draw_cue(list_, cue_, static_cast<float>(cue_alpha_), scale);
+        add_guard_words(composition);
+    }
     const bool shows_forces = is_whole && frame.forces != nullptr && composition.forces != nullptr;
     const ForcePainter force_painter{
         .list = list_,
@@ -240,19 +242,11 @@ void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& f
         .bounds_px = composition.bounds.scaled(scale),
         .place = [&](const Item& item) { return atlas_.place(item.key, item.painting); }};
     if (shows_forces) draw_touches(*frame.forces, *composition.forces, force_painter);
-    // Where a ghost is in its loop: there, a rest, and again from the start.
-    const double in_loop = std::fmod(std::max(0.0, frame.now_s - hint_s_), kLoopS);
-    const double moved = std::clamp(in_loop / (kLoopS - kRestS), 0.0, 1.0);
-    const float way = is_still(composed) ? 0.0F : static_cast<float>(moved * moved * (3.0 - 2.0 * moved));
     for (std::size_t i = 0; i < composition.items.size(); ++i) {
         if (fade.part != Part::kAll && (alike[i] != 0) != (fade.part == Part::kAlike)) continue;
         const Item& item = composition.items[i];
-        float item_alpha = fade.alpha;
+        const float item_alpha = fade.alpha * item.alpha;
         vec2 shift(0.0F, composition.covers ? 0.0F : fade.rise_u);
-        if (item.role == Role::kHint) {
-            item_alpha *= static_cast<float>(hint_alpha_) * kHintAlpha;
-            shift += way * item.way;
-        }
         const bool pressed = is_now && item.target >= 0 && item.target == frame.pressed;
         if (item_alpha <= 0.0F) continue;
         if (!item.painting) {
@@ -273,34 +267,31 @@ void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& f
         draw_force_panel(*frame.forces, *composition.forces, force_painter);
 }
 
-void Stage::add_band(const Band& band, const StageFrame& frame, float u_px) {
-    const std::size_t count = std::min(band.upper.size(), band.lower.size());
-    if (count < 2) return;
-    const auto along = [&](const std::vector<vec2>& edge, float share) {
-        const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(count - 1);
-        const auto first = std::min(static_cast<std::size_t>(at), count - 2);
-        return glm::mix(edge[first], edge[first + 1], at - static_cast<float>(first));
-    };
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-        const std::array corners{band.upper[i], band.upper[i + 1], band.lower[i + 1], band.lower[i]};
-        list_.add_polygon(corners, ui::hex(0xe4672c, 0.26F));
-    }
-    const float width = std::max(1.0F, glm::length(band.upper.back() - band.upper.front()));
-    const float step = 13.0F * u_px / width;
-    const float drift =
-        is_still(*now_) ? 0.0F : static_cast<float>(std::fmod(frame.now_s * 6.0, 13.0)) * u_px / width;
-    const float slant = 0.9F * glm::length(band.lower[count / 2] - band.upper[count / 2]) / width;
-    for (float share = -slant + drift; share < 1.0F; share += step) {
-        const float end = share + 0.4F * step;
-        if (end <= 0.0F && end + slant <= 0.0F) continue;
-        const std::array corners{along(band.upper, share + slant), along(band.upper, end + slant),
-                                 along(band.lower, end), along(band.lower, share)};
-        list_.add_polygon(corners, design::kHatch.with_alpha(0.8F));
-    }
-    for (const std::vector<vec2>* edge : {&band.upper, &band.lower}) {
-        list_.add_line(*edge, 8.0F * u_px, design::kNight.with_alpha(0.65F));
-        list_.add_line(*edge, 3.5F * u_px, ui::hex(0xfff1d6));
-    }
+void Stage::follow_cue(const StageFrame& frame, double step_s) {
+    const bool is_wanted = frame.cue != nullptr && frame.band == nullptr;
+    if (is_wanted) cue_ = *frame.cue;
+    const double change = is_wanted ? step_s / kCueInS : -step_s / kCueOutS;
+    cue_alpha_ = is_still(*now_) ? (is_wanted ? 1.0 : 0.0) : std::clamp(cue_alpha_ + change, 0.0, 1.0);
+}
+
+// Beside the belt, away from the hand; where there is no room, under it.
+void Stage::add_guard_words(const Composition& composition) {
+    const Item& words = composition.guard_words[static_cast<std::size_t>(cue_.guard)];
+    if (cue_.guard == CueGuard::kNone || !words.painting || cue_.belt.lower.empty()) return;
+    const float u = composition.px_per_u;
+    constexpr float kAsideU = 26.0F;
+    constexpr float kEdgeU = 16.0F;
+    const ui::Rect bounds = composition.bounds.scaled(u).grown(-kEdgeU * u);
+    const ui::Rect size = words.rect.scaled(u);
+    const std::vector<vec2>& low = cue_.belt.lower;
+    const float middle = 0.5F * (cue_.belt.upper.front().y + low.front().y);
+    vec2 at(cue_.words_on_left ? low.front().x - kAsideU * u - size.width : low.back().x + kAsideU * u,
+            middle - 0.5F * size.height);
+    if (at.x < bounds.x || at.x + size.width > bounds.right())
+        at = {0.5F * (low.front().x + low.back().x - size.width), low[low.size() / 2].y + kAsideU * u};
+    at.x = std::clamp(at.x, bounds.x, std::max(bounds.x, bounds.right() - size.width));
+    if (const auto from = atlas_.place(words.key, words.painting))
+        list_.add_picture(at, *from, static_cast<float>(cue_alpha_));
 }
 
 }  // namespace onggi::screens

@@ -1,5 +1,5 @@
-// Puts compositions on the screen frame by frame: cross-fades, tokens that sink, ghosts that move; and says
-// what lies under a finger. Main thread. Times are seconds of the caller's clock.
+// Puts compositions on the screen frame by frame: cross-fades, tokens that sink, cues that come and go; and
+// says what lies under a finger. Main thread. Times are seconds of the caller's clock.
 #pragma once
 
 #include <memory>
@@ -12,21 +12,16 @@
 #include "engine/ui/atlas.h"
 #include "engine/ui/draw_list.h"
 #include "game/screens/composer.h"
+#include "game/screens/cue.h"
 #include "game/screens/forces.h"
 
 namespace onggi::screens {
 
-// A warning's place on the pot: its upper and lower edge, pixels, from left to right.
-struct Band {
-    std::vector<vec2> upper;
-    std::vector<vec2> lower;
-};
-
 struct StageFrame {
     double now_s = 0.0;
-    bool hint = false;  // whether the ghosts are to be seen
-    int pressed = -1;   // target that a finger holds down
-    const Band* band = nullptr;
+    int pressed = -1;            // target that a finger holds down
+    const Band* band = nullptr;  // a warning's place on the pot; it hides a cue
+    const Cue* cue = nullptr;
     const ForceFrame* forces = nullptr;
 };
 
@@ -64,7 +59,9 @@ class Stage {
     void add(const Composed& composed, const StageFrame& frame, const Fade& fade);
     void add_changing(const StageFrame& frame, float share);
     void find_alike();
-    void add_band(const Band& band, const StageFrame& frame, float u_px);
+    // The cue comes, stays or goes.
+    void follow_cue(const StageFrame& frame, double step_s);
+    void add_guard_words(const Composition& composition);
     [[nodiscard]] std::optional<ui::Rect> place_of(const Item& item);
     [[nodiscard]] bool all_placed(const Composed& composed);
 
@@ -86,8 +83,8 @@ class Stage {
     double since_s_ = 0.0;
     bool covers_ = false;
     bool scene_rests_ = false;
-    double hint_alpha_ = 0.0;
-    double hint_s_ = 0.0;
+    Cue cue_;  // as it was last seen
+    double cue_alpha_ = 0.0;
     double last_s_ = 0.0;
 };
 

@@ -72,7 +72,6 @@ struct View {
     double px_per_mm = 3.613;    // of the panel
     double distance_mm = 600.0;  // from the visitor's eyes
     bool own_digits = true;
-    bool hint = true;
     int seconds_left = 0;       // of the countdown, or until a PIN may be tried again
     double countdown_s = 20.0;  // the whole of it
     // In the order of the configuration; at least one.
@@ -84,8 +83,6 @@ struct View {
     int attract_exhibit = -1;  // shown turning, instead of the throwing; -1: none
     // The target's outline over the scene, pixels: left side and right side from below, then the rim.
     std::vector<std::vector<vec2>> outline_px;
-    vec2 hint_at_px{0.0F};         // where the hand works now
-    vec2 second_hint_at_px{0.0F};  // and the one inside
     // Where the photographed room ends to the left, above and to the right.
     vec3 scene_edges_px{0.0F, 0.0F, 1e6F};
     bool can_look_in = false;           // there is a view from above into the pot

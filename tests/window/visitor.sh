@@ -34,6 +34,7 @@ first = "$language"
 full_screen = ${FULL_SCREEN:-false}
 [visit]
 forgiving = ${FORGIVING:-true}
+shows_by_itself = false
 [gallery]
 folder = "gallery"
 least_free_mb = 1

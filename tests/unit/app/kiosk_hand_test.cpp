@@ -232,18 +232,6 @@ TEST_F(KioskHandTest, IsSteeredByAGamepadAndPressedByItsButton) {
     EXPECT_EQ(tool.position_mm.x, 0.0);
 }
 
-TEST(KioskPot, TeachesByWhatTheClayShows) {
-    Lesson lesson;
-    EXPECT_EQ(lesson.steps_done(pot(80, 60, 8, 80)), 0);
-    EXPECT_EQ(lesson.steps_done(pot(80, 55, 8, 80)), 1) << "pressed in";
-    EXPECT_EQ(lesson.steps_done(pot(84, 55, 8, 60)), 2) << "opened by more than a thumb";
-    EXPECT_EQ(lesson.steps_done(pot(86, 55, 8, 30)), 2);
-    EXPECT_EQ(lesson.steps_done(pot(110, 50, 8, 30)), 3) << "raised";
-    EXPECT_EQ(lesson.steps_done(pot(60, 60, 8, 60)), 3) << "never back";
-    lesson.begin();
-    EXPECT_EQ(lesson.steps_done(pot(80, 60, 8, 80)), 0);
-}
-
 TEST(KioskPot, WarnsEarlyAndRelaxesLate) {
     haptic::LoadReport load{.index = 0.8,
                             .height_mm = 50.0,

@@ -71,7 +71,8 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
         {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
         {"[visit]\n\nidle = 60\n",
-         "kiosk.toml, line 3: expected one of countdown_s, forgiving, idle_s in [visit], found 'idle'"},
+         "kiosk.toml, line 3: expected one of countdown_s, forgiving, idle_s, shows_by_itself in [visit], "
+         "found 'idle'"},
         {"[vist]\nidle_s = 60\n",
          "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
          "[sound], "

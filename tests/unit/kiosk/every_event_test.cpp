@@ -17,7 +17,7 @@ namespace {
 constexpr std::array kValues{-1, 0, 1, 3, 8};  // none, good ones, too large for each list
 
 // Of a state, what decides how it goes on.
-using Key = std::tuple<int, int, int, int, bool, bool, bool>;
+using Key = std::tuple<int, int, int, int, bool, bool, bool, bool, bool>;
 
 Key key_of(const State& state) {
     return {static_cast<int>(state.screen),
@@ -26,7 +26,9 @@ Key key_of(const State& state) {
             static_cast<int>(state.firing),
             state.left_over,
             state.throwing.target.has_value(),
-            state.throwing.warning != Warning::kNone};
+            state.throwing.warning != Warning::kNone,
+            state.throwing.shown.has_value(),
+            state.throwing.held};
 }
 
 Rules staffed() {
@@ -80,6 +82,9 @@ void expect_whole(const State& state, const std::string& after) {
     EXPECT_TRUE(state.throwing.speed >= 1 && state.throwing.speed <= kMostSpeed) << after;
     EXPECT_TRUE(state.throwing.steps_done >= 0 && state.throwing.steps_done <= kTeachingSteps) << after;
     EXPECT_TRUE(!state.throwing.target || (*state.throwing.target >= 0 && *state.throwing.target < 4))
+        << after;
+    EXPECT_TRUE(!state.throwing.shown ||
+                (*state.throwing.shown >= 0 && *state.throwing.shown < kTeachingSteps))
         << after;
     EXPECT_TRUE(state.glaze >= 0 && state.glaze < 6) << after;
     if (state.screen == Screen::kFault) {
@@ -153,6 +158,27 @@ TEST_F(EveryEvent, QuitsFromALockedKioskForTheStaffAlone) {
         const bool leaves = visitor.caused(Effect::Kind::kQuit) || visitor.caused(Effect::Kind::kRestart);
         EXPECT_TRUE(staff_is_there || !leaves) << after;
     });
+}
+
+// The wheel's hands are never left at work on a screen that does not say so, and never told to stop twice.
+TEST_F(EveryEvent, StopsTheWheelsHandsWithTheShow) {
+    int stopped = 0;
+    for_each_event([&](Visitor visitor, const Event& event, const std::string& after) {
+        const bool showed = visitor.state.throwing.shown.has_value();
+        visitor.all.clear();
+        visitor.does(event);
+        const State& state = visitor.state;
+        const bool shows = state.throwing.shown.has_value();
+        if (shows) {
+            EXPECT_TRUE(state.screen == Screen::kThrow && state.panel == Panel::kNone) << after;
+        }
+        EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), shows && !showed ? 1 : 0) << after;
+        EXPECT_EQ(visitor.count(Effect::Kind::kStopShow), showed && !shows ? 1 : 0) << after;
+        if (!visitor.caused(Effect::Kind::kStopShow)) return;
+        EXPECT_EQ(visitor.all.front().kind, Effect::Kind::kStopShow) << after << ": before all else";
+        ++stopped;
+    });
+    EXPECT_GT(stopped, 100);
 }
 
 TEST_F(EveryEvent, SavesOnceAndOnlyForTheKeepButton) {

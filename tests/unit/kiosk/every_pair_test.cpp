@@ -67,6 +67,8 @@ std::vector<Happening> events() {
                 "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
                 "throw+idle -> same, failure+idle -> same, glaze+idle -> same, your-pot+idle -> same, "
                 "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
+        at_once("held", Kind::kHeld, 1, ""),
+        at_once("show over", Kind::kShowOver, 0, ""),
         at_once("progress", Kind::kProgress, 2, ""),
         at_once("warned", Kind::kWarned, 1, ""),
         at_once("collapsed", Kind::kCollapsed, 1,
@@ -129,6 +131,8 @@ std::vector<Happening> buttons() {
         {Button::kHandLeft, any},
         {Button::kHandRight, any},
         {Button::kLookIn, any},
+        {Button::kShowMe, any},
+        {Button::kMyTurn, any},
         {Button::kBeforeCollapse, any + ", failure -> throw"},
         {Button::kKeepSlump, any + ", failure -> firing"},
         {Button::kSkip, any + ", firing -> glaze"},

@@ -93,6 +93,7 @@ TEST(Kiosk, ForgetsEveryWishOfTheVisitorBefore) {
     const Comfort wishes{
         .language = 2, .text_size = 2, .volume = 4, .reach = true, .left_hand = true, .still = true};
     EXPECT_EQ(visitor.state.comfort, wishes);
+    visitor.does(Event::Kind::kProgress, kTeachingSteps);  // who has learnt it all is shown no more
     visitor.all.clear();
     visitor.waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);

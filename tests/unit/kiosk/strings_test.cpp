@@ -33,7 +33,7 @@ TEST(Strings, HaveEveryKeyInEveryLanguage) {
 // there.
 TEST(Strings, AreAllShownOrSpokenButThoseThatTheDesignHasNoPlaceFor) {
     const std::set<std::string> placeless{
-        "help.button",  // the ghost hand comes back by itself after six seconds without progress
+        "help.button",  // "Show me" stands on the ledge for as long as anybody throws
         "a11y.scan",  // beside the ring stands the name of what it is on; the foot of the shelf is too short
     };
     std::string sources;

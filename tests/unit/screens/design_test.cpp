@@ -77,19 +77,5 @@ TEST(Icons, AreAllDrawnInWordsThatCanBeRead) {
     }
 }
 
-TEST(Icons, DrawHandsWithinTheirReach) {
-    for (const HandPose pose : {HandPose::kPress, HandPose::kInside}) {
-        const ui::Rect reach = ghost_hand_reach(pose);
-        ui::Sketch sketch;
-        add_ghost_hand(sketch, pose, {0.0F, 0.0F}, 1.0F, false);
-        for (const ui::SketchItem& item : sketch.items) {
-            const auto steps = ui::read_path(std::get<ui::Shape>(item).path);
-            ASSERT_TRUE(steps);
-            for (const ui::PathStep& step : *steps)
-                EXPECT_TRUE(reach.contains(step.to)) << step.to.x << ' ' << step.to.y;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace onggi::screens::design

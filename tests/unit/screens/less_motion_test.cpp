@@ -32,7 +32,7 @@ class LessMotion : public testing::Test {
         return all;
     }
     const ui::DrawList& draw(Stage& stage, double now_s) const {
-        return stage.draw({.now_s = now_s, .hint = true, .band = &band_});
+        return stage.draw({.now_s = now_s, .band = &band_});
     }
     // How many of the screens still change once they have come.
     int moving(bool still) {

@@ -55,8 +55,6 @@ void add_scene(View& view) {
         rim.push_back(foot + u * vec2(106.0F * std::cos(angle), -336.0F + 34.0F * std::sin(angle)));
     }
     view.outline_px = {left, right, rim};
-    view.hint_at_px = foot + u * vec2(115.0F, -40.0F);
-    view.second_hint_at_px = foot + u * vec2(0.0F, -190.0F);
     view.warning_at_px = foot + u * vec2(130.0F, -200.0F);
 }
 
@@ -217,6 +215,12 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         add("throw-" + std::to_string(step), Screen::kThrow, [&](View& view) {
             view.state.throwing.steps_done = step;
             view.state.throwing.target = 3;
+        });
+    }
+    for (int step = 0; step < 3; ++step) {
+        add("throw-shown-" + std::to_string(step), Screen::kThrow, [&](View& view) {
+            view.state.throwing.steps_done = step;
+            view.state.throwing.shown = step;
         });
     }
     add("throw-reach", Screen::kThrow, [](View& view) {

@@ -35,6 +35,10 @@ const char* word_of(onggi::kiosk::Button button) {
             return "undo";
         case Button::kNewClay:
             return "new-clay";
+        case Button::kShowMe:
+            return "show-me";
+        case Button::kMyTurn:
+            return "my-turn";
         case Button::kLookIn:
             return "look-in";
         case Button::kHandLeft:

@@ -26,8 +26,16 @@ class Theatre : public testing::Test {
         }
         return nullptr;
     }
-    const ui::DrawList& draw(double now_s, int pressed = -1, bool hint = false) {
-        return stage_.draw({.now_s = now_s, .hint = hint, .pressed = pressed});
+    const ui::DrawList& draw(double now_s, int pressed = -1, const Cue* cue = nullptr) {
+        return stage_.draw({.now_s = now_s, .pressed = pressed, .cue = cue});
+    }
+    static Cue belt() {
+        Cue cue;
+        for (int i = 0; i <= 10; ++i) {
+            cue.belt.upper.push_back({200.0F + 10.0F * static_cast<float>(i), 100.0F});
+            cue.belt.lower.push_back({200.0F + 10.0F * static_cast<float>(i), 130.0F});
+        }
+        return cue;
     }
     ui::Painter painter_;
     PaintingStore store_{painter_};
@@ -179,15 +187,64 @@ TEST_F(Theatre, TakesATouchedPotForItsCard) {
     EXPECT_EQ(touched, 5) << "the clay, and four pots";
 }
 
-TEST_F(Theatre, BringsTheGhostAndTakesItAway) {
+TEST_F(Theatre, BringsTheCueAndTakesItAway) {
     stage_.take(composed("throw-0"), 0.0);
     const std::size_t without = draw(1.0).vertices().size();
-    for (double now_s = 1.0; now_s < 1.6; now_s += 0.05)
-        static_cast<void>(draw(now_s, -1, true));
-    EXPECT_GT(draw(1.6, -1, true).vertices().size(), without);
-    for (double now_s = 1.6; now_s < 2.0; now_s += 0.05)
-        static_cast<void>(draw(now_s));
-    EXPECT_EQ(draw(2.0).vertices().size(), without);
+    Cue cue = belt();
+    for (double now_s = 1.0; now_s < 1.3; now_s += 0.05)
+        static_cast<void>(draw(now_s, -1, &cue));
+    const std::size_t with_belt = draw(1.3, -1, &cue).vertices().size();
+    EXPECT_GT(with_belt, without + 40);
+    const std::uint64_t whole = draw(1.35, -1, &cue).hash();
+    EXPECT_EQ(draw(1.4, -1, &cue).hash(), whole) << "it has come";
+    EXPECT_NE(draw(1.45).hash(), whole) << "and goes";
+    EXPECT_GT(draw(1.5).vertices().size(), without);
+    static_cast<void>(draw(1.6));
+    EXPECT_EQ(draw(1.7).vertices().size(), without);
+    cue.way = CueWay::kUp;
+    EXPECT_GT(draw(1.8, -1, &cue).vertices().size(), with_belt) << "and an arrow";
+}
+
+TEST_F(Theatre, DrawsNoCueUnderAWarningAndNoneWhereNobodyThrows) {
+    const Cue cue = belt();
+    const Band band = cue.belt;
+    stage_.take(composed("throw-0"), 0.0);
+    const auto drawn = [&](double now_s, const Cue* shown) {
+        return stage_.draw({.now_s = now_s, .band = &band, .cue = shown}).vertices().size();
+    };
+    static_cast<void>(drawn(1.0, nullptr));
+    EXPECT_EQ(drawn(2.0, &cue), drawn(2.0, nullptr));
+    stage_.take(composed("your-pot"), 3.0);
+    static_cast<void>(draw(3.1));
+    const std::size_t without = draw(4.0).vertices().size();
+    static_cast<void>(draw(4.1, -1, &cue));
+    EXPECT_EQ(draw(4.2, -1, &cue).vertices().size(), without);
+}
+
+TEST_F(Theatre, SaysBesideTheBeltWhyTheClayDoesLess) {
+    for (const char* language : {"en", "ko", "ar"}) {
+        const auto screen = composed("throw-3", language);
+        Stage stage;
+        stage.take(screen, 0.0);
+        for (int guard = 1; guard < kCueGuardCount; ++guard) {
+            for (const bool on_left : {false, true}) {
+                Cue cue = belt();
+                const auto whole = [&](double now_s) {
+                    static_cast<void>(stage.draw({.now_s = now_s, .cue = &cue}));
+                    return stage.draw({.now_s = now_s + 0.3, .cue = &cue}).vertices();
+                };
+                const std::size_t silent = whole(1.0).size();
+                cue.guard = static_cast<CueGuard>(guard);
+                cue.words_on_left = on_left;
+                const auto vertices = whole(2.0);
+                EXPECT_GT(vertices.size(), silent) << language << ' ' << guard;
+                for (const ui::Vertex& vertex : vertices) {
+                    EXPECT_GE(vertex.position_px.x, -1.0F) << language << ' ' << guard;
+                    EXPECT_LE(vertex.position_px.x, 641.0F) << language << ' ' << guard;
+                }
+            }
+        }
+    }
 }
 
 TEST_F(Theatre, DrawsTheWarningOnThePotWithoutTheAtlas) {
@@ -233,7 +290,7 @@ TEST(Composer, LeavesTheFrameNothingToPaint) {
             now_s += 0.016;
             stage.take(composer.latest(), now_s);
             stage.turn(composer.turned());
-            static_cast<void>(stage.draw({.now_s = now_s, .hint = true}));
+            static_cast<void>(stage.draw({.now_s = now_s}));
             if (stage.shown() != nullptr && stage.shown()->view == sample.view) break;
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }

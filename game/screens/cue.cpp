@@ -1,0 +1,121 @@
+#include "game/screens/cue.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "game/screens/design.h"
+#include "game/screens/forces.h"
+
+namespace onggi::screens {
+namespace {
+
+using ui::Colour;
+using ui::DrawList;
+
+constexpr Colour kPale = ui::hex(0xfff3d9);
+constexpr float kHatchStepU = 13.0F;
+
+std::size_t points_of(const Band& band) {
+    return std::min(band.upper.size(), band.lower.size());
+}
+
+// Slanting stripes between the edges of a band.
+void draw_hatch(DrawList& list, const Band& band, const Colour& colour, float drift, float u) {
+    const std::size_t count = points_of(band);
+    const auto along = [&](const std::vector<vec2>& edge, float share) {
+        const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(count - 1);
+        const auto first = std::min(static_cast<std::size_t>(at), count - 2);
+        return glm::mix(edge[first], edge[first + 1], at - static_cast<float>(first));
+    };
+    const float width = std::max(1.0F, glm::length(band.upper.back() - band.upper.front()));
+    const float step = kHatchStepU * u / width;
+    const float slant = 0.9F * glm::length(band.lower[count / 2] - band.upper[count / 2]) / width;
+    for (float share = -slant + drift * step; share < 1.0F; share += step) {
+        const float end = share + 0.4F * step;
+        if (end <= 0.0F && end + slant <= 0.0F) continue;
+        const std::array corners{along(band.upper, share + slant), along(band.upper, end + slant),
+                                 along(band.lower, end), along(band.lower, share)};
+        list.add_polygon(corners, colour);
+    }
+}
+
+void draw_edge(DrawList& list, const std::vector<vec2>& edge, float alpha, float u) {
+    list.add_line(edge, 7.0F * u, design::kNight.with_alpha(0.55F * alpha));
+    list.add_line(edge, 3.4F * u, design::kOutline.with_alpha(alpha));
+}
+
+// Slip, thin at the sides where the wall turns away.
+void draw_slip(DrawList& list, const Band& belt, float alpha) {
+    const std::size_t count = points_of(belt);
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const float across = (static_cast<float>(i) + 0.5F) / static_cast<float>(count - 1);
+        const float inward = std::min(1.0F, std::min(across, 1.0F - across) / 0.3F);
+        const std::array corners{belt.upper[i], belt.upper[i + 1], belt.lower[i + 1], belt.lower[i]};
+        list.add_polygon(corners, kPale.with_alpha((0.05F + 0.25F * inward) * alpha));
+    }
+}
+
+// Dots that lead to a head, cream over dark.
+void draw_way(DrawList& list, CueWay way, vec2 from, float alpha, float u) {
+    constexpr int kDots = 5;
+    constexpr float kPitchU = 17.0F;
+    const vec2 along = way == CueWay::kLeft    ? vec2(-1.0F, 0.0F)
+                       : way == CueWay::kRight ? vec2(1.0F, 0.0F)
+                       : way == CueWay::kDown  ? vec2(0.0F, 1.0F)
+                                               : vec2(0.0F, -1.0F);
+    const vec2 across(-along.y, along.x);
+    const vec2 tip = from + ((kDots - 1) * kPitchU + 25.0F) * u * along;
+    const std::array head{tip + u * (-13.0F * along + 13.0F * across), tip,
+                          tip + u * (-13.0F * along - 13.0F * across)};
+    const Colour dark = design::kNight.with_alpha(0.6F * alpha);
+    const Colour pale = kPale.with_alpha(alpha);
+    const auto both = [&](float line_u, const Colour& colour) {
+        for (int dot = 0; dot < kDots; ++dot)
+            draw_disc(list, from + static_cast<float>(dot) * kPitchU * u * along, 0.5F * line_u * u, colour);
+        list.add_line(head, line_u * u, colour);
+        draw_disc(list, head.front(), 0.5F * line_u * u, colour);
+        draw_disc(list, head.back(), 0.5F * line_u * u, colour);
+    };
+    both(13.0F, dark);
+    both(7.5F, pale);
+}
+
+}  // namespace
+
+std::string_view key_of(CueGuard guard) {
+    constexpr std::array<std::string_view, kCueGuardCount> kKeys{"",           "guard.clay", "guard.narrow",
+                                                                 "guard.wide", "guard.low",  "guard.limit"};
+    return kKeys[static_cast<std::size_t>(guard)];
+}
+
+void draw_cue(DrawList& list, const Cue& cue, float alpha, float px_per_u) {
+    const float u = px_per_u;
+    if (cue.ring.size() > 2) {
+        draw_edge(list, cue.ring, alpha, u);
+    } else if (points_of(cue.belt) > 1) {
+        draw_slip(list, cue.belt, alpha);
+        if (cue.guard != CueGuard::kNone)
+            draw_hatch(list, cue.belt, design::kNight.with_alpha(0.3F * alpha), 0.0F, u);
+        draw_edge(list, cue.belt.upper, alpha, u);
+        draw_edge(list, cue.belt.lower, alpha, u);
+    }
+    if (cue.way != CueWay::kNone) draw_way(list, cue.way, cue.way_px, alpha, u);
+}
+
+void draw_warning(DrawList& list, const Band& band, float drift, float px_per_u) {
+    const float u = px_per_u;
+    const std::size_t count = points_of(band);
+    if (count < 2) return;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const std::array corners{band.upper[i], band.upper[i + 1], band.lower[i + 1], band.lower[i]};
+        list.add_polygon(corners, ui::hex(0xe4672c, 0.26F));
+    }
+    draw_hatch(list, band, design::kHatch.with_alpha(0.8F), drift, u);
+    for (const std::vector<vec2>* edge : {&band.upper, &band.lower}) {
+        list.add_line(*edge, 8.0F * u, design::kNight.with_alpha(0.65F));
+        list.add_line(*edge, 3.5F * u, ui::hex(0xfff1d6));
+    }
+}
+
+}  // namespace onggi::screens

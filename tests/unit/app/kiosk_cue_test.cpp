@@ -1,0 +1,158 @@
+// Where the calm cue lies and when it is to be seen, on a clock of its own.
+#include "game/app/kiosk_cue.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace onggi::app {
+namespace {
+
+using clay::studio::Grip;
+using clay::studio::GripGuard;
+using clay::studio::GripReport;
+
+haptic::PotShape clay(double height_mm, double outer_mm, double floor_mm, double bore_mm) {
+    haptic::PotShape shape;
+    shape.rings = static_cast<int>(std::lround(height_mm));
+    shape.height_mm = height_mm;
+    shape.floor_mm = floor_mm;
+    shape.is_hollow = true;
+    for (int ring = 0; ring < shape.rings; ++ring) {
+        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
+        shape.inner_mm_.push_back(ring < floor_mm ? 0.0F : static_cast<float>(bore_mm));
+        shape.top_mm_.push_back(static_cast<float>(ring + 1));
+    }
+    return shape;
+}
+
+class Cue : public testing::Test {
+  protected:
+    std::optional<CuePlace> look(const GripReport& grip, std::optional<int> step = {},
+                                 std::optional<dvec2> hovers_mm = {}) {
+        return cue_.look({.now_s = now_s_ += 1.0 / 60.0,
+                          .shape = shape_,
+                          .grip = grip,
+                          .is_shown = is_shown_,
+                          .wanted_step = step,
+                          .hovers_mm = hovers_mm});
+    }
+    // A wall that is drawn up for so long, at so many mm/s.
+    std::optional<CuePlace> draws_up(double seconds, double mm_s, GripGuard guard = GripGuard::kNone) {
+        std::optional<CuePlace> place;
+        for (double s = 0.0; s < seconds; s += 1.0 / 60.0) {
+            hand_mm_.y += mm_s / 60.0;
+            place = look({.grip = Grip::kWall,
+                          .guard = guard,
+                          .hand_mm = hand_mm_,
+                          .finger_mm = hand_mm_,
+                          .low_mm = hand_mm_.y - 12.0,
+                          .high_mm = hand_mm_.y + 40.0});
+        }
+        return place;
+    }
+    std::optional<CuePlace> rests(double seconds) {
+        std::optional<CuePlace> place;
+        for (double s = 0.0; s < seconds; s += 1.0 / 60.0)
+            place = look({}, {}, dvec2(55.0, 50.0));
+        return place;
+    }
+    haptic::PotShape shape_ = clay(100, 50, 12, 40);
+    KioskCue cue_;
+    dvec2 hand_mm_{50.0, 20.0};
+    double now_s_ = 0.0;
+    bool is_shown_ = false;
+};
+
+TEST_F(Cue, LiesWhereTheLessonWantsTheFingerWithAnArrow) {
+    shape_ = clay(50, 62, 50, 0);
+    const auto pressed = look({}, 0);
+    ASSERT_TRUE(pressed);
+    EXPECT_EQ(pressed->step, 0);
+    EXPECT_EQ(pressed->hold->opening_mm, 0.0);
+    EXPECT_LT(pressed->hold->low_mm, 0.3 * 50.0);
+    EXPECT_GT(pressed->hold->high_mm, 0.3 * 50.0);
+    const auto opened = look({}, 1);
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(opened->hold->opening_mm, 17.0) << "the middle of the top";
+    EXPECT_EQ(opened->hold->high_mm, 50.0);
+    EXPECT_FALSE(look({})) << "nothing is wanted, and no hand is near";
+}
+
+TEST_F(Cue, FollowsAMouseThatHoversOverTheClay) {
+    const auto place = look({}, {}, dvec2(52.0, 60.0));
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->hold->low_mm, 48.0, 1e-9);
+    EXPECT_NEAR(place->hold->high_mm, 72.0, 1e-9);
+    EXPECT_FALSE(place->step);
+    EXPECT_FALSE(look({}, {}, dvec2(300.0, 60.0))) << "off the clay";
+    EXPECT_FALSE(look({}, {}, dvec2(52.0, -20.0))) << "under the wheel's head";
+    const auto taught = look({}, 2, dvec2(52.0, 60.0));
+    ASSERT_TRUE(taught);
+    EXPECT_EQ(taught->step, 2) << "the arrow stays where the lesson wants the finger";
+    EXPECT_GT(taught->hold->low_mm, 40.0);
+}
+
+TEST_F(Cue, StaysWhereKeysWorkAlsoForWhoKnowsHow) {
+    EXPECT_FALSE(draws_up(2.0, 20.0));
+    const auto place = cue_.look({.now_s = now_s_ += 0.016,
+                                  .shape = shape_,
+                                  .grip = {},
+                                  .hovers_mm = dvec2(50.0, 80.0),
+                                  .marker_mm = dvec2(50.0, 30.0)});
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->hold->low_mm, 18.0, 1e-9);
+}
+
+TEST_F(Cue, LiesRoundWhatTheHandsHold) {
+    const auto place = draws_up(0.3, 1.0);
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->hold->low_mm, hand_mm_.y - 12.0, 0.5);
+    EXPECT_NEAR(place->hold->high_mm, hand_mm_.y + 20.0, 0.5) << "beyond it they hardly move the wall";
+    EXPECT_EQ(place->hand_side, 1.0);
+    const auto opens = look({.grip = Grip::kOpen, .hand_mm = {0.0, 30.0}});
+    ASSERT_TRUE(opens);
+    EXPECT_EQ(opens->hold->opening_mm, 40.0) << "the mouth, as wide as it is";
+}
+
+TEST_F(Cue, GoesAfterASecondAndAHalfOfProgressAndComesBackAfterSixWithout) {
+    EXPECT_TRUE(draws_up(1.4, 20.0));
+    EXPECT_FALSE(draws_up(0.3, 20.0));
+    EXPECT_FALSE(rests(5.5)) << "who knows how is not shown again";
+    EXPECT_TRUE(rests(0.7));
+    EXPECT_TRUE(draws_up(1.0, 20.0));
+    EXPECT_TRUE(draws_up(4.0, 1.0)) << "hands that get nowhere are no progress";
+}
+
+TEST_F(Cue, StaysRoundTheWheelsOwnHands) {
+    is_shown_ = true;
+    EXPECT_TRUE(draws_up(4.0, 20.0));
+}
+
+TEST_F(Cue, SaysWhyTheClayDoesLessOnceThatLasts) {
+    EXPECT_FALSE(draws_up(2.0, 20.0));
+    EXPECT_FALSE(draws_up(0.5, 20.0, GripGuard::kNoMoreClay)) << "a moment is no reason";
+    const auto place = draws_up(0.2, 20.0, GripGuard::kNoMoreClay);
+    ASSERT_TRUE(place) << "also to who has got on without";
+    EXPECT_EQ(place->guard, screens::CueGuard::kNoMoreClay);
+    EXPECT_FALSE(draws_up(0.5, 20.0, GripGuard::kAsWide)) << "another reason takes as long";
+    EXPECT_EQ(draws_up(0.3, 20.0, GripGuard::kAsWide)->guard, screens::CueGuard::kAsWide);
+    EXPECT_FALSE(look({})) << "and only while the hand presses";
+}
+
+TEST_F(Cue, EasesFromOnePlaceToTheNextUnlessLessMotionIsWanted) {
+    static_cast<void>(look({}, {}, dvec2(52.0, 30.0)));
+    const auto eased = look({}, {}, dvec2(52.0, 80.0));
+    ASSERT_TRUE(eased);
+    EXPECT_LT(eased->hold->low_mm, 40.0);
+    const auto jumped = cue_.look({.now_s = now_s_ + 0.016,
+                                   .shape = shape_,
+                                   .grip = {},
+                                   .hovers_mm = dvec2(52.0, 80.0),
+                                   .still = true});
+    ASSERT_TRUE(jumped);
+    EXPECT_EQ(jumped->hold->low_mm, 68.0);
+}
+
+}  // namespace
+}  // namespace onggi::app
