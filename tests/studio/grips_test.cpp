@@ -1,0 +1,209 @@
+// One finger and the hands that follow it: what the clay promises whoever touches it, however they do.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "game/clay/studio/pot.h"
+#include "tests/studio/bench.h"
+
+namespace onggi::clay::studio {
+namespace {
+
+// A finger on the clay's plane, a millisecond at a time whatever the rate.
+struct Finger {
+    explicit Finger(double rate_hz = 1000.0, double mass_g = 1000.0) : clay({.mass_g = mass_g}) {
+        parameters.rate_hz = rate_hz;
+        parameters.forgiving = true;
+        input.guided = true;
+        input.pressing = false;
+        input.water = 0.5;
+        input.wheel_speed_rad_s = 11.5;
+        wait(1.0);
+    }
+
+    void tick() {
+        const bool counts = input.pressing;
+        forces = clay.tick(input, parameters);
+        EXPECT_TRUE(!counts || clay.ledger_error_mm3() == 0.0);
+    }
+    void wait(double seconds) {
+        input.pressing = false;
+        for (int i = 0; i < static_cast<int>(seconds * parameters.rate_hz); ++i)
+            tick();
+    }
+    // Presses from one place to another; both at the same moments at every rate.
+    void stroke(const dvec2& from, const dvec2& to, double seconds) {
+        input.pressing = true;
+        const int ticks = static_cast<int>(seconds * parameters.rate_hz);
+        const int each = static_cast<int>(parameters.rate_hz / 1000.0);
+        for (int i = 0; i < ticks; ++i) {
+            const double part = static_cast<double>(i / each) * each / ticks;
+            const dvec2 place = from + (to - from) * part;
+            input.hand.position_mm = {place.x, place.y, 0.0};
+            tick();
+        }
+        input.pressing = false;
+        tick();
+    }
+    void open() { stroke({0.0, clay.height_mm()}, {0.0, 10.0}, 2.0); }
+    void pull(double to_mm) {
+        const double rim = clay.outer_mm().back();
+        stroke({clay.outer_mm()[clay.outer_mm().size() / 4] + 1.0, 0.3 * clay.height_mm()}, {rim, to_mm},
+               3.0);
+    }
+    [[nodiscard]] std::vector<double> faces() const {
+        std::vector<double> all(clay.outer_mm().begin(), clay.outer_mm().end());
+        all.insert(all.end(), clay.inner_mm().begin(), clay.inner_mm().end());
+        return all;
+    }
+
+    StudioClay clay;
+    StudioParameters parameters;
+    StudioInput input;
+    StudioForces forces;
+};
+
+TEST(Grips, OpenSolidClayWhereverNearItsMiddleTheFingerComesDown) {
+    for (const double x : {0.0, 0.3, 2.0, 5.0, 9.0, -5.0, 15.0}) {
+        Finger finger;
+        finger.stroke({x, finger.clay.height_mm() + 3.0}, {x, 8.0}, 2.0);
+        EXPECT_NEAR(finger.clay.floor_mm(), 11.0, 2.0) << "at " << x;
+        EXPECT_GT(finger.clay.height_mm(), 45.0) << "at " << x;
+    }
+}
+
+TEST(Grips, OpenByThemselvesUnderAFingerThatLiesStill) {
+    Finger finger;
+    finger.stroke({0.0, finger.clay.height_mm()}, {0.0, finger.clay.height_mm() - 1.0}, 3.5);
+    EXPECT_LT(finger.clay.floor_mm(), 14.0);
+}
+
+TEST(Grips, RaiseNoChimneyUnderAFingerThatLiesStillOnAWall) {
+    Finger finger;
+    finger.open();
+    const double before = finger.clay.height_mm();
+    finger.stroke({finger.clay.outer_mm()[100] - 3.0, 20.0}, {finger.clay.outer_mm()[100] - 3.5, 20.5}, 5.0);
+    EXPECT_NEAR(finger.clay.height_mm(), before, 6.0) << "four millimetres are pressed in, and no more";
+}
+
+TEST(Grips, TakeTheRimToWhereThePullEndsAndNoFurther) {
+    Finger finger;
+    finger.open();
+    finger.pull(95.0);
+    EXPECT_NEAR(finger.clay.height_mm(), 95.0, 5.0);
+    EXPECT_LE(finger.clay.height_mm(), 96.0);
+}
+
+TEST(Grips, CarryTheWallToTheFingerAndNeverPastIt) {
+    Finger finger;
+    finger.open();
+    finger.pull(100.0);
+    const auto radius = [&](double y) {
+        return finger.clay.rings().outer_mm[Rings::at(finger.clay.rings().ring_at(y))];
+    };
+    const double from = radius(60.0);
+    finger.stroke({from, 60.0}, {from + 14.0, 62.0}, 1.5);
+    EXPECT_GT(radius(62.0), from + 8.0);
+    EXPECT_LE(radius(62.0), from + 14.5);
+    EXPECT_NEAR(finger.clay.height_mm(), 100.0, 6.0) << "moving to the side changes no height";
+}
+
+TEST(Grips, LetGoInTheTickInWhichTheFingerLifts) {
+    Finger finger;
+    finger.open();
+    finger.pull(100.0);
+    const std::vector<double> before = finger.faces();
+    // Over the clay, through it and away, as a hand does on its way to a button.
+    finger.input.pressing = false;
+    for (int i = 0; i < 3000; ++i) {
+        finger.input.hand.position_mm = {150.0 - 0.1 * i, 120.0 - 0.05 * i, 0.0};
+        finger.tick();
+        EXPECT_EQ(finger.forces.hand.contacts, 0);
+    }
+    EXPECT_EQ(finger.faces(), before);
+}
+
+TEST(Grips, LeaveTheSameBitsWhoeverGoesOnFromTheMiddleOfATouch) {
+    Finger finger;
+    finger.open();
+    finger.input.pressing = true;
+    for (int i = 0; i < 777; ++i) {
+        finger.input.hand.position_mm = {60.0 + 0.01 * i, 20.0 + 0.08 * i, 0.0};
+        finger.tick();
+    }
+    auto copy = StudioClay::from_start_state(finger.clay.start_state());
+    ASSERT_TRUE(copy) << copy.error().message;
+    for (int i = 0; i < 500; ++i) {
+        finger.input.hand.position_mm.y += 0.05;
+        finger.tick();
+        copy->tick(finger.input, finger.parameters);
+    }
+    EXPECT_EQ(copy->state_hash(), finger.clay.state_hash());
+}
+
+TEST(Grips, ThrowTheSamePotAtEveryRate) {
+    const auto thrown = [](double rate_hz) {
+        Finger finger(rate_hz);
+        finger.stroke({64.0, 15.0}, {52.0, 15.0}, 1.5);
+        finger.wait(0.2);
+        finger.open();
+        finger.wait(0.2);
+        finger.pull(110.0);
+        return finger.clay;
+    };
+    const StudioClay slow = thrown(1000.0);
+    const StudioClay fast = thrown(4000.0);
+    EXPECT_NEAR(slow.height_mm(), fast.height_mm(), 1.0);
+    for (double y = 5.0; y < 100.0; y += 5.0) {
+        const double a = slow.rings().outer_mm[Rings::at(slow.rings().ring_at(y))];
+        const double b = fast.rings().outer_mm[Rings::at(fast.rings().ring_at(y))];
+        EXPECT_NEAR(a, b, 0.8) << "at " << y;
+    }
+}
+
+TEST(Grips, KeepTheClayWholeWhateverAFingerDoes) {
+    std::mt19937_64 random(11);
+    const auto uniform = [&](double least, double most) {
+        return std::uniform_real_distribution<double>(least, most)(random);
+    };
+    for (const double mass_g : {100.0, 500.0, 1000.0, 5000.0}) {
+        Finger finger(1000.0, mass_g);
+        for (int i = 0; i < 25000; ++i) {
+            if (i % 40 == 0) finger.input.pressing = random() % 8 != 0;
+            if (i % 25 == 0)
+                finger.input.hand.position_mm = {uniform(-200.0, 200.0), uniform(-50.0, 300.0), 0.0};
+            if (i % 997 == 0) finger.input.hand.position_mm.x = std::numeric_limits<double>::quiet_NaN();
+            if (i % 5000 == 0) finger.input.wheel_speed_rad_s = uniform(0.0, 20.0);
+            finger.tick();
+        }
+        const Rings& rings = finger.clay.rings();
+        for (int i = 0; i < rings.count; ++i) {
+            ASSERT_GT(rings.wall_mm(i), 0.0) << mass_g << " g, ring " << i;
+            ASSERT_GT(rings.volume_mm3[Rings::at(i)], 0.0);
+            ASSERT_TRUE(std::isfinite(rings.height_mm[Rings::at(i)]));
+        }
+        EXPECT_EQ(finger.clay.ledger_error_mm3(), 0.0);
+        EXPECT_TRUE(StudioClay::from_start_state(finger.clay.start_state())) << mass_g;
+    }
+}
+
+TEST(Grips, DentAWheelThatStands) {
+    Finger finger;
+    finger.open();
+    finger.input.wheel_speed_rad_s = 0.0;
+    finger.wait(6.0);
+    ASSERT_LT(finger.clay.wheel().speed_rad_s(), 0.2);
+    const std::vector<double> before = finger.faces();
+    const double wall = finger.clay.outer_mm()[200];
+    finger.stroke({wall - 4.0, 25.0}, {wall - 4.0, 25.0}, 1.0);
+    bool is_dented = false;
+    for (int i = 0; i < finger.clay.ring_count(); ++i)
+        is_dented = is_dented || !finger.clay.residuals_mm(i).empty();
+    EXPECT_TRUE(is_dented);
+}
+
+}  // namespace
+}  // namespace onggi::clay::studio
