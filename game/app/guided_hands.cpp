@@ -17,7 +17,7 @@ constexpr double kBelowRimMm = 3.0;     // where finger tips hold a rim
 constexpr double kAboveFloorMm = 8.0;   // inside
 constexpr double kThumbMm = 8.0;        // from the thumbs' middle to their tips
 constexpr double kOpensWithin = 0.3;    // of the radius: so far from the axis thumbs hang over solid clay
-constexpr double kAsideMm = 175.0;      // a finger farther out is out of the picture
+constexpr double kAsideMm = 205.0;      // a finger farther out is out of the picture
 
 // What both hands are given for one of them.
 struct Scene {

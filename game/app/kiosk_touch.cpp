@@ -30,7 +30,7 @@ constexpr double kRaiseS = 2.5;
 // which wears off. A touch that begins so far on the near side and ends so little on the far one has moved
 // the wall by what it was asked for.
 constexpr double kRunUpMm = 3.0;
-constexpr double kBeyondShare = 0.35;
+constexpr double kBeyondShare = 0.95;
 constexpr double kSidewaysS = 0.25;
 constexpr double kSidewaysStaysS = 0.15;
 

@@ -26,12 +26,15 @@ constexpr double kSideChangeMm = 15.0;  // beyond the axis before the other hand
 // A hand needs this much of an opening; below it works with a sponge on a stick, until there is clearly room.
 constexpr double kNarrowMm = 46.0;
 constexpr double kWideMm = 52.0;
+// Finger tips that hold the rim of what is thrown by a finger need half of it.
+constexpr double kTipsMm = 30.0;
 // A tool that the visitor brings to the front of the pot is held from the side, so that it hides nothing.
 constexpr double kMostToFront = 25.0 * kDegree;
 constexpr double kMostToBack = 60.0 * kDegree;
 constexpr double kMostLean = 30.0 * kDegree;
 constexpr double kFromAbove = 52.0 * kDegree;
 constexpr double kDigs = 78.0 * kDegree;
+constexpr double kFlatOnRim = 24.0 * kDegree;
 // A hand beside a foot has the wheel under it: from there on it may lean no lower than level.
 constexpr double kWheelClearanceMm = 12.0;
 constexpr double kReachMm = 120.0;
@@ -106,8 +109,10 @@ void ToolPose::settle(const ToolSight& sight) {
     if (sight.side != clay::studio::Side::kFree) side_ = sight.side;
     if (!is_known_ && side_ == clay::studio::Side::kFree)
         side_ = sight.is_assistant ? clay::studio::Side::kIn : clay::studio::Side::kOut;
-    if (sight.mouth_radius_mm < kNarrowMm) narrow_ = true;
-    if (sight.mouth_radius_mm > kWideMm) narrow_ = false;
+    const bool only_tips = sight.guided && sight.below_rim_mm < kTipsMm;
+    const double room_mm = only_tips ? 2.0 * sight.mouth_radius_mm : sight.mouth_radius_mm;
+    if (room_mm < kNarrowMm) narrow_ = true;
+    if (room_mm > kWideMm) narrow_ = false;
     // Outside each hand works on its own side of the pot; inside it reaches over to press the other way.
     const double across = is_inside(side_) ? -sight.centre_mm.x : sight.centre_mm.x;
     if (!is_known_ || std::abs(across) > kSideChangeMm) left_ = across < 0.0;
@@ -145,8 +150,8 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     const double yaw = leads_right ? held : kPi - held;
     const double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
     const double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
-    const double pitch = from_above ? (sight.digs ? kDigs : kFromAbove)
-                                    : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
+    const double above = sight.digs ? kDigs : sight.guided ? kFlatOnRim : kFromAbove;
+    const double pitch = from_above ? above : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
 
     const double dt = was_known ? dt_s : 0.0;
     const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes anew comes to where it is wanted

@@ -24,6 +24,7 @@ struct ToolSight {
     double wall_lean = 0.0;        // of the face it touches: how much wider a mm higher up is, mm
     double mouth_radius_mm = 0.0;  // of the pot's opening; 0: none
     bool is_assistant = false;     // the second hand
+    double below_rim_mm = 0.0;     // how deep it touches
     bool guided = false;           // see HandView
     bool digs = false;
 };

@@ -55,6 +55,7 @@ ToolSight sight_of(const PotView& pot, const HandView& hand, bool is_assistant) 
             .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.radii_mm, hand.position_mm.y),
             .mouth_radius_mm = mouth_radius(pot),
             .is_assistant = is_assistant,
+            .below_rim_mm = pot.height_mm - hand.position_mm.y,
             .guided = hand.guided,
             .digs = hand.digs};
 }

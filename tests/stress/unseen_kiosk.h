@@ -108,6 +108,7 @@ class UnseenKiosk {
         }
         return condition();
     }
+    void does(const window::Event& event) { view_->feed(event); }
     void point(double x_px, double y_px) { view_->feed(window::PointerEvent{x_px, y_px}); }
     void hold(bool pressed) { view_->feed(window::ButtonEvent{window::MouseButton::kLeft, pressed}); }
     // A finger anywhere.

@@ -140,7 +140,6 @@ TEST_F(HandOnClay, KeysAloneOpenAndRaiseAPot) {
         types(HandKey::kDown);
         if (floor_mm > 30.0) {
             EXPECT_NEAR(floor_mm - shape_.floor_mm, 8.0, 3.0) << i;
-            
         }
     }
     EXPECT_LT(shape_.floor_mm, 16.0);

@@ -177,6 +177,65 @@ TEST(ToolPose, KeepsItsHandNearTheAxisWhereSidesMeanNothing) {
     }
 }
 
+// A hand of a finger that went to the other side of the pot at once.
+TEST(ToolPose, GoesAndComesAgainWhereAFingerLeapsAcrossTheClay) {
+    ToolSight right = outside();
+    right.guided = true;
+    ToolSight left = right;
+    left.centre_mm.x = -left.centre_mm.x;
+    ToolPose pose = settled(right);
+    vec3 last = touch_of(pose.picture().tools.at(0));
+    bool was_left = false;
+    int frames = 0;
+    for (; frames < 120 && !(was_left && pose.away_mm() == 0.0); ++frames) {
+        pose.follow(left, kFrameS);
+        const ToolPicture picture = pose.picture();
+        if (picture.tools.empty()) continue;
+        const vec3 now = touch_of(picture.tools.at(0));
+        EXPECT_GT(std::abs(now.x), 69.0F) << "through the clay, in frame " << frames;
+        const bool is_same_hand = picture.tools.at(0).left == was_left;
+        EXPECT_LT(is_same_hand ? glm::distance(now, last) : 0.0F, 60.0F) << frames;
+        was_left = picture.tools.at(0).left;
+        last = now;
+    }
+    EXPECT_TRUE(was_left);
+    EXPECT_LT(frames, 100);
+    EXPECT_LT(glm::distance(last, vec3(-70.0F, 100.0F, 0.0F)), 0.1F);
+}
+
+TEST(ToolPose, TakesItsTimeWhereAFingerOnlyHovers) {
+    ToolSight works = outside();
+    works.guided = true;
+    ToolSight hovers = works;
+    hovers.touching = false;
+    ToolPose working = settled(works);
+    ToolPose hovering = settled(hovers);
+    works.centre_mm.y += 20.0;
+    hovers.centre_mm.y += 20.0;
+    working.follow(works, kFrameS);
+    hovering.follow(hovers, kFrameS);
+    EXPECT_GT(touch_of(working.picture().tools.at(0)).y, touch_of(hovering.picture().tools.at(0)).y + 3.0F);
+    EXPECT_GT(touch_of(hovering.picture().tools.at(0)).y, 100.0F);
+}
+
+TEST(ToolPose, DigsStraightDownAndLiesFlatOnARim) {
+    ToolSight sight = outside();
+    sight.guided = true;
+    sight.side = Side::kTop;
+    EXPECT_LT(way_out_of(settled(sight).picture().tools.at(0)).y, 0.5F);
+    sight.digs = true;
+    EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, 0.95F);
+}
+
+TEST(ToolPose, HoldsANarrowRimWithFingerTipsAndNoStick) {
+    ToolSight sight = inside(34.0);
+    sight.guided = true;
+    sight.below_rim_mm = 3.0;
+    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kHandInner);
+    sight.below_rim_mm = 60.0;
+    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kStick);
+}
+
 TEST(ToolPose, CastsAShadowWithoutAModelOfIts) {
     for (const render::Sphere& ball : settled(outside()).picture().shadows) {
         EXPECT_GT(ball.centre_mm.x - ball.radius_mm, 69.0F) << "the stand-in reaches into the clay";

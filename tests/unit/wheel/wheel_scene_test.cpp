@@ -56,6 +56,17 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     EXPECT_TRUE(show(pot_).movers.empty());
 }
 
+TEST_F(TheWheelScene, HasNobodysHandBesideAPotThatIsNoLongerWet) {
+    pot_.second_hand.shown = true;
+    for (const clay::Firing stage : {clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze}) {
+        pot_.stage = stage;
+        EXPECT_TRUE(show(pot_).movers.empty());
+        EXPECT_TRUE(show(pot_).spheres.empty()) << "nor its shadow";
+    }
+    pot_.stage = clay::Firing::kWet;
+    EXPECT_EQ(show(pot_).movers.size(), 2U);
+}
+
 TEST_F(TheWheelScene, TurnsTheClayWithTheWheel) {
     pot_.wheel_direction = {0.6, 0.8};
     EXPECT_EQ(show(pot_).lathe->turn, vec2(0.6F, 0.8F));
