@@ -34,7 +34,7 @@ TEST(State, IsTheSameInEveryBuild) {
     short_throw(bench);
     // Debug and Release, g++ and clang++, agree on this number. It changes when the clay does: then look at
     // the known answers, and write the new one down.
-    EXPECT_EQ(bench.clay.state_hash(), 0x2efd347d4c3e02ceULL) << std::hex << "0x" << bench.clay.state_hash();
+    EXPECT_EQ(bench.clay.state_hash(), 0xd2108d823042927cULL) << std::hex << "0x" << bench.clay.state_hash();
 }
 
 TEST(State, ASecondThrowGivesTheSameBits) {

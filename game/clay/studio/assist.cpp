@@ -16,8 +16,8 @@ bool has_assist(const StudioInput& input, const Rings& rings, const Hand& hand) 
     return hand.side == Side::kIn || (hand.side == Side::kOut && hand.position_mm.y > rings.floor_mm());
 }
 
-Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, const Rings& rings,
-               double least_gap_mm, const StudioParameters& parameters) noexcept {
+Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, Contact& work,
+               const Rings& rings, double least_gap_mm, const StudioParameters& parameters) noexcept {
     Hand second = hand;
     second.is_assist = true;
     second.tool = StudioTool::kHand;
@@ -36,7 +36,7 @@ Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact,
     const double squeeze =
         climb_share(state, hand.position_mm.y) * std::min(kSqueezedShare * wall, kSqueezedMm);
     const double apart = 2.0 * r1 + std::max(least_gap_mm, wall - squeeze);
-    const double resting = resting_distance_mm(rings, second.side, second.position_mm.y, r1);
+    const double resting = resting_distance_mm(rings, second.side, second.position_mm.y, r1, work);
     const double steady =
         hand.distance_mm - (state.wobble_mm.x * hand.in_clay.x + state.wobble_mm.y * hand.in_clay.y);
     const double least = touch * yield;

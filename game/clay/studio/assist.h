@@ -16,8 +16,8 @@ bool has_assist(const StudioInput& input, const Rings& rings, const Hand& hand) 
 // that is there, until the hands' surfaces are least_gap_mm apart; thick walls take several pulls. It answers
 // the first hand: it presses only while that one touches, and less where the floor keeps it from being
 // opposite.
-// Precondition: has_assist(); least_gap_mm > 0.
-Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, const Rings& rings,
-               double least_gap_mm, const StudioParameters& parameters) noexcept;
+// work: the assist's own contact, which is yet to be found. Precondition: has_assist(); least_gap_mm > 0.
+Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, Contact& work,
+               const Rings& rings, double least_gap_mm, const StudioParameters& parameters) noexcept;
 
 }  // namespace onggi::clay::studio

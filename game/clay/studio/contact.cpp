@@ -36,29 +36,21 @@ double residual_at(const Rings& rings, int i, double turn) noexcept {
            part * static_cast<double>(row[(below + 1) & mask]);
 }
 
-Backing backing_at(const Rings& rings, int i, double y, const Hand& other) noexcept {
-    const double dy = y - other.position_mm.y;
-    const double square = (other.radius_mm - dy) * (other.radius_mm + dy);
-    if (square <= 0.0) return {};
-    const double half_width = std::sqrt(square);
-    const double depth = other.side == Side::kIn
-                             ? other.distance_mm + half_width - rings.inner_mm[Rings::at(i)]
-                             : rings.outer_mm[Rings::at(i)] - (other.distance_mm - half_width);
-    return {.held = other.is_assist ? 1.0 : std::clamp(1.0 + depth, 0.0, 1.0),
-            .depth_mm = depth > 0.0 ? depth : 0.0};
-}
-
-double resting_distance_mm(const Rings& rings, Side side, double y, double r1) noexcept {
+double resting_distance_mm(const Rings& rings, Side side, double y, double r1, Contact& work) noexcept {
     const bool inside = side == Side::kIn;
     Rings::Range range = rings.rings_between(y - r1, y + r1);
     if (inside) range.first = std::max(range.first, rings.first_hollow);
     const double sign = inside ? -1.0 : 1.0;
     const std::vector<double>& face = inside ? rings.inner_mm : rings.outer_mm;
     double reach = sign * face[Rings::at(rings.ring_at(y))];
-    for (int i = range.first; i < range.end; ++i) {
-        const double dy = rings.centre_mm(i) - y;
-        const double square = (r1 - dy) * (r1 + dy);
-        reach = std::max(reach, sign * face[Rings::at(i)] + std::sqrt(square > 0.0 ? square : 0.0));
+    if (range.size() <= 0) return sign * reach;
+    double* const offset = work.offset_mm.data();
+    rings.centres_from(y, range, offset);
+    const double* const at = face.data() + range.first;
+    for (int k = 0; k < range.size(); ++k) {
+        const double square = (r1 - offset[k]) * (r1 + offset[k]);
+        const double surface = sign * at[k] + std::sqrt(square > 0.0 ? square : 0.0);
+        reach = surface > reach ? surface : reach;
     }
     return sign * reach;
 }

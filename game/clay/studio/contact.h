@@ -2,6 +2,7 @@
 // Haptic thread; no allocation. Units: mm.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "game/clay/studio/hand.h"
@@ -51,19 +52,36 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
 // The residual w of a ring where the hand is, between the two sectors' middles.
 double residual_at(const Rings& rings, int i, double turn) noexcept;
 
-// The other hand, across ring i.
+// The other hand, across a ring.
 struct Backing {
     double held = 0.0;      // 1 where its surface touches the opposite face, 0 from 1 mm away
     double depth_mm = 0.0;  // how far its surface is beyond that face
 };
 
-// An assist is a whole hand: what is within its reach is held, however its ball lies against a slope.
-Backing backing_at(const Rings& rings, int i, double y_mm, const Hand& other) noexcept;
+// Of the hand whose middle is dy_mm below the ring, which has its opposite face there. An assist is a whole
+// hand: what is within its reach is held, however its ball lies against a slope. No branch on a ring.
+inline Backing backing_of(const Hand& other, double face_mm, double dy_mm) noexcept {
+    const double square = (other.radius_mm - dy_mm) * (other.radius_mm + dy_mm);
+    const double reaches = square > 0.0 ? 1.0 : 0.0;
+    const double half_width = std::sqrt(square > 0.0 ? square : 0.0);
+    const double beyond = other.side == Side::kIn ? other.distance_mm - face_mm : face_mm - other.distance_mm;
+    const double depth = beyond + half_width;
+    double near = other.is_assist ? 1.0 : 1.0 + depth;
+    near = near > 0.0 ? near : 0.0;
+    near = near < 1.0 ? near : 1.0;
+    return {.held = reaches * near, .depth_mm = reaches * (depth > 0.0 ? depth : 0.0)};
+}
+
+// The face of the clay that the hand is at.
+inline const std::vector<double>& face_at(const Rings& rings, const Hand& hand) noexcept {
+    return hand.side == Side::kIn ? rings.inner_mm : rings.outer_mm;
+}
 
 // How far from the axis the middle of a ball is that just touches the face on that side, kOut or kIn, with
 // its middle at that height. Only hollow rings have an inner face. Less than 0 where the hollow is too
-// narrow.
-double resting_distance_mm(const Rings& rings, Side side, double y_mm, double radius_mm) noexcept;
+// narrow. work: a contact that is yet to be found.
+double resting_distance_mm(const Rings& rings, Side side, double y_mm, double radius_mm,
+                           Contact& work) noexcept;
 
 // How firmly a wall stands on the floor at that height: 0 at the floor, 1 from 0.7 t above it.
 inline double tie_to_floor(double above_floor_mm, double wall_mm) {

@@ -16,6 +16,9 @@ std::size_t at(int i) {
 // The least that is left of the hollow of a ring.
 constexpr double kNarrowestHollowMm = 0.05;
 
+// A push smaller than this moves nothing to speak of.
+constexpr double kLeastPushMm = 1e-9;
+
 }  // namespace
 
 Changed together(const Changed& a, const Changed& b) {
@@ -161,13 +164,18 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     std::fill_n(held, n, 0.0);
     if (other != nullptr) {
         // Two hands squeeze by what both push; what one pushes beyond the other moves the wall.
+        const double* const far = face_at(rings, *other).data() + first;
+        const double apart = contact.height_mm - other->position_mm.y;
+        const double yield = parameters.yield_depth_mm;
+        const Hand backs = *other;
         for (int k = 0; k < n; ++k) {
-            const Backing backing =
-                backing_at(rings, first + k, contact.height_mm + contact.offset_mm[at(k)], *other);
+            const Backing backing = backing_of(backs, far[k], contact.offset_mm[at(k)] + apart);
             const double push = contact.push_mm[at(k)];
-            const double back = backing.depth_mm - parameters.yield_depth_mm;
+            double back = backing.depth_mm - yield;
+            back = back > 0.0 ? back : 0.0;
+            back = back < push ? back : push;
             held[k] = backing.held;
-            met[k] = back >= push ? 1.0 : back > 0.0 ? back / push : 0.0;
+            met[k] = back / (push > kLeastPushMm ? push : kLeastPushMm);
         }
     }
 

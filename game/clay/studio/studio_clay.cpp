@@ -283,7 +283,11 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
     state.previous_position_mm = hand.position_mm;
     state.has_previous = true;
     const double supported =
-        other != nullptr ? studio::backing_at(rings_, contact.nearest, contact.height_mm, *other).held : 0.0;
+        other == nullptr
+            ? 0.0
+            : studio::backing_of(*other, studio::face_at(rings_, *other)[Rings::at(contact.nearest)],
+                                 contact.height_mm - other->position_mm.y)
+                  .held;
     // A wet face slides as a wet hand does.
     const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     const studio::Feel felt =
@@ -327,8 +331,8 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     }
     if (present[0]) studio::find_contact(contacts_[0], rings_, hand[0], hands_[0], parameters);
     if (present[0] && !present[1] && studio::has_assist(input, rings_, hand[0])) {
-        hand[1] =
-            studio::assist_of(hand[0], hands_[0], contacts_[0], rings_, input.assist_gap_mm, parameters);
+        hand[1] = studio::assist_of(hand[0], hands_[0], contacts_[0], contacts_[1], rings_,
+                                    input.assist_gap_mm, parameters);
         hands_[1] = hands_[0];
         hands_[1].side = hand[1].side;
         studio::forget_wobble(hands_[1]);  // it rests on the mean circle
