@@ -100,11 +100,11 @@ TEST_P(Demonstration, LeavesThePotItIsThereForAsASoundSolid) {
 
 constexpr clay::ClayBody kPorcelain = clay::ClayBody::kPorcelain;
 INSTANTIATE_TEST_SUITE_P(Bundled, Demonstration,
-                         testing::Values(Expected{"cylinder", 185.0, 115.2}, Expected{"bowl", 118.0, 216.2},
-                                         Expected{"vase", 192.8, 142.0},
-                                         Expected{"moon_jar_half", 90.0, 168.9, kPorcelain},
-                                         Expected{"moon_jar", 171.3, 168.4, kPorcelain},
-                                         Expected{"collapse", 134.0, 300.0, clay::ClayBody::kStoneware,
+                         testing::Values(Expected{"cylinder", 183.4, 115.2}, Expected{"bowl", 118.0, 217.6},
+                                         Expected{"vase", 190.7, 143.0},
+                                         Expected{"moon_jar_half", 90.0, 170.0, kPorcelain},
+                                         Expected{"moon_jar", 171.2, 168.9, kPorcelain},
+                                         Expected{"collapse", 130.7, 300.0, clay::ClayBody::kStoneware,
                                                   clay::studio::Cause::kSpin}),
                          [](const auto& sample) { return std::string(sample.param.name); });
 
