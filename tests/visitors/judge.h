@@ -16,7 +16,7 @@ struct Verdict {
     double steep_share = 0.0;   // of its height, that leans more than 2 to 1
     double drawn_rms_mm = 0.0;  // from the outline that was meant; 0 where none was
     bool is_pot = false;
-    std::string why_not;
+    std::string why_not = {};
 };
 
 // A pot holds 60 ml and stands 45 mm high, is nowhere thinner than 2.5 mm, and no more than a tenth of its
