@@ -225,7 +225,6 @@ Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
 
     Gesture gesture;
     const Header columns = std::move(header).value();
-    gesture.extra_columns_ = columns.extra;
     std::optional<double> previous_s;
     while (!lines.at_end()) {
         const auto line = lines.next();

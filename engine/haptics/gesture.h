@@ -44,14 +44,11 @@ class Gesture {
 
     [[nodiscard]] double duration_s() const noexcept { return rows_.back().t_s; }
     [[nodiscard]] std::span<const Row> rows() const noexcept { return rows_; }
-    // Names of the columns right of tool_radius_mm; gesture_columns.h says which of them are understood.
-    [[nodiscard]] const std::vector<std::string>& extra_columns() const noexcept { return extra_columns_; }
 
   private:
     friend Result<Gesture> parse_gesture(std::string_view text, std::string_view name);
     Gesture() = default;
     std::vector<Row> rows_;  // at least one, t_s strictly ascending from 0
-    std::vector<std::string> extra_columns_;
 };
 
 // The gesture that `text` says; `name` stands for it in messages. Lines end in LF or CRLF; numbers are plain

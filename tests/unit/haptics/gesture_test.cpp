@@ -41,7 +41,6 @@ TEST(Gesture, IsReadRowByRow) {
               (ToolState{.position_mm = {95, 10, -3.5}, .radius_mm = 10, .wheel_button = false}));
     EXPECT_EQ(gesture.rows()[1].tool,
               (ToolState{.position_mm = {60.5, 10, 0}, .radius_mm = 12.25, .wheel_button = true}));
-    EXPECT_TRUE(gesture.extra_columns().empty());
 }
 
 TEST(Gesture, MayEndItsLinesAsWindowsDoesAndTheLastNotAtAll) {
@@ -151,8 +150,10 @@ TEST(RejectsGesture, WhoseExtraColumnsSayWhatTheyCannot) {
 TEST(Gesture, MayHaveColumnsToTheRight) {
     const Gesture gesture =
         gesture_of("0,1,2,3,0,10,inner,0.5\n1,1,2,3,0,10,,\n", std::string(kGestureHeader) + ",side,water\n");
-    EXPECT_EQ(gesture.extra_columns(), (std::vector<std::string>{"side", "water"}));
-    EXPECT_EQ(gesture.rows().size(), 2U);
+    ASSERT_EQ(gesture.rows().size(), 2U);
+    EXPECT_EQ(gesture.rows()[0].tool.side, SideHint::kInside);
+    EXPECT_EQ(gesture.rows()[0].tool.water, 0.5);
+    EXPECT_EQ(gesture.rows()[1].tool.water, 0.0) << "an empty field is as by default";
 }
 
 TEST(Gesture, IsTheSameInEveryLocale) {
