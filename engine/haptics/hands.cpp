@@ -127,12 +127,9 @@ void Hands::write(const dvec3& force_n) noexcept {
     const double written_n = std::sqrt(glm::dot(force_n, force_n));
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
         Motors& motors = motors_[hand];
-        const dvec3 wanted_n =
-            hand == holder_ ? ramp(force_n, input, motors.limits, motors.state) : dvec3(0.0);
         // In and out of use, so that motors cool while another works.
-        const dvec3 borne_n = budget(wanted_n, input, motors.limits, motors.state);
-        const dvec3 given_n = clamp(borne_n, input, motors.limits, motors.state);
-        motors.state.applied_force_n = given_n;
+        const dvec3 wanted_n = hand == holder_ ? force_n : dvec3(0.0);
+        const dvec3 given_n = apply_stages(kMotorStages, wanted_n, input, motors.limits, motors.state);
         motors.given_share =
             hand == holder_ && written_n > 0.0 ? std::sqrt(glm::dot(given_n, given_n)) / written_n : 0.0;
         hands_[hand]->write(given_n);

@@ -45,8 +45,8 @@ class Hands final : public HapticDevice {
     // leaves of a force.
     [[nodiscard]] HandSigns signs() const noexcept override;
     void silence() noexcept override;
-    // To the hand that has the tool: after a change of hands from nothing, by the safety chain's ramp; never
-    // more than its motors bear for a moment and for ever. Nothing to all others.
+    // To the hand that has the tool, through its own kMotorStages (safety_chain.h): after a change of hands
+    // from nothing, never more than its motors bear for a moment and for ever. Nothing to all others.
     void write(const dvec3& force_n) noexcept override;
     void feel(const WorkFelt& work) noexcept override;
 

@@ -1,6 +1,6 @@
 // The last gate before a device's motors, on its I/O thread: what the haptic thread orders, or less. It knows
-// what the tick's own safety chain cannot know: that the tick has stopped, or that the device was just
-// plugged in. Pure; one thread at a time. N, ns.
+// what the tick's own safety chain (safety_chain.h, SAFETY.md) cannot know: that the tick has stopped, or
+// that the device was just plugged in. Pure; one thread at a time. N, ns.
 #pragma once
 
 #include <cstdint>

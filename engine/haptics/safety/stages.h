@@ -30,9 +30,8 @@ dvec3 late(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, Safety
 // really put in, the driven part of F_{k-1}, is put on the credit side.
 // Source: B. Hannaford and J.-H. Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. on
 // Robotics and Automation 18(1), 2002.
-// Differs: the observer counts every step of the encoder, but the controller damps the windowed velocity;
-// damping
-//   each step by itself made a rattle of 0.4 mm of its own at 4 kHz in the bench of stability.h.
+// Differs: the observer counts every step of the encoder, but the controller damps the windowed velocity:
+//   damping each step by itself made a rattle of 0.4 mm of its own at 4 kHz in the bench of stability.h.
 // Differs: the balance is kept between a small credit and a debt, and out of contact it is forgotten: a long
 //   press would otherwise pay for minutes of shaking.
 dvec3 passivity(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
