@@ -48,8 +48,8 @@ void Hands::close() noexcept {
 
 namespace {
 
-// In front of the widest clay.
-constexpr double kBeforeClayMm = 180.0;
+// In front of the widest work.
+constexpr double kBeforeWorkMm = 180.0;
 
 bool is_in_workspace(const dvec3& place_mm) noexcept {
     const auto is_within = [](double coordinate_mm) { return std::abs(coordinate_mm) <= kWorkspaceMm; };
@@ -77,9 +77,9 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     holder_ = chooser_.choose(seen_, dt_s);
     if (holder_ != before) {
         shown_holder_.store(holder_, std::memory_order_relaxed);
-        // Where a finger is on its plane is most often in the clay: a ball comes from before it.
+        // Where a finger is on its plane is most often in the work: a ball comes from before it.
         if (tool_.guided) {
-            tool_.position_mm.z = kBeforeClayMm;
+            tool_.position_mm.z = kBeforeWorkMm;
             tool_.guided = false;
         }
         // There is no way back from nonsense: the new hand begins where it is.
@@ -109,7 +109,7 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     if (lives)
         signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 
-    // A finger on a screen has no way through the clay to go.
+    // A finger on a screen has no way through the work to go.
     approaches_ = approaches_ && !tool.guided;
     if (approaches_) {
         const dvec3 way = tool.position_mm - tool_.position_mm;

@@ -19,7 +19,7 @@ namespace onggi::haptics {
 struct HandsOptions {
     HandChooserOptions chooser = {};
     // After a change of hands the tool goes from where it was to where the new hand has it, not through the
-    // clay at once. Faster than a hand works.
+    // work at once. Faster than a hand works.
     double fastest_mm_s = 600.0;
 };
 

@@ -31,13 +31,13 @@ struct SafetyStage {
 };
 
 // The order is the chain's meaning. Nothing that is not finite may reach the arithmetic. What shapes the
-// force comes before the observer, so that it judges the force the clay shall have; what takes force away for
+// force comes before the observer, so that it judges the force that is meant; what takes force away for
 // a person's sake comes after it, so that not even its damping is felt by nobody. The clamp bounds what the
 // slew aims at, and the slew is last because it alone knows what the device got before.
 inline constexpr std::array<SafetyStage, 9> kSafetyChain{{
     {"gate", "zero force and a latched fault on NaN, infinity, a tool outside the workspace, or stop", &gate},
     {"speed", "a tool too fast in contact is braked, then let go", &speed},
-    {"late", "a softer clay while the loop misses periods", &late},
+    {"late", "a softer touch while the loop misses periods", &late},
     {"passivity", "damping that takes back what the sampled loop gave too much", &passivity},
     {"hand", "no force without a hand, or when its position is stale", &hand},
     {"ramp", "from nothing to full force at the start and after a fault, once the force is small", &ramp},
@@ -46,13 +46,13 @@ inline constexpr std::array<SafetyStage, 9> kSafetyChain{{
     {"slew", "bounded change from tick to tick; letting go is faster than pushing", &slew},
 }};
 
-// The whole chain: the clay's force in, what the device may get out.
+// The whole chain: the wanted force in, what the device may get out.
 dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
                          SafetyState& state) noexcept;
 
 // What a hand's own motors get of it, in the chain's own stages: after a change of hands from nothing, and
 // never more than they bear. Not among the stages of the loop, which knows one tool: a motor stays warm while
-// another hand works, and the loop's ramp is over when a hand that lay in the clay takes over.
+// another hand works, and the loop's ramp is over when a hand that lay in the work takes over.
 inline constexpr std::array<SafetyStage, 3> kMotorStages{{
     {"ramp", "from nothing to full force once a hand has the tool and the force is small", &ramp},
     {"budget", "this hand's own mean force, in use and out of it", &budget},

@@ -117,7 +117,7 @@ TEST(Live, SaysWhyADeviceGetsNoForceOfThisClay) {
         EXPECT_EQ(run.exit_code, 0) << run.err;
         return run.err;
     };
-    constexpr std::string_view kWhy = "Haply Inverse3: expected a clay of at most ";
+    constexpr std::string_view kWhy = "Haply Inverse3: expected a stiffness of at most ";
     const std::string paper = said("paper");
     const std::size_t at = paper.find(kWhy);
     ASSERT_NE(at, std::string::npos) << paper;

@@ -19,7 +19,7 @@ struct ForceGateLimits {
     std::int64_t starved_ns = 100 * kMs;
     // From nothing to full force after plugging in, and after any silence ...
     std::int64_t ramp_ns = 1000 * kMs;
-    // ... which begins only at a small order: a device plugged in while the tool is deep in the clay stays
+    // ... which begins only at a small order: a device plugged in while the tool is deep in the work stays
     // loose until the tool has come out.
     double small_n = 0.2;
 };
