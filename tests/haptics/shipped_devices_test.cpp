@@ -129,7 +129,7 @@ TEST(Inverse3, GetsThePapersClayWhereItIsStableAndElseALineWithTheNumber) {
     paper.paper.viscosity_c2_n_s_per_mm = 0.02;
     const Result<void> sticky = fit_to_device(paper, inverse3(), true);
     ASSERT_FALSE(sticky);
-    EXPECT_NE(sticky.error().message.find("the most viscous that is stable on it at 1000 Hz, found 0.02"),
+    EXPECT_NE(sticky.error().message.find("the largest that is stable on it at 1000 Hz, found 0.02"),
               std::string::npos)
         << sticky.error().message;
 }
