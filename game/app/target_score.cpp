@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "game/heritage/score.h"
+
 namespace onggi::app {
 
 TargetScore score_beside(const TargetChoice& choice, const clay::StudioClay& clay) {
