@@ -1,6 +1,6 @@
-// What lies in a folder, or as much of it as the system tells. A range-for over the standard's iterator throws
-// where a disk fails in the middle of a folder, which under noexcept is the end of the program; this never
-// does. Any thread but the haptic one; blocks.
+// What lies in a folder, or as much of it as the system tells. A range-for over the standard's iterator
+// throws where a disk fails in the middle of a folder, which under noexcept is the end of the program; this
+// never does. Any thread but the haptic one; blocks.
 #pragma once
 
 #include <filesystem>

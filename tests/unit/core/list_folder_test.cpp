@@ -35,9 +35,9 @@ TEST(ListFolder, SaysInOneLineWhatIsNoFolder) {
     test::put_file(folder / "file", "");
     const FolderListing listing = list_folder(folder / "file");
     EXPECT_FALSE(listing.is_whole());
-    EXPECT_EQ(listing_trouble(folder / "file", listing),
-              (folder / "file").string() +
-                  ": expected to list all that is in this folder, found: Not a directory");
+    EXPECT_EQ(
+        listing_trouble(folder / "file", listing),
+        (folder / "file").string() + ": expected to list all that is in this folder, found: Not a directory");
 }
 
 TEST(ListFolder, KeepsWhatItHasWhereTheDiskFailsInTheMiddle) {
@@ -50,7 +50,9 @@ TEST(ListFolder, KeepsWhatItHasWhereTheDiskFailsInTheMiddle) {
             const FolderListing listing = list_folder(folder.path());
             const std::size_t count = listing.entries.size();
             const bool is_some = count > 0 && count < 40;
-            return (count == 0 ? "none" : is_some ? "some" : "all") +
+            return (count == 0 ? "none"
+                    : is_some  ? "some"
+                               : "all") +
                    (listing.is_whole() ? std::string() : "; " + listing.error.message());
         });
     };
