@@ -75,7 +75,7 @@ TEST(StoredSession, IsRecordedAgainToTheByte) {
 TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     LoadedSession session = loaded(stored("two-hands-250hz.onggi"));
     haptic::Start& start = session.start;
-    EXPECT_EQ(session.session.header().clay_model, record::ClayModel::kStudio);
+    EXPECT_EQ(session.session.header().tool_detail, record::ToolDetail::kWhole);
     record::SessionCursor hands(session.session);
     bool second_touched = false;
     double wettest = 0.0;

@@ -60,10 +60,6 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
 
-// Triangles of the lathe's rows and sectors, for as many rows as there may be; any first part that ends at a
-// whole row is a lathe with fewer.
-[[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors);
-
 // Of everything the cached layers depend on (the levels of the light do not count), and of everything the
 // shadow mask does.
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
