@@ -49,9 +49,7 @@ bool KioskVisit::clay_is_open() const {
     return state_.panel == Panel::kNone && state_.screen == Screen::kThrow;
 }
 
-// The more a visitor can, the less.
 void KioskVisit::help_along() {
-    constexpr double kLessEachStep = 0.15;
     const std::optional<int> target =
         parts_.settings.config.visit.forgiving && state_.screen == Screen::kThrow ? state_.throwing.target
                                                                                   : std::nullopt;
@@ -64,7 +62,7 @@ void KioskVisit::help_along() {
         return;
     }
     const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*target)];
-    hand_.set_outline(wet_outline(parts_.settings.targets[place]), 1.0 - kLessEachStep * steps_done);
+    hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
 }
 
 void KioskVisit::take_news(const PointerNews& news) {
