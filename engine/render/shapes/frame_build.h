@@ -54,9 +54,9 @@ struct StillBounds {
 void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
                  int height_px, BuiltFrame& built);
 
-// The frame's uniforms as they are with all lights full, whatever the scene's levels.
-[[nodiscard]] shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still,
-                                               const BuiltFrame& built, int width_px, int height_px);
+// The frame's uniforms for what stands still alone, with all lights full, whatever the scene's levels.
+[[nodiscard]] shaders::FrameData still_frame(const Scene& scene, const StillBounds& still, int width_px,
+                                             int height_px);
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
 
