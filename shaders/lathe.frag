@@ -34,6 +34,7 @@ layout(location = 11) flat in vec4 spheres[kSpheres];
 #ifdef ONGGI_LOAD
 layout(location = 15) in vec2 load;
 #endif
+layout(location = 16) noperspective in float slip_up;  // as detail_at.y, so that it grows evenly over a triangle
 layout(location = 0) out vec4 out_colour;
 
 const float kPi = 3.14159265;
@@ -44,11 +45,14 @@ vec2 from_sixteen_bits(uint word) {
 
 // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film. Live on a processor by one
 // texel, which is about as large as a pixel there: four cost three times as much. It is a word of a buffer, whose
-// place takes fewer steps to find than a texel's in an image.
+// place takes fewer steps to find than a texel's in an image. Where a wall is seen so slantwise that several texels
+// lie under a pixel, the mean of some above one another: one of the levels of detail_texture.h.
 vec4 slip_at(vec2 place) {
     if (kTransfer != 1) return texture(detail, place);
     ivec2 texel = ivec2(floor(place * vec2(kSlipAcross, kSlipUp))) & ivec2(kSlipAcross - 1, kSlipUp - 1);
-    uint bytes = texelFetch(slip_texels, texel.y * kSlipAcross + texel.x).r;
+    float a_pixel = fwidth(slip_up) * float(kSlipUp);
+    int level = int(a_pixel > 1.5) + int(a_pixel > 3.0) + int(a_pixel > 6.0);
+    uint bytes = texelFetch(slip_texels, (level * kSlipUp + texel.y) * kSlipAcross + texel.x).r;
     return vec4(ivec4(uvec4(bytes) >> uvec4(0, 8, 16, 24) & 255u)) * (1.0 / 255.0);
 }
 

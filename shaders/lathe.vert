@@ -36,6 +36,7 @@ layout(location = 11) flat out vec4 out_spheres[kSpheres];
 #ifdef ONGGI_LOAD
 layout(location = 15) out vec2 out_load;  // y: along the hatch, mm
 #endif
+layout(location = 16) noperspective out float out_slip_up;  // as out_detail.y
 
 void main() {
     int in_row = int(draw.turn.y);
@@ -70,6 +71,7 @@ void main() {
     // Two of the texture go round. Up the pot it goes by length along the outline, over the rim and down
     // inside.
     vec2 detail_at = vec2(2.0 * vertex.lean.w, row.place.w / 67.0);
+    out_slip_up = detail_at.y;
     out_detail = vec4(detail_at.x + draw.turn.x, detail_at.y, row.water.y, vertex.lean.y);
 #ifdef ONGGI_LOAD
     out_load = vec2(row.water.z, detail_at.x * 120.0 + detail_at.y * 67.0);

@@ -17,6 +17,7 @@ constexpr double kBelowRimMm = 3.0;     // where finger tips hold a rim
 constexpr double kAboveFloorMm = 8.0;   // inside
 constexpr double kThumbMm = 8.0;        // from the thumbs' middle to their tips
 constexpr double kOpensWithin = 0.3;    // of the radius: so far from the axis thumbs hang over solid clay
+constexpr double kLeansOut = 0.25;      // of the depth: so far a hand inside reaches out below a neck
 constexpr double kAsideMm = 205.0;      // a finger farther out is out of the picture
 
 // What both hands are given for one of them.
@@ -58,6 +59,20 @@ double on_wall(const Scene& scene) {
     return std::clamp(scene.at_mm.y, kAboveWheelMm, top_mm);
 }
 
+// How far out fingers reach inside at that height: to the wall, or as far as an arm can that comes down
+// through what is narrower above. Behind a shoulder nobody sees whether they touch; through it everybody
+// would.
+double reach_mm(const haptic::PotShape& shape, double y_mm) {
+    double reach = wall_at(shape, y_mm).inner_mm;
+    const auto inner = shape.inner_mm();
+    const auto tops = shape.top_mm();
+    for (std::size_t ring = 0; ring < tops.size(); ++ring) {
+        const double above_mm = double{tops[ring]} - y_mm;
+        if (above_mm > 0.0) reach = std::min(reach, double{inner[ring]} + kLeansOut * above_mm);
+    }
+    return reach;
+}
+
 // A palm on the outer face; and, while it works, fingers behind the wall or a second palm across the lump.
 void hold_wall(wheel::PotView& pot, const Scene& scene) {
     const double y_mm = on_wall(scene);
@@ -68,7 +83,7 @@ void hold_wall(wheel::PotView& pot, const Scene& scene) {
     if (wall.inner_mm > 0.0) {
         const double in_y_mm = std::max(y_mm, scene.shape.floor_mm + kAboveFloorMm);
         put(pot.second_hand, scene, Side::kIn,
-            ball_at(scene, Side::kIn, wall_at(scene.shape, in_y_mm).inner_mm, in_y_mm));
+            ball_at(scene, Side::kIn, reach_mm(scene.shape, in_y_mm), in_y_mm));
     } else if (is_solid(scene.shape)) {
         Scene across = scene;
         across.side = -scene.side;
@@ -88,8 +103,9 @@ void reach_inside(wheel::PotView& pot, const Scene& scene) {
         return;
     }
     const double y_mm = std::max(on_wall(scene), scene.shape.floor_mm + kAboveFloorMm);
-    const Wall wall = wall_at(scene.shape, std::min(y_mm, scene.shape.height_mm - kBelowRimMm));
-    put(pot.second_hand, scene, Side::kIn, ball_at(scene, Side::kIn, wall.inner_mm, y_mm));
+    const double held_y_mm = std::min(y_mm, scene.shape.height_mm - kBelowRimMm);
+    const Wall wall = wall_at(scene.shape, held_y_mm);
+    put(pot.second_hand, scene, Side::kIn, ball_at(scene, Side::kIn, reach_mm(scene.shape, held_y_mm), y_mm));
     put(pot.hand, scene, Side::kOut, ball_at(scene, Side::kOut, wall.outer_mm, y_mm));
 }
 

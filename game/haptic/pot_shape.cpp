@@ -1,12 +1,37 @@
 #include "game/haptic/pot_shape.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace onggi::haptic {
 namespace {
 
 // How long the copy of a studio pot takes: two a frame at 60 Hz.
 constexpr double kCopyS = 1.0 / 120.0;
+
+// Column by column, so that the compiler makes vectors of it.
+void copy_rings(PotShape& shape, const clay::studio::Rings& rings) noexcept {
+    const auto narrow = [&](const std::vector<double>& from, std::vector<float>& to) {
+        std::transform(from.begin(), from.begin() + rings.count, to.begin(),
+                       [](double value) { return static_cast<float>(value); });
+    };
+    const auto copy = [&](const std::vector<float>& from, std::vector<float>& to) {
+        std::copy_n(from.begin(), rings.count, to.begin());
+    };
+    narrow(rings.outer_mm, shape.outer_mm_);
+    narrow(rings.inner_mm, shape.inner_mm_);
+    copy(rings.film, shape.film_);
+    copy(rings.liquidity, shape.liquidity_);
+    copy(rings.load_index, shape.load_index_);
+    for (int i = 0; i < rings.count; ++i) {
+        const std::size_t at = clay::studio::Rings::at(i);
+        shape.top_mm_[at] = static_cast<float>(rings.bottom_mm(i) + rings.height_mm[at]);
+        shape.centre_mm_[2 * at] = rings.centre_x_mm[at];
+        shape.centre_mm_[2 * at + 1] = rings.centre_z_mm[at];
+    }
+    shape.rings = rings.count;
+}
 
 // The mean of the residuals that lie in one sector of the map.
 void copy_dent_row(std::span<const float> row, float* out) {
@@ -37,44 +62,16 @@ bool ShapeCopy::step(PotShape& shape, const HapticState& state, double dt_s) noe
     const bool takes_turns = dt_s <= 0.5e-3;
     if (takes_turns && state.ticks % 2 == 0) return false;
     const double part = std::min((takes_turns ? 2.0 : 1.0) * dt_s / kCopyS, 1.0);
-    copy_rings(shape, *studio, static_cast<int>(part * studio->ring_count()) + 1);
     copy_dents(shape, *studio, static_cast<int>(part * kDentRows) + 1);
-    if (reached_mm_ < studio->height_mm() || dent_row_ < kDentRows) return false;
-    shape.rings = copied_;
-    shape.height_mm = reached_mm_;
+    if (dent_row_ < kDentRows) return false;
+    copy_rings(shape, studio->rings());
+    shape.height_mm = studio->height_mm();
     shape.floor_mm = studio->floor_mm();
     shape.is_hollow = true;
     shape.is_dented = dented_;
     shape.tick = state.ticks;
     restart();
     return true;
-}
-
-void ShapeCopy::copy_rings(PotShape& shape, const clay::StudioClay& clay, int most) noexcept {
-    const clay::studio::Rings& rings = clay.rings();
-    const int room = static_cast<int>(shape.outer_mm_.size());
-    if (rings.count == 0 || copied_ == room) {  // nothing on the wheel, or nothing left to fill
-        reached_mm_ = clay.height_mm();
-        return;
-    }
-    if (reached_mm_ >= clay.height_mm()) return;
-    int i = copied_ == 0 ? 0 : rings.ring_at(reached_mm_);
-    // The ring whose lower face is nearest: half of one may have been copied before it moved.
-    if (copied_ > 0 && reached_mm_ > rings.centre_mm(i)) ++i;
-    for (int k = 0; k < most && i < rings.count && copied_ < room; ++k, ++i, ++copied_) {
-        const auto to = static_cast<std::size_t>(copied_);
-        const std::size_t from = clay::studio::Rings::at(i);
-        reached_mm_ = rings.bottom_mm(i) + rings.height_mm[from];
-        shape.outer_mm_[to] = static_cast<float>(rings.outer_mm[from]);
-        shape.inner_mm_[to] = static_cast<float>(rings.inner_mm[from]);
-        shape.top_mm_[to] = static_cast<float>(reached_mm_);
-        shape.centre_mm_[2 * to] = rings.centre_x_mm[from];
-        shape.centre_mm_[2 * to + 1] = rings.centre_z_mm[from];
-        shape.film_[to] = rings.film[from];
-        shape.liquidity_[to] = rings.liquidity[from];
-        shape.load_index_[to] = rings.load_index[from];
-    }
-    if (i == rings.count) reached_mm_ = std::max(reached_mm_, clay.height_mm());
 }
 
 void ShapeCopy::copy_dents(PotShape& shape, const clay::StudioClay& clay, int most) noexcept {
@@ -95,8 +92,7 @@ void ShapeCopy::copy_dents(PotShape& shape, const clay::StudioClay& clay, int mo
 PotShape first_shape(const HapticState& start) {
     PotShape shape;
     if (const clay::StudioClay* studio = start.studio()) {
-        // Room for the rings there may be, and for those that come while they are copied.
-        const auto room = static_cast<std::size_t>(studio->ring_capacity()) + 64;
+        const auto room = static_cast<std::size_t>(studio->ring_capacity());
         for (auto* column : {&shape.outer_mm_, &shape.inner_mm_, &shape.top_mm_, &shape.film_,
                              &shape.liquidity_, &shape.load_index_})
             column->resize(room);

@@ -1,5 +1,5 @@
 // The pot as a picture needs it, and how the haptic thread copies it out without paying for all of it in one
-// tick. mm.
+// tick: the map of dents bit by bit, then the rings. mm.
 #pragma once
 
 #include <cstddef>
@@ -60,9 +60,9 @@ struct PotShape {
     }
 };
 
-// Copies the clay into a shape, a share each tick, so that the whole comes at a pace of simulated time. The
-// clay flows on meanwhile: the next ring is found by height, so that rings that come and go leave no seam.
-// Haptic thread; no allocation.
+// Copies the clay into a shape at a pace of simulated time: the dents, which change slowly, a share each
+// tick; the rings in the last of them, because clay that moves meanwhile would leave a step in the wall
+// wherever one tick's share met the next. Haptic thread; no allocation.
 class ShapeCopy {
   public:
     // One tick's share into `shape`, which must stay the same until it is finished. True when it is.
@@ -71,11 +71,8 @@ class ShapeCopy {
     void restart() noexcept { *this = {}; }
 
   private:
-    void copy_rings(PotShape& shape, const clay::StudioClay& clay, int most) noexcept;
     void copy_dents(PotShape& shape, const clay::StudioClay& clay, int most) noexcept;
 
-    int copied_ = 0;
-    double reached_mm_ = 0.0;  // top of the last ring copied
     int dent_row_ = 0;
     bool dented_ = false;
 };

@@ -28,7 +28,9 @@ struct UnseenOptions {
     bool forgiving = true;                                         // it bears more than real clay
     bool plain = true;                                             // no photographed room
     bool shows = false;                                            // recordings, while nobody is there
-    kiosk::Config config = {};                                     // but its gallery
+    int width = kWidth;
+    int height = kHeight;
+    kiosk::Config config = {};  // but its gallery
     std::function<int()> minute_of_day = app::minute_of_day;
     KioskSound::MakePlace loudspeaker = {};  // none: no sound
 };
@@ -45,7 +47,7 @@ class UnseenKiosk {
         settings_.config.gallery.least_free_mb = 1.0;
         settings_.config.gallery.most_pots = 100'000;
         auto view = wheel::LiveView::open(
-            {.width = kWidth, .height = kHeight, .headless = true, .plain = options.plain});
+            {.width = options.width, .height = options.height, .headless = true, .plain = options.plain});
         EXPECT_TRUE(view) << view.error().message;
         view_ = std::move(*view);
         parameters_.set_rate_hz(kRateHz);
@@ -113,7 +115,7 @@ class UnseenKiosk {
     void hold(bool pressed) { view_->feed(window::ButtonEvent{window::MouseButton::kLeft, pressed}); }
     // A finger anywhere.
     void touch() {
-        point(0.5 * kWidth, 0.5 * kHeight);
+        point(0.5 * view_->width(), 0.5 * view_->height());
         hold(true);
         frame();
         hold(false);

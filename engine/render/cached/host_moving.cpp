@@ -10,7 +10,8 @@ namespace onggi::render {
 
 void HostMoving::create(const RendererDesc& desc) {
     slip_size_ = {desc.slip_across, desc.slip_up};
-    const std::vector<std::uint8_t> texels = coarser_detail(detail_texture(), desc.slip_across, desc.slip_up);
+    const std::vector<std::uint8_t> texels = slip_levels(
+        coarser_detail(detail_texture(), desc.slip_across, desc.slip_up), desc.slip_across, desc.slip_up);
     slip_.resize(texels.size() / sizeof(std::uint32_t));
     std::memcpy(slip_.data(), texels.data(), texels.size());
 }

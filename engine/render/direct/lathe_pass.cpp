@@ -63,8 +63,10 @@ Result<void> LathePass::create(const FrameContext& frame) {
 
 Result<void> LathePass::upload_slip(const FrameContext& frame) {
     const vk::Image& detail = frame.images.detail;
+    const int across = frame.desc.slip_across;
+    const int up = frame.desc.slip_up;
     const std::vector<std::uint8_t> texels =
-        coarser_detail(detail_texture(), frame.desc.slip_across, frame.desc.slip_up);
+        slip_levels(coarser_detail(detail_texture(), across, up), across, up);
     auto slip = vk::Buffer::create(
         frame.device, {.name = "slip",
                        .size = texels.size(),

@@ -41,9 +41,27 @@ using Values = std::array<Block, kValueBlocks>;
     return values;
 }
 
+// Which level of the slip a triangle shows: the one with a texel a pixel or two. slip_at() of
+// shaders/lathe.frag.
+[[gnu::always_inline]] inline int slip_level(const Shape<value::kCount>& shape, float area) {
+    const LatheCorner& first = *shape.corners[0];
+    const auto texels_up = [](const LatheCorner& corner) {
+        return corner.values[value::kSlip + 1] * corner.away_mm;
+    };
+    const vec2 to_1 = shape.corners[1]->at_px - first.at_px;
+    const vec2 to_2 = shape.corners[2]->at_px - first.at_px;
+    const float grown_1 = texels_up(*shape.corners[1]) - texels_up(first);
+    const float grown_2 = texels_up(*shape.corners[2]) - texels_up(first);
+    const float a_pixel =
+        std::abs(grown_1 * to_2.y - grown_2 * to_1.y) + std::abs(grown_2 * to_1.x - grown_1 * to_2.x);
+    const float least = 1.5F * std::abs(area);
+    return (a_pixel > least ? 1 : 0) + (a_pixel > 2.0F * least ? 1 : 0) + (a_pixel > 4.0F * least ? 1 : 0);
+}
+
 // How a triangle's values grow, as vectors of values and one by one.
 struct Growth {
     vec2 from;    // its first corner
+    int level;    // of the slip, where a pixel's place in the queue has it
     Values base;  // there
     Values across;
     Values down;
@@ -51,6 +69,7 @@ struct Growth {
 
     [[gnu::always_inline]] Growth(const Shape<value::kCount>& shape, float area)
         : from(shape.corners[0]->at_px),
+          level(slip_level(shape, area) << shading::kLevelShift),
           base(values_of(*shape.corners[0])) {
         const vec2 to_1 = (shape.corners[1]->at_px - from) / area;
         const vec2 to_2 = (shape.corners[2]->at_px - from) / area;
@@ -119,7 +138,7 @@ template <Pot kPot>
     depth = is_drawn ? here : depth;
     std::memcpy(canvas.depth.data() + at, &depth, sizeof depth);
     const std::size_t before = queue.count;
-    const Ints places = is_drawn ? kNumbers + static_cast<int>(at) : Ints{} - 1;
+    const Ints places = is_drawn ? kNumbers + (static_cast<int>(at) | growth.level) : Ints{} - 1;
     std::memcpy(queue.at.data() + before, &places, sizeof places);
     constexpr std::size_t kValues = kPot == Pot::kPlain ? value::kPlain : value::kDepth;
 #pragma GCC unroll 24

@@ -13,7 +13,7 @@
 
 namespace onggi::render {
 
-// What all of it has in common. `slip` are texels of four bytes, as coarser_detail() makes them.
+// What all of it has in common. `slip` are texels of four bytes, as slip_levels() makes them.
 struct LatheLook {
     const shaders::FrameData& frame;
     const shaders::LatheDraw& draw;

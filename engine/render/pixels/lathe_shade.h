@@ -13,6 +13,7 @@
 #include "engine/render/pixels/lathe_pixels.h"
 #include "engine/render/pixels/load_pixels.h"
 #include "engine/render/pixels/pixel_blocks.h"
+#include "engine/render/shapes/detail_texture.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -50,10 +51,15 @@ struct Queue {
     static constexpr std::size_t kMost = 128;
     std::size_t count = 0;
     alignas(32) std::array<std::array<float, kMost>, kHatchWidth + 1> values;
-    std::array<std::int32_t, kMost> at;  // of the picture; below 0: something is nearer
+    std::array<std::int32_t, kMost>
+        at;  // of the picture, below the slip's level; below 0: something is nearer
 
     [[nodiscard]] bool is_full() const { return count + kBlock > kMost; }
 };
+
+// Above a pixel's place: which level of the slip it shows.
+constexpr int kLevelShift = 28;
+static_assert(kSlipLevels <= 1 << (31 - kLevelShift));
 
 // Eight of them.
 struct Pixels {
@@ -64,6 +70,11 @@ struct Pixels {
         Block values;
         std::memcpy(&values, queue.values[number].data() + first, sizeof values);
         return values;
+    }
+    [[gnu::always_inline]] [[nodiscard]] Ints slip_level() const {
+        Ints places;
+        std::memcpy(&places, queue.at.data() + first, sizeof places);
+        return (places >> kLevelShift) & (kSlipLevels - 1);
     }
     [[gnu::always_inline]] [[nodiscard]] Block3 three(std::size_t number) const {
         return {(*this)[number], (*this)[number + 1], (*this)[number + 2]};
@@ -112,7 +123,8 @@ struct Slip {
     const Block away = 1.0F / own[value::kNear];
     const Ints across = ints(own[value::kSlip] * away) & (look.slip_size.across - 1);
     const Ints up = ints(own[value::kSlip + 1] * away) & (look.slip_size.up - 1);
-    const Ints texel = looked_up(look.slip.data(), up * look.slip_size.across + across);
+    const Ints row = own.slip_level() * look.slip_size.up + up;
+    const Ints texel = looked_up(look.slip.data(), row * look.slip_size.across + across);
     constexpr float kOneOver255 = 1.0F / 255.0F;
     const auto byte = [&](int shift) __attribute__((always_inline)) {
         return floats((texel >> shift) & 255) * kOneOver255;
@@ -257,7 +269,9 @@ template <Pot kPot>
         const std::size_t end = std::min(queue.count - first, std::size_t{kBlock});
         for (std::size_t i = 0; i < end; ++i) {
             const std::int32_t at = queue.at[first + i];
-            if (at >= 0) canvas.pixels[static_cast<std::size_t>(at)] = static_cast<std::uint32_t>(shown[i]);
+            constexpr std::int32_t kPlace = (1 << kLevelShift) - 1;
+            if (at >= 0)
+                canvas.pixels[static_cast<std::size_t>(at & kPlace)] = static_cast<std::uint32_t>(shown[i]);
         }
     }
     queue.count = 0;

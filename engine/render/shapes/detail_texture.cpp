@@ -94,4 +94,26 @@ std::vector<std::uint8_t> coarser_detail(std::span<const std::uint8_t> texels, i
     return coarse;
 }
 
+std::vector<std::uint8_t> slip_levels(std::span<const std::uint8_t> texels, int across, int up) {
+    const auto at = [&](int x, int y, int channel) {
+        return static_cast<std::size_t>(4 * ((y + up) % up * across + x) + channel);
+    };
+    std::vector<std::uint8_t> levels;
+    levels.reserve(kSlipLevels * texels.size());
+    for (int level = 0; level < kSlipLevels; ++level) {
+        const int count = std::min(1 << level, up);
+        for (int y = 0; y < up; ++y) {
+            for (int x = 0; x < across; ++x) {
+                for (int channel = 0; channel < 4; ++channel) {
+                    int sum = 0;
+                    for (int i = 0; i < count; ++i)
+                        sum += texels[at(x, y + i - count / 2, channel)];
+                    levels.push_back(static_cast<std::uint8_t>((sum + count / 2) / count));
+                }
+            }
+        }
+    }
+    return levels;
+}
+
 }  // namespace onggi::render

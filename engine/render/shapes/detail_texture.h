@@ -19,4 +19,10 @@ constexpr int kDetailTexels = 512;
 [[nodiscard]] std::vector<std::uint8_t> coarser_detail(std::span<const std::uint8_t> texels, int across,
                                                        int up);
 
+// That many, one after another: each texel of a level is the mean of twice as many above one another as in
+// the level before, the first as it is. For walls that are seen so slantwise that several texels lie under a
+// pixel.
+constexpr int kSlipLevels = 4;
+[[nodiscard]] std::vector<std::uint8_t> slip_levels(std::span<const std::uint8_t> texels, int across, int up);
+
 }  // namespace onggi::render

@@ -113,6 +113,23 @@ TEST_F(GuidedHands, OpenInTheMiddleReachInsideAndPressTheRim) {
     EXPECT_EQ(touch_of(rim.hand), dvec3(56.0, 100.0, 0.0));
 }
 
+TEST_F(GuidedHands, ReachBehindAShoulderWithNoArmThroughIt) {
+    haptic::PotShape jar = pot(120, 70, 8, 11);
+    for (int i = 80; i < jar.rings; ++i)
+        jar.inner_mm_[static_cast<std::size_t>(i)] = 40.0F;
+    for (const Grip grip : {Grip::kWall, Grip::kInside}) {
+        for (double y = 15.0; y < 118.0; y += 3.0) {
+            const dvec3 tips = touch_of(works(jar, grip, {70.0, y}).second_hand);
+            EXPECT_LE(tips.x, wall_at(jar, tips.y).inner_mm);
+            // An arm from there to the mouth, leaning in by a quarter.
+            for (double up = tips.y; up < 119.5; up += 1.0)
+                EXPECT_LE(tips.x - 0.25 * (up - tips.y), wall_at(jar, up).inner_mm + 0.3) << y << ", " << up;
+        }
+    }
+    EXPECT_EQ(touch_of(works(cup_, Grip::kWall, {60.0, 40.0}).second_hand).x, 52.0)
+        << "to the wall where it can";
+}
+
 TEST_F(GuidedHands, HangOffTheClayInThePoseOfWhatATouchWouldBegin) {
     for (const haptic::PotShape* shape : {&lump_, &cup_}) {
         for (double x = -130.0; x <= 130.0; x += 3.0) {

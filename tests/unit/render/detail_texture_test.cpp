@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace onggi::render {
@@ -66,6 +67,34 @@ TEST(DetailTexture, KeepsItsMeanAndItsStreaksWithFewerTexels) {
             sum += at(texels, kDetailTexels, 2 * 100 + i % 2, 4 * 70 + i / 2, channel);
         EXPECT_NEAR(at(coarse, kAcross, 100, 70, channel), sum / 8.0, 0.5) << channel;
     }
+}
+
+TEST(DetailTexture, HasLevelsThatEachAverageTwiceAsManyAboveOneAnother) {
+    constexpr int kAcross = 256;
+    constexpr int kUp = 128;
+    const auto texels = coarser_detail(detail_texture(), kAcross, kUp);
+    const auto levels = slip_levels(texels, kAcross, kUp);
+    ASSERT_EQ(levels.size(), kSlipLevels * texels.size());
+    EXPECT_TRUE(std::equal(texels.begin(), texels.end(), levels.begin())) << "the first is as it is";
+    const auto tone = [&](int level, int x, int y) {
+        return static_cast<int>(
+            levels[static_cast<std::size_t>(4 * ((level * kUp + y % kUp) * kAcross + x))]);
+    };
+    // What changes from one pixel to the next, where a pixel shows so many texels.
+    const auto steps = [&](int level, int texels_a_pixel) {
+        long sum = 0;
+        for (int y = 0; y < kUp; ++y) {
+            for (int x = 0; x < kAcross; ++x)
+                sum += std::abs(tone(level, x, y) - tone(level, x, y + texels_a_pixel));
+        }
+        return sum;
+    };
+    for (int level = 1; level < kSlipLevels; ++level)
+        EXPECT_LT(steps(level, 1 << level), steps(0, 1 << level)) << level;
+    int sum = 0;
+    for (int y = 46; y < 54; ++y)
+        sum += tone(0, 70, y);
+    EXPECT_NEAR(tone(3, 70, 50), sum / 8.0, 0.6);
 }
 
 }  // namespace

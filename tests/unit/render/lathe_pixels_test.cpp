@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/render/shapes/detail_texture.h"
 #include "tests/unit/render/triangle_pixels.h"
 
 namespace onggi::render {
@@ -88,7 +89,8 @@ class LathePixels : public testing::Test {
     shaders::FrameData frame_{};
     shaders::LatheDraw draw_{};
     std::unique_ptr<NormalTexels> normals_ = std::make_unique<NormalTexels>();
-    std::array<std::uint32_t, 16> slip_{};
+    static constexpr std::size_t kSlipTexels = 4 * 4;  // of a level
+    std::array<std::uint32_t, kSlipLevels * kSlipTexels> slip_{};
     ByteOrder order_ = ByteOrder::kRedFirst;
     bool shows_load_ = false;
     std::vector<std::uint32_t> pixels_ =
@@ -227,6 +229,31 @@ TEST_F(LathePixels, HaveTheTexelOfTheSlipThatLiesThere) {
     slip_.fill(0xFF808080U);
     EXPECT_NEAR(red({{value::kMirrored, 5.0F}, {value::kFilm, 0.5F}}),
                 shown(5.0F * 0.04F * (0.12F + 0.88F * 0.5F * (0.62F + 0.75F))), 0.6F);
+}
+
+// A wall that is seen slantwise broke into saw-toothed bands.
+TEST_F(LathePixels, HaveTheMeanOfTheSlipWhereSeveralTexelsLieUnderOne) {
+    draw_.dry.w = 0.5F;
+    const std::array<std::uint32_t, kSlipLevels> tones{0x80808000U, 0x80808040U, 0x808080A0U, 0x808080FFU};
+    for (std::size_t level = 0; level < tones.size(); ++level)
+        std::fill_n(slip_.begin() + static_cast<std::ptrdiff_t>(level * kSlipTexels), kSlipTexels,
+                    tones[level]);
+    const auto shows = [&](float texels_a_pixel) {
+        std::fill(depth_.begin(), depth_.end(), 1.0F);
+        std::vector<LatheCorner> corners = sheet();
+        for (LatheCorner& own : corners) {
+            own.values[value::kAmbient] = 0.2F;
+            own.values[value::kSlip + 1] = (own.at_px.y + 50.0F) * texels_a_pixel / kAwayMm;
+        }
+        draw(corners, kSheet);
+        return static_cast<float>(at(30, 20) & 255U);
+    };
+    const std::array rates{1.0F, 2.0F, 4.0F, 9.0F};
+    for (std::size_t level = 0; level < tones.size(); ++level) {
+        const float byte = static_cast<float>(tones[level] & 255U);
+        EXPECT_NEAR(shows(rates[level]), shown(0.2F * (1.0F + 0.5F * (byte / 255.0F - 0.5F) * 1.7F)), 0.6F)
+            << rates[level] << " texels a pixel";
+    }
 }
 
 TEST_F(LathePixels, LeanAsOutlineDentsAndSlipSay) {
