@@ -71,18 +71,19 @@ stroke() {
     # shellcheck disable=SC2086  # its words are many
     xdotool $way
 }
-# pad WORDS: what the hands at the gamepad do, as gamepad_at says it; until they have done it.
-pad() {
+# hands WORDS: what the hands at a device do, as hands_at says it; until they have done it.
+hands() {
     local answer=
     echo "$*" >&8
-    read -r -t 60 answer <&9 && [ "$answer" = done ] || fail "expected the gamepad to $*, found '$answer'"
+    read -r -t 60 answer <&9 || true
+    [ "$answer" = "done" ] || fail "expected the $hand to $*, found '$answer'"
 }
 # pad_to RADIUS HEIGHT: the finger off the clay and out to its farthest, which nobody can miss, and from there to a place.
 pad_to() {
-    pad push 600 0 160
-    pad push 0 -600 160
-    pad push $(($1 - 260)) 0 100
-    pad push 0 "$2" 100
+    hands push 600 0 160
+    hands push 0 -600 160
+    hands push $(($1 - 260)) 0 100
+    hands push 0 "$2" 100
 }
 keys() {
     local key
@@ -105,10 +106,10 @@ press_in() {
     switch) do_this_step ;;
     gamepad)
         pad_to 75 "$low"
-        pad hold a
-        pad push -22 0 20
-        pad rest 0.4
-        pad let-go a
+        hands hold a
+        hands push -22 0 20
+        hands rest 0.4
+        hands let-go a
         ;;
     esac
 }
@@ -125,10 +126,10 @@ open_the_middle() {
     switch) do_this_step ;;
     gamepad)
         pad_to 0 $((top + 15))
-        pad hold a
-        pad push 0 -50 25
-        pad rest 0.5
-        pad let-go a
+        hands hold a
+        hands push 0 -50 25
+        hands rest 0.5
+        hands let-go a
         ;;
     esac
 }
@@ -151,10 +152,10 @@ draw_up() {
         ;;
     gamepad)
         pad_to 62 $((top / 4))
-        pad hold trigger
-        pad push -4 $((to - top / 4)) 45
-        pad rest 0.6
-        pad let-go trigger
+        hands hold trigger
+        hands push -4 $((to - top / 4)) 45
+        hands rest 0.6
+        hands let-go trigger
         ;;
     esac
 }

@@ -2,8 +2,8 @@
 # A visitor at the window, with any hand, in any language. Sourced, never run, with ONGGI PROGRAMS FOLDER [HAND
 # [LANGUAGE [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a
 # picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
-# others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone) or gamepad (which has no buttons
-# for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
+# others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
+# have no buttons for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
 # likewise; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
@@ -44,14 +44,14 @@ folder = "gallery"
 least_free_mb = 1
 TOML
 open_kiosk() {
-    local words=("$onggi" kiosk --config kiosk.toml --size "$size" --device mouse)
-    if [ "$hand" = gamepad ]; then
-        mkfifo to_pad from_pad
-        umockdev-wrapper "$programs/gamepad_at" "${words[@]}" <to_pad >from_pad 2>>kiosk.log &
+    local words=("$onggi" kiosk --config kiosk.toml --size "$size")
+    if [ "$hand" = gamepad ] || [ "$hand" = spacemouse ]; then
+        mkfifo to_hands from_hands
+        umockdev-wrapper "$programs/hands_at" "$hand" "${words[@]}" <to_hands >from_hands 2>>kiosk.log &
         kiosk=$!
-        exec 8>to_pad 9<from_pad
+        exec 8>to_hands 9<from_hands
     else
-        "${words[@]}" >>kiosk.log 2>&1 &
+        "${words[@]}" --device mouse >>kiosk.log 2>&1 &
         kiosk=$!
     fi
 }
@@ -131,7 +131,7 @@ begin_visit() {
     mouse | touch) click $((width / 2)) $((height / 2)) ;;
     keys) xdotool key Tab ;;
     switch) xdotool key space ;;
-    gamepad) pad push 20 0 40 ;;
+    *) hands push 20 0 40 ;;
     esac
     on_screen choose
 }
