@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 using kiosk::Button;
 using kiosk::Screen;
 
+// A pot is saved in real time, and the visit's must not run away from it into attract.
+constexpr double kSlowly = 0.002;
+
 int visits() {
     const char* wanted = std::getenv("ONGGI_VISITS");
     return wanted != nullptr ? std::atoi(wanted) : 6;
@@ -79,8 +82,8 @@ bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
     EXPECT_TRUE(kiosk.press(Button::kTakeGlaze));
     EXPECT_TRUE(kiosk.until(on(Screen::kYourPot)));
     EXPECT_TRUE(kiosk.press(Button::kKeep));
-    EXPECT_TRUE(
-        kiosk.until([&] { return kiosk.state().keeping.outcome != kiosk::Keeping::Outcome::kSaving; }));
+    EXPECT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome != kiosk::Keeping::Outcome::kSaving; },
+                            kSlowly));
     EXPECT_EQ(kiosk.state().keeping.outcome, kiosk::Keeping::Outcome::kKept);
     EXPECT_TRUE(kiosk.press(Button::kFinish));
     return true;
@@ -109,7 +112,8 @@ void keep_a_pot(UnseenKiosk& kiosk, std::mt19937& chance) {
     ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
     ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
     ASSERT_TRUE(kiosk.press(Button::kKeep));
-    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
+                            kSlowly));
 }
 
 TEST(Visitors, AreOneVisitAndTwoCompletionsWhereTheyKeepTwoPots) {

@@ -39,6 +39,7 @@ full_screen = ${FULL_SCREEN:-false}
 [visit]
 forgiving = ${FORGIVING:-true}
 shows_by_itself = false
+idle_s = 180
 [gallery]
 folder = "gallery"
 least_free_mb = 1
@@ -105,7 +106,7 @@ press() {
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
-    local before
+    local before after
     if [ "$hand" = keys ]; then
         for _ in $(seq 40); do
             xdotool search --name "^Onggi - .*\[$1\]\$" >/dev/null 2>&1 && break
@@ -119,10 +120,20 @@ take() {
         done
         xdotool key Return
     else
-        wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
-        xdotool key space
+        for _ in $(seq 5); do
+            wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
+            before=$(title)
+            xdotool key space
+            sleep 0.3
+            # The ring stays a while on what was taken, or there is another screen; else it was quicker than the switch.
+            after=$(title)
+            [[ "$after" = *"[$1]" || "$(screen_of "$after")" != "$(screen_of "$before")" ]] && return
+        done
+        fail "expected the ring to stay on target $1, found '$after'"
     fi
 }
+# Of a title: "Onggi - throw" of "Onggi - throw - 1 of 3, 56 mm [4]".
+screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ .[0-9]+.$//' <<<"$1"; }
 # To the choice of pots, with the visitor's own hand.
 begin_visit() {
     wait_for "window" xdotool search --name '^Onggi'
