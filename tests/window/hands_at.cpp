@@ -1,9 +1,9 @@
 // A device in somebody's hands: hands_at DEVICE PROGRAM [WORD ...] starts the program among devices that
 // umockdev describes, one of them DEVICE, gamepad or spacemouse, and is told what the hands do, a line each:
 // "push X Y SPEED", so far and so long that the tool goes X mm to the right (the SpaceMouse's outwards) and Y
-// mm up at that many mm/s; "hold BUTTON" and "let-go BUTTON", a or trigger of a gamepad; "rest S". It answers
-// each with a line "done" when it is done. Ends with the program, and with its exit code. Runs under
-// umockdev-wrapper.
+// mm up at that many mm/s; "hold BUTTON" and "let-go BUTTON", a or trigger of a gamepad, wheel of a
+// SpaceMouse; "rest S". It answers each with a line "done" when it is done. Ends with the program, and with
+// its exit code. Runs under umockdev-wrapper.
 #include <fmt/format.h>
 #include <linux/input.h>
 #include <poll.h>
@@ -41,8 +41,15 @@ class Hands {
     void push(const dvec2& way_mm, double speed_mm_s) {
         const double length_mm = glm::length(way_mm);
         if (!(length_mm > 0.0) || !(speed_mm_s > 0.0)) return;
-        deflect(way_mm / length_mm, std::min(speed_mm_s, fastest_mm_s()));
-        rest(length_mm / std::min(speed_mm_s, fastest_mm_s()));
+        const double speed = std::min(speed_mm_s, fastest_mm_s());
+        const std::chrono::duration<double> whole(length_mm / speed);
+        // A device that is held says so again and again, or it counts as silent.
+        constexpr double kReportS = 0.008;
+        const auto begun = std::chrono::steady_clock::now();
+        for (auto gone = whole * 0.0; gone < whole; gone = std::chrono::steady_clock::now() - begun) {
+            deflect(way_mm / length_mm, speed);
+            rest(std::min(kReportS, (whole - gone).count()));
+        }
         deflect(dvec2(0.0), 0.0);
     }
     virtual void hold(const std::string& button, bool held) = 0;
@@ -93,7 +100,10 @@ class GamepadHands final : public Hands {
 class SpaceMouseHands final : public Hands {
   public:
     SpaceMouseHands() { bus_.plug_in(testing::kSpaceMouse); }
-    void hold(const std::string& /*button*/, bool /*held*/) override {}
+    // The first button starts and stops the wheel.
+    void hold(const std::string& button, bool held) override {
+        if (button == "wheel") bus_.at(testing::kSpaceMouse).report(held ? "03 01 00" : "03 00 00");
+    }
 
   private:
     // Its axes are X right and Z down.
