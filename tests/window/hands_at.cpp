@@ -42,14 +42,7 @@ class Hands {
         const double length_mm = glm::length(way_mm);
         if (!(length_mm > 0.0) || !(speed_mm_s > 0.0)) return;
         const double speed = std::min(speed_mm_s, fastest_mm_s());
-        const std::chrono::duration<double> whole(length_mm / speed);
-        // A device that is held says so again and again, or it counts as silent.
-        constexpr double kReportS = 0.008;
-        const auto begun = std::chrono::steady_clock::now();
-        for (auto gone = whole * 0.0; gone < whole; gone = std::chrono::steady_clock::now() - begun) {
-            deflect(way_mm / length_mm, speed);
-            rest(std::min(kReportS, (whole - gone).count()));
-        }
+        stay_deflected(way_mm / length_mm, speed, length_mm / speed);
         deflect(dvec2(0.0), 0.0);
     }
     virtual void hold(const std::string& button, bool held) = 0;
@@ -57,6 +50,11 @@ class Hands {
   protected:
     // So that the tool goes there at that speed; no speed: let go.
     virtual void deflect(const dvec2& direction, double speed_mm_s) = 0;
+    // An event device tells changes alone.
+    virtual void stay_deflected(const dvec2& direction, double speed_mm_s, double seconds) {
+        deflect(direction, speed_mm_s);
+        rest(seconds);
+    }
     [[nodiscard]] virtual double fastest_mm_s() const = 0;
 };
 
@@ -111,6 +109,16 @@ class SpaceMouseHands final : public Hands {
         const dvec2 speed = direction * speed_mm_s;
         bus_.at(testing::kSpaceMouse)
             .report(fmt::format("01 {} 00 00 {} 00 00 00 00 00 00", axis(speed.x), axis(-speed.y)));
+    }
+    // It says so again and again, or it counts as silent.
+    void stay_deflected(const dvec2& direction, double speed_mm_s, double seconds) override {
+        constexpr double kReportS = 0.008;
+        const auto begun = std::chrono::steady_clock::now();
+        for (double gone_s = 0.0; gone_s < seconds;) {
+            deflect(direction, speed_mm_s);
+            rest(std::min(kReportS, seconds - gone_s));
+            gone_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        }
     }
     [[nodiscard]] std::string axis(double speed_mm_s) const {
         const double share = std::cbrt(std::abs(speed_mm_s) / mapping_.fastest_mm_s);

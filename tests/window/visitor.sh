@@ -134,6 +134,7 @@ take() {
 }
 # Of a title: "Onggi - throw" of "Onggi - throw - 1 of 3, 56 mm [4]".
 screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ .[0-9]+.$//' <<<"$1"; }
+has_come_to() { [[ "$(title)" = "Onggi - $1"* ]]; }
 # To the choice of pots, with the visitor's own hand.
 begin_visit() {
     wait_for "window" xdotool search --name '^Onggi'
@@ -142,7 +143,12 @@ begin_visit() {
     mouse | touch) click $((width / 2)) $((height / 2)) ;;
     keys) xdotool key Tab ;;
     switch) xdotool key space ;;
-    *) hands push 20 0 40 ;;
+    *)  # a picture that comes late may not see a stick that was pushed for a moment
+        for _ in $(seq 10); do
+            hands push 20 0 20
+            so_soon has_come_to choose && break
+        done
+        ;;
     esac
     on_screen choose
 }
