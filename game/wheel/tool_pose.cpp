@@ -46,8 +46,9 @@ double eased(double from, double to, double dt_s, double time_s) {
 // How far outwards from upright what reaches in from above may lean at most: through the mouth, not the wall.
 double most_lean_through_mouth(const ToolSight& sight, const dvec3& touch) {
     constexpr double kShaftMm = 4.0;
+    constexpr double kAtRimMm = 25.0;  // nearer to it nothing is in the way
     const double reach_mm = std::hypot(touch.x, touch.z);
-    return std::atan2(sight.mouth_radius_mm - kShaftMm - reach_mm, std::max(sight.below_rim_mm, 1.0));
+    return std::atan2(sight.mouth_radius_mm - kShaftMm - reach_mm, std::max(sight.below_rim_mm, kAtRimMm));
 }
 
 double wrapped(double angle_rad) {
