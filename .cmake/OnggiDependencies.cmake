@@ -19,6 +19,7 @@ if(NOT ONGGI_FUZZ)
     pkg_check_modules(WEBSOCKETS REQUIRED IMPORTED_TARGET libwebsockets)
     pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
     pkg_check_modules(OPENAL REQUIRED IMPORTED_TARGET openal)
+    pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
     pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
     find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
     # Development builds compile shaders while they run.

@@ -10,7 +10,7 @@
 namespace onggi {
 
 // FNV-1a over 64-bit words instead of bytes, with a fold after each multiply so that high bits reach the low
-// ones: eight times fewer steps than the byte form, and 8 KB of clay take about a microsecond.
+// ones: eight times fewer steps than the byte form, and 8 KB take about a microsecond.
 // Constants: Fowler, Noll, Vo, 64-bit offset basis and prime.
 class StateHash {
   public:

@@ -7,6 +7,7 @@
 
 namespace onggi::ecs {
 
+// As it is made, without a registry, it is alive in none.
 struct Entity {
     static constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
@@ -15,8 +16,5 @@ struct Entity {
 
     friend bool operator==(Entity, Entity) = default;
 };
-
-// Never alive in any registry.
-constexpr Entity kNoEntity{};
 
 }  // namespace onggi::ecs

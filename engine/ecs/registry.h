@@ -21,7 +21,6 @@ class Registry {
     // Destroys the entity with all its components. An entity that is not alive is left alone.
     void destroy(Entity entity);
     [[nodiscard]] bool alive(Entity entity) const;
-    [[nodiscard]] std::size_t alive_count() const { return generations_.size() - free_indices_.size(); }
 
     // Adds a component, or replaces the one the entity has. Precondition: the entity is alive.
     template <typename Component>

@@ -19,18 +19,6 @@ enum class Phase {
 };
 constexpr std::size_t kPhaseCount = 3;
 
-constexpr std::string_view phase_name(Phase phase) {
-    switch (phase) {
-        case Phase::kReceive:
-            return "receive";
-        case Phase::kAnimate:
-            return "animate";
-        case Phase::kExtract:
-            return "extract";
-    }
-    return "";
-}
-
 // Context: what a frame brings and takes away besides the registry (elapsed time, the draw list).
 template <typename Context>
 class Schedule {

@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <system_error>
 #include <utility>
-#include <vector>
 
+#include "engine/core/list_folder.h"
 #include "engine/core/quote.h"
 
 namespace onggi::files {
@@ -69,16 +69,15 @@ Result<void> AtomicFolder::commit() {
 }
 
 void clear_parts(const fs::path& around) {
-    std::error_code error;
-    std::vector<fs::path> parts;
-    for (fs::recursive_directory_iterator entry(around, error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (!entry->is_directory(error) || entry->path().extension() != ".part") continue;
-        parts.push_back(entry->path());
-        entry.disable_recursion_pending();
+    std::error_code ignored;
+    for (const fs::path& entry : list_folder(around).entries) {
+        if (!fs::is_directory(fs::symlink_status(entry, ignored))) continue;
+        if (entry.extension() == ".part") {
+            fs::remove_all(entry, ignored);
+        } else {
+            clear_parts(entry);
+        }
     }
-    for (const fs::path& part : parts)
-        fs::remove_all(part, error);
 }
 
 }  // namespace onggi::files

@@ -85,7 +85,7 @@ struct Header {
     std::vector<GestureColumn> columns;  // what each of them is
 };
 
-Result<Header> parse_header(const Line& line, std::string_view name) {
+Result<Header> parse_header(const Line& line, std::string_view name, const GestureWords& words) {
     if (line.text.starts_with(kByteOrderMark)) {
         return at_line(
             name, line.number,
@@ -110,9 +110,9 @@ Result<Header> parse_header(const Line& line, std::string_view name) {
                                        kColumns.size() + extra.size() + 1, in_quotes(*field)));
         }
         extra.emplace_back(*field);
-        header.columns.push_back(gesture_column(*field));
+        header.columns.push_back(gesture_column(*field, words));
     }
-    if (const auto missing = missing_column(header.columns)) {
+    if (const auto missing = missing_column(header.columns, words)) {
         return at_line(name, line.number,
                        fmt::format("expected a column {} beside the others, found none", *missing));
     }
@@ -122,7 +122,11 @@ Result<Header> parse_header(const Line& line, std::string_view name) {
 // One row's fields into numbers; the first thing wrong is kept, as a sentence.
 class RowParser {
   public:
-    RowParser(std::string_view name, const Line& line) : name_(name), line_(line), fields_(line.text) {}
+    RowParser(std::string_view name, const Line& line, const GestureWords& words)
+        : name_(name),
+          words_(words),
+          line_(line),
+          fields_(line.text) {}
 
     double number(Column column, double least, double most) {
         const auto field = value(column);
@@ -160,7 +164,7 @@ class RowParser {
             const auto field = fields_.next();
             if (!field) {
                 missing(header.extra[i]);
-            } else if (const auto expected = take_field(header.columns[i], *field, tool)) {
+            } else if (const auto expected = take_field(header.columns[i], *field, words_, tool)) {
                 fail(header.extra[i], *expected, *field);
             } else if (is_place_of_second(header.columns[i])) {
                 if (field->empty()) empty_place = header.extra[i];
@@ -201,36 +205,36 @@ class RowParser {
     }
 
     std::string_view name_;
+    const GestureWords& words_;
     Line line_;
     FieldReader fields_;
     std::optional<Error> error_;
 };
 
 // The header line's reading is all that a start is checked for.
-Result<Header> read_header(LineReader& lines, std::string_view name) {
+Result<Header> read_header(LineReader& lines, std::string_view name, const GestureWords& words) {
     if (lines.at_end()) {
         return at_line(name, 1, fmt::format("expected the header {}, found an empty file", kGestureHeader));
     }
     const auto line = lines.next();
     if (!line) return line_too_long(name, lines.number());
-    return parse_header(*line, name);
+    return parse_header(*line, name, words);
 }
 
 }  // namespace
 
-Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
+Result<Gesture> parse_gesture(std::string_view text, std::string_view name, const GestureWords& words) {
     LineReader lines(text);
-    auto header = read_header(lines, name);
+    auto header = read_header(lines, name, words);
     if (!header) return header.error();
 
     Gesture gesture;
     const Header columns = std::move(header).value();
-    gesture.extra_columns_ = columns.extra;
     std::optional<double> previous_s;
     while (!lines.at_end()) {
         const auto line = lines.next();
         if (!line) return line_too_long(name, lines.number());
-        RowParser parser(name, *line);
+        RowParser parser(name, *line, words);
         Gesture::Row row;
         row.t_s = parser.number(kTime, 0.0, kMaxGestureSeconds);
         parser.time_after(previous_s, row.t_s);
@@ -250,9 +254,9 @@ Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
     return gesture;
 }
 
-Result<void> check_gesture_start(std::string_view start, std::string_view name) {
+Result<void> check_gesture_start(std::string_view start, std::string_view name, const GestureWords& words) {
     LineReader lines(start);
-    if (const auto header = read_header(lines, name); !header) return header.error();
+    if (const auto header = read_header(lines, name, words); !header) return header.error();
     return {};
 }
 

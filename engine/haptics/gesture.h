@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/haptics/gesture_columns.h"
 #include "engine/haptics/haptic_device.h"
 #include "engine/haptics/tool_state.h"
 
@@ -44,23 +45,25 @@ class Gesture {
 
     [[nodiscard]] double duration_s() const noexcept { return rows_.back().t_s; }
     [[nodiscard]] std::span<const Row> rows() const noexcept { return rows_; }
-    // Names of the columns right of tool_radius_mm; gesture_columns.h says which of them are understood.
-    [[nodiscard]] const std::vector<std::string>& extra_columns() const noexcept { return extra_columns_; }
 
   private:
-    friend Result<Gesture> parse_gesture(std::string_view text, std::string_view name);
+    friend Result<Gesture> parse_gesture(std::string_view text, std::string_view name,
+                                         const GestureWords& words);
     Gesture() = default;
     std::vector<Row> rows_;  // at least one, t_s strictly ascending from 0
-    std::vector<std::string> extra_columns_;
 };
 
 // The gesture that `text` says; `name` stands for it in messages. Lines end in LF or CRLF; numbers are plain
-// decimal, whatever the locale. Every refusal is bad input and names line and column. Main thread.
-[[nodiscard]] Result<Gesture> parse_gesture(std::string_view text, std::string_view name);
+// decimal, whatever the locale. Every refusal is bad input and names line and column. `words` are those of
+// the work it is meant for; without them a plain tool's columns are understood, and all that every work has.
+// Main thread.
+[[nodiscard]] Result<Gesture> parse_gesture(std::string_view text, std::string_view name,
+                                            const GestureWords& words = {});
 
 // Whether `start`, the first bytes of a file, can open a gesture: refuses what parse_gesture would refuse for
 // its first line. Lets a caller turn away a huge file of the wrong kind unread.
-[[nodiscard]] Result<void> check_gesture_start(std::string_view start, std::string_view name);
+[[nodiscard]] Result<void> check_gesture_start(std::string_view start, std::string_view name,
+                                               const GestureWords& words = {});
 
 // A gesture as a device: reads tick by tick, feels nothing. After the gesture's end the tool rests at its
 // last row. The rate is given at the start because tick k is at exactly (double)k / rate.

@@ -15,7 +15,7 @@ struct HandChooserOptions {
     bool first_yields = false;
     double recording_waits_s = 3.0;
     // A hand that has gone for so long is not coming back at once: the first, which is always there, has the
-    // tool again, and takes it out of the clay where it was left.
+    // tool again, and takes it out of the work where it was left.
     double gone_s = 0.5;
 };
 

@@ -48,8 +48,8 @@ void Hands::close() noexcept {
 
 namespace {
 
-// In front of the widest clay.
-constexpr double kBeforeClayMm = 180.0;
+// In front of the widest work.
+constexpr double kBeforeWorkMm = 180.0;
 
 bool is_in_workspace(const dvec3& place_mm) noexcept {
     const auto is_within = [](double coordinate_mm) { return std::abs(coordinate_mm) <= kWorkspaceMm; };
@@ -77,9 +77,9 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     holder_ = chooser_.choose(seen_, dt_s);
     if (holder_ != before) {
         shown_holder_.store(holder_, std::memory_order_relaxed);
-        // Where a finger is on its plane is most often in the clay: a ball comes from before it.
+        // Where a finger is on its plane is most often in the work: a ball comes from before it.
         if (tool_.guided) {
-            tool_.position_mm.z = kBeforeClayMm;
+            tool_.position_mm.z = kBeforeWorkMm;
             tool_.guided = false;
         }
         // There is no way back from nonsense: the new hand begins where it is.
@@ -109,7 +109,7 @@ ToolState Hands::read(std::uint64_t tick, double dt_s) noexcept {
     if (lives)
         signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 
-    // A finger on a screen has no way through the clay to go.
+    // A finger on a screen has no way through the work to go.
     approaches_ = approaches_ && !tool.guided;
     if (approaches_) {
         const dvec3 way = tool.position_mm - tool_.position_mm;
@@ -127,12 +127,9 @@ void Hands::write(const dvec3& force_n) noexcept {
     const double written_n = std::sqrt(glm::dot(force_n, force_n));
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
         Motors& motors = motors_[hand];
-        const dvec3 wanted_n =
-            hand == holder_ ? ramp(force_n, input, motors.limits, motors.state) : dvec3(0.0);
         // In and out of use, so that motors cool while another works.
-        const dvec3 borne_n = budget(wanted_n, input, motors.limits, motors.state);
-        const dvec3 given_n = clamp(borne_n, input, motors.limits, motors.state);
-        motors.state.applied_force_n = given_n;
+        const dvec3 wanted_n = hand == holder_ ? force_n : dvec3(0.0);
+        const dvec3 given_n = apply_stages(kMotorStages, wanted_n, input, motors.limits, motors.state);
         motors.given_share =
             hand == holder_ && written_n > 0.0 ? std::sqrt(glm::dot(given_n, given_n)) / written_n : 0.0;
         hands_[hand]->write(given_n);

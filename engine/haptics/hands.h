@@ -19,7 +19,7 @@ namespace onggi::haptics {
 struct HandsOptions {
     HandChooserOptions chooser = {};
     // After a change of hands the tool goes from where it was to where the new hand has it, not through the
-    // clay at once. Faster than a hand works.
+    // work at once. Faster than a hand works.
     double fastest_mm_s = 600.0;
 };
 
@@ -45,8 +45,8 @@ class Hands final : public HapticDevice {
     // leaves of a force.
     [[nodiscard]] HandSigns signs() const noexcept override;
     void silence() noexcept override;
-    // To the hand that has the tool: after a change of hands from nothing, by the safety chain's ramp; never
-    // more than its motors bear for a moment and for ever. Nothing to all others.
+    // To the hand that has the tool, through its own kMotorStages (safety_chain.h): after a change of hands
+    // from nothing, never more than its motors bear for a moment and for ever. Nothing to all others.
     void write(const dvec3& force_n) noexcept override;
     void feel(const WorkFelt& work) noexcept override;
 

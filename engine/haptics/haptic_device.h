@@ -20,7 +20,7 @@ struct DeviceCapabilities {
     double max_stiffness_n_per_mm = 0.0;
     double position_resolution_mm = 0.0;
     bool has_motors = true;  // false: its force moves a picture of a tool, and heats nothing
-    // true: along the radius it is told forces and makes walls of its own of them, so that the clay's
+    // true: along the radius it is told forces and makes walls of its own of them, so that the work's
     // stiffness closes no loop there (while HandSigns::shows_wall)
     bool has_own_walls = false;
     double report_rate_hz = 0.0;  // how often it says where it is; 0: at every read

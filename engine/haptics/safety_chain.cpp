@@ -29,13 +29,6 @@ dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, co
     return state.applied_force_n = force;
 }
 
-std::string describe_safety_chain() {
-    std::string lines;
-    for (const SafetyStage& stage : kSafetyChain)
-        lines += fmt::format("{:<10}{}\n", stage.name, stage.does);
-    return lines;
-}
-
 std::string describe(const SafetyState& state, const SafetyLimits& limits) {
     return fmt::format(
         "{}; ramp {:.2f}, gain {:.2f}, presence {:.2f}, energy {:+.3f} mJ (taken {:.1f}, given {:.1f}), "

@@ -45,7 +45,7 @@ ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
         at_rest_ = false;
     }
     if (target.guided) {
-        // A finger on a screen is where it is; what lags behind it are the hands, in the clay.
+        // A finger on a screen is where it is; what lags behind it are the hands, in the work.
         position_mm_ = target.position_mm;
         velocity_mm_s_ = force_n_ = dvec3(0.0);
         return target;

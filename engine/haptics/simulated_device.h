@@ -1,14 +1,14 @@
 // A haptic device for those who have none: mouse or touch says where the hand wants to be, a small mass on a
-// spring (a virtual coupling) follows, and the clay's force pushes that mass back. The visitor sees the tool
-// lag behind the hand where the clay resists. It is a device like any other to the rest of the program.
+// spring (a virtual coupling) follows, and the work's force pushes that mass back. The visitor sees the tool
+// lag behind the hand where the work resists. It is a device like any other to the rest of the program.
 //
 // m a = k (target - x) - b v + F, advanced by Euler's method, implicit in spring and damper, which are known,
-// and explicit in the clay's force, which is felt one tick late:
+// and explicit in the work's force, which is felt one tick late:
 //     v' = (v + dt/m (k (target - x) + F)) / (1 + b dt/m + k dt^2/m),   x' = x + dt v'.
 // Free, it is stable at every dt and does not overshoot. Against a wall of stiffness K and viscosity c it is
 // stable (Jury's criterion) if
 //     K dt^2/m < 4 + 2 (b - c) dt/m + k dt^2/m   and   c dt/m < 2 + b dt/m + k dt^2/m.
-// With the values below and the clay's K = 0.5 N/mm, c = 0.002 N s/mm: 2.5 < 7 and 1 < 5 at 100 Hz, with more
+// With the values below and the work's K = 0.5 N/mm, c = 0.002 N s/mm: 2.5 < 7 and 1 < 5 at 100 Hz, with more
 // to spare at every higher rate.
 #pragma once
 

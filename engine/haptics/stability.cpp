@@ -214,12 +214,12 @@ double stiffest_for(const DeviceCapabilities& device, double rate_hz, double mos
     return largest_that(bears, kLeastStiffness, most, kStepUpAtLoad);
 }
 
-Result<void> check_clay_on_device(const DeviceCapabilities& device, double rate_hz, double stiffness_n_per_mm,
+Result<void> check_work_on_device(const DeviceCapabilities& device, double rate_hz, double stiffness_n_per_mm,
                                   double viscosity_n_s_per_mm) {
     if (device.force_axes == 0 || !device.has_motors || device.has_own_walls) return {};
     if (device.max_stiffness_n_per_mm > 0.0 && stiffness_n_per_mm > device.max_stiffness_n_per_mm) {
         return bad_input(
-            fmt::format("{}: expected a clay of at most {:.3g} N/mm, its maker's limit, found {:.3g}",
+            fmt::format("{}: expected a stiffness of at most {:.3g} N/mm, its maker's limit, found {:.3g}",
                         device.name, device.max_stiffness_n_per_mm, stiffness_n_per_mm));
     }
     const DeviceCapabilities known = judged(device);
@@ -227,10 +227,10 @@ Result<void> check_clay_on_device(const DeviceCapabilities& device, double rate_
     const auto bears_stiffness = [&](double tried) { return is_stable(known, setting, tried); };
     if (!is_stable_up_to(stiffness_n_per_mm, bears_stiffness)) {
         const double stiffest = largest_stable_stiffness_n_per_mm(known, setting, stiffness_n_per_mm);
-        return bad_input(
-            fmt::format("{}: expected a clay of at most {:.3g} N/mm, the stiffest that is stable on it at "
-                        "{:.0f} Hz, found {:.3g}",
-                        device.name, stiffest, setting.rate_hz, stiffness_n_per_mm));
+        return bad_input(fmt::format(
+            "{}: expected a stiffness of at most {:.3g} N/mm, the largest that is stable on it at "
+            "{:.0f} Hz, found {:.3g}",
+            device.name, stiffest, setting.rate_hz, stiffness_n_per_mm));
     }
     LoopSetting viscous = setting;
     const auto bears = [&](double tried) {
@@ -240,11 +240,10 @@ Result<void> check_clay_on_device(const DeviceCapabilities& device, double rate_
     if (!is_stable_up_to(viscosity_n_s_per_mm, bears)) {
         const double most_viscous =
             largest_stable_viscosity_n_s_per_mm(known, setting, stiffness_n_per_mm, viscosity_n_s_per_mm);
-        return bad_input(
-            fmt::format("{}: expected a clay of at most {:.3g} N s/mm, the most viscous that is stable on it "
-                        "at {:.0f} Hz, "
-                        "found {:.3g}",
-                        device.name, most_viscous, setting.rate_hz, viscosity_n_s_per_mm));
+        return bad_input(fmt::format(
+            "{}: expected a viscosity of at most {:.3g} N s/mm, the largest that is stable on it at "
+            "{:.0f} Hz, found {:.3g}",
+            device.name, most_viscous, setting.rate_hz, viscosity_n_s_per_mm));
     }
     return {};
 }

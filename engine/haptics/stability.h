@@ -62,17 +62,17 @@ struct LoopMotion {
 // what its other axes are told goes over a bus whose moments the passivity controller does not know.
 [[nodiscard]] LoopSetting loop_of(const DeviceCapabilities& device, double rate_hz);
 
-// The same in that loop, in one call and coarser steps: what it may be shown, together with a clay of that
+// The same in that loop, in one call and coarser steps: what it may be shown, together with work of that
 // viscosity and without it. 0: nothing.
 [[nodiscard]] double stiffest_for(const DeviceCapabilities& device, double rate_hz, double most,
                                   double viscosity_n_s_per_mm = 0.0);
 
-// Whether the device may show a clay of that stiffness and viscosity at that rate, judged before anybody
+// Whether the device may show work of that stiffness and viscosity at that rate, judged before anybody
 // holds it. Error: kBadInput, one line with the number found and the largest that is allowed. A device that
 // cannot push back may show anything, and so may one with walls of its own: what goes over its bus is shown
 // softer instead (device_force.h). One whose mass is unknown is taken for the hardest to steady that the
 // bench has: 45 g, 0.1 N s/m, no friction.
-[[nodiscard]] Result<void> check_clay_on_device(const DeviceCapabilities& device, double rate_hz,
+[[nodiscard]] Result<void> check_work_on_device(const DeviceCapabilities& device, double rate_hz,
                                                 double stiffness_n_per_mm, double viscosity_n_s_per_mm);
 
 }  // namespace onggi::haptics

@@ -10,15 +10,19 @@
 
 namespace onggi::haptics {
 
-// What is in the hand. The numbers are in files: never renumber.
-enum class ToolKind : std::uint8_t { kHand = 0, kRib = 1, kSponge = 2, kTrimmer = 3 };
+// What is in the hand: nothing, or a tool by its number. What each is, who made the work knows. The numbers
+// are in files: never renumber.
+enum class ToolKind : std::uint8_t { kHand = 0 };
+constexpr unsigned kToolKinds = 4;
 
-// Where a hand that comes to the clay means to be. It decides nothing once the hand is there: no hint takes a
+// Where a hand that comes to the work means to be. It decides nothing once the hand is there: no hint takes a
 // hand through a wall. The numbers are in files.
 enum class SideHint : std::uint8_t { kByTheWayItCame = 0, kOutside = 1, kInside = 2, kRim = 3 };
 
-// What the wire is pulled for; one pull cuts once. The numbers are in files.
-enum class WireCommand : std::uint8_t { kNone = 0, kCutRim = 1, kCutOff = 2 };
+// What is done to the work at once, without a hand on it, by its number; held on, it is done once. The
+// numbers are in files.
+enum class WorkCommand : std::uint8_t { kNone = 0 };
+constexpr unsigned kWorkCommands = 3;
 
 // The other hand, where there is one.
 struct SecondHand {
@@ -30,8 +34,8 @@ struct SecondHand {
     friend bool operator==(const SecondHand&, const SecondHand&) = default;
 };
 
-// The first three fields are all that the paper's clay hears; the rest speaks to a clay with an inside, and
-// says by default what a bare hand beside an electric wheel would.
+// The first three fields are a plain tool; the rest speaks to work that has an inside, and says by default
+// what a bare hand beside an electric wheel would.
 struct ToolState {
     dvec3 position_mm{0.0};     // centre of the tool's sphere, the haptic interface point; wheel frame, +Y up
     double radius_mm = 10.0;    // 2 to 40
@@ -39,9 +43,9 @@ struct ToolState {
 
     ToolKind tool = ToolKind::kHand;
     SideHint side = SideHint::kByTheWayItCame;
-    double water = 0.0;  // how wet the hand or the sponge is, 0 dry to 1 dripping
-    WireCommand wire = WireCommand::kNone;
-    double wire_height_mm = 0.0;         // 0 to 1000
+    double water = 0.0;  // how wet the hand or its tool is, 0 dry to 1 dripping
+    WorkCommand command = WorkCommand::kNone;
+    double command_height_mm = 0.0;      // 0 to 1000
     double wheel_speed_rev_min = 120.0;  // of the pedal while the button is held; 0 to 300
     // The assist holds a second hand opposite the first, their surfaces no nearer than this; 0: it does not.
     // Taken only where there is no second hand. At most 60.
@@ -49,9 +53,9 @@ struct ToolState {
     double shaft_mm = 0.0;  // radius of what carries an inside tool from above; 0 to 40
     SecondHand second{};
     // The place is that of a finger on the upright plane through the axis (x, y), which skilled hands follow;
-    // not that of a ball in the clay.
+    // not that of a ball in the work.
     bool guided = false;
-    bool pressing = true;  // a hand that does not press is not in the clay, wherever it is
+    bool pressing = true;  // a hand that does not press is not in the work, wherever it is
 
     friend bool operator==(const ToolState&, const ToolState&) = default;
 };
@@ -63,7 +67,7 @@ constexpr double kWorkspaceMm = 1000.0;  // each coordinate within +-
 constexpr double kMaxWheelSpeedRevMin = 300.0;
 constexpr double kMaxAssistGapMm = 60.0;
 
-// What a clay that knows neither sides nor tools is told: all else as by default.
+// What work that knows neither sides nor tools is told: all else as by default.
 [[nodiscard]] inline ToolState plain_tool(const ToolState& tool) noexcept {
     return {.position_mm = tool.position_mm, .radius_mm = tool.radius_mm, .wheel_button = tool.wheel_button};
 }
@@ -81,7 +85,7 @@ constexpr double kMaxAssistGapMm = 60.0;
     ToolState good = tool;
     good.position_mm = place(tool.position_mm, last_good.position_mm);
     good.radius_mm = number(tool.radius_mm, kMinToolRadiusMm, kMaxToolRadiusMm, last_good.radius_mm);
-    good.wire_height_mm = number(tool.wire_height_mm, 0.0, kWorkspaceMm, last_good.wire_height_mm);
+    good.command_height_mm = number(tool.command_height_mm, 0.0, kWorkspaceMm, last_good.command_height_mm);
     good.wheel_speed_rev_min =
         number(tool.wheel_speed_rev_min, 0.0, kMaxWheelSpeedRevMin, last_good.wheel_speed_rev_min);
     good.assist_gap_mm = number(tool.assist_gap_mm, 0.0, kMaxAssistGapMm, last_good.assist_gap_mm);

@@ -7,8 +7,7 @@
 // motion gets the whole window and little noise, a tool that turns around a short window and little delay.
 // Source: F. Janabi-Sharifi, V. Hayward and C.-S. J. Chen, "Discrete-time adaptive windowing for velocity
 // estimation", IEEE Trans. on Control Systems Technology 8(6), 2000: first-order adaptive windowing, end-fit.
-// Differs: at most 15 positions are kept, about one a ms where ticks come faster, so that a tick costs the
-// same at
+// Differs: at most 15 positions are kept, about one a ms where ticks come faster: a tick costs the same at
 //   every rate.
 #pragma once
 

@@ -5,10 +5,9 @@
 // after two seconds nobody is at the wheel as far as the force is concerned, and it comes back through the
 // ramp.
 //
-// Source of the numbers: haptics.md asks for 5 ms. The thread looks every ms, on the cores the haptic loop
-// does not have, at a real-time priority where that is granted; without it the kernel may keep it waiting for
-// some ms more. A device on USB hears of it with its next packet: HID reports go out every 4 ms, so 5 + 1 + 4
-// ms.
+// Within 5 ms, SAFETY.md says. The thread looks every ms, on the cores the haptic loop does not have, at a
+// real-time priority where that is granted; without it the kernel may keep it waiting for some ms more. A
+// device on USB hears of it with its next packet: HID reports go out every 4 ms, so 5 + 1 + 4 ms.
 #pragma once
 
 #include <atomic>

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -24,6 +23,8 @@
 #include <system_error>
 #include <thread>
 #include <utility>
+
+#include "engine/core/list_folder.h"
 
 namespace onggi::jobs {
 namespace {
@@ -211,12 +212,12 @@ Granted keep_all_threads_off_haptic_core(const CoreChoice& choice) {
     if (choice.shared()) return {};
     const cpu_set_t mask = mask_of(choice.others);
     Granted kept = outcome(0);
-    std::error_code error;
-    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", error)) {
-        const int thread = std::atoi(task.path().filename().c_str());
+    const FolderListing tasks = list_folder("/proc/self/task");
+    for (const std::filesystem::path& task : tasks.entries) {
+        const int thread = std::atoi(task.filename().c_str());
         if (sched_setaffinity(thread, sizeof mask, &mask) != 0 && errno != ESRCH) kept = outcome(errno);
     }
-    return error ? outcome(error.value()) : kept;
+    return tasks.is_whole() ? kept : outcome(tasks.error.value());
 }
 
 // Documentation/power/pm_qos_interface.rst of the kernel: the request is the file held open, a 32-bit number

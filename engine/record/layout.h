@@ -18,7 +18,7 @@ constexpr std::size_t kRate = 16;
 constexpr std::size_t kElements = 24;
 constexpr std::size_t kSectors = 28;
 constexpr std::size_t kFlags = 32;
-constexpr std::size_t kClayModel = 36;
+constexpr std::size_t kToolDetail = 36;
 constexpr std::size_t kStartStateBytes = 40;
 constexpr std::size_t kStartStateHash = 48;
 constexpr std::size_t kStartStateChecksum = 56;
@@ -49,8 +49,8 @@ enum class RecordKind : std::uint8_t {
     kTool = 1,      // x, y, z, radius (doubles, mm), button (byte): one tick
     kPosition = 2,  // x, y, z: one tick, the rest as in the tick before
     kRepeat = 3,    // how many (16 bits, at least 1): so many ticks more like the last
-    // Of the studio's clay alone:
-    kStudioTool = 4,     // a tool with all it says to a clay with an inside (tool_bytes.h): one tick
+    // Of whole tools alone:
+    kWholeTool = 4,      // a tool with all there is to it (tool_bytes.h): one tick
     kBothPositions = 5,  // both hands' x, y, z: one tick, the rest as in the tick before
 };
 constexpr std::size_t kToolBytes = 4 * 8 + 1;
@@ -65,8 +65,8 @@ constexpr std::size_t record_bytes(RecordKind kind) {
             return kPositionBytes;
         case RecordKind::kRepeat:
             return kRepeatBytes;
-        case RecordKind::kStudioTool:
-            return kStudioToolBytes;
+        case RecordKind::kWholeTool:
+            return kWholeToolBytes;
         case RecordKind::kBothPositions:
             return kBothPositionsBytes;
     }

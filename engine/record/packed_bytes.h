@@ -1,6 +1,6 @@
-// Bytes of the same kind one after the other, such as states of one clay, in little memory: how their numbers
-// differ from those before, deflated. Not for files: read by the program that wrote them. Any thread but the
-// haptic one; allocates. Some 15 ms a megabyte to pack, 4 to unpack.
+// Bytes of the same kind one after the other, such as states of one thing, in little memory: how their
+// numbers differ from those before, deflated. Not for files: read by the program that wrote them. Any thread
+// but the haptic one; allocates. Some 15 ms a megabyte to pack, 4 to unpack.
 #pragma once
 
 #include <cstddef>

@@ -62,8 +62,8 @@ void SessionCursor::step() noexcept {
         held_ = get<std::uint16_t>(record) - 1U;
         return;
     }
-    if (kind == RecordKind::kStudioTool) {
-        tool_ = get_studio_tool(record);
+    if (kind == RecordKind::kWholeTool) {
+        tool_ = get_whole_tool(record);
         return;
     }
     if (kind == RecordKind::kBothPositions) {

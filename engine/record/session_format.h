@@ -27,15 +27,16 @@ constexpr double kMaxSessionRateHz = 10000.0;
 constexpr double kMaxSessionSeconds = 24.0 * 3600.0;
 constexpr std::uint64_t kMaxSessionBytes = std::uint64_t{2} << 30U;
 
-// Which clay the start state speaks of. The numbers are in files: never renumber.
-enum class ClayModel : std::uint32_t { kPaper = 1, kStudio = 2 };
+// What a tool says to the work that the start state speaks of: a plain tool, or all there is to one. The
+// numbers are in files: never renumber.
+enum class ToolDetail : std::uint32_t { kPlain = 1, kWhole = 2 };
 
-// What the whole session rests on. The start state itself is opaque here: the clay writes and reads it.
+// What the whole session rests on. The start state itself is opaque here: the game writes and reads it.
 struct SessionHeader {
     double rate_hz = 1000.0;
     std::uint32_t element_count = 2000;
-    std::uint32_t sector_count = 1;  // 1: a clay that is round everywhere
-    ClayModel clay_model = ClayModel::kPaper;
+    std::uint32_t sector_count = 1;  // 1: work that is round everywhere
+    ToolDetail tool_detail = ToolDetail::kPlain;
     std::uint64_t start_state_hash = 0;  // before the first tick
 
     friend bool operator==(const SessionHeader&, const SessionHeader&) = default;

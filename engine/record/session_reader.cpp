@@ -126,12 +126,12 @@ Result<void> SessionReader::read_header() {
         return *error;
     header.sector_count = number_at<std::uint32_t>(header_at::kSectors);
     if (auto error = expect_within<std::uint32_t>("as flags", header_at::kFlags, 0, 0)) return *error;
-    if (auto error = expect_within("as the clay's number", header_at::kClayModel,
-                                   static_cast<std::uint32_t>(ClayModel::kPaper),
-                                   static_cast<std::uint32_t>(ClayModel::kStudio))) {
+    if (auto error = expect_within("as the detail of its tools", header_at::kToolDetail,
+                                   static_cast<std::uint32_t>(ToolDetail::kPlain),
+                                   static_cast<std::uint32_t>(ToolDetail::kWhole))) {
         return *error;
     }
-    header.clay_model = static_cast<ClayModel>(number_at<std::uint32_t>(header_at::kClayModel));
+    header.tool_detail = static_cast<ToolDetail>(number_at<std::uint32_t>(header_at::kToolDetail));
     header.start_state_hash = number_at<std::uint64_t>(header_at::kStartStateHash);
     if (auto error = expect_within<std::uint64_t>("bytes of start state", header_at::kStartStateBytes, 0,
                                                   kMaxStartStateBytes)) {
@@ -208,7 +208,7 @@ std::optional<Error> SessionReader::check_block_head(std::uint32_t tick_count) c
         return error;
     }
     if (auto error = expect_within<std::uint32_t>("bytes of records", block_at::kRecordBytes, 1 + kToolBytes,
-                                                  tick_count * (1 + kStudioToolBytes))) {
+                                                  tick_count * (1 + kWholeToolBytes))) {
         return error;
     }
     if (auto error = expect_within("as the first tick", block_at::kFirstTick, session_.tick_count_,
@@ -260,9 +260,9 @@ std::optional<Error> SessionReader::check_millimetres(std::size_t offset, std::s
 }
 
 std::optional<Error> SessionReader::check_tool(RecordKind kind, std::size_t at) const {
-    if (kind == RecordKind::kStudioTool || kind == RecordKind::kBothPositions) {
-        const auto fault = kind == RecordKind::kStudioTool ? fault_of_studio_tool(session_.at(at))
-                                                           : fault_of_both_positions(session_.at(at));
+    if (kind == RecordKind::kWholeTool || kind == RecordKind::kBothPositions) {
+        const auto fault = kind == RecordKind::kWholeTool ? fault_of_whole_tool(session_.at(at))
+                                                          : fault_of_both_positions(session_.at(at));
         if (!fault) return std::nullopt;
         return wrong_at(at + fault->offset, fault->expected, fault->found);
     }
@@ -284,16 +284,16 @@ std::optional<Error> SessionReader::check_tool(RecordKind kind, std::size_t at) 
 }
 
 Result<void> SessionReader::check_records(std::size_t from, std::size_t to, std::uint32_t tick_count) const {
-    const bool is_studio = session_.header_.clay_model == ClayModel::kStudio;
+    const bool is_whole = session_.header_.tool_detail == ToolDetail::kWhole;
     std::uint32_t ticks = 0;
     for (std::size_t at = from; at < to;) {
         const auto kind = static_cast<RecordKind>(get<std::uint8_t>(session_.at(at)));
-        const bool opens = kind == RecordKind::kTool || (kind == RecordKind::kStudioTool && is_studio);
+        const bool opens = kind == RecordKind::kTool || (kind == RecordKind::kWholeTool && is_whole);
         if (at == from && !opens) {
             return wrong_at(at, "a tool record to open the block",
                             fmt::format("kind {}", static_cast<int>(kind)));
         }
-        const bool known = kind <= RecordKind::kRepeat || is_studio;
+        const bool known = kind <= RecordKind::kRepeat || is_whole;
         const std::size_t size = known ? record_bytes(kind) : 0;
         if (size == 0) return wrong_at(at, "a record's kind", fmt::format("{}", static_cast<int>(kind)));
         ++at;

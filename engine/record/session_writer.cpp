@@ -51,7 +51,7 @@ std::vector<std::byte> header_bytes(const SessionHeader& header, std::span<const
     put(bytes, header.element_count);
     put(bytes, header.sector_count);
     put(bytes, std::uint32_t{0});  // flags: none yet
-    put(bytes, static_cast<std::uint32_t>(header.clay_model));
+    put(bytes, static_cast<std::uint32_t>(header.tool_detail));
     put(bytes, static_cast<std::uint64_t>(start_state.size()));
     put(bytes, header.start_state_hash);
     put(bytes, checksum(start_state));
@@ -98,8 +98,8 @@ bool same_position(const dvec3& a, const dvec3& b) {
 // All but where the hands are.
 bool same_settings(const haptics::ToolState& a, const haptics::ToolState& b) {
     return same_bits(a.radius_mm, b.radius_mm) && a.wheel_button == b.wheel_button && a.tool == b.tool &&
-           a.side == b.side && same_bits(a.water, b.water) && a.wire == b.wire &&
-           same_bits(a.wire_height_mm, b.wire_height_mm) &&
+           a.side == b.side && same_bits(a.water, b.water) && a.command == b.command &&
+           same_bits(a.command_height_mm, b.command_height_mm) &&
            same_bits(a.wheel_speed_rev_min, b.wheel_speed_rev_min) &&
            same_bits(a.assist_gap_mm, b.assist_gap_mm) && same_bits(a.shaft_mm, b.shaft_mm) &&
            a.second.present == b.second.present && a.second.tool == b.second.tool &&
@@ -136,8 +136,8 @@ SessionWriter::SessionWriter(files::AtomicFile file, const SessionHeader& header
     : file_(std::move(file)),
       header_(header) {
     checks_.reserve(kHashInterval);
-    const bool studio = header.clay_model == ClayModel::kStudio;
-    records_.reserve(kHashInterval * (1 + (studio ? kStudioToolBytes : kToolBytes)));
+    const bool is_whole = header.tool_detail == ToolDetail::kWhole;
+    records_.reserve(kHashInterval * (1 + (is_whole ? kWholeToolBytes : kToolBytes)));
 }
 
 Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, const dvec3& force_n) {
@@ -156,9 +156,9 @@ Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, std::uint32
     if (static_cast<double>(tick_count_) >= kMaxSessionSeconds * header_.rate_hz) {
         return failed(fmt::format("session: expected at most {} s, found more", kMaxSessionSeconds));
     }
-    if (header_.clay_model != ClayModel::kStudio && !is_plain(tool)) {
+    if (header_.tool_detail != ToolDetail::kWhole && !is_plain(tool)) {
         return failed(
-            fmt::format("session: tick {}: expected a plain tool for this clay, found more", tick_count_));
+            fmt::format("session: tick {}: expected a plain tool in this session, found more", tick_count_));
     }
     keep_tool(tool);
     checks_.push_back(kept_force_check);
@@ -190,8 +190,8 @@ void SessionWriter::keep_tool(const haptics::ToolState& tool) {
         put(records_, tool.radius_mm);
         put(records_, static_cast<std::uint8_t>(tool.wheel_button ? 1 : 0));
     } else {
-        open(RecordKind::kStudioTool);
-        put_studio_tool(records_, tool);
+        open(RecordKind::kWholeTool);
+        put_whole_tool(records_, tool);
     }
     last_tool_ = tool;
 }

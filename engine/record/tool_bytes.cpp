@@ -25,16 +25,16 @@ constexpr std::array kNumbers{
     Number{"a tool radius, mm", haptics::kMinToolRadiusMm, haptics::kMaxToolRadiusMm},
     Number{"a second tool radius, mm", haptics::kMinToolRadiusMm, haptics::kMaxToolRadiusMm},
     Number{"an assist's gap, mm", 0.0, haptics::kMaxAssistGapMm},
-    Number{"a wire's height, mm", 0.0, haptics::kWorkspaceMm},
+    Number{"a command's height, mm", 0.0, haptics::kWorkspaceMm},
     Number{"a wheel's speed, rev/min", 0.0, haptics::kMaxWheelSpeedRevMin},
     Number{"a shaft's radius, mm", 0.0, haptics::kMaxToolRadiusMm},
     Number{"water", 0.0, 1.0}};
 
 template <typename Tool>
 auto numbers_of(Tool& tool) {
-    return std::array{&tool.radius_mm,      &tool.second.radius_mm,    &tool.assist_gap_mm,
-                      &tool.wire_height_mm, &tool.wheel_speed_rev_min, &tool.shaft_mm,
-                      &tool.water};
+    return std::array{
+        &tool.radius_mm,           &tool.second.radius_mm, &tool.assist_gap_mm, &tool.command_height_mm,
+        &tool.wheel_speed_rev_min, &tool.shaft_mm,         &tool.water};
 }
 
 // The bytes after the doubles, in the order of the file.
@@ -42,12 +42,13 @@ struct Choice {
     std::string_view what;
     unsigned most;
 };
-constexpr std::array kChoices{
-    Choice{"a button", 1},      Choice{"a tool", 3},        Choice{"a side", 3},       Choice{"a wire", 2},
-    Choice{"a second hand", 1}, Choice{"a second tool", 3}, Choice{"being guided", 1}, Choice{"pressing", 1}};
+constexpr std::array kChoices{Choice{"a button", 1},      Choice{"a tool", haptics::kToolKinds - 1},
+                              Choice{"a side", 3},        Choice{"a command", haptics::kWorkCommands - 1},
+                              Choice{"a second hand", 1}, Choice{"a second tool", haptics::kToolKinds - 1},
+                              Choice{"being guided", 1},  Choice{"pressing", 1}};
 
 constexpr std::size_t kChoicesAt = kBothPositionsBytes + kNumbers.size() * 8;
-static_assert(kChoicesAt + kChoices.size() == kStudioToolBytes);
+static_assert(kChoicesAt + kChoices.size() == kWholeToolBytes);
 
 unsigned byte_at(const std::byte* bytes, std::size_t choice) {
     return std::to_integer<unsigned>(bytes[kChoicesAt + choice]);
@@ -70,13 +71,13 @@ void put_both_positions(std::vector<std::byte>& bytes, const ToolState& tool) {
     }
 }
 
-void put_studio_tool(std::vector<std::byte>& bytes, const ToolState& tool) {
+void put_whole_tool(std::vector<std::byte>& bytes, const ToolState& tool) {
     put_both_positions(bytes, tool);
     for (const double* number : numbers_of(tool))
         put(bytes, *number);
     for (const unsigned choice :
          {unsigned{tool.wheel_button}, static_cast<unsigned>(tool.tool), static_cast<unsigned>(tool.side),
-          static_cast<unsigned>(tool.wire), unsigned{tool.second.present},
+          static_cast<unsigned>(tool.command), unsigned{tool.second.present},
           static_cast<unsigned>(tool.second.tool), unsigned{tool.guided}, unsigned{tool.pressing}})
         bytes.push_back(static_cast<std::byte>(choice));
 }
@@ -86,7 +87,7 @@ void get_both_positions(const std::byte* bytes, ToolState& tool) noexcept {
     tool.second.position_mm = {get_double(bytes + 24), get_double(bytes + 32), get_double(bytes + 40)};
 }
 
-ToolState get_studio_tool(const std::byte* bytes) noexcept {
+ToolState get_whole_tool(const std::byte* bytes) noexcept {
     ToolState tool;
     get_both_positions(bytes, tool);
     std::size_t at = kBothPositionsBytes;
@@ -97,7 +98,7 @@ ToolState get_studio_tool(const std::byte* bytes) noexcept {
     tool.wheel_button = byte_at(bytes, 0) == 1;
     tool.tool = static_cast<haptics::ToolKind>(byte_at(bytes, 1));
     tool.side = static_cast<haptics::SideHint>(byte_at(bytes, 2));
-    tool.wire = static_cast<haptics::WireCommand>(byte_at(bytes, 3));
+    tool.command = static_cast<haptics::WorkCommand>(byte_at(bytes, 3));
     tool.second.present = byte_at(bytes, 4) == 1;
     tool.second.tool = static_cast<haptics::ToolKind>(byte_at(bytes, 5));
     tool.guided = byte_at(bytes, 6) == 1;
@@ -113,7 +114,7 @@ std::optional<ToolFault> fault_of_both_positions(const std::byte* bytes) {
     return std::nullopt;
 }
 
-std::optional<ToolFault> fault_of_studio_tool(const std::byte* bytes) {
+std::optional<ToolFault> fault_of_whole_tool(const std::byte* bytes) {
     if (auto fault = fault_of_both_positions(bytes)) return fault;
     for (std::size_t i = 0; i < kNumbers.size(); ++i) {
         if (auto fault = fault_of(bytes, kBothPositionsBytes + i * 8, kNumbers[i])) return fault;

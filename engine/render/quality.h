@@ -19,8 +19,8 @@ enum class QualityStep {
 };
 [[nodiscard]] std::string_view quality_name(QualityStep step);  // "one software core"
 
-// Whether a camera on its way is drawn as quickly as one at rest: a software core draws all of the room anew
-// then, at four times the cost.
+// Whether a camera on its way is drawn as quickly as one at rest: a software core keeps the room as one
+// camera sees it.
 [[nodiscard]] constexpr bool has_time_for_moving_camera(QualityStep step) {
     return step >= QualityStep::kIntegratedGpu;
 }

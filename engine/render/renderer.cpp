@@ -17,7 +17,6 @@ struct Renderer::Impl {
     Result<void> fit_to(const Scene& scene, VkExtent2D extent);
 
     FrameContext frame;
-    StillPass room;
     std::unique_ptr<PictureWay> way;
     bool drew_scene = false;
 };
@@ -91,7 +90,7 @@ Result<void> Renderer::Impl::fit_to(const Scene& scene, VkExtent2D wanted) {
         way->resized();
     }
     if (auto made = fit_pipelines(frame.device, frame.desc, scene, frame.pipelines); !made) return made;
-    return room.fit(frame, scene);
+    return way->fit(frame, scene);
 }
 
 void Renderer::measure_parts(bool measures) {
@@ -107,8 +106,8 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     std::vector<PassTime> parts = std::move(frame.stats.parts);
     const double device_ms = frame.clock.read(frame.device, parts);  // the target has waited for it
     if (auto fitted = impl_->fit_to(scene, image.extent); !fitted) return fitted.error();
-    frame.stats.still_life_drawn = frame.stats.shadow_drawn = false;
-    auto drawn = impl_->way->draw(frame, impl_->room, scene, image, overlay);
+    frame.stats.still_life_drawn = frame.stats.shadow_drawn = frame.stats.next_view_ready = false;
+    auto drawn = impl_->way->draw(frame, scene, image, overlay);
     if (!drawn) return drawn.error();
     frame.stats.device_ms = device_ms;
     frame.stats.device_drew_scene = std::exchange(impl_->drew_scene, *drawn);

@@ -31,8 +31,7 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
         .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which its normals show
         .ring_error_px = 0.25F,            // a finer line would not be seen
         .slip_across = is_large ? 512 : 256,
-        .slip_up = is_large ? 256 : 128,
-        .softens_glides = true};
+        .slip_up = is_large ? 256 : 128};
 }
 
 }  // namespace onggi::render

@@ -23,8 +23,7 @@ struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
     int samples = 4;  // 1 or 4 a pixel
     // For a device that is the processor: what stands still is drawn once and kept where the processor lays
-    // shade and overlay over it, and bends it while the camera moves; what moves it draws itself. Needs
-    // samples = 1 and kSquareRoot.
+    // shade and overlay over it; what moves it draws itself. Needs samples = 1 and kSquareRoot.
     bool cached = false;
     Transfer transfer = Transfer::kExactSrgb;
     // Not at pixels: their triangles are hardly larger. When cached the processor draws them itself.
@@ -36,10 +35,9 @@ struct RendererDesc {
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
     int slip_across = 512;  // texels of the slip's texture, powers of two up to 512; no finer than a pixel
     int slip_up = 512;
-    bool smooths_outlines = true;  // of what moves; cached only, others have samples for it
-    bool softens_glides = false;   // cached only: half the room's width and height while the camera goes fast
-    bool inside_out = false;       // the lathe from its back faces, as a flipped winding would: for tests
-    bool measures_parts = false;   // FrameStats::parts, which costs a software device a few per cent
+    bool smooths_outlines = true;    // of what moves; cached only, others have samples for it
+    bool inside_out = false;         // the lathe from its back faces, as a flipped winding would: for tests
+    bool measures_parts = false;     // FrameStats::parts, which costs a software device a few per cent
     HostClock host_clock = nullptr;  // measures the host's own parts; null: they are left out
 
     friend bool operator==(const RendererDesc&, const RendererDesc&) = default;

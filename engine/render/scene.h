@@ -100,9 +100,6 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh{};
         Material material{};
         vec3 position_mm{0.0F};
-        // What a photograph bends over while the camera moves, where the mesh has more faces than
-        // that needs.
-        std::shared_ptr<const Mesh> bent_mesh{};
         bool in_relief = false;    // the plate's relief shows it well enough while the camera moves
         bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
@@ -161,10 +158,17 @@ struct Plate {
 };
 
 // The camera has left a plate's place, perhaps towards another's. Then no plate is right as it is: both are
-// bent over the plate's relief, and the second is mixed into the first.
+// bent over the plate's relief, and the second is mixed into the first. Where everything is drawn in every
+// frame; a backend that keeps what stands still shows the first plate alone, as it is.
 struct Glide {
     std::shared_ptr<const Plate> towards;  // may be the plate itself
     float share = 0.0F;                    // of the second, 0 to 1
+};
+
+// Where the camera will be cut to as soon as it may, see FrameStats::next_view_ready.
+struct NextView {
+    Camera camera;
+    std::shared_ptr<const Plate> plate;
 };
 
 // How much of the light there is; the evening dims it. All 1: as the lights say and the plates show.
@@ -193,8 +197,12 @@ struct Scene {
     std::shared_ptr<const StillLife> still_life;
     std::shared_ptr<const Plate> plate;  // none: the still life in its own colours
     std::optional<Glide> glide;          // none: the camera stands where the plate was taken
+    std::optional<NextView> next_view;   // none: it will stay, or glide
+    // What there is of this view in the picture, 0 to 1, since the camera was cut to it; the rest is the last
+    // picture of the view before. None: all of it. Of a backend that keeps what stands still.
+    std::optional<float> fade_in;
     std::vector<std::shared_ptr<const Plate>>
-        plates_at_hand;  // kept on the device: a glide may begin with any frame
+        plates_at_hand;  // kept where they are drawn from: another view may begin with any frame
     ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
     std::vector<Sphere> spheres;  // at most kMaxSpheres cast shadows

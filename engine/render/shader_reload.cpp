@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "engine/core/list_folder.h"
 #include "shaders/shaders.h"
 
 namespace onggi::render {
@@ -108,9 +109,9 @@ Result<std::vector<std::uint32_t>> compile(const std::string& file, const std::s
 
 std::filesystem::file_time_type newest_in(const std::filesystem::path& folder) {
     auto newest = std::filesystem::file_time_type::min();  // its zero lies in 2174
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-        newest = std::max(newest, entry.last_write_time(error));
+    std::error_code ignored;                               // gives the least time there is
+    for (const std::filesystem::path& file : list_folder(folder).entries)
+        newest = std::max(newest, std::filesystem::last_write_time(file, ignored));
     return newest;
 }
 

@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 #include <vector>
+
+#include "engine/core/list_folder.h"
 
 // From AL/alext.h, which not every release has in the same place.
 #ifndef ALC_CONNECTED
@@ -125,13 +128,11 @@ bool is_set(const char* variable) {
 }
 
 bool has_a_card() {
-    std::error_code error;
-    for (fs::directory_iterator entry("/dev/snd", error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (name.starts_with("pcm") && name.ends_with("p")) return true;  // p: playback
-    }
-    return false;
+    const std::vector<fs::path> devices = list_folder("/dev/snd").entries;
+    return std::any_of(devices.begin(), devices.end(), [](const fs::path& device) {
+        const std::string name = device.filename().string();
+        return name.starts_with("pcm") && name.ends_with("p");  // p: playback
+    });
 }
 
 bool has_a_server() {

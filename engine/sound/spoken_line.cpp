@@ -1,10 +1,15 @@
 #include "engine/sound/spoken_line.h"
 
 #include <fmt/format.h>
+#include <sndfile.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
+#include <cstring>
+#include <numeric>
 #include <utility>
+
+#include "engine/core/quote.h"
 
 namespace onggi::sound {
 namespace {
@@ -12,19 +17,90 @@ namespace {
 constexpr double kLongestS = 120.0;
 constexpr double kDucked = 0.35;  // of the wheel's sound, under speech
 
-// Little-endian, at a place that has been looked at before.
-std::uint32_t number_at(std::string_view bytes, std::size_t at, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = size; i-- > 0;)
-        value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-    return value;
+constexpr int kLeastRateHz = 8000;
+constexpr int kMostRateHz = 96000;
+
+// A file in memory, as libsndfile asks for one.
+struct MemoryFile {
+    std::string_view bytes;
+    sf_count_t at = 0;
+
+    static MemoryFile& of(void* self) { return *static_cast<MemoryFile*>(self); }
+    [[nodiscard]] sf_count_t size() const { return static_cast<sf_count_t>(bytes.size()); }
+
+    static sf_count_t length(void* self) { return of(self).size(); }
+    static sf_count_t tell(void* self) { return of(self).at; }
+    static sf_count_t seek(sf_count_t offset, int whence, void* self) {
+        MemoryFile& file = of(self);
+        const sf_count_t from = whence == SEEK_CUR ? file.at : whence == SEEK_END ? file.size() : 0;
+        return file.at = std::clamp<sf_count_t>(from + offset, 0, file.size());
+    }
+    static sf_count_t read(void* to, sf_count_t count, void* self) {
+        MemoryFile& file = of(self);
+        const sf_count_t got = std::clamp<sf_count_t>(count, 0, file.size() - file.at);
+        std::memcpy(to, file.bytes.data() + file.at, static_cast<std::size_t>(got));
+        file.at += got;
+        return got;
+    }
+    static sf_count_t write(const void*, sf_count_t, void*) { return 0; }
+};
+
+struct Closer {
+    void operator()(SNDFILE* file) const { sf_close(file); }
+};
+using WaveFile = std::unique_ptr<SNDFILE, Closer>;
+
+bool is_plain(int format) {
+    const int container = format & SF_FORMAT_TYPEMASK;
+    const int coding = format & SF_FORMAT_SUBMASK;
+    return (container == SF_FORMAT_WAV || container == SF_FORMAT_WAVEX) &&
+           (coding == SF_FORMAT_PCM_16 || coding == SF_FORMAT_PCM_24 || coding == SF_FORMAT_PCM_32 ||
+            coding == SF_FORMAT_FLOAT);
 }
 
-struct Format {
-    std::uint32_t kind = 0;
-    std::uint32_t channels = 0;
-    std::uint32_t rate_hz = 0;
-    std::uint32_t bits = 0;
+std::string name_of_coding(int format) {
+    SF_FORMAT_INFO info{.format = format & SF_FORMAT_SUBMASK, .name = nullptr, .extension = nullptr};
+    sf_command(nullptr, SFC_GET_FORMAT_INFO, &info, sizeof info);
+    return info.name != nullptr ? info.name : "another coding";
+}
+
+// The file's frames in their order, mixed to one channel. A few thousand at a time: two minutes are many.
+class Frames {
+  public:
+    Frames(SNDFILE* file, int channels)
+        : file_(file),
+          channels_(static_cast<std::size_t>(channels)),
+          block_(kBlockFrames * channels_) {}
+
+    // Of frames in rising order, or one before the last asked for. Beyond the end the last there was.
+    float at(sf_count_t frame) {
+        while (frame >= first_ + count_ && fill()) {
+        }
+        return frame < first_ || count_ == 0 ? before_ : mixed(std::min(frame - first_, count_ - 1));
+    }
+
+  private:
+    static constexpr std::size_t kBlockFrames = 4096;
+
+    bool fill() {
+        if (count_ > 0) before_ = mixed(count_ - 1);
+        first_ += count_;
+        count_ = std::max<sf_count_t>(0, sf_readf_float(file_, block_.data(), kBlockFrames));
+        return count_ > 0;
+    }
+    [[nodiscard]] float mixed(sf_count_t frame) const {
+        const auto from = block_.begin() + frame * static_cast<sf_count_t>(channels_);
+        const float sum = std::accumulate(from, from + static_cast<sf_count_t>(channels_), 0.0F);
+        const float mean = sum / static_cast<float>(channels_);
+        return std::isfinite(mean) ? std::clamp(mean, -1.0F, 1.0F) : 0.0F;  // a file of floats may hold any
+    }
+
+    SNDFILE* file_;
+    std::size_t channels_;
+    std::vector<float> block_;
+    sf_count_t first_ = 0;  // in block_
+    sf_count_t count_ = 0;
+    float before_ = 0.0F;  // the frame before the block's first
 };
 
 }  // namespace
@@ -33,55 +109,37 @@ Result<SpokenLine> read_wave(std::string_view bytes, const std::string& file) {
     const auto refuse = [&](std::string_view expected, std::string_view found) {
         return bad_input(fmt::format("{}: expected {}, found {}", file, expected, found));
     };
+    // The library knows many more kinds, none of which is wanted.
     if (bytes.size() < 12 || bytes.substr(0, 4) != "RIFF" || bytes.substr(8, 4) != "WAVE")
         return refuse("a RIFF wave file", "something else");
-    Format format;
-    std::string_view data;
-    for (std::size_t at = 12; at + 8 <= bytes.size();) {
-        const std::string_view name = bytes.substr(at, 4);
-        const std::size_t size = number_at(bytes, at + 4, 4);
-        at += 8;
-        // A recorder that was cut off leaves its last piece short: what is there is spoken.
-        const std::string_view piece = bytes.substr(at, size);
-        if (name == "fmt " && piece.size() >= 16) {
-            format = {number_at(piece, 0, 2), number_at(piece, 2, 2), number_at(piece, 4, 4),
-                      number_at(piece, 14, 2)};
-        } else if (name == "data") {
-            data = piece;
-        }
-        at += size + size % 2;
-    }
-    if (format.kind != 1 || format.bits != 16)
-        return refuse("16-bit PCM", fmt::format("format {} of {} bits", format.kind, format.bits));
-    if (format.channels < 1 || format.channels > 2)
-        return refuse("1 or 2 channels", fmt::format("{}", format.channels));
-    if (format.rate_hz < 8000 || format.rate_hz > 96000)
-        return refuse("8000 to 96000 Hz", fmt::format("{} Hz", format.rate_hz));
-    const std::size_t frame_bytes = std::size_t{2} * format.channels;
-    const std::size_t frames = data.size() / frame_bytes;
-    if (frames == 0) return refuse("samples", "none");
-    const double length_s = static_cast<double>(frames) / format.rate_hz;
+    MemoryFile memory{.bytes = bytes};
+    SF_VIRTUAL_IO access{MemoryFile::length, MemoryFile::seek, MemoryFile::read, MemoryFile::write,
+                         MemoryFile::tell};
+    SF_INFO info{};
+    const WaveFile wave(sf_open_virtual(&access, SFM_READ, &info, &memory));
+    if (wave == nullptr) return refuse("a wave file that can be read", in_quotes(sf_strerror(nullptr), 100));
+    if (!is_plain(info.format))
+        return refuse("PCM of 16, 24 or 32 bits or of floats", name_of_coding(info.format));
+    if (info.channels < 1 || info.channels > 2)
+        return refuse("1 or 2 channels", fmt::format("{}", info.channels));
+    if (info.samplerate < kLeastRateHz || info.samplerate > kMostRateHz)
+        return refuse(fmt::format("{} to {} Hz", kLeastRateHz, kMostRateHz),
+                      fmt::format("{} Hz", info.samplerate));
+    if (info.frames <= 0) return refuse("samples", "none");
+    const double length_s = static_cast<double>(info.frames) / info.samplerate;
     if (length_s > kLongestS) return refuse("at most two minutes", fmt::format("{:.0f} s", length_s));
 
-    const auto sample = [&](std::size_t frame) {
-        float sum = 0.0F;
-        for (std::uint32_t channel = 0; channel < format.channels; ++channel) {
-            const auto raw = static_cast<std::uint16_t>(
-                number_at(data, frame * frame_bytes + std::size_t{2} * channel, 2));
-            sum += static_cast<float>(static_cast<std::int16_t>(raw)) / 32768.0F;
-        }
-        return sum / static_cast<float>(format.channels);
-    };
+    Frames frames(wave.get(), info.channels);
     SpokenLine line;
-    const double step = static_cast<double>(format.rate_hz) / kSampleRateHz;
-    const auto count = static_cast<std::size_t>(static_cast<double>(frames) / step);
+    const double step = static_cast<double>(info.samplerate) / kSampleRateHz;
+    const auto count = static_cast<std::size_t>(static_cast<double>(info.frames) / step);
     line.samples.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double place = static_cast<double>(i) * step;
-        const auto first = std::min(static_cast<std::size_t>(place), frames - 1);
+        const auto first = static_cast<sf_count_t>(place);
         const auto share = static_cast<float>(place - static_cast<double>(first));
-        const float a = sample(first);
-        line.samples.push_back(a + share * (sample(std::min(first + 1, frames - 1)) - a));
+        const float a = frames.at(first);
+        line.samples.push_back(a + share * (frames.at(first + 1) - a));
     }
     return line;
 }

@@ -19,9 +19,10 @@ struct SpokenLine {
     std::vector<float> samples;
 };
 
-// Reads a RIFF wave file: 16-bit PCM, 1 or 2 channels (mixed to one), 8000 to 96000 Hz (brought to ours by
-// straight lines between samples), at most two minutes. `file` is what messages call it. Bad input: anything
-// else, in one line that says what was expected and what was found.
+// Reads a RIFF wave file: PCM of 16, 24 or 32 bits or of floats, 1 or 2 channels (mixed to one), 8000 to
+// 96000 Hz (brought to ours by straight lines between samples), at most two minutes. `file` is what messages
+// call it. Bad input: anything else, in one line that says what was expected and what was found. Reads and
+// allocates: an I/O thread.
 Result<SpokenLine> read_wave(std::string_view bytes, const std::string& file);
 
 // Speaks one line at a time over whatever else sounds, which is softer meanwhile.

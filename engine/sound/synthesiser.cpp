@@ -36,7 +36,7 @@ Synthesiser::Wanted Synthesiser::wanted_of(const SoundScene& scene) noexcept {
             .wetness = bounded(scene.wetness, 0.0, 1.0),
             .hardness = scene.is_hard_tool ? 1.0 : 0.0,
             .place = bounded(scene.place, -1.0, 1.0),
-            .kiln = scene.kiln_burns ? 1.0 : 0.0,
+            .fire = scene.fire_burns ? 1.0 : 0.0,
             .volume = bounded(scene.volume, 0.0, 1.0)};
 }
 
@@ -57,9 +57,9 @@ double Synthesiser::motor() noexcept {
     return level * (1.0 + 0.12 * once_a_turn) * (0.1 * tone + 0.05 * bearing);
 }
 
-// What passes under the hand or the tool. Wet clay is dark and comes and goes slowly, as water does; dry clay
-// is bright and even; an edge scrapes above both. More force is louder and, a little, higher.
-double Synthesiser::clay(double noise) noexcept {
+// What passes under the hand or the tool. What is wet is dark and comes and goes slowly, as water does; what
+// is dry is bright and even; an edge scrapes above both. More force is louder and, a little, higher.
+double Synthesiser::rub(double noise) noexcept {
     const double press = press_.value();
     const double slip = slip_.value();
     const double wet = wetness_.value();
@@ -78,7 +78,7 @@ double Synthesiser::clay(double noise) noexcept {
     return level * ((1.0 - 0.6 * hard) * 1.2 * skin + hard * (0.36 - 0.16 * wet) * edge);
 }
 
-// A lump on the wheel head: a thump that falls, and clay that spreads.
+// A lump on the wheel head: a thump that falls, and what spreads.
 double Synthesiser::slap(double noise) noexcept {
     const double age = std::min(slap_age_s_, kSlapEndsS);
     slap_age_s_ = age + 1.0 / kSampleRateHz;
@@ -95,7 +95,7 @@ double Synthesiser::slap(double noise) noexcept {
 
 // Fire behind a door: all that is low of it, never even.
 double Synthesiser::fire(double noise) noexcept {
-    const double level = kiln_.value();
+    const double level = fire_.value();
     if (level == 0.0) return 0.0;
     const double slow = std::clamp(flicker_.step(noise, 3.0, 0.5).band * 60.0, -1.0, 1.0);
     return level * (1.0 + 0.45 * slow) * roar_.step(noise, 140.0 + 50.0 * slow, 0.9).low;
@@ -129,12 +129,12 @@ void Synthesiser::render(const SoundScene& scene, std::span<Sample> block) noexc
         wetness_.towards(wanted.wetness);
         hardness_.towards(wanted.hardness);
         const double place = place_.towards(wanted.place);
-        kiln_.towards(wanted.kiln);
+        fire_.towards(wanted.fire);
         const double volume = volume_.towards(wanted.volume);
 
         const double noise = noise_.next();
         const double middle = motor() + slap(noise) + fire(noise);
-        const double side = clay(noise);
+        const double side = rub(noise);
         const Sample test = chime();
         const auto out = [&](double wheel, float tone) {
             return static_cast<float>(limited(volume * (wheel + static_cast<double>(tone))));

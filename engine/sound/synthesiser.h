@@ -1,6 +1,6 @@
-// The sound of a potter's wheel out of nothing: motor, wet clay under a hand, the scrape of a tool, a lump
-// slapped down, a kiln. Pure: the same scenes in the same order give the same samples, however they are cut
-// into blocks. One thread at a time; no allocation, no lock, no libm.
+// The sound of a potter's wheel out of nothing: motor, something wet under a hand, the scrape of a tool, a
+// lump slapped down, a fire. Pure: the same scenes in the same order give the same samples, however they are
+// cut into blocks. One thread at a time; no allocation, no lock, no libm.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +27,11 @@ class Synthesiser {
   private:
     // The scene as the voices use it: bounded, and free of what is no number.
     struct Wanted {
-        double rev_min, motor_load, press, slip, wetness, hardness, place, kiln, volume;
+        double rev_min, motor_load, press, slip, wetness, hardness, place, fire, volume;
     };
     static Wanted wanted_of(const SoundScene& scene) noexcept;
     double motor() noexcept;
-    double clay(double noise) noexcept;
+    double rub(double noise) noexcept;
     double slap(double noise) noexcept;
     double fire(double noise) noexcept;
     Sample chime() noexcept;
@@ -43,17 +43,17 @@ class Synthesiser {
     Glide wetness_{0.2};
     Glide hardness_{0.05};
     Glide place_{0.08};
-    Glide kiln_{0.25};
+    Glide fire_{0.25};
     Glide volume_{0.015};
 
     Noise noise_{0x6f6e6767U};
     Phase hum_, second_, fifth_, turn_;
     Filter rumble_;
-    Filter skin_;     // the hand on the clay
+    Filter skin_;     // the hand on what turns
     Filter squelch_;  // how it comes and goes
     Filter edge_;     // the scrape
     Filter chatter_;  // how that comes and goes
-    Filter roar_;     // the kiln
+    Filter roar_;     // the fire
     Filter flicker_;  // how it comes and goes
     std::uint32_t slaps_ = 0;
     bool knows_slaps_ = false;

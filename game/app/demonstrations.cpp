@@ -12,6 +12,7 @@
 #include "engine/files/read_file.h"
 #include "game/app/performance.h"
 #include "game/haptic/start_state.h"
+#include "game/haptic/tools.h"
 
 namespace onggi::app {
 namespace {
@@ -56,8 +57,8 @@ Result<std::string> shown_name(const std::string& line, int number, const fs::pa
 
 std::optional<haptics::Gesture> load_gesture(const fs::path& file, std::vector<std::string>& remarks) {
     const auto text = files::read_file(file, kMostGestureBytes);
-    const auto gesture =
-        text ? haptics::parse_gesture(*text, file.string()) : Result<haptics::Gesture>(text.error());
+    const auto gesture = text ? haptics::parse_gesture(*text, file.string(), haptic::kGestureWords)
+                              : Result<haptics::Gesture>(text.error());
     if (gesture) return *gesture;
     remarks.push_back(gesture.error().message);
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/asset/image.h"
+#include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
 #include "game/share/studio_export.h"
@@ -71,15 +72,19 @@ double Gallery::free_mb() const {
     return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
 }
 
-std::vector<KeptPot> Gallery::pots() const {
+std::vector<KeptPot> Gallery::pots(std::string* trouble) const {
     std::vector<KeptPot> found;
-    std::error_code error;
-    for (const fs::directory_entry& day : fs::directory_iterator(folder_, error)) {
-        if (!day.is_directory(error)) continue;
-        std::error_code inner;
-        for (const fs::directory_entry& pot : fs::directory_iterator(day.path(), inner)) {
-            if (number_of(pot.path().filename().string()) == 0) continue;
-            found.push_back({pot.path(), (day.path().filename() / pot.path().filename()).string()});
+    const auto entries_of = [&](const fs::path& folder) {
+        FolderListing listing = list_folder(folder);
+        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(folder, listing);
+        return std::move(listing.entries);
+    };
+    std::error_code ignored;
+    for (const fs::path& day : entries_of(folder_)) {
+        if (!fs::is_directory(day, ignored)) continue;
+        for (const fs::path& pot : entries_of(day)) {
+            if (number_of(pot.filename().string()) == 0) continue;
+            found.push_back({pot, (day.filename() / pot.filename()).string()});
         }
     }
     // By day, then by number: the thousandth pot of a day comes after the last with three digits.
@@ -107,7 +112,9 @@ Result<void> Gallery::remove(const KeptPot& pot) {
 
 // The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
 void Gallery::make_room(const fs::path& newcomer) {
-    std::vector<KeptPot> all = pots();
+    std::string trouble;
+    std::vector<KeptPot> all = pots(&trouble);
+    if (!trouble.empty()) return;  // nobody knows which are the oldest
     std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
     while (all.size() >= static_cast<std::size_t>(most_pots_)) {
         static_cast<void>(remove(all.back()));
@@ -126,10 +133,14 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
     }
     int number = 1;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / today, error))
-        number = std::max(number, number_of(entry.path().filename().string()) + 1);
+    for (const fs::path& entry : list_folder(folder_ / today).entries)
+        number = std::max(number, number_of(entry.filename().string()) + 1);
+    const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
+    // A disk that fails may not have told of them all.
+    while (fs::exists(place_of(), error))
+        ++number;
 
-    const fs::path place = folder_ / today / fmt::format("pot-{:03}", number);
+    const fs::path place = place_of();
     auto folder = files::AtomicFolder::create(place);
     if (!folder) return folder.error();
     const fs::path session = folder->inside() / "pot.onggi";

@@ -39,8 +39,9 @@ class Gallery {
     // lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing is
     // there.
     Result<int> keep(PotToKeep pot, const std::string& today);
-    // Newest first.
-    [[nodiscard]] std::vector<KeptPot> pots() const;
+    // Newest first. Where the disk does not tell of them all, those it tells of, and `trouble` gets one line;
+    // else it stays as it is.
+    [[nodiscard]] std::vector<KeptPot> pots(std::string* trouble = nullptr) const;
     Result<void> remove(const KeptPot& pot);
     [[nodiscard]] double free_mb() const;
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

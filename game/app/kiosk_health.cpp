@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "engine/core/list_folder.h"
+
 namespace onggi::app {
 
 void HealthMeter::see(double now_s, double frame_ms, double device_ms, std::uint64_t periods) {
@@ -66,10 +68,9 @@ std::optional<double> hottest_celsius(const std::filesystem::path& zones) {
     constexpr double kLeast = -60.0;
     constexpr double kMost = 200.0;
     std::optional<double> hottest;
-    std::error_code error;
-    for (const auto& zone : std::filesystem::directory_iterator(zones, error)) {
-        if (!zone.path().filename().string().starts_with("thermal_zone")) continue;
-        std::ifstream file(zone.path() / "temp");
+    for (const std::filesystem::path& zone : list_folder(zones).entries) {
+        if (!zone.filename().string().starts_with("thermal_zone")) continue;
+        std::ifstream file(zone / "temp");
         double value = 0.0;
         if (!(file >> value)) continue;
         const double celsius = value / kMilliCelsius;

@@ -12,8 +12,6 @@ using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
-constexpr double kFrameS = 1.0 / 60.0;
-
 HandKey hand_key(Button button) {
     switch (button) {
         case Button::kHandUp:
@@ -49,9 +47,7 @@ bool KioskVisit::clay_is_open() const {
     return state_.panel == Panel::kNone && state_.screen == Screen::kThrow;
 }
 
-// The more a visitor can, the less.
 void KioskVisit::help_along() {
-    constexpr double kLessEachStep = 0.15;
     const std::optional<int> target =
         parts_.settings.config.visit.forgiving && state_.screen == Screen::kThrow ? state_.throwing.target
                                                                                   : std::nullopt;
@@ -64,7 +60,7 @@ void KioskVisit::help_along() {
         return;
     }
     const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*target)];
-    hand_.set_outline(wet_outline(parts_.settings.targets[place]), 1.0 - kLessEachStep * steps_done);
+    hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
 }
 
 void KioskVisit::take_news(const PointerNews& news) {
@@ -124,7 +120,7 @@ void KioskVisit::take_news(const PointerNews& news) {
     }
 }
 
-void KioskVisit::take_input(const haptic::Snapshot& snapshot) {
+void KioskVisit::take_input(const haptic::Snapshot& snapshot, double dt_s) {
     std::vector<PointerNews> all;
     for (const window::Event& event : parts_.view.poll_events())
         pointer_.handle(event, now_s_, all);
@@ -141,16 +137,16 @@ void KioskVisit::take_input(const haptic::Snapshot& snapshot) {
     if (!holder.empty() && holder != holder_) hand_.release();
     holder_ = holder;
     if (parts_.devices.somebody_moved()) tell({Event::Kind::kInput});
-    take_gamepads(snapshot);
+    take_gamepads(snapshot, dt_s);
     help_along();
     if (!clay_is_open()) hand_.release();
 }
 
-void KioskVisit::take_gamepads(const haptic::Snapshot& snapshot) {
+void KioskVisit::take_gamepads(const haptic::Snapshot& snapshot, double dt_s) {
     std::vector<window::Gamepad> pads = parts_.view.gamepads();
     std::erase_if(pads,
                   [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
-    const GamepadWish wish = gamepads_.wish(pads, kFrameS);
+    const GamepadWish wish = gamepads_.wish(pads, dt_s);
     if (wish.is_used) tell({Event::Kind::kInput});
     if (!clay_is_open()) return;
     if (wish.is_used) tell({Event::Kind::kClayTouched});

@@ -246,8 +246,13 @@ void KioskKeeper::survey_now() {
                        .free_mb = gallery_.free_mb(),
                        .celsius = hottest_celsius(),
                        .use = use_of(statistics_, today())};
-    for (const KeptPot& pot : gallery_.pots())
+    std::string trouble;
+    for (const KeptPot& pot : gallery_.pots(&trouble))
         found.pots.push_back(pot.name);
+    // Once, not with every look at the panel.
+    if (trouble != gallery_trouble_ && !trouble.empty())
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble});
+    gallery_trouble_ = std::move(trouble);
     answer(std::move(found));
 }
 

@@ -134,6 +134,7 @@ class KioskKeeper final : private jobs::IoWork {
     bool is_put_ = false;       // its state is on the way to the wheel
     bool was_resumed_ = false;  // and is not in the new journal yet
     Gallery gallery_;
+    std::string gallery_trouble_;  // as it was told last
     std::filesystem::path statistics_;
     std::shared_ptr<const clay::StudioClay> cut_;
     jobs::SpscRing<Wish> wishes_{64};

@@ -37,14 +37,14 @@ struct Known {
 // Those of the choose screen, in its order: the least tall first.
 constexpr std::array kShown{
     Known{"ido-kizaemon", "pot.ido", "mus.daitoku", "date.joseon16", finish::kIdoGlaze},
-    Known{"buncheong-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon15", 2},
+    Known{"buncheong-small-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon", 2},
     Known{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
     Known{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1}};
 // The others, which a visitor's pot may resemble: their museums are not named there.
 constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseon18", 1},
                                 Known{"moon-jar-met", "pot.moon", "", "date.joseon18", 1},
                                 Known{"maebyeong-68", "pot.maebyeong", "", "date.goryeo12", 0},
-                                Known{"buncheong-small-bowl", "pot.buncheong", "", "date.joseon", 2},
+                                Known{"buncheong-bowl", "pot.buncheong", "", "date.joseon15", 2},
                                 Known{"joseon-bowl", "pot.bowl", "", "date.joseon16", 1},
                                 Known{"meiping-ngv", "pot.meiping", "", "date.ming16", 0},
                                 Known{"kylix-met", "pot.kylix", "", "date.athens6", 3},
@@ -64,6 +64,14 @@ std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
         outline.push_back(vec2(target.radius_at(y_mm) * scale, y_mm * scale));
     }
     return outline;
+}
+
+// As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
+// thrown.
+heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
+    constexpr double kVisitorsWallMm = 8.0;
+    return heritage::thrown_size(target, clay::ClayBody::kStoneware,
+                                 {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm});
 }
 
 double volume_mm3(const haptic::PotShape& shape) {
@@ -209,7 +217,8 @@ screens::Exhibit exhibit_of(const heritage::Target& target, const Known* known) 
     exhibit.date_key = known != nullptr ? known->date_key : target.culture_date;
     exhibit.height_mm = target.height_mm;
     exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
-    exhibit.half_size = heritage::thrown_size(target, clay::ClayBody::kStoneware).fraction == 0.5;
+    const heritage::ThrownSize size = size_on_this_wheel(target);
+    if (size.fraction < 1.0) exhibit.part = size.part;
     exhibit.glaze = known != nullptr ? known->glaze : kBareGlaze;
     exhibit.shape = screens::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
     return exhibit;
@@ -245,7 +254,7 @@ std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& 
 }
 
 std::vector<vec2> wet_outline(const heritage::Target& target) {
-    return outline_of(target, heritage::thrown_size(target, clay::ClayBody::kStoneware).wet_scale);
+    return outline_of(target, size_on_this_wheel(target).wet_scale);
 }
 
 }  // namespace onggi::app

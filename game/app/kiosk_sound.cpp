@@ -9,6 +9,7 @@
 
 #include "engine/core/units.h"
 #include "game/app/options.h"
+#include "game/haptic/tools.h"
 
 namespace onggi::app {
 namespace {
@@ -23,7 +24,7 @@ double length_of(const dvec3& v) {
 }
 
 bool is_hard(haptics::ToolKind kind) {
-    return kind == haptics::ToolKind::kRib || kind == haptics::ToolKind::kTrimmer;
+    return kind == haptic::kRib || kind == haptic::kTrimmer;
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ void KioskSound::hear(const haptic::Snapshot& snapshot, bool is_muted, bool kiln
     if (!output_) return;
     sound::SoundScene scene = scene_of(snapshot, is_muted ? 0.0 : volume_);
     scene.chimes = chimes_;
-    scene.kiln_burns = kiln_burns;
+    scene.fire_burns = kiln_burns;
     output_->play(scene);
 }
 

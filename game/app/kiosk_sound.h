@@ -21,7 +21,6 @@ namespace onggi::app {
 
 // --volume, 0 to 1; 0: no sound device is opened at all.
 void add_volume_option(CLI::App& command, std::optional<double>& volume);
-constexpr double kUsualVolume = 0.5;
 
 // What is heard of it, as a key of words for those who do not hear: wet clay under the hand, the wheel, or
 // nothing.

@@ -61,7 +61,8 @@ void KioskVisit::aim_camera(const haptic::Snapshot& snapshot) {
         state_.screen != kiosk::Screen::kAttract && state_.screen != kiosk::Screen::kThrow &&
         state_.screen != kiosk::Screen::kFailure && state_.screen != kiosk::Screen::kResume;
     const bool is_first = asked_ == nullptr;
-    if (is_first || stage_.covers() || state_.comfort.still) parts_.view.jump();
+    if (is_first || stage_.covers()) parts_.view.jump();
+    parts_.view.move_less(state_.comfort.still);
     if (will_cover && !stage_.covers()) return;
     const PlateSight sight{
         .width_px = parts_.view.width(),

@@ -1,5 +1,7 @@
 #include "game/app/kiosk_visit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -286,7 +288,7 @@ Result<void> KioskVisit::frame(double now_s) {
     const haptic::Snapshot& snapshot = parts_.job.newest_snapshot();
     desk_.see_frame(now_s, since_last_ms, snapshot);
     tell({Event::Kind::kTick});
-    take_input(snapshot);
+    take_input(snapshot, dt_s);
     take_clay(snapshot);
     take_fault(snapshot);
     take_answers();
@@ -323,7 +325,7 @@ Result<void> KioskVisit::frame(double now_s) {
         say(line);
     const screens::Composed* shown = stage_.shown();
     if (shown != nullptr) {
-        name_window(shown->view->state);
+        name_window(shown->view->state, snapshot.shape->height_mm);
         const auto& languages = *shown->view->languages;
         const auto language = static_cast<std::size_t>(shown->view->state.comfort.language);
         pointer_.look_at(&shown->composition, screen_key(shown->view->state),
@@ -332,14 +334,17 @@ Result<void> KioskVisit::frame(double now_s) {
     return {};
 }
 
-// Nobody sees the title of a full screen; scripts that play a visitor read it.
-void KioskVisit::name_window(const kiosk::State& shown) {
+// Nobody sees the title of a full screen; scripts that play a visitor read it, who have no eyes for the clay.
+void KioskVisit::name_window(const kiosk::State& shown, double clay_mm) {
     std::string title = "Onggi - " + std::string(kiosk::name_of(shown.screen));
     if (shown.panel != Panel::kNone) title += " - " + std::string(kiosk::name_of(shown.panel));
     if (shown.panel == Panel::kLanguage) {
         title += " " + (*parts_.settings.languages)[static_cast<std::size_t>(shown.comfort.language)].code();
         if (shown.comfort.reach) title += " low";
     }
+    if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} of {}, {:.0f} mm{}", shown.throwing.steps_done, kiosk::kTeachingSteps,
+                             clay_mm, shown.throwing.shown ? ", shown" : "");
     if (pointer_.focus() >= 0) title += " [" + std::to_string(pointer_.focus()) + "]";
     if (title == title_) return;
     title_ = title;

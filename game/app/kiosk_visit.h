@@ -71,12 +71,12 @@ class KioskVisit {
     [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
 
   private:
-    void take_input(const haptic::Snapshot& snapshot);
+    void take_input(const haptic::Snapshot& snapshot, double dt_s);
     void take_news(const PointerNews& news);
     void take_clay(const haptic::Snapshot& snapshot);
     void take_fault(const haptic::Snapshot& snapshot);
     void take_answers();
-    void take_gamepads(const haptic::Snapshot& snapshot);
+    void take_gamepads(const haptic::Snapshot& snapshot, double dt_s);
     [[nodiscard]] double side() const;      // on which the hand comes to the clay: +1 right, -1 left
     void nudge_hand(kiosk::Button button);  // one press of the pad's buttons
     void help_along();                      // draws a finger to the outline that is shown
@@ -107,7 +107,7 @@ class KioskVisit {
     bool play_show(const haptic::Snapshot& snapshot);
     void rearm_force();
     void say(const std::string& line);
-    void name_window(const kiosk::State& shown);
+    void name_window(const kiosk::State& shown, double clay_mm);
 
     VisitParts parts_;
     kiosk::State state_;

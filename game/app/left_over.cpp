@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/list_folder.h"
 #include "engine/files/read_file.h"
 #include "game/haptic/start_state.h"
 
@@ -26,13 +27,11 @@ struct Found {
     [[nodiscard]] std::uint64_t ticks() const { return session ? session->tick_count() : 0; }
 };
 
-std::vector<fs::path> journals_in(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with(kJournalPrefix) || name == kPutAside) files.push_back(entry.path());
-    }
+std::vector<fs::path> journals_among(std::vector<fs::path> files) {
+    std::erase_if(files, [](const fs::path& file) {
+        const std::string name = file.filename().string();
+        return !name.starts_with(kJournalPrefix) && name != kPutAside;
+    });
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -61,7 +60,9 @@ std::unique_ptr<LeftOver> LeftOver::find(const fs::path& folder, const haptic::H
                                          std::vector<std::string>& remarks) {
     // More than one where it happened while one was being written anew: the longest has all of it.
     Found longest;
-    std::vector<fs::path> others = journals_in(folder);
+    const FolderListing listing = list_folder(folder);
+    if (!listing.is_whole()) remarks.push_back("interrupted visit: " + listing_trouble(folder, listing));
+    std::vector<fs::path> others = journals_among(listing.entries);
     const std::vector<std::byte> start_bytes = haptic::start_state_bytes(start, parameters);
     std::error_code ignored;
     for (const fs::path& file : others) {
@@ -80,10 +81,14 @@ std::unique_ptr<LeftOver> LeftOver::find(const fs::path& folder, const haptic::H
         if (session->tick_count() > longest.ticks()) longest = {file, std::move(*session)};
     }
     std::erase(others, longest.file);
-    for (const fs::path& file : others)
-        fs::remove(file, ignored);
+    // Where the disk does not tell of all, nothing leaves: what is hidden now may be the longest.
+    if (listing.is_whole()) {
+        for (const fs::path& file : others)
+            fs::remove(file, ignored);
+    }
     if (!longest.session) return nullptr;
-    fs::rename(longest.file, folder / kPutAside, ignored);
+    if (listing.is_whole() || !fs::exists(folder / kPutAside, ignored))
+        fs::rename(longest.file, folder / kPutAside, ignored);
     return std::unique_ptr<LeftOver>(new LeftOver(std::move(*longest.session), start, parameters, folder));
 }
 

@@ -1,7 +1,7 @@
 // `onggi live`: a gesture or session in real time, with its picture. Main thread.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "game/app/cli_names.h"
 #include "game/app/live_loop.h"

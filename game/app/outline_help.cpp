@@ -18,6 +18,11 @@ double faded(double distance_mm) {
 
 }  // namespace
 
+double outline_help_after(int steps_done) {
+    constexpr double kLessEachStep = 0.15;
+    return std::clamp(1.0 - kLessEachStep * steps_done, 0.0, 1.0);
+}
+
 void OutlineHelp::set(std::span<const vec2> radius_height, double strength) {
     strength_ = radius_height.size() < 2 || !std::isfinite(strength) ? 0.0 : std::clamp(strength, 0.0, 1.0);
     // The old one stays while its help goes.

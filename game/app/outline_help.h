@@ -9,6 +9,9 @@
 
 namespace onggi::app {
 
+// How much a visitor is helped who has done so many steps of the lesson: less, the more they can. 0 to 1.
+[[nodiscard]] double outline_help_after(int steps_done);
+
 class OutlineHelp {
   public:
     // Radius and height from below, as app::wet_outline(); empty: none. strength: 0 none to 1 all the help.

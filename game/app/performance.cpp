@@ -9,6 +9,7 @@
 #include "engine/files/read_file.h"
 #include "engine/haptics/gesture.h"
 #include "game/app/start_pot.h"
+#include "game/haptic/tools.h"
 
 namespace onggi::app {
 namespace {
@@ -34,7 +35,7 @@ Result<void> check_brings_its_own(const InputOptions& options) {
 
 std::string clay_of(const record::SessionHeader& header) {
     return fmt::format("{} clay of {} elements and {} sectors",
-                       header.clay_model == record::ClayModel::kPaper ? "paper" : "studio",
+                       header.tool_detail == record::ToolDetail::kPlain ? "paper" : "studio",
                        header.element_count, header.sector_count);
 }
 
@@ -72,7 +73,7 @@ Result<Performance> performance_of_session(const InputOptions& options) {
 Result<Performance> performance_of_gesture(const InputOptions& options) {
     auto text = files::read_file(options.file, haptics::kMaxGestureBytes);
     if (!text) return text.error();
-    auto gesture = haptics::parse_gesture(*text, options.file);
+    auto gesture = haptics::parse_gesture(*text, options.file, haptic::kGestureWords);
     if (!gesture) return gesture.error();
     auto start = fresh_start(options);
     if (!start) return start.error();
@@ -126,7 +127,8 @@ Result<Performance> load_performance(const InputOptions& options) {
     if (!start) return start.error();
     if (record::opens_a_session(*start)) return performance_of_session(options);
     // A gigabyte of something else is refused by its first line, unread.
-    if (auto gesture = haptics::check_gesture_start(*start, options.file); !gesture) return gesture.error();
+    if (auto gesture = haptics::check_gesture_start(*start, options.file, haptic::kGestureWords); !gesture)
+        return gesture.error();
     return performance_of_gesture(options);
 }
 

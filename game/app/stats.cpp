@@ -1,5 +1,6 @@
 #include "game/app/stats.h"
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <variant>
 

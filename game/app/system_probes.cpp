@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/core/list_folder.h"
 #include "engine/files/asset_folder.h"
 #include "engine/window/window.h"
 #include "game/app/kiosk_settings.h"
@@ -36,17 +37,12 @@ constexpr std::array<FontFamily, 4> kFontFamilies{{
     {"Noto Naskh Arabic", "NotoNaskhArabic", "fonts-noto-core"},
 }};
 
-std::set<std::string> file_names_below(const std::vector<fs::path>& folders) {
-    std::set<std::string> names;
-    for (const fs::path& folder : folders) {
-        std::error_code error;
-        auto entry =
-            fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
-        for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-            names.insert(entry->path().filename().string());
-        }
+void add_file_names_below(const fs::path& folder, std::set<std::string>& names) {
+    std::error_code ignored;
+    for (const fs::path& entry : list_folder(folder).entries) {
+        names.insert(entry.filename().string());
+        if (fs::is_directory(fs::symlink_status(entry, ignored))) add_file_names_below(entry, names);
     }
-    return names;
 }
 
 std::string words_of(const kiosk::Config& config) {
@@ -172,7 +168,9 @@ std::vector<fs::path> font_folders() {
 }
 
 Finding probe_fonts(const std::vector<fs::path>& folders) {
-    const std::set<std::string> names = file_names_below(folders);
+    std::set<std::string> names;
+    for (const fs::path& folder : folders)
+        add_file_names_below(folder, names);
     std::set<std::string> missing;
     std::set<std::string> packages;
     for (const FontFamily& family : kFontFamilies) {

@@ -13,6 +13,7 @@
 #include "game/app/snapshot_view.h"
 #include "game/app/stats.h"
 #include "game/app/tables.h"
+#include "game/app/target_score.h"
 #include "game/share/studio_export.h"
 #include "game/wheel/still.h"
 

@@ -92,18 +92,15 @@ struct ContactForces {
 //   c1, c2, c3, K fields of PaperParameters
 //   n             contacts, and in Eq. (7) the axis +Y
 //
-// Differs: Eq. (2) as printed removes the share 1/(c1 r1) of the depth a tick, so the clay would be softer at
-// a
-//   faster rate. The share taken here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the
-//   same clay at every other rate.
+// Differs: Eq. (2) as printed removes the share 1/(c1 r1) of the depth a tick: a faster rate, softer clay.
+//   The share taken here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the same clay at
+//   every other rate.
 // Differs: Eq. (2) stops at R_min, so that no element vanishes.
 // Differs: p1 of Eq. (4) lies on the tool, not on the element. Both agree at first touch; on the element the
 //   direction divides by zero at r3 = R_i and pulls inward beyond it.
 // Differs: what a device gets of Eq. (6) and Eq. (7) is made fit for a hand (game/haptic/device_force.h): v1
-// from
-// a
-//   window, and the friction scaled in with the normal force, because as printed it kicks at the first touch.
-//   What this class gives, and what is recorded, is as printed.
+//   comes from a window of ticks, and friction is scaled in with the normal force, because as printed it
+//   kicks at the first touch. What this class gives, and what is recorded, is as printed.
 // Differs: every element is not visited. Elements the sphere cannot reach are left out by arithmetic on their
 //   index; the result is the same as if they had been tested.
 // Differs: on the axis, where e_r has no direction, the last one is kept; +X before there was any.

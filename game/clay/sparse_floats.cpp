@@ -29,8 +29,12 @@ bool is_zero(std::span<const float> floats) {
 
 SparseFloats::SparseFloats(std::size_t count) : size_(count), floats_(zeros(count)) {}
 
+// Its own floats are zeros still: reading them would be for nothing, and not free on every system.
 SparseFloats::SparseFloats(const SparseFloats& other) : SparseFloats(other.size_) {
-    *this = other;
+    for (std::size_t at = 0; at < size_; at += kPage) {
+        const std::span<const float> from(other.data() + at, std::min(kPage, size_ - at));
+        if (!is_zero(from)) std::copy(from.begin(), from.end(), data() + at);
+    }
 }
 
 SparseFloats& SparseFloats::operator=(const SparseFloats& other) {

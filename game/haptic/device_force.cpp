@@ -47,7 +47,7 @@ Result<void> fit_studio(HapticParameters& parameters, const DeviceCapabilities& 
     Result<void> fits = nothing_is_stable(device, parameters.rate_hz());
     for (; !fits && most >= kSoftestNPerMm; most *= kSofter) {
         parameters.feel.most_stiffness_n_per_mm = most;
-        fits = haptics::check_clay_on_device(device, parameters.rate_hz(), most, viscosity);
+        fits = haptics::check_work_on_device(device, parameters.rate_hz(), most, viscosity);
     }
     return fits;
 }
@@ -93,7 +93,7 @@ Result<void> fit_to_device(HapticParameters& parameters, const haptics::DeviceCa
             is_paper ? paper.viscosity_c2_n_s_per_mm : parameters.studio.viscosity_c2_n_s_per_mm);
     }
     if (is_paper) {
-        return haptics::check_clay_on_device(
+        return haptics::check_work_on_device(
             device, parameters.rate_hz(),
             std::max(paper.stiffness_standing_n_per_mm, paper.stiffness_turning_n_per_mm),
             paper.viscosity_c2_n_s_per_mm);

@@ -28,19 +28,16 @@ struct DeviceForce {
 
 // Of the clay's forces in this tick and the tool's velocity from a windowed estimator.
 //
-// Differs: Eq. (6) takes the difference of two positions for v1; one step of an encoder of 0.055 mm between
-// two
-//   ticks at 4 kHz is 220 mm/s, half a newton from nothing. A device gets F_v = -c2 v1 with the windowed v1.
+// Differs: Eq. (6) takes the difference of two positions for v1; one step of an encoder of 0.055 mm from tick
+//   to tick at 4 kHz is 220 mm/s, half a newton from nothing. A device gets F_v = -c2 v1, v1 from a window.
 // Differs: Eq. (7) as printed does not ask how hard the tool presses: at the first touch, however light, the
 //   whole friction is there at once, a kick along the wall. A device gets it times min(1, |F_s|/F_ref): in
 //   full once the tool presses with F_ref.
-// Differs: clay that is stiffer than the device can show stably is shown as stiff as it can; its friction,
-// which
-//   follows the pressure, by the same share.
-// Differs: a joystick's own spring answers the hand at the stick's speed, but its height, and its radius
-// where it
-//   has no such spring (shows_wall false), are forces over a slow bus: those axes get all their forces by the
-//   share that makes the clay as stiff as is stable over that bus. The sum is bent towards the spring.
+// Differs: clay that is stiffer than the device can show stably is shown as stiff as it can; its friction
+//   follows the pressure and is lessened by the same share.
+// Differs: a joystick's own spring answers the hand at the stick's speed, but its height, and where it has no
+//   such spring (shows_wall false) its radius, are forces over a slow bus: those axes get all their forces by
+//   the share that makes the clay as stiff as is stable over that bus. The sum is bent towards the spring.
 [[nodiscard]] DeviceForce device_force(const clay::ContactForces& forces, const dvec3& velocity_mm_s,
                                        double viscosity_c2_n_s_per_mm, bool friction_follows_pressure,
                                        const DeviceFeel& feel, bool shows_wall = false) noexcept;

@@ -88,7 +88,7 @@ void History::let_go_of_states() {
 void History::follow_moves(const TickResult& result) {
     const std::uint64_t tick = now_.ticks - 1;
     const haptics::ToolState& tool = now_.tool;
-    const bool cuts = tool.wire != haptics::WireCommand::kNone;
+    const bool cuts = tool.command != haptics::WorkCommand::kNone;
     if (!cuts && result.forces.contacts == 0 && result.second_forces.contacts == 0) return;
 
     const auto pause = static_cast<std::uint64_t>(options_.pause_s * start_.parameters.rate_hz());

@@ -73,7 +73,7 @@ constexpr std::size_t kStudioParameters =
     std::tuple_size_v<decltype(stored_studio_numbers(std::declval<clay::StudioParameters&>()))> +
     std::tuple_size_v<decltype(stored_studio_switches(std::declval<clay::StudioParameters&>()))>;
 constexpr std::size_t kStudioToolAt = 4 + kStudioParameters * 8;
-constexpr std::size_t kStudioTicksAt = kStudioToolAt + record::kStudioToolBytes;
+constexpr std::size_t kStudioTicksAt = kStudioToolAt + record::kWholeToolBytes;
 constexpr std::size_t kStudioHeadBytes = kStudioTicksAt + 8;
 
 Error damaged(std::string_view place, std::string_view expected, std::string_view found) {
@@ -107,7 +107,7 @@ std::vector<std::byte> studio_bytes(const HapticState& state, const clay::Studio
         little_endian::put(bytes, *parameter);
     for (const bool* parameter : stored_studio_switches(parameters.studio))
         little_endian::put(bytes, *parameter ? 1.0 : 0.0);
-    record::put_studio_tool(bytes, state.tool);
+    record::put_whole_tool(bytes, state.tool);
     little_endian::put(bytes, state.ticks);
     const auto clay = studio.start_state();
     bytes.insert(bytes.end(), clay.begin(), clay.end());
@@ -171,13 +171,13 @@ Result<Start> studio_start(std::span<const std::byte> bytes, double rate_hz) {
         *parameter = word == 1.0;
     }
     if (auto valid = clay::check(parameters.studio); !valid) return valid.error();
-    if (const auto wrong = record::fault_of_studio_tool(bytes.data() + kStudioToolAt)) {
+    if (const auto wrong = record::fault_of_whole_tool(bytes.data() + kStudioToolAt)) {
         return damaged("tool", wrong->expected, wrong->found);
     }
     auto clay = clay::StudioClay::from_start_state(bytes.subspan(kStudioHeadBytes));
     if (!clay) return clay.error();
     Start start{HapticState(std::move(clay).value()), parameters};
-    start.state.tool = record::get_studio_tool(bytes.data() + kStudioToolAt);
+    start.state.tool = record::get_whole_tool(bytes.data() + kStudioToolAt);
     start.state.ticks = little_endian::get<std::uint64_t>(bytes.data() + kStudioTicksAt);
     return start;
 }
@@ -194,7 +194,7 @@ record::SessionHeader session_header(const Start& start) {
     return {.rate_hz = start.parameters.rate_hz(),
             .element_count = static_cast<std::uint32_t>(start.state.element_count()),
             .sector_count = static_cast<std::uint32_t>(start.state.sector_count()),
-            .clay_model = studio ? record::ClayModel::kStudio : record::ClayModel::kPaper,
+            .tool_detail = studio ? record::ToolDetail::kWhole : record::ToolDetail::kPlain,
             .start_state_hash = start.state.hash()};
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/core/units.h"
+#include "game/haptic/tools.h"
 
 namespace onggi::haptic {
 namespace {
@@ -14,16 +15,9 @@ static_assert(clay::kSmallestToolMm == haptics::kMinToolRadiusMm);
 static_assert(clay::kLargestToolMm == haptics::kMaxToolRadiusMm);
 
 clay::StudioTool studio_tool(haptics::ToolKind kind) noexcept {
-    switch (kind) {
-        case haptics::ToolKind::kHand:
-            return clay::StudioTool::kHand;
-        case haptics::ToolKind::kRib:
-            return clay::StudioTool::kRib;
-        case haptics::ToolKind::kSponge:
-            return clay::StudioTool::kSponge;
-        case haptics::ToolKind::kTrimmer:
-            return clay::StudioTool::kTrimmer;
-    }
+    if (kind == kRib) return clay::StudioTool::kRib;
+    if (kind == kSponge) return clay::StudioTool::kSponge;
+    if (kind == kTrimmer) return clay::StudioTool::kTrimmer;
     return clay::StudioTool::kHand;
 }
 
@@ -41,15 +35,9 @@ clay::SideWish side_wish(haptics::SideHint hint) noexcept {
     return clay::SideWish::kNone;
 }
 
-clay::Wire studio_wire(haptics::WireCommand command) noexcept {
-    switch (command) {
-        case haptics::WireCommand::kNone:
-            return clay::Wire::kNone;
-        case haptics::WireCommand::kCutRim:
-            return clay::Wire::kCutRim;
-        case haptics::WireCommand::kCutOff:
-            return clay::Wire::kCutOff;
-    }
+clay::Wire studio_wire(haptics::WorkCommand command) noexcept {
+    if (command == kCutRim) return clay::Wire::kCutRim;
+    if (command == kCutOff) return clay::Wire::kCutOff;
     return clay::Wire::kNone;
 }
 
@@ -172,8 +160,8 @@ clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept {
     input.assist_gap_mm = tool.assist_gap_mm;
     input.wheel_speed_rad_s = turns ? units::rad_s_from_rev_min(tool.wheel_speed_rev_min) : 0.0;
     input.water = tool.water;
-    input.wire = studio_wire(tool.wire);
-    input.wire_height_mm = tool.wire_height_mm;
+    input.wire = studio_wire(tool.command);
+    input.wire_height_mm = tool.command_height_mm;
     input.guided = tool.guided;
     input.pressing = tool.pressing;
     return input;

@@ -14,10 +14,8 @@ namespace {
 
 using clay::studio::Rings;
 
-// What a target is thought to be thrown with where its museum says nothing: only for how much clay it takes.
-constexpr double kUsualWallMm = 6.0;
+// Only for how much clay a target takes.
 constexpr double kUsualFloorMm = 8.0;
-constexpr double kMostClayG = 2500.0;
 
 // The outside of the pot at a height, between ring centres.
 double outer_at(const Rings& rings, double y_mm) {
@@ -42,13 +40,12 @@ std::optional<double> mean_wall_mm(const Rings& rings) {
 }
 
 // Of the wet pot at that scale of the museum's.
-double wet_clay_g(const PotForm& form, double scale) {
+double wet_clay_g(const PotForm& form, double scale, double wall_mm) {
     double volume = 0.0;
     const double step = form.height_mm * scale / static_cast<double>(form.radii_mm.size() - 1);
     for (std::size_t i = 0; i + 1 < form.radii_mm.size(); ++i) {
         const double r = 0.5 * (form.radii_mm[i] + form.radii_mm[i + 1]) * scale;
-        const double inner =
-            static_cast<double>(i) * step < kUsualFloorMm ? 0.0 : std::max(r - kUsualWallMm, 0.0);
+        const double inner = static_cast<double>(i) * step < kUsualFloorMm ? 0.0 : std::max(r - wall_mm, 0.0);
         volume += std::numbers::pi * (r * r - inner * inner) * step;
     }
     return volume * clay::studio::kDensityGPerMm3;
@@ -100,26 +97,27 @@ PotForm form_of(const Target& target) {
     return form;
 }
 
-ThrownSize thrown_size(const Target& target, clay::ClayBody body) {
+ThrownSize thrown_size(const Target& target, clay::ClayBody body, const ThrownClay& clay) {
     struct Fraction {
         double value;
         const char* text;
+        const char* part;
     };
-    constexpr std::array<Fraction, 7> kFractions{{{1.0, "full size"},
-                                                  {3.0 / 4.0, "three quarters of its size"},
-                                                  {2.0 / 3.0, "two thirds of its size"},
-                                                  {1.0 / 2.0, "half size"},
-                                                  {1.0 / 3.0, "a third of its size"},
-                                                  {1.0 / 4.0, "a quarter of its size"},
-                                                  {1.0 / 5.0, "a fifth of its size"}}};
+    constexpr std::array<Fraction, 7> kFractions{{{1.0, "full size", "1"},
+                                                  {3.0 / 4.0, "three quarters of its size", "3/4"},
+                                                  {2.0 / 3.0, "two thirds of its size", "2/3"},
+                                                  {1.0 / 2.0, "half size", "1/2"},
+                                                  {1.0 / 3.0, "a third of its size", "1/3"},
+                                                  {1.0 / 4.0, "a quarter of its size", "1/4"},
+                                                  {1.0 / 5.0, "a fifth of its size", "1/5"}}};
     const PotForm form = form_of(target);
     const double wet = clay::wet_scale_of_fired(body);
-    for (const auto& [fraction, text] : kFractions) {
+    for (const auto& [fraction, text, part] : kFractions) {
         const double scale = fraction * wet;
         const bool fits = 0.5 * form.widest_mm() * scale <= 0.97 * clay::studio::kWidestMm &&
                           form.height_mm * scale <= 0.97 * clay::studio::kTallestMm &&
-                          wet_clay_g(form, scale) <= kMostClayG;
-        if (fits || fraction == kFractions.back().value) return {fraction, scale, text};
+                          wet_clay_g(form, scale, clay.wall_mm) <= clay.most_g;
+        if (fits || fraction == kFractions.back().value) return {fraction, scale, text, part};
     }
     return {};
 }

@@ -32,14 +32,21 @@ PotForm form_of(const clay::StudioClay& clay);
 // The outline of a target, as large as it is.
 PotForm form_of(const Target& target);
 
+// What there is to throw with, and the walls that come of it.
+struct ThrownClay {
+    double most_g = 2500.0;
+    double wall_mm = 6.0;
+};
+
 // The size at which a target is thrown: the largest of 1, 3/4, 2/3, 1/2, 1/3, 1/4 and 1/5 of it that, wet,
-// stays within the wheel head, the tallest pot and 2.5 kg of clay with walls of 6 mm and a floor of 8.
+// stays within the wheel head, the tallest pot and that clay, with a floor of 8 mm.
 struct ThrownSize {
     double fraction = 1.0;   // of the museum's pot
     double wet_scale = 1.0;  // of the museum's pot on the wheel: fraction/(1 - s)
     std::string text;        // "full size", "half size", ...
+    std::string part;        // "1", "1/2", ...
 };
-ThrownSize thrown_size(const Target& target, clay::ClayBody body);
+ThrownSize thrown_size(const Target& target, clay::ClayBody body, const ThrownClay& clay = {});
 
 // One measure beside the target's. Without a published one the target's is missing, and the measure counts
 // for nothing.

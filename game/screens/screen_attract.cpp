@@ -182,8 +182,12 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
         {.text = choice.name, .size = 28.0F, .line = 34.0F, .bold = true, .colour = design::kInk},
         {.text = choice.second, .colour = free ? design::kInk : design::kInk2},
         {.text = choice.third, .colour = design::kInk2}};
-    if (choice.exhibit != nullptr && choice.exhibit->half_size)
-        lines.push_back({.text = page.t("choose.half"), .colour = design::kInk2});
+    if (choice.exhibit != nullptr && !choice.exhibit->part.empty()) {
+        const std::string& part = choice.exhibit->part;
+        lines.push_back(
+            {.text = part == "1/2" ? page.t("choose.half") : page.t("choose.part", page.digits(part)),
+             .colour = design::kInk2});
+    }
     lines.push_back({.text = choice.size, .line = 34.0F, .bold = true, .colour = design::kInk});
     std::erase_if(lines, [](const Words& words) { return words.text.empty(); });
     // All of them as large as the whole card bears, not the first at the cost of the last.

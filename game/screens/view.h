@@ -20,7 +20,7 @@ struct Exhibit {
     std::string date_key;
     double height_mm = 0.0;
     double diameter_mm = 0.0;  // 0: not published
-    bool half_size = false;    // thrown at half size, because the clay would not do
+    std::string part;  // "1/3": thrown at so much of its size, because the clay would not do; empty: all
     int glaze = 0;
     PotShape shape;
 };

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,19 +77,34 @@ struct CameraRig {
     double width_mm = 330.0;
 };
 
+// Where the camera of a plate stands, and how much of the plate it shows.
+struct ViewPlace {
+    std::string camera;
+    Framing framing{};
+
+    friend bool operator==(const ViewPlace&, const ViewPlace&) = default;
+};
+
 // The photographed workshop, beside the rig: while it has a plate to show, the camera stands where that was
-// taken, or is on its way from one to another.
+// taken, or is on its way from one to another. Where there is no time for a moving camera it is cut to the
+// other as soon as its picture is made, which then fades in.
 struct PhotographedRoom {
     std::shared_ptr<const Workshop> workshop;
     View view = View::kThrowing;
     Framing framing{};
     bool jumps = false;  // with the next frame it is where it is wanted
     std::map<std::string, std::shared_ptr<const render::Plate>> plates{};  // by their camera's name
-    bool sways = false;  // while nobody throws: a few degrees to either side, slowly
+    bool glides = true;       // there is time for a moving camera
+    bool moves_less = false;  // who looks on asked for less motion: cut, and nothing fades
+    bool sways = false;       // while nobody throws: a few degrees to either side, slowly
     CameraMotion motion{};
     std::string from{};  // names of the cameras it is between; the same one at rest
     std::string to{};
-    int width_px = 0;  // of the picture they were framed for
+    Framing framed_so{};              // at rest
+    std::optional<ViewPlace> next{};  // where it will be cut to
+    bool next_is_ready = false;       // the picture there is made; said once a frame
+    double fade_left_s = 0.0;         // until the view it was cut to is all that is seen
+    int width_px = 0;                 // of the picture they were framed for
     int height_px = 0;
     Settling sway_share{};  // 0 to 1
     double sway_s = 0.0;    // how long it has swayed
@@ -114,8 +130,7 @@ struct Surroundings {
 struct StillPart {
     std::shared_ptr<const render::Mesh> mesh{};
     render::Material material{};
-    std::shared_ptr<const render::Mesh> bent_mesh{};  // see render::StillLife
-    bool in_relief = false;                           // see render::StillLife
+    bool in_relief = false;  // see render::StillLife
     bool casts_shadow = true;
 };
 

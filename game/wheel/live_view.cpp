@@ -77,11 +77,13 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         if (auto waited = screen->wait(); !waited) return waited;
     }
     // And those of a moving camera: on its way from one plate, and between two.
-    scene->look_at(View::kLookingIn);
-    for (const double dt_s : {1e-3, 0.4, 0.0}) {
-        if (dt_s == 0.0) scene->look_at(View::kThrowing);  // where it began
-        auto warmed = draw({.radii_mm = lump}, dt_s, nullptr);
-        if (!warmed) return warmed.error();
+    if (render::has_time_for_moving_camera(screen->quality())) {
+        scene->look_at(View::kLookingIn);
+        for (const double dt_s : {1e-3, 0.4, 0.0}) {
+            if (dt_s == 0.0) scene->look_at(View::kThrowing);  // where it began
+            auto warmed = draw({.radii_mm = lump}, dt_s, nullptr);
+            if (!warmed) return warmed.error();
+        }
     }
     auto done = screen->wait();
     jobs::give_back_freed_memory();  // 40 MB of the driver's compiler
@@ -111,8 +113,12 @@ void LiveView::Impl::follow_shape() {
 Result<bool> LiveView::Impl::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
     if (width() == 0 || height() == 0) return false;
     follow_shape();
-    scene->sway(may_sway && render::has_time_for_moving_camera(screen->quality()));
-    return screen->draw(scene->apply(pot, width(), height(), dt_s), overlay, dt_s);
+    const bool moves = render::has_time_for_moving_camera(screen->quality());
+    scene->glide(moves);
+    scene->sway(may_sway && moves);
+    auto drawn = screen->draw(scene->apply(pot, width(), height(), dt_s), overlay, dt_s);
+    if (drawn && *drawn && screen->stats().next_view_ready) scene->next_view_is_ready();
+    return drawn;
 }
 
 LiveView::LiveView(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -180,6 +186,9 @@ void LiveView::set_framing(const Framing& framing) {
 }
 void LiveView::jump() {
     impl_->scene->jump();
+}
+void LiveView::move_less(bool less) {
+    impl_->scene->move_less(less);
 }
 void LiveView::sway(bool sways) {
     impl_->may_sway = sways;

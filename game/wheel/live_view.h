@@ -64,11 +64,13 @@ class LiveView {
     Result<bool> draw(const PotView& pot, double dt_s = 1.0 / 60.0, const render::Overlay* overlay = nullptr);
 
     // The camera goes to another view; it sways slowly while nobody throws; day becomes evening, 0 to 1. Each
-    // takes about a second, and needs the photographed room; without it only the evening is seen. It sways
-    // only where it is drawn as smoothly as it stands still: not on a processor.
+    // takes about a second, and needs the photographed room; without it only the evening is seen. On a
+    // processor, which has no time for a moving camera, it sways nowhere, and is cut to another view some
+    // frames later, which fades in within a quarter of a second.
     void look_at(View view);
     void set_framing(const Framing& framing);
     void sway(bool sways);
+    void move_less(bool less);  // for who asked for it: it is cut, and nothing fades
     void set_evening(double evening);
     // The next frame shows the camera where it is wanted: for while something else covers the scene.
     void jump();

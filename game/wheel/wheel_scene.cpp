@@ -85,6 +85,18 @@ void WheelScene::set_framing(const Framing& framing) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.framing = framing; });
 }
 
+void WheelScene::glide(bool glides) {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.glides = glides; });
+}
+
+void WheelScene::next_view_is_ready() {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.next_is_ready = true; });
+}
+
+void WheelScene::move_less(bool less) {
+    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.moves_less = less; });
+}
+
 void WheelScene::jump() {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.jumps = true; });
 }

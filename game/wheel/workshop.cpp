@@ -11,8 +11,6 @@ namespace onggi::wheel {
 namespace {
 
 constexpr int kSectors = 160;
-// So few that the rim of the splash pan is a fifth of a millimetre off its circle between two of them.
-constexpr int kBentSectors = 72;
 
 // The wheel head: a thick disc of cast metal, turned flat, a bright edge. Its top is y = 0.
 render::Profile wheel_head() {
@@ -177,10 +175,8 @@ void stand_in(ecs::Registry& registry, const Workshop& workshop) {
         registry.add(part, Transform{});
         registry.add(
             part,
-            StillPart{
-                .mesh = std::make_shared<const render::Mesh>(render::turned_mesh(profile, kSectors)),
-                .bent_mesh = std::make_shared<const render::Mesh>(render::turned_mesh(profile, kBentSectors)),
-                .casts_shadow = kShadowIsInThePlate});
+            StillPart{.mesh = std::make_shared<const render::Mesh>(render::turned_mesh(profile, kSectors)),
+                      .casts_shadow = kShadowIsInThePlate});
     }
     const ecs::Entity deck = registry.create();
     registry.add(deck, Transform{});

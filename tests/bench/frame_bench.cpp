@@ -2,7 +2,7 @@
 // but showing it. Pin it to one core to see what the kiosk has:
 // LP_NUM_THREADS=0 taskset -c 0 onggi_bench --benchmark_filter=frame
 //   frame/WxH, frame/WxH/rough      at rest; rough: 150 grooves, of a pixel each at 1280x720
-//   frame/1280x720/sway, /glide, /evening     while the camera sways, goes to another view, the light changes
+//   frame/1280x720/view_change, /evening     while another view is made and fades in, while the light changes
 //   frame_by/...                    against what is in the picture, and how fine it is
 //   frame_parts/1280x720            its parts, by the device's clock and by the host's
 #include <benchmark/benchmark.h>
@@ -69,19 +69,14 @@ void add(const std::string& name, const FrameCaseDesc& desc, const Motion& motio
         ->Unit(benchmark::kMillisecond);
 }
 
-Motion swaying() {
-    return {.before = [](FrameCase& drawn, std::int64_t) { drawn.scene().sway(true); },
-            .counts = [](const FrameCase& drawn) { return drawn.camera_moves(); }};
-}
-
-// There and back, two seconds each.
-Motion gliding() {
+// There and back, every frame of the change from the first in which the other view is made.
+Motion changing_view() {
     return {.before =
                 [](FrameCase& drawn, std::int64_t number) {
-                    drawn.scene().look_at(number / 120 % 2 == 0 ? wheel::View::kLookingIn
-                                                                : wheel::View::kThrowing);
+                    drawn.scene().look_at(number / 60 % 2 == 0 ? wheel::View::kLookingIn
+                                                               : wheel::View::kThrowing);
                 },
-            .counts = [](const FrameCase& drawn) { return drawn.camera_moves(); }};
+            .counts = [](const FrameCase& drawn) { return drawn.view_changes(); }};
 }
 
 Motion dimming() {
@@ -121,10 +116,10 @@ const bool added = [] {
     constexpr int kGrooves = 150;
     add("frame/1280x720", {});
     add("frame/1280x720/rough", {.grooves = kGrooves});
-    add("frame/1280x720/sway", {}, swaying());
-    add("frame/1280x720/glide", {}, gliding());
+    add("frame/1280x720/view_change", {}, changing_view());
     add("frame/1280x720/evening", {}, dimming());
     add("frame/1920x1080", {.width = 1920, .height = 1080});
+    add("frame/1920x1080/view_change", {.width = 1920, .height = 1080}, changing_view());
     add("frame/1920x1080/rough", {.width = 1920, .height = 1080, .grooves = kGrooves});
     add("frame_by/no_hands", {.with_hands = false});
     add("frame_by/no_text", {.with_text = false});

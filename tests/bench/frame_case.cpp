@@ -17,6 +17,7 @@ constexpr double kHeightMm = 200.0;
 constexpr double kFloorMm = 10.0;
 constexpr double kWallMm = 5.0;
 constexpr double kFrameS = 1.0 / 60.0;
+constexpr render::QualityStep kStep = render::QualityStep::kOneCore;
 
 double processor_now_s() {
     timespec now{};
@@ -59,8 +60,7 @@ Result<void> FrameCase::create() {
         *device_, {static_cast<std::uint32_t>(desc_.width), static_cast<std::uint32_t>(desc_.height)});
     if (!target) return target.error();
     target_ = std::move(*target);
-    render::RendererDesc desc =
-        render::quality_desc(render::QualityStep::kOneCore, vk::Offscreen::kFormat, desc_.height);
+    render::RendererDesc desc = render::quality_desc(kStep, vk::Offscreen::kFormat, desc_.height);
     desc.measures_parts = desc_.measures_parts;
     desc.host_clock = jobs::ThreadClock::now_ns;
     desc.sectors = desc_.sectors.value_or(desc.sectors);
@@ -70,6 +70,7 @@ Result<void> FrameCase::create() {
     renderer_ = std::move(*renderer);
     opened_ = wheel::open_scene({}, desc_.width, desc_.height);
     if (!opened_.lack.empty()) return system_lacks(opened_.lack);
+    opened_.scene->glide(render::has_time_for_moving_camera(kStep));
 
     for (std::size_t i = 0; i < kRings; ++i) {
         top_mm_.push_back(static_cast<float>((static_cast<double>(i) + 1.0) * kHeightMm / kRings));
@@ -145,7 +146,7 @@ Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     const double processor_s = processor_now_s();
     const auto start = std::chrono::steady_clock::now();
     const render::Scene& scene = opened_.scene->apply(shown, desc_.width, desc_.height, kFrameS);
-    camera_moves_ = scene.glide.has_value();
+    view_changes_ = scene.next_view || scene.fade_in;
     light_changes_ = scene.levels.key != key_level_;
     key_level_ = scene.levels.key;
     const render::Overlay line{
@@ -156,6 +157,7 @@ Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     if (!*drawn) return failed("frame: expected one to be drawn, found none");
     if (auto waited = target_->wait(); !waited) return waited.error();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    if (renderer_->stats().next_view_ready) opened_.scene->next_view_is_ready();
     uploads_.clear();
     return FrameTime{.wall_s = wall.count(), .processor_s = processor_now_s() - processor_s};
 }

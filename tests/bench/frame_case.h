@@ -47,7 +47,7 @@ class FrameCase {
 
     [[nodiscard]] wheel::WheelScene& scene() { return *opened_.scene; }
     [[nodiscard]] const render::FrameStats& stats() const { return renderer_->stats(); }
-    [[nodiscard]] bool camera_moves() const { return camera_moves_; }
+    [[nodiscard]] bool view_changes() const { return view_changes_; }
     [[nodiscard]] bool light_changes() const { return light_changes_; }
     [[nodiscard]] const std::string& device_name() const { return device_->description().name; }
     [[nodiscard]] Result<asset::Image> read_back();
@@ -74,7 +74,7 @@ class FrameCase {
     std::vector<float> film_;
     std::vector<float> liquidity_;
     std::int64_t number_ = 0;
-    bool camera_moves_ = false;
+    bool view_changes_ = false;
     bool light_changes_ = false;
     float key_level_ = 1.0F;
 };

@@ -50,7 +50,7 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
           "down, faster by the right one, slower by the left\n",
           "good     device  /dev/hidraw7 054c:0ce6 Sony DualSense Wireless Controller: DualSense; moves the "
           "tool by stick, touch pad or tilt; "
-          "its right trigger presses into the clay and pushes back\n",
+          "its right trigger presses into the work and pushes back\n",
           "good     device  /dev/hidraw8 1209:ffb0 Testing FFB stick: force-feedback joystick; moves the "
           "tool in "
           "radius and height and pushes back in both\n",

@@ -5,18 +5,19 @@
 #include <string_view>
 
 #include "engine/haptics/gesture.h"
+#include "game/haptic/tools.h"
 #include "tests/fuzz/fuzz_expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace onggi;  // NOLINT: the one function here
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const auto gesture = haptics::parse_gesture(text, "fuzz");
+    const auto gesture = haptics::parse_gesture(text, "fuzz", haptic::kGestureWords);
     if (!gesture) {
         fuzz::expect(gesture.error().kind == ErrorKind::kBadInput);
         fuzz::expect(gesture.error().message.find('\n') == std::string::npos);
         return 0;
     }
-    fuzz::expect(static_cast<bool>(haptics::check_gesture_start(text, "fuzz")));
+    fuzz::expect(static_cast<bool>(haptics::check_gesture_start(text, "fuzz", haptic::kGestureWords)));
     const auto rows = gesture->rows();
     fuzz::expect(!rows.empty() && rows[0].t_s == 0.0);
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "game/haptic/start_state.h"
+#include "game/haptic/tools.h"
 #include "tests/fuzz/fuzz_expect.h"
 
 namespace {
@@ -52,8 +53,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         tool.water = 0.5;
         tool.guided = tick >= 8;
         tool.pressing = tick % 6 != 5;
-        tool.wire = tick == 15 ? haptics::WireCommand::kCutRim : haptics::WireCommand::kNone;
-        tool.wire_height_mm = 10.0;
+        tool.command = tick == 15 ? haptic::kCutRim : haptics::WorkCommand::kNone;
+        tool.command_height_mm = 10.0;
         const auto result = haptic::tick(start->state, tool, start->parameters);
         const dvec3 force_n = result.forces.total_n();
         fuzz::expect(std::isfinite(force_n.x) && std::isfinite(force_n.y) && std::isfinite(force_n.z));

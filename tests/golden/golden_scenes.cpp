@@ -94,6 +94,13 @@ std::uint64_t GoldenScene::hash() const {
     return hash.value();
 }
 
+GoldenScene scene_named(std::string_view name) {
+    for (GoldenScene& scene : golden_scenes()) {
+        if (scene.name == name) return std::move(scene);
+    }
+    return {};
+}
+
 std::string test_name(const GoldenScene& scene) {
     std::string name = scene.name;
     std::replace(name.begin(), name.end(), '-', '_');

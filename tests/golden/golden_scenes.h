@@ -5,6 +5,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "game/wheel/pot_view.h"
@@ -42,6 +43,8 @@ struct GoldenScene {
 };
 
 [[nodiscard]] std::vector<GoldenScene> golden_scenes();
+// One of them; without a name if there is none.
+[[nodiscard]] GoldenScene scene_named(std::string_view name);
 // As GoogleTest wants it: letters, digits and underscores.
 [[nodiscard]] std::string test_name(const GoldenScene& scene);
 

@@ -26,9 +26,7 @@ class HeldPicture : public DrawingTest {
         DrawingTest::SetUp();
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
-        for (const GoldenScene& scene : golden_scenes()) {
-            if (scene.name == "pulling") pulling_ = scene;
-        }
+        pulling_ = scene_named("pulling");
         ASSERT_FALSE(pulling_.name.empty());
     }
     [[nodiscard]] std::unique_ptr<render::Renderer> renderer() const {
@@ -243,32 +241,22 @@ TEST_F(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
     EXPECT_LE(furthest(shown->read_back().value(), scene), kMaskStep) << "as it was under the screen";
 }
 
-// Nothing is shaded by the processor then: while the camera moves, and in a renderer's first frames.
-TEST_F(HeldPicture, RestsWhereTheWholeSceneIsDrawn) {
+TEST_F(HeldPicture, RestsInARenderersFirstFrames) {
     const ui::DrawList list = sample_list(0.6F);
     const ui::DrawList nothing;
-    for (const bool glides : {false, true}) {
-        auto drawn = renderer();
-        auto shown = target();
-        const auto show = [&](const ui::DrawList& of, double lift_mm, bool rests) {
-            GoldenScene pot = pulling_;
-            pot.tool_position_mm.y += lift_mm;
-            render::Scene scene = scene_of(pot);
-            if (glides) scene.glide = render::Glide{.towards = scene.plate, .share = 0.0F};
-            const render::Overlay overlay{.list = &of, .atlas_side_px = kAtlasSidePx, .scene_rests = rests};
-            const auto made = drawn->draw(scene, *shown, &overlay);
-            ASSERT_TRUE(made && *made);
-            ASSERT_TRUE(shown->wait());
-        };
-        show(nothing, 0.0, true);
-        const auto wanted = shown->read_back().value();
-        show(list, 20.0, true);
-        EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "the overlay is seen";
-        show(nothing, 40.0, true);
-        EXPECT_EQ(furthest(shown->read_back().value(), wanted), 0);
-        show(nothing, 40.0, false);
-        EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "it moves on";
-    }
+    auto drawn = renderer();
+    auto shown = target();
+    const auto show = [&](const ui::DrawList& of, double lift_mm, bool rests) {
+        draw(*drawn, *shown, lift_mm, {.list = &of, .atlas_side_px = kAtlasSidePx, .scene_rests = rests});
+    };
+    show(nothing, 0.0, true);
+    const auto wanted = shown->read_back().value();
+    show(list, 20.0, true);
+    EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "the overlay is seen";
+    show(nothing, 40.0, true);
+    EXPECT_EQ(furthest(shown->read_back().value(), wanted), 0);
+    show(nothing, 40.0, false);
+    EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "it moves on";
 }
 
 // Whatever has changed while nobody saw it is drawn by then.

@@ -1,5 +1,5 @@
 // Photographs that come and go while the camera is on its way: a window that changes its shape drops those of
-// the other shape, and nothing of them may stay behind on the device.
+// the other shape, and nothing of them may stay behind where they are drawn from.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -39,10 +39,13 @@ class Plates : public DrawingTest {
   protected:
     void SetUp() override {
         DrawingTest::SetUp();
-        renderer_ =
-            render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, kHeight))
-                .value();
+        make_renderer(true);
         target_ = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
+    }
+    void make_renderer(bool cached) {
+        render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
+        desc.cached = cached;
+        renderer_ = render::Renderer::create(*device_, desc).value();
     }
     // The level in the picture's middle of a camera that stands at one plate, or is on its way to another.
     int drawn(const std::shared_ptr<const render::Plate>& plate,
@@ -72,6 +75,7 @@ class Plates : public DrawingTest {
 };
 
 TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
+    make_renderer(false);
     const auto here = grey_plate(60);
     const auto there = grey_plate(200);
     const int first = drawn(here, there);
@@ -85,6 +89,14 @@ TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
     EXPECT_GT(meanwhile, before + 30);
     EXPECT_LT(meanwhile, first - 30);
     EXPECT_EQ(drawn(here, there), first);
+}
+
+// One frame may come before the camera is told to stand.
+TEST_F(Plates, AreShownAsTheyAreToACameraOnItsWayWhereTheProcessorLaysThem) {
+    const auto here = grey_plate(60);
+    const int alone = drawn(here, nullptr);
+    EXPECT_EQ(drawn(here, grey_plate(200)), alone);
+    EXPECT_FALSE(here->photographs->are_here()) << "they lie where they are laid from";
 }
 
 // What the processor shaded in a large picture is no part of a small one that looks past the shadow.

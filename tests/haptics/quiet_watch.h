@@ -11,7 +11,7 @@ namespace onggi::test {
 // What a piece of code did.
 struct Disturbances {
     long system_calls = 0;
-    long clock_reads = 0;  // through the time stamp counter; x86 only, elsewhere 0
+    long clock_reads = 0;  // through the C library, or the time stamp counter where the kernel can close it
     long allocations = 0;  // and releases
     long locks = 0;
     long exceptions = 0;

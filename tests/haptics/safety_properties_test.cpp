@@ -255,7 +255,7 @@ TEST(SafetyProperty10, AClayThatIsTooStiffForTheDeviceIsRefusedBeforeItIsOpened)
         const Result<void> started = job.start();
         const std::pair<bool, int> outcome{static_cast<bool>(started), opened->opened};
         EXPECT_TRUE(started ||
-                    started.error().message.find("the stiffest that is stable") != std::string::npos);
+                    started.error().message.find("the largest that is stable") != std::string::npos);
         job.stop();
         return outcome;
     };

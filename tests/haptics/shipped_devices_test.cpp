@@ -116,9 +116,10 @@ TEST(Inverse3, GetsThePapersClayWhereItIsStableAndElseALineWithTheNumber) {
         inverse3(), haptics::loop_of(inverse3(), 1000.0), paper.paper.stiffness_standing_n_per_mm);
     EXPECT_EQ(
         standing.error().message,
-        fmt::format("Haply Inverse3: expected a clay of at most {:.3g} N/mm, the stiffest that is stable on "
-                    "it at 1000 Hz, found 0.5",
-                    most));
+        fmt::format(
+            "Haply Inverse3: expected a stiffness of at most {:.3g} N/mm, the largest that is stable on "
+            "it at 1000 Hz, found 0.5",
+            most));
 
     paper.paper.stiffness_standing_n_per_mm = 0.2;
     const Result<void> soft = fit_to_device(paper, inverse3(), true);
@@ -128,7 +129,7 @@ TEST(Inverse3, GetsThePapersClayWhereItIsStableAndElseALineWithTheNumber) {
     paper.paper.viscosity_c2_n_s_per_mm = 0.02;
     const Result<void> sticky = fit_to_device(paper, inverse3(), true);
     ASSERT_FALSE(sticky);
-    EXPECT_NE(sticky.error().message.find("the most viscous that is stable on it at 1000 Hz, found 0.02"),
+    EXPECT_NE(sticky.error().message.find("the largest that is stable on it at 1000 Hz, found 0.02"),
               std::string::npos)
         << sticky.error().message;
 }

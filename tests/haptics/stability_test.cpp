@@ -190,28 +190,29 @@ TEST(StabilityBench, RunsAtEveryRateUpToTenKilohertzWithinTheForceLimit) {
 
 TEST(RejectsClay, ThatIsStifferThanItsDeviceCanShowStably) {
     DeviceCapabilities slippery = test::stylus("slippery", 0.1, 0.0);
-    const auto refused = check_clay_on_device(slippery, 500.0, 0.65, 0.002);
+    const auto refused = check_work_on_device(slippery, 500.0, 0.65, 0.002);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
     // The number is the bench's.
     const double most = largest_stable_stiffness_n_per_mm(slippery, setting_of(Between::kChain, 500.0), 0.65);
     EXPECT_EQ(
         refused.error().message,
-        fmt::format("slippery: expected a clay of at most {:.3g} N/mm, the stiffest that is stable on it at "
-                    "500 Hz, found 0.65",
-                    most));
-    EXPECT_TRUE(check_clay_on_device(slippery, 4000.0, 0.5, 0.002));
+        fmt::format(
+            "slippery: expected a stiffness of at most {:.3g} N/mm, the largest that is stable on it at "
+            "500 Hz, found 0.65",
+            most));
+    EXPECT_TRUE(check_work_on_device(slippery, 4000.0, 0.5, 0.002));
     // A device that speaks at 250 Hz closes the loop at 250 Hz, however fast the tick.
     slippery.report_rate_hz = 250.0;
-    EXPECT_FALSE(check_clay_on_device(slippery, 4000.0, 0.5, 0.002));
+    EXPECT_FALSE(check_work_on_device(slippery, 4000.0, 0.5, 0.002));
 }
 
 TEST(RejectsClay, OnADeviceThatDoesNotSayItsWeightAsOnTheHardestOfTheBench) {
     DeviceCapabilities light = test::stylus("it", 0.1, 0.0);
-    const auto known = check_clay_on_device(light, 500.0, 0.65, 0.002);
+    const auto known = check_work_on_device(light, 500.0, 0.65, 0.002);
     light.moving_mass_kg = light.damping_n_s_per_mm = 0.0;
     light.coulomb_friction_n = 1.0;  // without the mass it says nothing
-    const auto unknown = check_clay_on_device(light, 500.0, 0.65, 0.002);
+    const auto unknown = check_work_on_device(light, 500.0, 0.65, 0.002);
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().message, known.error().message);
     EXPECT_EQ(stiffest_for(light, 500.0, 0.05), 0.05);
@@ -239,24 +240,25 @@ TEST(LoopOfADevice, IsAsSlowAndAsLateAsItsBus) {
 }
 
 TEST(RejectsClay, BeyondWhatTheMakerAllows) {
-    const auto refused = check_clay_on_device(omni_like(), 4000.0, 0.71, 0.002);
+    const auto refused = check_work_on_device(omni_like(), 4000.0, 0.71, 0.002);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,
-              "Omni-like: expected a clay of at most 0.7 N/mm, its maker's limit, found 0.71");
+              "Omni-like: expected a stiffness of at most 0.7 N/mm, its maker's limit, found 0.71");
 }
 
 TEST(RejectsClay, ThatIsTooViscous) {
-    const auto refused = check_clay_on_device(test::stylus("slippery", 0.1, 0.0), 1000.0, 0.1, 0.05);
+    const auto refused = check_work_on_device(test::stylus("slippery", 0.1, 0.0), 1000.0, 0.1, 0.05);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("the most viscous that is stable on it at 1000 Hz, found 0.05"),
-              std::string::npos)
-        << refused.error().message;
+    const std::string& line = refused.error().message;
+    EXPECT_NE(line.find("expected a viscosity of at most "), std::string::npos) << line;
+    EXPECT_NE(line.find("the largest that is stable on it at 1000 Hz, found 0.05"), std::string::npos)
+        << line;
 }
 
 TEST(AcceptsClay, OfThePaperOnADeviceLikeThePapersAndAnyOnOneThatCannotPushBack) {
     for (const double rate_hz : {1000.0, 4000.0, 10000.0})
-        EXPECT_TRUE(check_clay_on_device(omni_like(), rate_hz, 0.5, 0.002)) << rate_hz;
-    EXPECT_TRUE(check_clay_on_device({.name = "script"}, 1000.0, 100.0, 1.0));
+        EXPECT_TRUE(check_work_on_device(omni_like(), rate_hz, 0.5, 0.002)) << rate_hz;
+    EXPECT_TRUE(check_work_on_device({.name = "script"}, 1000.0, 100.0, 1.0));
 }
 
 }  // namespace

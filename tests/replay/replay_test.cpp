@@ -75,7 +75,7 @@ TEST(StoredSession, IsRecordedAgainToTheByte) {
 TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     LoadedSession session = loaded(stored("two-hands-250hz.onggi"));
     haptic::Start& start = session.start;
-    EXPECT_EQ(session.session.header().clay_model, record::ClayModel::kStudio);
+    EXPECT_EQ(session.session.header().tool_detail, record::ToolDetail::kWhole);
     record::SessionCursor hands(session.session);
     bool second_touched = false;
     double wettest = 0.0;
@@ -92,7 +92,7 @@ TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     EXPECT_GT(clay.ledger().slip_mm3, 0.0);
     EXPECT_TRUE(clay.is_cut_off());
     EXPECT_EQ(clay.ledger_error_mm3(), 0.0);
-    EXPECT_EQ(fmt::format("{:016x}", start.state.hash()), "cbb2e37bde45e412");
+    EXPECT_EQ(fmt::format("{:016x}", start.state.hash()), "5a5f1a1514b98150");
 }
 
 // A finger that lands and lifts: what is recorded says when it was in the clay, wherever it stood.

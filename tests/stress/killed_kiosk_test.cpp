@@ -18,6 +18,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/stress/keeping_stage.h"
 #include "tests/stress/whole.h"
+#include "tests/visitors/judge.h"
 
 namespace onggi {
 namespace {
@@ -78,7 +79,7 @@ class Life {
         return condition();
     }
     [[nodiscard]] bool is_on(const std::string& screen) {
-        return !said_by("xdotool search --name '^Onggi - " + screen + "( .[0-9]+.)?$'").empty();
+        return !said_by("xdotool search --name '^Onggi - " + screen + "( - [0-3] of 3, .*)?$'").empty();
     }
     bool comes_to(const std::string& screen) {
         return until([&] { return is_on(screen); });
@@ -110,12 +111,15 @@ class Life {
         click(place->second.first, place->second.second);
     }
     // Presses the clay in from the right, low down, and stays there.
-    void press_in() {
-        std::string way = fmt::format("xdotool mousemove {} {} sleep 0.1 mousedown 1", kWidth * 59 / 100,
-                                      kHeight * 54 / 100);
-        for (int x = kWidth * 59 / 100; x >= kWidth * 55 / 100; x -= 2)
-            way += fmt::format(" mousemove {} {} sleep 0.05", x, kHeight * 54 / 100);
-        said_by(way);
+    void press_in() { lay_finger({{66.0, 15.0}, {54.0, 15.0}}); }
+    // Opens the clay and draws its wall up, each again until it is so; false: it is not.
+    bool throw_a_pot() {
+        constexpr int kTries = 10;
+        for (int tries = 0; tries < kTries && !has_done(2); ++tries)
+            stroke({{0.0, 52.0}, {0.0, 15.0}});
+        for (int tries = 0; tries < kTries && !has_done(3); ++tries)
+            stroke({{58.0, 15.0}, {55.0, 110.0}});
+        return has_done(3);
     }
     void kill() {
         onggi_.signal(SIGKILL);
@@ -124,6 +128,39 @@ class Life {
     }
 
   private:
+    // Steps of the lesson, as the title has them; a moment after the hand has gone.
+    bool has_done(int steps) {
+        pause_s(0.3);
+        return !said_by(fmt::format("xdotool search --name '^Onggi - throw - [{}-3] of 3'", steps)).empty();
+    }
+    // From the first place to the last and on staying there; radius and height in mm, as the camera shows
+    // them.
+    static void lay_finger(const std::vector<dvec2>& way_mm) {
+        std::string asked;
+        for (const dvec2& place_mm : way_mm)
+            asked += fmt::format("{} {}\\n", place_mm.x, place_mm.y);
+        std::istringstream lines(
+            said_by(fmt::format("printf '{}' | {} {} {}", asked, ONGGI_CLAY_PLACES, kWidth, kHeight)));
+        std::vector<dvec2> way_px;
+        dvec2 px(0.0);
+        while (lines >> px.x >> px.y)
+            way_px.push_back(px);
+        ASSERT_EQ(way_px.size(), way_mm.size());
+        std::string moves = fmt::format("xdotool mousemove {:.0f} {:.0f} sleep 0.1 mousedown 1",
+                                        way_px.front().x, way_px.front().y);
+        constexpr int kSteps = 30;
+        for (int step = 1; step <= kSteps; ++step) {
+            const dvec2 at = glm::mix(way_px.front(), way_px.back(), static_cast<double>(step) / kSteps);
+            moves += fmt::format(" mousemove {:.0f} {:.0f} sleep 0.05", at.x, at.y);
+        }
+        said_by(moves);
+    }
+    static void stroke(const std::vector<dvec2>& way_mm) {
+        lay_finger(way_mm);
+        pause_s(0.4);
+        said_by("xdotool mouseup 1");
+    }
+
     RunningOnggi onggi_;
 };
 
@@ -183,11 +220,17 @@ class RealKiosk : public testing::Test {
         }
         ASSERT_TRUE(life.comes_to("throw"));
         pause_s(0.4);
+        if (moment == Moment::kSaving) {
+            ASSERT_TRUE(life.throw_a_pot()) << life.program().printed();
+            return go_on_to_save(life);
+        }
         life.press_in();
         if (moment == Moment::kThrowing) return pause_s(any(0.0, 1.5));
         if (moment == Moment::kThrewOn) return pause_s(any(kThrewOnS, kThrewOnS + 1.0));
         said_by("xdotool mouseup 1");
-        if (moment == Moment::kAnything) return pause_s(any(0.0, 1.0));
+        pause_s(any(0.0, 1.0));
+    }
+    void go_on_to_save(Life& life) {
         life.press("throw-0 done");
         ASSERT_TRUE(life.comes_to("firing"));
         pause_s(0.4);
@@ -213,6 +256,11 @@ class RealKiosk : public testing::Test {
             life.until([&] { return stage() > wanted || stress::is_writing_a_pot(process); }, kLookS);
         pause_s(any(0.0, while_written ? kWriteS : kFileS));
         saving.with_a_nameless_file += stress::is_writing_a_pot(process) ? 1 : 0;
+    }
+    static void expect_pot(const std::string& folder_of_pot) {
+        const auto verdict = visitors::judge_session(folder_of_pot + "/pot.onggi");
+        ASSERT_TRUE(verdict) << verdict.error().message;
+        EXPECT_TRUE(verdict->is_pot) << verdict->why_not << ": " << visitors::words_for(*verdict);
     }
     [[nodiscard]] std::filesystem::path gallery() const { return folder / "gallery"; }
 
@@ -243,9 +291,11 @@ TEST_F(RealKiosk, KilledAtAnyMomentLeavesPotsWholeAndOffersTheVisitAgain) {
         life.kill();
         const stress::Stage stage = stress::stage_of(gallery(), pots.size());
         if (moment == Moment::kSaving) ++saving.at[stage];
-        const std::size_t kept_before = pots.size();
+        const std::set<std::string> kept_before = pots;
         stress::expect_whole_pots(gallery(), pots);
-        EXPECT_EQ(pots.size(), kept_before + (stage == stress::Stage::kKept ? 1 : 0));
+        for (const std::string& pot : pots)
+            if (!kept_before.contains(pot)) expect_pot(pot);
+        EXPECT_EQ(pots.size(), kept_before.size() + (stage == stress::Stage::kKept ? 1 : 0));
         left = stress::expect_whole_visit(gallery(), folder / "copy", start, parameters);
         if (moment == Moment::kThrewOn) {
             EXPECT_TRUE(left.is_any) << "what was thrown for so long is lost";

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <random>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "game/app/demonstrations.h"
 #include "game/app/kiosk_sound.h"
@@ -158,21 +160,56 @@ class UnseenKiosk {
         return true;
     }
     // A hand that presses the wall in, with the pointer.
-    void throw_a_little(std::mt19937& chance) {
-        const double y_px = kHeight * (0.5 + 0.001 * static_cast<double>(chance() % 150));
-        point(0.60 * kWidth, y_px);
-        frame();
-        hold(true);
-        for (int step = 0; step < 25; ++step) {
-            point((0.60 - 0.0016 * step) * kWidth, y_px);
-            frame();
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    void touch_clay(std::mt19937& chance) {
+        const double y_mm = 10.0 + static_cast<double>(chance() % 25);
+        stroke({{66.0, y_mm}, {56.0, y_mm}}, 0.3, chance);
+    }
+    // Opens the clay in the middle and draws its wall up, as a visitor in a hurry does: each touch again
+    // until the clay has come on. False: it did not.
+    bool throw_a_pot(std::mt19937& chance) {
+        constexpr int kTries = 10;
+        constexpr double kDeepMm = 25.0;
+        constexpr double kHighMm = 72.0;
+        const auto top_mm = [&] { return snapshot().shape->height_mm; };
+        const auto is_open = [&] {
+            return snapshot().shape->is_hollow && top_mm() - snapshot().shape->floor_mm > kDeepMm;
+        };
+        for (int tries = 0; tries < kTries && !is_open(); ++tries)
+            stroke({{0.0, top_mm() + 1.0}, {0.0, top_mm() - 38.0}}, 1.3, chance);
+        for (int tries = 0; tries < kTries && top_mm() < kHighMm; ++tries)
+            stroke({{58.0, 0.25 * top_mm()}, {56.0, top_mm()}, {55.0, top_mm() + 28.0}}, 1.2, chance);
+        return is_open() && top_mm() >= kHighMm;
+    }
+
+  private:
+    // A finger along those places of the upright plane through the axis, mm, missed by some; in real time, as
+    // the clay goes.
+    void stroke(const std::vector<dvec2>& way_mm, double seconds, std::mt19937& chance) {
+        constexpr double kAimMm = 2.0;
+        constexpr double kStaysS = 0.25;  // so that the hands come after
+        std::normal_distribution<double> aim(0.0, kAimMm);
+        const dvec2 miss_mm(aim(chance), aim(chance));
+        const double legs = static_cast<double>(way_mm.size() - 1);
+        const auto begun = std::chrono::steady_clock::now();
+        double since_s = 0.0;
+        for (bool is_down = false; since_s < seconds + kStaysS; is_down = true) {
+            const double along = legs * std::min(since_s / seconds, 1.0);
+            const auto leg = std::min(static_cast<std::size_t>(along), way_mm.size() - 2);
+            const dvec2 place_mm =
+                glm::mix(way_mm[leg], way_mm[leg + 1], along - static_cast<double>(leg)) + miss_mm;
+            const auto px = seen({place_mm.x, place_mm.y, 0.0});
+            ASSERT_TRUE(px);
+            point(px->x, px->y);
+            if (!is_down) hold(true);
+            std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            const std::chrono::duration<double> now = std::chrono::steady_clock::now() - begun;
+            frame(now.count() - since_s);
+            since_s = now.count();
         }
         hold(false);
         frame();
     }
 
-  private:
     KioskSettings settings_;
     std::unique_ptr<wheel::LiveView> view_;
     haptic::HapticState start_;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <linux/capability.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <sched.h>
 #include <signal.h>  // NOLINT: sigaction is POSIX
 #include <sys/mount.h>
@@ -12,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -107,6 +110,40 @@ inline void limit_file_size(std::size_t bytes) {
 // In a child: a disk of `bytes` at `folder`, or, where nobody may mount one, files of at most so many bytes.
 inline void fill_disk_after(const std::string& folder, std::size_t bytes) {
     if (!mount_small_disk(folder, bytes)) limit_file_size(bytes);
+}
+
+// In a child: from now on a folder is read a few names at a time, and the disk fails after `pieces` such
+// pieces, those of all folders together. The kernel hands each getdents64 to this program, which asks again
+// for less (an odd size, which is let through) or answers EIO. False where the kernel does not do that.
+inline int pieces_before_the_disk_fails = 0;  // NOLINT: a signal handler knows nothing else
+
+inline bool fail_listings_after(int pieces) {
+    pieces_before_the_disk_fails = pieces;
+    struct sigaction answer {};
+    answer.sa_flags = SA_SIGINFO;
+    answer.sa_sigaction = [](int, siginfo_t*, void* context) {
+        greg_t* const registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
+        constexpr long kFewBytes = 255;
+        long read = -EIO;
+        if (pieces_before_the_disk_fails-- > 0) {
+            read = ::syscall(SYS_getdents64, registers[REG_RDI], registers[REG_RSI], kFewBytes);
+            if (read < 0) read = -errno;
+        }
+        registers[REG_RAX] = read;
+    };
+    ::sigaction(SIGSYS, &answer, nullptr);
+    // Fields of struct seccomp_data; the third argument's lower half says how much is read.
+    constexpr unsigned kNumberAt = 0;
+    constexpr unsigned kSizeAt = 32;
+    sock_filter steps[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kNumberAt),
+                           BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_getdents64, 0, 3),
+                           BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kSizeAt),
+                           BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, 1, 1, 0),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    const sock_fprog filter{static_cast<unsigned short>(std::size(steps)), steps};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
 }
 
 }  // namespace onggi::test

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/app/start_pot.h"
 #include "game/clay/studio/pot.h"
 
 namespace onggi::visitors {
@@ -60,6 +61,19 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
         verdict.why_not = fmt::format("leans on {:.0f} % of its height", 100.0 * verdict.steep_share);
     verdict.is_pot = verdict.why_not.empty();
     return verdict;
+}
+
+Result<Verdict> judge_session(const std::string& file) {
+    const auto pot = app::start_pot({.on = file});
+    if (!pot) return pot.error();
+    return judge(pot->value(), {});
+}
+
+std::string words_for(const Verdict& verdict) {
+    return fmt::format(
+        "{:.0f} ml, {:.0f} mm high, walls {:.1f} to {:.1f} mm, steep on {:.0f} % of its height",
+        verdict.capacity_ml, verdict.height_mm, verdict.thinnest_mm, verdict.thickest_mm,
+        100.0 * verdict.steep_share);
 }
 
 }  // namespace onggi::visitors

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "game/clay/studio/studio_clay.h"
 
 namespace onggi::visitors {
@@ -22,5 +23,11 @@ struct Verdict {
 // A pot holds 60 ml and stands 45 mm high, is nowhere thinner than 2.5 mm, and no more than a tenth of its
 // height leans more than 2 to 1.
 Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn_mm);
+
+// Of the clay that a session left at its end, which is worked out again. Bad input: what start_pot() refuses.
+Result<Verdict> judge_session(const std::string& file);
+
+// "412 ml, 96 mm high, walls 4.1 to 12.3 mm, steep on 0 % of its height": one line.
+std::string words_for(const Verdict& verdict);
 
 }  // namespace onggi::visitors

@@ -57,12 +57,18 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
         if (news.kind == Kind::kHandUp) hand_.release();
         if (news.kind == Kind::kHovered) hand_.hover(place_at(news.at_px));
     }
+    if (!outline_mm_.empty())
+        hand_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
     haptics::ToolState tool = hand_.wish(kSettings, shape_, kFrameS);
     tool.wheel_button = true;
     device_.set_target(tool);
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)
         haptic::tick(state_, device_.read(ticks_, 1.0 / kRateHz), parameters_);
     shape_ = haptic::first_shape(state_);
+}
+
+void KioskRig::show_outline(const std::vector<dvec2>& outline_mm) {
+    outline_mm_.assign(outline_mm.begin(), outline_mm.end());
 }
 
 double KioskRig::outer_mm(double y_mm) const {

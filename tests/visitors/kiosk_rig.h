@@ -8,6 +8,7 @@
 #include "engine/haptics/simulated_device.h"
 #include "game/app/kiosk_hand.h"
 #include "game/app/kiosk_pointer.h"
+#include "game/app/kiosk_pot.h"
 #include "game/haptic/tick.h"
 #include "tests/visitors/wheel_rig.h"
 
@@ -17,6 +18,8 @@ class KioskRig final : public WheelRig {
   public:
     explicit KioskRig(double mass_g);
 
+    // Radius and height from below; empty: none. The kiosk helps along it, less with each step of the lesson.
+    void show_outline(const std::vector<dvec2>& outline_mm);
     void frame(const dvec2& pointer_mm, bool pressed) override;
     [[nodiscard]] double height_mm() const override { return clay().height_mm(); }
     [[nodiscard]] double floor_mm() const override { return clay().floor_mm(); }
@@ -35,6 +38,8 @@ class KioskRig final : public WheelRig {
     haptic::HapticParameters parameters_;
     haptic::HapticState state_;
     haptic::PotShape shape_;
+    app::Lesson lesson_;
+    std::vector<vec2> outline_mm_;
     std::vector<double> released_mm_;
     bool was_pressed_ = false;
     double now_s_ = 0.0;

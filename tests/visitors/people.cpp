@@ -300,7 +300,8 @@ void hold_still(Person& person) {
 
 }  // namespace
 
-Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig) {
+Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
+                  const std::vector<dvec2>& shown_mm) {
     Person person(seed * kKindCount + static_cast<std::uint64_t>(kind), skill, rig,
                   kind == Kind::kLeftHand ? -1.0 : 1.0);
     Visit visit;
@@ -329,6 +330,9 @@ Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& r
             break;
         case Kind::kHoldsStill:
             hold_still(person);
+            break;
+        case Kind::kFollowsOutline:
+            visit.drawn_mm = draw(person, shown_mm);
             break;
     }
     visit.seconds = person.released_s();

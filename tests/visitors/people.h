@@ -13,20 +13,21 @@
 namespace onggi::visitors {
 
 enum class Kind {
-    kLesson,       // does the three steps as the screen shows them
-    kLeftHand,     // the same from the left
-    kTopFirst,     // presses on top before anything else
-    kOutsidePull,  // draws the outside up, again and again
-    kBowl,         // draws the outline of a bowl
-    kVase,         // draws the outline of a vase
-    kScribble,     // a child, for half a minute
-    kLiftsOften,   // never presses for more than half a second
-    kHoldsStill,   // presses and waits
+    kLesson,          // does the three steps as the screen shows them
+    kLeftHand,        // the same from the left
+    kTopFirst,        // presses on top before anything else
+    kOutsidePull,     // draws the outside up, again and again
+    kBowl,            // draws the outline of a bowl
+    kVase,            // draws the outline of a vase
+    kScribble,        // a child, for half a minute
+    kLiftsOften,      // never presses for more than half a second
+    kHoldsStill,      // presses and waits
+    kFollowsOutline,  // draws the outline that is shown on the clay
 };
-constexpr int kKindCount = 9;
-constexpr std::array<std::string_view, kKindCount> kKindNames{"lesson",       "left hand",   "top first",
-                                                              "outside pull", "bowl",        "vase",
-                                                              "scribble",     "lifts often", "holds still"};
+constexpr int kKindCount = 9;  // of those who come with nothing but what they see
+constexpr std::array<std::string_view, kKindCount + 1> kKindNames{
+    "lesson", "left hand", "top first",   "outside pull", "bowl",
+    "vase",   "scribble",  "lifts often", "holds still",  "follows an outline"};
 
 // How one of them aims: standard deviations in mm. 4.8 mm are ten pixels of a screen 1280 wide.
 struct Skill {
@@ -41,6 +42,8 @@ struct Visit {
 };
 
 // Throws until they are content or tired, then moves on to the button that ends it, 2.5 s of hovering.
-Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig);
+// shown_mm: the outline on the clay, radius and height from below, for who follows one.
+Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
+                  const std::vector<dvec2>& shown_mm = {});
 
 }  // namespace onggi::visitors

@@ -78,9 +78,10 @@ std::vector<Left> throw_pots(const Crowd& crowd) {
     std::vector<Left> all;
     for (int i = 0; i < crowd.count; ++i) {
         KioskRig rig(crowd.mass_g);
+        rig.show_outline(crowd.shown_mm);
         Left left;
         left.seed = crowd.first_seed + static_cast<std::uint64_t>(i);
-        left.visit = throw_a_pot(crowd.kind, left.seed, crowd.skill, rig);
+        left.visit = throw_a_pot(crowd.kind, left.seed, crowd.skill, rig, crowd.shown_mm);
         left.verdict = judge(rig.clay(), left.visit.drawn_mm);
         left.is_untouched = rig.faces_mm() == rig.released_mm();
         left.ledger_error_mm3 = rig.clay().ledger_error_mm3();
@@ -136,7 +137,8 @@ void write_sheet(const std::string& path, const std::vector<std::vector<Left>>& 
     for (const auto& row : rows)
         most = std::max(most, row.size());
     asset::Image image{.width = std::min(kCellWidthPx * static_cast<int>(most), asset::kMaxImageSide),
-                       .height = kCellHeightPx * static_cast<int>(rows.size())};
+                       .height = kCellHeightPx * static_cast<int>(rows.size()),
+                       .rgba = {}};
     image.rgba.assign(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), 0);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x)

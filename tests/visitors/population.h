@@ -15,6 +15,7 @@ struct Crowd {
     std::uint64_t first_seed = 1;
     double mass_g = 1000.0;
     Skill skill{};
+    std::vector<dvec2> shown_mm{};  // the outline that the kiosk shows and helps along; empty: none
 };
 
 // What one of them left.

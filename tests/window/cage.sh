@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The kiosk as a museum starts it: full screen in the compositor cage, through Xwayland, as a user who is not root. Without
-# a screen: wlroots' headless back end is one of 1280x720. cage.sh ONGGI TARGETS FOLDER. A visitor comes to the wheel and
+# a screen: wlroots' headless back end is one of 1280x720. cage.sh ONGGI PROGRAMS FOLDER. A visitor comes to the wheel and
 # works the clay; then the kiosk is asked to end, and the compositor ends with it. 77: there is no cage, or no Xwayland.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -13,7 +13,9 @@ if [ -z "${CAGED:-}" ]; then
     # Where any user may read, and the compositor's may write.
     folder=$(mktemp -d)
     trap 'rm -rf "$folder"' EXIT
-    cp -r "$1" "$2" "$here/../../assets" "$here" "$here/../support" "$folder"
+    cp -r "$1" "$here/../../assets" "$here" "$here/../support" "$folder"
+    mkdir "$folder/programs"
+    cp "$2/screen_targets" "$2/clay_places" "$folder/programs"
     mkdir -m 700 "$folder/run"
     as_visitor=()
     if [ "$(id -u)" -eq 0 ]; then  # cage refuses
@@ -25,7 +27,7 @@ if [ -z "${CAGED:-}" ]; then
         XDG_RUNTIME_DIR="$folder/run" ONGGI_ASSETS="$folder/assets" \
         LSAN_OPTIONS="suppressions=$folder/support/lsan.supp:print_suppressions=0" \
         WLR_BACKENDS=headless WLR_LIBINPUT_NO_DEVICES=1 WLR_RENDERER=pixman \
-        cage -- bash "$folder/window/cage.sh" "$folder/$(basename "$1")" "$folder/$(basename "$2")" "$folder/visit" \
+        cage -- bash "$folder/window/cage.sh" "$folder/$(basename "$1")" "$folder/programs" "$folder/visit" \
         >"$folder/cage.log" 2>&1 || status=$?
     rm -rf "$results"
     cp -r "$folder/visit" "$results"
@@ -42,8 +44,7 @@ begin_visit
 geometry=$(xdotool search --name '^Onggi' getwindowgeometry --shell | grep -E '^(X|Y|WIDTH|HEIGHT)=' | tr '\n' ' ')
 [ "$geometry" = "X=0 Y=0 WIDTH=$width HEIGHT=$height " ] || fail "expected the whole screen, found $geometry"
 press choose free; on_screen throw
-press_in
-sleep 0.5
+press_it
 on_screen throw
 kill -TERM "$kiosk"
 status=0

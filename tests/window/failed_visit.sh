@@ -1,39 +1,37 @@
 #!/usr/bin/env bash
-# A visitor whose pot gives way under the hand, on clay that bears no more than clay does: failed_visit.sh ONGGI TARGETS
-# FOLDER [HAND [LANGUAGE]], HAND mouse or keys, as visitor.sh says them. Back to just before, where it stands; once more;
-# then new clay, and a pot of it that is kept.
+# A visitor whose pot gives way under the hand, on clay that bears no more than clay does: failed_visit.sh ONGGI PROGRAMS
+# FOLDER spacemouse [LANGUAGE [WIDTHxHEIGHT]], as visitor.sh says them. Back to just before, where it stands; once more;
+# then new clay, and a pot of it that is kept. By a SpaceMouse, which puts a hand right into the clay: the skilled hands
+# behind a pointer know better.
 set -euo pipefail
 FORGIVING=false
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
 
 gave_way() { [[ "$(title)" = "Onggi - failure"* ]]; }
-# Presses the foot in from the right to the middle, and stays there up and down until what stands on it is twisted off.
+# The mouse beside the clay, where the SpaceMouse takes the hand over; and the hand low down, as far out as it goes.
+come_low() {
+    local x y
+    read -r x y < <(echo "140 60" | "$programs/clay_places" "$width" "$height")
+    xdotool mousemove "$x" "$y" sleep 0.3
+    hands push 400 0 150
+    hands push 0 -200 150
+    hands push 0 15 50
+}
+# Presses the foot in to the middle, and stays there up and down until what stands on it is twisted off.
 press_through() {
-    local from=$((width * 59 / 100)) to=$((width * 501 / 1000)) level=$((height * clay_level / 100))
-    local off x
-    if [ "$hand" = mouse ]; then
-        xdotool mousemove "$from" "$level" sleep 0.2 mousedown 1
-        for x in $(seq "$from" -3 "$to"); do
-            xdotool mousemove "$x" "$level" sleep 0.05
-        done
-    else
-        for _ in $(seq 13); do xdotool key Left sleep 0.2; done
-    fi
+    come_low
     for _ in $(seq 60); do
         gave_way && break
-        if [ "$hand" = mouse ]; then
-            for off in 6 12 6 0 -6 0; do
-                xdotool mousemove "$to" $((level + off * height / 720)) sleep 0.05
-            done
-        else
-            xdotool key Up sleep 0.15 key Down sleep 0.15
-        fi
+        hands push -15 0 30
+        gave_way && break
+        hands push 0 6 12
+        hands push 0 -6 12
     done
-    [ "$hand" = mouse ] && xdotool mouseup 1
     on_screen failure
+    hands push 400 0 150  # or it would give way again
 }
 # For so long it stands, or what gave way would be found out again.
-stands() {
+stands_still() {
     for _ in $(seq 30); do
         gave_way && fail "it gave way again, and nobody had touched it"
         sleep 0.1
@@ -43,13 +41,15 @@ stands() {
 
 begin_visit
 press choose free; on_screen throw
+hands hold wheel  # under a SpaceMouse it rests until that button is pressed
+hands let-go wheel
 press_through
 press failure before-collapse; on_screen throw
-stands
+stands_still
 press_through
 press failure new-clay; on_screen throw
-stands
-press_in
-sleep 0.5
+stands_still
+hand=mouse
+throw_a_pot
 on_screen throw
-keep_the_pot 51 75  # clay that is pressed through is higher
+keep_the_pot

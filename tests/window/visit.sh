@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A visitor at the window, from attract to a kept pot: visit.sh ONGGI TARGETS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as
+# A visitor at the window, from attract to a kept pot: visit.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as
 # visitor.sh says them.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
@@ -21,7 +21,13 @@ through_languages() {
 # The power goes while somebody throws, and comes back.
 through_a_failure_of_power() {
     wait_for "journal of the visit" bash -c 'grep -qs . gallery/state/visit-*'
-    sleep 1.5  # it is on the disk once a second
+    # It is on the disk once a second: what was done before the first of two more blocks is there.
+    for _ in 1 2; do
+        local bytes
+        bytes=$(cat gallery/state/visit-* | wc -c)
+        grown() { [ "$(cat gallery/state/visit-* | wc -c)" -gt "$bytes" ]; }
+        wait_for "another second of the visit" grown
+    done
     kill -9 "$kiosk"
     wait "$kiosk" 2>/dev/null || true
     open_kiosk
@@ -31,7 +37,10 @@ through_a_failure_of_power() {
     click $((width / 2)) $((height / 2))
     on_screen resume
     press resume resume-go; on_screen throw
+    has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
 }
+
+is_a_lump() { [ "$(clay_mm)" -eq 50 ]; }
 
 begin_visit
 [ "$hand" = keys ] && through_languages
@@ -44,23 +53,18 @@ keys) press choose target 1 ;;
 *) press choose free ;;
 esac
 on_screen throw
-press_in
-sleep 0.5
+press_it
 on_screen throw
-# Clay that was pressed in low down stands higher; a lump that nobody touched is 49.6 mm high, and one from which the
-# touch was taken back.
-least_mm=51
-most_mm=999
-case $hand in
-mouse)  # all of it is taken back, and nothing is pressed in again
+if [ "$hand" = mouse ]; then  # all of it is taken back
     press throw-0 undo
-    sleep 1
+    wait_for "the lump as it was" is_a_lump
     on_screen throw
-    least_mm=49
-    most_mm=50
-    ;;
-touch) through_a_failure_of_power ;;
-esac
+fi
+open_it
+on_screen throw
+[ "$hand" = touch ] && through_a_failure_of_power
+raise_it
+on_screen throw
 if [ "$hand" != switch ]; then  # whom it takes half a minute
     press $throwing look-in
     sleep 2
@@ -69,4 +73,4 @@ if [ "$hand" != switch ]; then  # whom it takes half a minute
     sleep 2
     on_screen throw
 fi
-keep_the_pot "$least_mm" "$most_mm"
+keep_the_pot

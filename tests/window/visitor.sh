@@ -1,25 +1,29 @@
 #!/usr/bin/env bash
-# A visitor at the window, with any hand, in any language. Sourced, never run, with ONGGI TARGETS FOLDER [HAND [LANGUAGE
-# [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a picture of each
-# screen there. TARGETS: the program screen_targets, which knows where the buttons are. HAND: mouse, touch, keys or switch
-# (the space bar alone). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN likewise; CAGED:
-# a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
+# A visitor at the window, with any hand, in any language. Sourced, never run, with ONGGI PROGRAMS FOLDER [HAND
+# [LANGUAGE [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a
+# picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
+# others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
+# have no buttons for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
+# likewise; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/throwing.sh"
 onggi=$1
-targets=$2
+programs=$2
 hand=${4:-mouse}
 language=${5:-en}
 size=${6:-1280x720}
 width=${size%x*}
 height=${size#*x}
-clay_level=54  # per cent of the height: low on the lump
-[ "$height" -gt "$width" ] && clay_level=60
+reach=  # low: all controls in the lower half
 rm -rf "$3"
 mkdir -p "$3"
 cd "$3"
 # lay_out LANGUAGE [low]: where the buttons are from now on.
-lay_out() { "$targets" "$1" "$width" "$height" 1 "${2:-}" >targets; }
+lay_out() {
+    reach=${2:-}
+    "$programs/screen_targets" "$1" "$width" "$height" 1 "$reach" >targets
+}
 lay_out "$language"
 
 kiosk=
@@ -35,13 +39,22 @@ full_screen = ${FULL_SCREEN:-false}
 [visit]
 forgiving = ${FORGIVING:-true}
 shows_by_itself = false
+idle_s = 180
 [gallery]
 folder = "gallery"
 least_free_mb = 1
 TOML
 open_kiosk() {
-    "$onggi" kiosk --config kiosk.toml --size "$size" --device mouse >>kiosk.log 2>&1 &
-    kiosk=$!
+    local words=("$onggi" kiosk --config kiosk.toml --size "$size")
+    if [ "$hand" = gamepad ] || [ "$hand" = spacemouse ]; then
+        mkfifo to_hands from_hands
+        umockdev-wrapper "$programs/hands_at" "$hand" "${words[@]}" <to_hands >from_hands 2>>kiosk.log &
+        kiosk=$!
+        exec 8>to_hands 9<from_hands
+    else
+        "${words[@]}" --device mouse >>kiosk.log 2>&1 &
+        kiosk=$!
+    fi
 }
 open_kiosk
 # look_at_memory SCREEN: the most that was held at any moment from the start to there, in MB of a million bytes.
@@ -52,7 +65,7 @@ look_at_memory() {
 }
 # A screen is there when the title says so; its cross-fade is over a quarter of a second later.
 on_screen() {
-    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( .[0-9]+.)?\$"
+    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm)?( .[0-9]+.)?\$"
     sleep 0.6
     [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
@@ -86,41 +99,14 @@ click() {
 press() {
     at "$@"
     case $hand in
-    mouse | touch) click "$x" "$y" ;;
-    *) take "$place" ;;
-    esac
-}
-# Presses the clay in from the right, low down. The first key brings the hand beside the clay, each one then takes it a
-# step; the single switch finds the same four steps on the screen.
-press_in() {
-    case $hand in
-    mouse | touch)
-        local from=$((width * 59 / 100)) to=$((width * 55 / 100)) level=$((height * clay_level / 100))
-        xdotool mousemove "$from" "$level" sleep 0.2 mousedown 1
-        for x in $(seq "$from" -4 "$to"); do
-            xdotool mousemove "$x" "$level" sleep 0.05
-        done
-        sleep 0.8
-        xdotool mouseup 1
-        ;;
-    keys)
-        for _ in $(seq 5); do xdotool key Left sleep 0.15; done
-        for _ in $(seq 4); do xdotool key Up sleep 0.15; done
-        ;;
-    switch)
-        at $throwing hand-left
-        take "$place"
-        for _ in $(seq 4); do  # the ring stays where it is pressed again
-            sleep 0.6
-            xdotool key space
-        done
-        ;;
+    keys | switch) take "$place" ;;
+    *) click "$x" "$y" ;;
     esac
 }
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
-    local before
+    local before after
     if [ "$hand" = keys ]; then
         for _ in $(seq 40); do
             xdotool search --name "^Onggi - .*\[$1\]\$" >/dev/null 2>&1 && break
@@ -134,10 +120,21 @@ take() {
         done
         xdotool key Return
     else
-        wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
-        xdotool key space
+        for _ in $(seq 5); do
+            wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
+            before=$(title)
+            xdotool key space
+            sleep 0.3
+            # The ring stays a while on what was taken, or there is another screen; else it was quicker than the switch.
+            after=$(title)
+            [[ "$after" = *"[$1]" || "$(screen_of "$after")" != "$(screen_of "$before")" ]] && return
+        done
+        fail "expected the ring to stay on target $1, found '$after'"
     fi
 }
+# Of a title: "Onggi - throw" of "Onggi - throw - 1 of 3, 56 mm [4]".
+screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ .[0-9]+.$//' <<<"$1"; }
+has_come_to() { [[ "$(title)" = "Onggi - $1"* ]]; }
 # To the choice of pots, with the visitor's own hand.
 begin_visit() {
     wait_for "window" xdotool search --name '^Onggi'
@@ -146,11 +143,16 @@ begin_visit() {
     mouse | touch) click $((width / 2)) $((height / 2)) ;;
     keys) xdotool key Tab ;;
     switch) xdotool key space ;;
+    *)  # a picture that comes late may not see a stick that was pushed for a moment
+        for _ in $(seq 10); do
+            hands push 20 0 20
+            so_soon has_come_to choose && break
+        done
+        ;;
     esac
     on_screen choose
 }
-# keep_the_pot LEAST_MM MOST_MM: from the wheel to the shelf, where a clay of that height is looked for; and out of the
-# kiosk.
+# From the wheel to the shelf, where what was thrown has to be a pot; and out of the kiosk.
 keep_the_pot() {
     press $throwing done
     on_screen firing; on_screen glaze
@@ -159,14 +161,12 @@ keep_the_pot() {
     press your-pot keep; on_screen keep
     pot=gallery/$(date +%F)/pot-001
     wait_for "kept pot" test -s "$pot/pot.png"
-    local file height_mm status=0
+    local file verdict status=0
     for file in pot.onggi pot.glb pot.stl pot.png; do
         [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
     done
     [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"
-    height_mm=$(grep -ao '"wet_height_mm":[0-9]*' "$pot/pot.glb" | cut -d: -f2)
-    [ "${height_mm:-0}" -ge "$1" ] && [ "$height_mm" -le "$2" ] ||
-        fail "expected clay of $1 mm or more as the hand has left it, $2 at most, found $height_mm mm"
+    verdict=$("$programs/judge_session" "$pot/pot.onggi") || fail "expected a pot, found ${verdict:-no verdict}"
     "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
     sleep 0.6
     on_screen keep
@@ -174,6 +174,6 @@ keep_the_pot() {
     xdotool key Escape
     wait "$kiosk" || status=$?
     [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"
-    printf 'kept by %s in %s: %s\n' "$hand" "$language" "$pot"
+    printf 'kept by %s in %s: %s, %s\n' "$hand" "$language" "$pot" "$verdict"
     [ -z "${MOST_RESIDENT_MB:-}" ] || printf 'resident memory: %s MB at most\n' "$most_seen_mb"
 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Every visitor there is, one after the other: visits.sh ONGGI TARGETS FOLDER. Each hand in each language at 16:9, and the
-# mouse in each language at the other shapes; who fails by mouse and by keys; a sheet of each visit's screens where
-# ImageMagick is there. Half a minute each; exit code 1 when one did not get to a kept pot.
+# Every visitor there is, one after the other: visits.sh ONGGI PROGRAMS FOLDER. Each hand in each language at 16:9, and the
+# mouse in each language at the other shapes; who fails by SpaceMouse; a sheet of each visit's screens where
+# ImageMagick is there. A minute or two each; exit code 1 when one did not get to a kept pot.
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 onggi=$(realpath "$1")
-targets=$(realpath "$2")
+programs=$(realpath "$2")
 mkdir -p "$3"
 folder=$(realpath "$3")
 status=0
@@ -13,7 +13,7 @@ status=0
 visit() {
     local name=$1-$2-$3 script=${4:-visit}
     [ "$script" = visit ] || name=$script-$name
-    if bash "$here/$script.sh" "$onggi" "$targets" "$folder/$name" "$1" "$2" "$3"; then
+    if bash "$here/$script.sh" "$onggi" "$programs" "$folder/$name" "$1" "$2" "$3"; then
         command -v montage >/dev/null &&
             montage "$folder/$name"/[0-9]*.png -tile 4x -geometry 480x+4+4 "$folder/$name.png" || true
     else
@@ -22,14 +22,12 @@ visit() {
     fi
 }
 for language in ko en ar; do
-    for hand in mouse touch keys switch; do
+    for hand in mouse touch keys switch gamepad; do
         visit "$hand" "$language" 1280x720
     done
     for size in 720x1280 1024x768 1920x1080; do
         visit mouse "$language" "$size"
     done
-    for hand in mouse keys; do
-        visit "$hand" "$language" 1280x720 failed_visit
-    done
+    visit spacemouse "$language" 1280x720 failed_visit
 done
 exit "$status"

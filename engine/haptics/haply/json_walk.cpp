@@ -2,125 +2,106 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace onggi::haptics::haply {
 namespace {
 
+// What the library's parser tells, as it reads: the names are its own. Each answer says whether to go on.
 class Walker {
   public:
+    using Json = nlohmann::json;
+
     Walker(std::string_view text, const std::function<void(std::string_view, const JsonValue&)>& visit)
         : text_(text),
           visit_(visit) {}
 
-    Result<void> walk() {
-        if (text_.size() > kMaxMessageBytes)
-            return refusal(fmt::format("at most {} bytes", kMaxMessageBytes), "more");
-        if (auto done = value(0); !done) return done;
-        skip_blanks();
-        return at_ == text_.size() ? Result<void>() : refusal("the end", "more");
+    bool null() { return value({}); }
+    bool boolean(bool) { return value({}); }
+    bool number_integer(Json::number_integer_t number) { return number_float(static_cast<double>(number)); }
+    bool number_unsigned(Json::number_unsigned_t number) { return number_float(static_cast<double>(number)); }
+    bool number_float(double number, std::string_view = {}) {
+        return value({.kind = JsonValue::Kind::kNumber, .number = number});
     }
+    bool string(std::string_view text) { return value({.kind = JsonValue::Kind::kText, .text = text}); }
+    bool binary(const Json::binary_t&) { return false; }  // text has none
+
+    bool start_object(std::size_t) { return open(false); }
+    bool start_array(std::size_t) { return open(true); }
+    bool key(std::string_view name) { return go_to(name); }
+    bool end_object() { return close(); }
+    bool end_array() { return close(); }
+
+    // `read`: how many bytes, the offending one included; one more than there are where the text ends.
+    bool parse_error(std::size_t read, const std::string&, const Json::exception& problem) {
+        constexpr int kNumberOverflow = 406;
+        const std::size_t at = read > 0 ? read - 1 : 0;
+        const std::string found = at >= text_.size()
+                                      ? "the end"
+                                      : fmt::format("byte {:#04x}", static_cast<unsigned char>(text_[at]));
+        error_ =
+            bad_input(fmt::format("byte {}: expected {}, found {}", at,
+                                  problem.id == kNumberOverflow ? "a number within range" : "JSON", found));
+        return false;
+    }
+
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
   private:
-    [[nodiscard]] char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-    void skip_blanks() {
-        while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos)
-            ++at_;
-    }
-    [[nodiscard]] Error refusal(std::string_view expected, std::string_view found = {}) const {
-        const std::string there =
-            at_ >= text_.size() ? "the end" : fmt::format("byte {:#04x}", static_cast<unsigned char>(here()));
-        return bad_input(
-            fmt::format("byte {}: expected {}, found {}", at_, expected, found.empty() ? there : found));
-    }
+    struct Level {
+        std::size_t name_length = 0;  // of the object or array itself, as it is written in place_
+        std::size_t count = 0;
+        bool is_array = false;
+    };
 
-    Result<void> value(int depth) {
-        if (depth > kMaxJsonDepth)
-            return refusal(fmt::format("values at most {} deep", kMaxJsonDepth), "one deeper");
-        skip_blanks();
-        if (here() == '{') return members('}', depth);
-        if (here() == '[') return members(']', depth);
-        if (here() == '"') {
-            const auto text = quoted();
-            if (!text) return text.error();
-            visit_(place_, {.kind = JsonValue::Kind::kText, .text = *text});
-            return {};
-        }
-        for (const std::string_view word : {"true", "false", "null"}) {
-            if (!text_.substr(at_).starts_with(word)) continue;
-            at_ += word.size();
-            visit_(place_, {});
-            return {};
-        }
-        return number();
+    bool go_to(std::string_view name) {
+        place_.resize(levels_.back().name_length);
+        if (!place_.empty()) place_ += '.';
+        place_ += name;
+        return true;
     }
-
-    // Of an object or an array: the closing letter says which.
-    Result<void> members(char closing, int depth) {
-        ++at_;
-        skip_blanks();
-        if (here() == closing) {
-            ++at_;
-            return {};
-        }
-        for (std::size_t count = 0;; ++count) {
-            std::string name = fmt::format("{}", count);
-            if (closing == '}') {
-                skip_blanks();
-                const auto read = quoted();
-                if (!read) return read.error();
-                name = *read;
-                skip_blanks();
-                if (here() != ':') return refusal("a colon");
-                ++at_;
-            }
-            const std::size_t outside = place_.size();
-            place_ += (place_.empty() ? "" : ".") + name;
-            if (auto done = value(depth + 1); !done) return done;
-            place_.resize(outside);
-            skip_blanks();
-            if (here() == closing) break;
-            if (here() != ',') return refusal(closing == '}' ? "a comma or a brace" : "a comma or a bracket");
-            ++at_;
-        }
-        ++at_;
-        return {};
+    void count_on() {
+        if (!levels_.empty() && levels_.back().is_array) go_to(fmt::format("{}", levels_.back().count++));
     }
-
-    Result<std::string_view> quoted() {
-        if (here() != '"') return refusal("a quote");
-        const std::size_t first = ++at_;
-        while (at_ < text_.size() && text_[at_] != '"')
-            at_ += text_[at_] == '\\' ? std::size_t{2} : std::size_t{1};
-        if (at_ >= text_.size()) {
-            at_ = text_.size();
-            return refusal("a closing quote");
-        }
-        return text_.substr(first, at_++ - first);
+    bool value(const JsonValue& value) {
+        count_on();
+        visit_(place_, value);
+        return true;
     }
-
-    Result<void> number() {
-        double found = 0.0;
-        const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), found);
-        const bool is_json = here() == '-' || (here() >= '0' && here() <= '9');
-        if (!is_json || error != std::errc{} || !std::isfinite(found)) return refusal("a value");
-        at_ = static_cast<std::size_t>(end - text_.data());
-        visit_(place_, {.kind = JsonValue::Kind::kNumber, .number = found});
-        return {};
+    bool open(bool is_array) {
+        if (levels_.size() >= kMaxJsonDepth) {
+            error_ =
+                bad_input(fmt::format("expected values at most {} deep, found one deeper", kMaxJsonDepth));
+            return false;
+        }
+        count_on();
+        levels_.push_back({.name_length = place_.size(), .is_array = is_array});
+        return true;
+    }
+    bool close() {
+        levels_.pop_back();
+        return true;
     }
 
     std::string_view text_;
     const std::function<void(std::string_view, const JsonValue&)>& visit_;
-    std::size_t at_ = 0;
     std::string place_;
+    std::vector<Level> levels_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
 
 Result<void> walk_json(std::string_view text,
                        const std::function<void(std::string_view place, const JsonValue&)>& visit) {
-    return Walker(text, visit).walk();
+    if (text.size() > kMaxMessageBytes)
+        return bad_input(fmt::format("expected at most {} bytes, found {}", kMaxMessageBytes, text.size()));
+    Walker walker(text, visit);
+    if (!nlohmann::json::sax_parse(text.begin(), text.end(), &walker)) return *walker.error();
+    return {};
 }
 
 }  // namespace onggi::haptics::haply

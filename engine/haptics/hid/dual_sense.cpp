@@ -22,8 +22,6 @@ static_assert(kRadioBytes <= kMaxReportBytes);
 
 constexpr std::uint8_t kOff = 0x05;
 constexpr std::uint8_t kFeedback = 0x21;
-constexpr std::uint8_t kWeapon = 0x25;
-constexpr std::uint8_t kVibration = 0x26;
 
 // The output report's bytes and the bits that make them valid.
 constexpr std::size_t kValid0 = 1;
@@ -128,24 +126,6 @@ TriggerEffect trigger_off() noexcept {
 
 TriggerEffect trigger_resistance(const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept {
     return by_zone(kFeedback, strengths);
-}
-
-TriggerEffect trigger_weapon(int start, int end, int strength) noexcept {
-    start = std::clamp(start, 2, 7);
-    end = std::clamp(end, start + 1, 8);
-    if (strength <= 0) return trigger_off();
-    const auto zones = (1U << static_cast<unsigned>(start)) | (1U << static_cast<unsigned>(end));
-    TriggerEffect effect;
-    effect.bytes = {kWeapon, static_cast<std::uint8_t>(zones), static_cast<std::uint8_t>(zones >> 8U),
-                    static_cast<std::uint8_t>(std::min<int>(strength, kStrongestZone) - 1)};
-    return effect;
-}
-
-TriggerEffect trigger_vibration(const std::array<std::uint8_t, kTriggerZones>& amplitudes,
-                                std::uint8_t frequency_hz) noexcept {
-    TriggerEffect effect = frequency_hz == 0 ? trigger_off() : by_zone(kVibration, amplitudes);
-    if (effect.bytes[0] == kVibration) effect.bytes[9] = frequency_hz;
-    return effect;
 }
 
 Report dual_sense_report(const DualSenseOrders& orders) noexcept {

@@ -83,11 +83,6 @@ struct TriggerEffect {
 // force over travel. All zero: off.
 [[nodiscard]] TriggerEffect trigger_resistance(
     const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept;
-// Mode 0x25: free up to zone `start` (2 to 7), stiff until `end` (above start, to 8), then loose.
-[[nodiscard]] TriggerEffect trigger_weapon(int start, int end, int strength) noexcept;
-// Mode 0x26: a tremor of this frequency, with an amplitude for each zone.
-[[nodiscard]] TriggerEffect trigger_vibration(const std::array<std::uint8_t, kTriggerZones>& amplitudes,
-                                              std::uint8_t frequency_hz) noexcept;
 
 // All that the pad is told, in one report. What is not marked for setting stays as it is in the pad.
 struct DualSenseOrders {

@@ -1,8 +1,8 @@
 // Driver of the DualSense over USB and Bluetooth. I/O thread. The left stick moves the tool (rate control), a
 // finger on the touch pad draws it, tilting the pad while L1 is held leads it. The right trigger presses it
-// inwards and meets the clay's resistance: as stiff as the clay is there, no stronger than a thin wall bears.
+// inwards and meets the work's resistance: as stiff as the work is there, no stronger than a thin wall bears.
 // L2 turns the wheel, the faster the further it is pulled; cross keeps it turning. The pad trembles with the
-// wall that slides by, and its light says how near the clay is to giving way. Never tried on hardware by this
+// wall that slides by, and its light says how near the work is to giving way. Never tried on hardware by this
 // project: newtons stand for shares of a trigger's strongest resistance, which its maker does not tell.
 #pragma once
 
@@ -27,12 +27,12 @@ struct DualSenseMapping {
     double fastest_rev_min = 240.0;  // with L2 pulled all the way
 };
 
-// The trigger's resistance where the clay would push with F(x) at the travel x: each zone's centre,
+// The trigger's resistance where the work would push with F(x) at the travel x: each zone's centre,
 // quantised. `press_mm`: how far the trigger has the tool pressed in as the order was worked out.
 [[nodiscard]] TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
                                              const DualSenseMapping& mapping) noexcept;
 
-// The light bar: how fast the clay turns and how near it is to giving way, from green by amber to red. Dark
+// The light bar: how fast the work turns and how near it is to giving way, from green by amber to red. Dark
 // blue while the wheel stands. In coarse steps, and never flashing.
 [[nodiscard]] std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept;
 

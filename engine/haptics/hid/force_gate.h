@@ -1,6 +1,6 @@
 // The last gate before a device's motors, on its I/O thread: what the haptic thread orders, or less. It knows
-// what the tick's own safety chain cannot know: that the tick has stopped, or that the device was just
-// plugged in. Pure; one thread at a time. N, ns.
+// what the tick's own safety chain (safety_chain.h, SAFETY.md) cannot know: that the tick has stopped, or
+// that the device was just plugged in. Pure; one thread at a time. N, ns.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ForceGateLimits {
     std::int64_t starved_ns = 100 * kMs;
     // From nothing to full force after plugging in, and after any silence ...
     std::int64_t ramp_ns = 1000 * kMs;
-    // ... which begins only at a small order: a device plugged in while the tool is deep in the clay stays
+    // ... which begins only at a small order: a device plugged in while the tool is deep in the work stays
     // loose until the tool has come out.
     double small_n = 0.2;
 };

@@ -1,4 +1,4 @@
-// What a device says of the hand, and what it is told of the clay: plain values between the I/O thread and
+// What a device says of the hand, and what it is told of the work: plain values between the I/O thread and
 // the haptic thread, through mailboxes. mm, N, s; wheel frame of tool_state.h, the tool in the plane z = 0
 // right of the wheel: x is the radius, y the height.
 #pragma once

@@ -85,7 +85,7 @@ std::string_view what_it_does(HidKind kind) {
             return "moves the tool in radius and height; no force; button 1 starts and stops the wheel, a "
                    "twist changes its speed";
         case HidKind::kDualSense:
-            return "moves the tool by stick, touch pad or tilt; its right trigger presses into the clay and "
+            return "moves the tool by stick, touch pad or tilt; its right trigger presses into the work and "
                    "pushes back";
         case HidKind::kVecPedal:
             return "turns the wheel while a pedal is down, faster by the right one, slower by the left";

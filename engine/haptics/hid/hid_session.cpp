@@ -101,7 +101,7 @@ void HidSession::exchange(std::int64_t now_ns) {
     ForceOrder order = gate_.passed(link_.force.latest(), now_ns);
     const std::uint32_t silences = link_.silences.load(std::memory_order_relaxed);
     if (!input.is_live || std::exchange(silences_, silences) != silences) {
-        // The clay's force belongs to a place where the hand may no longer be, or to a time that has passed.
+        // The work's force belongs to a place where the hand may no longer be, or to a time that has passed.
         gate_.restart();
         order.force_n = dvec2(0.0);
         order.tangential_n = 0.0;

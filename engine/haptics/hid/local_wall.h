@@ -1,4 +1,4 @@
-// The clay as the device may show it by itself between two orders: a wall at a radius, of a known stiffness,
+// The work as the device may show it by itself between two orders: a wall at a radius, of a known stiffness,
 // that gives at the tool's place exactly the ordered force. A joystick's own spring or a trigger's resistance
 // then answers the hand at the device's speed, not at that of USB. Pure; any thread. mm, N.
 // Source: local models of an environment for a slow link, e.g. Adams and Hannaford, "Stable haptic
@@ -16,7 +16,7 @@ namespace onggi::haptics::hid {
 struct LocalWall {
     double contact_mm = 0.0;  // the radius at which the force is zero
     bool is_outside =
-        false;  // true: the clay lies at smaller radii and pushes outwards; false: the other way
+        false;  // true: the work lies at smaller radii and pushes outwards; false: the other way
     double stiffness_n_per_mm = 0.0;
 
     // On a tool at this radius, outwards positive.
@@ -26,7 +26,7 @@ struct LocalWall {
     }
 };
 
-// None while the clay does not push along the radius.
+// None while the work does not push along the radius.
 [[nodiscard]] inline std::optional<LocalWall> local_wall(const ForceOrder& order,
                                                          double stiffness_n_per_mm) noexcept {
     constexpr double kNothingN = 1e-3;

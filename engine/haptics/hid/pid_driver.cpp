@@ -209,12 +209,12 @@ PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
     const ToolReach& reach = mapping_.reach;
     const double middle_mm = (reach.most_radius_mm + reach.least_radius_mm) / 2.0;
     // A coefficient of 1 gives full scale one unit beyond the centre.
-    const double clay = order.work.stiffness_n_per_mm;
-    const double stiffness = clay > 0.0 ? std::min(clay, stiffest_n_per_mm()) : stiffest_n_per_mm();
+    const double asked = order.work.stiffness_n_per_mm;
+    const double stiffness = asked > 0.0 ? std::min(asked, stiffest_n_per_mm()) : stiffest_n_per_mm();
     const auto wall = local_wall(order, stiffness);
     if (!wall) return condition;
     condition.centre = std::clamp((wall->contact_mm - middle_mm) / mm_per_unit(), -1.0, 1.0);
-    // Clay outside pushes outwards on what lies before the contact; clay seen from inside the other way
+    // Work outside pushes outwards on what lies before the contact; seen from inside the other way
     // round.
     (wall->is_outside ? condition.negative_coefficient : condition.positive_coefficient) =
         stiffness * mm_per_unit() / mapping_.full_scale_n;

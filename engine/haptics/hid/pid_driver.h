@@ -1,8 +1,8 @@
 // Driver of force-feedback joysticks (USB PID 1.0). I/O thread. The stick holds the tool: X is the radius,
-// pulling towards the hand lowers it. The clay's radial force is a one-sided spring that the device itself
+// pulling towards the hand lowers it. The work's radial force is a one-sided spring that the device itself
 // runs (a wall that does not depend on how fast USB is); the vertical one a constant force; damper and
 // friction, where the device has them, act while the tool touches. Without springs the radial force is a
-// constant one too. A constant force closes a loop over USB, told every 4 ms: the clay's stiffness on such an
+// constant one too. A constant force closes a loop over USB, told every 4 ms: the work's stiffness on such an
 // axis is bound to what is stable there (game/haptic/device_force.h).
 //
 // Every effect ends by itself after half a second and is started again in time: when this program dies, so
@@ -29,7 +29,7 @@ struct PidMapping {
     double stiffness_n_per_mm = 0.5;  // of the wall it shows by itself
     double damping_share = 0.1;       // of its full damper, while in contact
     // 1 or -1 for constant forces: makers do not agree on the sense of a direction. A wrong one pulls the
-    // tool into the clay instead of pushing it out.
+    // tool into the work instead of pushing it out.
     double radius_sign = 1.0;
     double height_sign = 1.0;
 };

@@ -33,7 +33,7 @@ class ToolMover {
   private:
     // Rounds of the I/O thread are some ms apart, writes included.
     static constexpr double kSilenceS = 0.05;
-    // A stick that is plugged in somewhere inside the clay draws the tool there at this speed, instead of
+    // A stick that is plugged in somewhere inside the work draws the tool there at this speed, instead of
     // tearing it through at once. Faster than a hand works.
     static constexpr double kFastestMmS = 600.0;
 

@@ -19,7 +19,7 @@ dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     if (input.hand_is_there && !is_stale) {
         if (state.presence == 1.0) return force_n;
         // From none at all the ramp leads back, and it must see the whole force: a share of it would look
-        // small deep in the clay.
+        // small deep in the work.
         state.presence =
             state.presence == 0.0 ? 1.0 : std::min(1.0, state.presence + input.dt_s / limits.return_s);
     } else {

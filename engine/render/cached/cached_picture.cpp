@@ -1,15 +1,19 @@
 #include "engine/render/cached/cached_picture.h"
 
 #include <optional>
+#include <utility>
 
 #include "engine/render/shapes/moving_tiles.h"
 
 namespace onggi::render {
 namespace {
 
-// Whether the processor bends the photographs; and otherwise shades the layers.
-bool is_bent(const Scene& scene) {
-    return scene.glide && scene.plate;
+// What stands still in it, from the next view.
+Scene seen_next(const Scene& scene) {
+    Scene seen = scene;
+    seen.camera = scene.next_view->camera;
+    seen.plate = scene.next_view->plate;
+    return seen;
 }
 
 }  // namespace
@@ -19,32 +23,51 @@ Result<void> CachedPicture::create(FrameContext& frame) {
     return {};
 }
 
-CachedPicture::Under CachedPicture::look_under(const FrameContext& frame, const StillPass& room,
-                                               const Scene& scene, const Overlay* overlay) {
+void CachedPicture::resized() {
+    resting_.forget();
+    fade_.end();
+    has_picture_ = false;
+}
+
+Result<void> CachedPicture::fit(FrameContext& frame, const Scene& scene) {
+    if (auto fitted = room_.plates.fit(frame, scene); !fitted) return fitted;
+    const auto is_another = room_.meshes.fit(frame.device, scene.still_life);
+    if (!is_another) return is_another.error();
+    if (*is_another) {
+        shown_.forget();
+        next_.forget();
+    }
+    return {};
+}
+
+CachedPicture::Under CachedPicture::look_under(const FrameContext& frame, const Scene& scene,
+                                               const Overlay* overlay) {
     const bool covers = overlay != nullptr && overlay->covers;
     will_rest_ = overlay != nullptr && overlay->scene_rests;
     if (!will_rest_) {
         resting_.forget();
         if (!covers) return Under::kScene;
         // Whether the next frame of it takes no longer than any other.
-        const bool is_prepared = is_bent(scene) || room.shows(frame, scene);
-        return is_prepared ? Under::kNothing : Under::kCoveredScene;
+        return shown_.shows(frame, scene) ? Under::kNothing : Under::kCoveredScene;
     }
     if (covers) return resting_.is_here() ? Under::kNothing : Under::kCoveredScene;
     return resting_.is_here() ? Under::kRestingScene : Under::kScene;
 }
 
-Result<bool> CachedPicture::draw(FrameContext& frame, StillPass& room, const Scene& scene,
-                                 const vk::TargetImage& target, const Overlay* overlay) {
-    const Under under = look_under(frame, room, scene, overlay);
+Result<bool> CachedPicture::draw(FrameContext& frame, const Scene& scene, const vk::TargetImage& target,
+                                 const Overlay* overlay) {
+    const Under under = look_under(frame, scene, overlay);
     std::optional<HostPicture> picture;
     if (under == Under::kScene || under == Under::kCoveredScene) {
-        auto made = make(frame, room, scene);
+        auto made = make(frame, scene);
         if (!made) return made.error();
         picture.emplace(*made);
         if (will_rest_) {
-            if (auto kept = resting_.keep(frame, *picture); !kept) return kept.error();
+            if (auto kept = resting_.keep(frame, *picture, numbers_); !kept) return kept.error();
         }
+    } else if (under == Under::kNothing) {
+        // Nobody sees how long the next view takes.
+        frame.stats.next_view_ready = scene.next_view.has_value();
     }
     if (auto fitted = overlay_.fit(frame, overlay); !fitted) return fitted.error();
     if (auto begun = frame.begin(); !begun) return begun.error();
@@ -59,43 +82,66 @@ Result<bool> CachedPicture::draw(FrameContext& frame, StillPass& room, const Sce
     return under == Under::kScene;
 }
 
-Result<HostPicture> CachedPicture::make(FrameContext& frame, StillPass& room, const Scene& scene) {
+// As the view alone has it. What moves lies where it did when it was drawn.
+HostPicture CachedPicture::view_picture(const FrameContext& frame) const {
+    return {.pixels = shown_.shaded(),
+            .numbers = shown_.numbers(),
+            .instead = &moving_.picture(),
+            .instead_on = frame.built.moving_tiles};
+}
+
+HostPicture CachedPicture::picture(const FrameContext& frame) const {
+    return fade_.is_on() ? fade_.picture() : view_picture(frame);
+}
+
+Result<void> CachedPicture::change_view(const FrameContext& frame, const Scene& scene) {
+    if (!shown_.shows(frame, scene)) {
+        if (!scene.fade_in || !has_picture_) {
+            fade_.end();
+        } else if (auto begun = fade_.begin(frame, picture(frame)); !begun) {
+            return begun;
+        }
+        if (next_.shows(frame, scene)) std::swap(shown_, next_);
+    }
+    if (scene.fade_in) return {};
+    fade_.end();
+    if (!scene.next_view) next_.let_go();
+    return {};
+}
+
+Result<void> CachedPicture::make_next_view(FrameContext& frame, const Scene& scene) {
+    const Scene seen = seen_next(scene);
+    if (!next_.shows(frame, seen)) {
+        if (auto made = next_.make_part(frame, seen, scene, room_, numbers_); !made) return made;
+    }
+    frame.stats.next_view_ready = next_.shows(frame, seen);
+    return {};
+}
+
+Result<HostPicture> CachedPicture::make(FrameContext& frame, const Scene& scene) {
+    if (auto changed = change_view(frame, scene); !changed) return changed.error();
     frame.clock.enter_host("shapes");
-    frame.build(scene, room.bounds());
+    frame.build(scene, room_.meshes.bounds());
     models_.choose(scene, frame.desc, frame.view(scene), frame.built);
     moving_.place(frame, scene, models_);
     find_moving_tiles(scene, frame.view(scene), frame.built);
     frame.clock.enter_host("room");
-    room.update(frame, scene);
-    auto made = is_bent(scene) ? make_bent(frame, room, scene) : make_standing(frame, room, scene);
-    frame.clock.end_host();
-    return made;
-}
-
-// The still life as it is under the moving things' shade.
-Result<HostPicture> CachedPicture::make_standing(FrameContext& frame, StillPass& room, const Scene& scene) {
-    glide_.rest();
-    if (auto fitted = shade_.fit(frame); !fitted) return fitted.error();
-    if (auto drawn = room.draw_layers(frame, scene); !drawn) return drawn.error();
-    if (frame.stats.still_life_drawn) shade_.forget();
-    shade_.shade(frame, scene, room.layers().layers());
+    if (auto made = shown_.make(frame, scene, room_, numbers_); !made) return made.error();
+    frame.stats.shadow_drawn = shown_.shade(frame, scene, numbers_);
     frame.clock.enter_host("hands and clay");
-    auto drawn = moving_.draw_over(frame, shade_.shaded().as<const std::uint32_t>(),
-                                   room.layers().depth().as<const float>());
+    auto drawn = moving_.draw_over(frame, shown_.shaded().as<const std::uint32_t>(), shown_.depth());
     if (!drawn) return drawn.error();
-    return HostPicture{.pixels = shade_.shaded(),
-                       .numbers = shade_.tiles().numbers(),
-                       .instead = &moving_.picture(),
-                       .instead_on = frame.built.moving_tiles};
-}
-
-Result<HostPicture> CachedPicture::make_bent(FrameContext& frame, StillPass& room, const Scene& scene) {
-    shade_.let_go();
-    room.let_go_layers();
-    if (auto bent = glide_.bend(frame, scene, room.plates()); !bent) return bent.error();
-    frame.clock.enter_host("hands and clay");
-    moving_.draw(frame, glide_.canvas());
-    return glide_.picture();
+    if (scene.next_view) {
+        frame.clock.enter_host("next view");
+        if (auto made = make_next_view(frame, scene); !made) return made.error();
+    }
+    if (fade_.is_on()) {
+        frame.clock.enter_host("fade");
+        fade_.mix(view_picture(frame), *scene.fade_in, numbers_);
+    }
+    frame.clock.end_host();
+    has_picture_ = true;
+    return picture(frame);
 }
 
 }  // namespace onggi::render

@@ -1,15 +1,13 @@
 // The picture where the device is the processor: what stands still is drawn once by the device and kept where
-// the processor shades it, or bent by it while the camera moves; what moves the processor draws over that,
-// and the overlay too. The device is left with copies, and of those only what a target does not show already.
-// Main thread.
+// the processor shades it; what moves the processor draws over that, and the overlay too. The device is left
+// with copies, and of those only what a target does not show already. Another view is made in parts while the
+// one before is shown, and then fades in. Main thread.
 #pragma once
 
-#include <cstdint>
-
+#include "engine/render/cached/cross_fade.h"
 #include "engine/render/cached/host_frame.h"
-#include "engine/render/cached/host_glide.h"
 #include "engine/render/cached/host_moving.h"
-#include "engine/render/cached/host_shade.h"
+#include "engine/render/cached/kept_view.h"
 #include "engine/render/cached/painted_overlay.h"
 #include "engine/render/cached/resting_scene.h"
 #include "engine/render/frame/picture_way.h"
@@ -20,8 +18,9 @@ namespace onggi::render {
 class CachedPicture : public PictureWay {
   public:
     Result<void> create(FrameContext& frame) override;
-    void resized() override { resting_.forget(); }
-    Result<bool> draw(FrameContext& frame, StillPass& room, const Scene& scene, const vk::TargetImage& target,
+    void resized() override;
+    Result<void> fit(FrameContext& frame, const Scene& scene) override;
+    Result<bool> draw(FrameContext& frame, const Scene& scene, const vk::TargetImage& target,
                       const Overlay* overlay) override;
 
   private:
@@ -30,15 +29,20 @@ class CachedPicture : public PictureWay {
     // for it.
     enum class Under { kScene, kCoveredScene, kRestingScene, kNothing };
 
-    Under look_under(const FrameContext& frame, const StillPass& room, const Scene& scene,
-                     const Overlay* overlay);
-    Result<HostPicture> make(FrameContext& frame, StillPass& room, const Scene& scene);
-    Result<HostPicture> make_standing(FrameContext& frame, StillPass& room, const Scene& scene);
-    Result<HostPicture> make_bent(FrameContext& frame, StillPass& room, const Scene& scene);
+    Under look_under(const FrameContext& frame, const Scene& scene, const Overlay* overlay);
+    Result<HostPicture> make(FrameContext& frame, const Scene& scene);
+    Result<void> change_view(const FrameContext& frame, const Scene& scene);
+    Result<void> make_next_view(FrameContext& frame, const Scene& scene);
+    [[nodiscard]] HostPicture view_picture(const FrameContext& frame) const;
+    [[nodiscard]] HostPicture picture(const FrameContext& frame) const;
 
     MoverModels models_;
-    HostShade shade_;
-    HostGlide glide_;
+    KeptRoom room_;
+    TileNumbers numbers_;
+    KeptView shown_;
+    KeptView next_;
+    bool has_picture_ = false;  // of a frame as large as this one: picture(), until the next is built
+    CrossFade fade_;
     HostMoving moving_;
     PaintedOverlay overlay_;
     RestingScene resting_;

@@ -13,11 +13,12 @@ void HeldTiles::take_work(const TileContents& wanted, TileWork& work) {
     }
     work.bare.assign(count, 0);
     work.laid_over.assign(count, 0);
+    work.moves.assign(count, 0);
     work.moves_under.assign(count, 0);
     for (std::size_t tile = 0; tile < count; ++tile) {
         const std::uint64_t overlay = wanted.overlay.empty() ? 0 : wanted.overlay[tile];
         if (!wanted.moving.empty() && wanted.moving[tile] != 0) {
-            work.moves_under[tile] = overlay != 0 ? 1 : 0;
+            (overlay == 0 ? work.moves : work.moves_under)[tile] = 1;
             picture_[tile] = overlay_[tile] = 0;
             continue;
         }

@@ -20,10 +20,11 @@ struct TileContents {
     std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: none
 };
 
-// What of a frame has to be brought to a target, one entry a tile, 0 or not; all that moves has besides.
+// What of a frame has to be brought to a target, one entry a tile, 0 or not.
 struct TileWork {
     std::vector<std::uint8_t> bare;         // the picture as it is
     std::vector<std::uint8_t> laid_over;    // the picture with the overlay laid over it
+    std::vector<std::uint8_t> moves;        // what moves, as it is
     std::vector<std::uint8_t> moves_under;  // what moves, with the overlay laid over it
 };
 

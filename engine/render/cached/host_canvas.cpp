@@ -20,12 +20,6 @@ Result<void> HostCanvas::fit(const FrameContext& frame, std::string_view name) {
     return {};
 }
 
-void HostCanvas::clear() {
-    picture_ = {};
-    depth_ = {};
-    size_ = {};
-}
-
 PictureCanvas HostCanvas::canvas() {
     return {.size = size_, .pixels = picture_.as<std::uint32_t>(), .depth = depth_};
 }

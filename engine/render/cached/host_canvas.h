@@ -17,9 +17,6 @@ class HostCanvas {
     // As large as the frame; what was in it is lost where that has changed. `name` is for tools that show
     // the device's objects. The device is idle. Errors: no memory.
     Result<void> fit(const FrameContext& frame, std::string_view name);
-    // Gives back the memory. The device is idle.
-    void clear();
-
     [[nodiscard]] PictureCanvas canvas();
     [[nodiscard]] const vk::Buffer& picture() const { return picture_; }
 

@@ -28,6 +28,14 @@ void end_copies(const FrameContext& frame, const vk::TargetImage& target) {
 
 }  // namespace
 
+void copy_whole(const HostPicture& picture, const TileGrid& grid, std::span<std::uint32_t> into) {
+    std::vector<std::uint8_t> wanted;
+    std::vector<PixelRect> rects;
+    for_parts(picture, grid, wanted, rects, [&](const vk::Buffer& part, const PixelRect& rect) {
+        copy_rect(part.as<const std::uint32_t>(), rect, static_cast<std::size_t>(grid.width_px), into);
+    });
+}
+
 void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::span<const std::uint8_t> tiles,
                      const vk::TargetImage& into) {
     rects_of_tiles(grid_of(frame), tiles, rects_);
@@ -37,33 +45,37 @@ void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::spa
                            static_cast<std::uint32_t>(regions_.size()), regions_.data());
 }
 
+// With the overlay on it, into what is laid.
+void HostFrame::lay(const FrameContext& frame, const PaintedOverlay& overlay, const vk::Buffer& under,
+                    std::span<const std::uint8_t> tiles) {
+    const TileGrid grid = grid_of(frame);
+    rects_of_tiles(grid, tiles, rects_);
+    for (const PixelRect& rect : rects_) {
+        lay_over(overlay.painted().as<const std::uint32_t>(), under.as<const std::uint32_t>(), rect,
+                 grid.width_px, laid_.as<std::uint32_t>());
+    }
+}
+
 Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage& target,
                                const HostPicture& picture, const PaintedOverlay& overlay) {
     targets_.held_by(target).take_work(
         {.picture = picture.numbers, .moving = picture.instead_on, .overlay = overlay.content()}, work_);
-    const TileGrid grid = grid_of(frame);
-    if (any(work_.moves_under)) {
-        rects_of_tiles(grid, work_.moves_under, rects_);
-        const auto pixels = picture.instead->as<std::uint32_t>();
-        for (const PixelRect& rect : rects_)
-            lay_over(overlay.painted().as<const std::uint32_t>(), pixels, rect, grid.width_px, pixels);
-    }
-    if (any(work_.laid_over)) {
-        if (auto made = vk::make_room(frame.device, laid_, "still life with the overlay",
-                                      picture.pixels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    const bool is_laid_over = any(work_.laid_over);
+    const bool moves_under = any(work_.moves_under);
+    if (is_laid_over || moves_under) {
+        if (auto made = vk::make_room(frame.device, laid_, "picture with the overlay", picture.pixels.size(),
+                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
             !made) {
             return made;
         }
-        rects_of_tiles(grid, work_.laid_over, rects_);
-        for (const PixelRect& rect : rects_) {
-            lay_over(overlay.painted().as<const std::uint32_t>(), picture.pixels.as<const std::uint32_t>(),
-                     rect, grid.width_px, laid_.as<std::uint32_t>());
-        }
     }
+    if (is_laid_over) lay(frame, overlay, picture.pixels, work_.laid_over);
+    if (moves_under) lay(frame, overlay, *picture.instead, work_.moves_under);
     begin_copies(frame, target);
-    if (picture.instead != nullptr) copy(frame, *picture.instead, picture.instead_on, target);
+    if (picture.instead != nullptr) copy(frame, *picture.instead, work_.moves, target);
     copy(frame, picture.pixels, work_.bare, target);
-    copy(frame, laid_, work_.laid_over, target);
+    if (is_laid_over) copy(frame, laid_, work_.laid_over, target);
+    if (moves_under) copy(frame, laid_, work_.moves_under, target);
     end_copies(frame, target);
     return {};
 }

@@ -26,8 +26,6 @@ class HostMoving {
     // must be this frame's, with the models' choice of faces, which must stay until they are drawn.
     void place(FrameContext& frame, const Scene& scene, const MoverModels& models);
 
-    // Into a picture that is another in every frame.
-    void draw(const FrameContext& frame, const PictureCanvas& canvas);
     // Over a copy of a picture that is kept and its depth, where something moves; both as large as the frame.
     // The device is idle. Errors: no memory for it.
     Result<void> draw_over(const FrameContext& frame, std::span<const std::uint32_t> pixels,
@@ -36,6 +34,7 @@ class HostMoving {
     [[nodiscard]] const vk::Buffer& picture() const { return canvas_.picture(); }
 
   private:
+    void draw(const FrameContext& frame, const PictureCanvas& canvas);
     void copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                     std::span<const float> depth, const PictureCanvas& canvas);
 

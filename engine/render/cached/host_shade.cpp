@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/cached/painted_overlay.h"
-
 namespace onggi::render {
 namespace {
 
@@ -24,13 +22,14 @@ Result<void> HostShade::fit(const FrameContext& frame) {
         {.name = "shaded still life", .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
     if (!buffer) return buffer.error();
     shaded_ = std::move(*buffer);
-    has_layers_ = false;
     return {};
 }
 
-void HostShade::let_go() {
-    shaded_ = {};
-    has_layers_ = false;
+void HostShade::learn(const FrameContext& frame, const ShadeLayers& layers) {
+    tiles_.learn({layers.width, layers.height}, layers.places);
+    edges_.forget();
+    if (frame.desc.smooths_outlines) edges_.find(layers.width, layers.places);
+    has_mask_ = false;
 }
 
 void HostShade::note_light(const LightLevels& levels) {
@@ -43,31 +42,30 @@ void HostShade::note_light(const LightLevels& levels) {
     tiles_.note_light(change < kLittle ? LightChange::kLittle : LightChange::kMuch);
 }
 
-void HostShade::shade(FrameContext& frame, const Scene& scene, const ShadeLayers& layers) {
+bool HostShade::shade(const FrameContext& frame, const Scene& scene, const ShadeLayers& layers,
+                      std::span<const std::uint8_t> moving, TileNumbers& numbers) {
     const std::uint64_t shadow = shadow_hash(scene);
-    frame.stats.shadow_drawn = !has_layers_ || mask_of_ != shadow;
-    if (frame.stats.shadow_drawn) {
+    const bool is_another = !has_mask_ || mask_of_ != shadow;
+    if (is_another) {
         std::swap(mask_, mask_before_);
         fill_shadow_mask(frame.built.frame, *mask_);
     }
     mask_of_ = shadow;
-    if (!has_layers_) {
-        tiles_.learn({layers.width, layers.height}, layers.places);
-        edges_.forget();
-        if (frame.desc.smooths_outlines) edges_.find(layers.width, layers.places);
+    if (!has_mask_) {
         levels_ = scene.levels;
-        has_layers_ = true;
+        has_mask_ = true;
     } else {
-        if (frame.stats.shadow_drawn) {
+        if (is_another) {
             keep_what_is_alike(*mask_before_, *mask_);
             tiles_.note_mask(*mask_before_, *mask_);
         }
         note_light(scene.levels);
     }
-    tiles_.take(frame.built.moving_tiles, rects_);
+    tiles_.take(moving, numbers.next(), rects_);
     shade_pixels(layers, *mask_, shade_light(scene.levels, frame.desc.colour_format), rects_,
                  shaded_.as<std::uint32_t>());
     edges_.smooth(*mask_, rects_, shaded_.as<std::uint32_t>());
+    return is_another;
 }
 
 }  // namespace onggi::render

@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "engine/render/cached/tile_numbers.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/pixels/shade_edges.h"
 #include "engine/render/pixels/shade_pixels.h"
@@ -18,14 +20,15 @@ class HostShade {
   public:
     // Makes room for a picture of this size. The device is idle.
     Result<void> fit(const FrameContext& frame);
-    // The layers are others than before.
-    void forget() { has_layers_ = false; }
     // Nothing will be shaded for a while: gives its memory back until the next fit(). The device is idle.
-    void let_go();
+    void let_go() { shaded_ = {}; }
+    // The layers are others than before: whatever lies over them has to be shaded.
+    void learn(const FrameContext& frame, const ShadeLayers& layers);
 
-    // Lays the scene's shade over its layers, which takes time only where it has changed; `frame.built` must
-    // be this frame's. The device is idle.
-    void shade(FrameContext& frame, const Scene& scene, const ShadeLayers& layers);
+    // Lays the scene's shade over its layers, which takes time only where it has changed and, by `moving`,
+    // is seen (see ShadeTiles::take()); true: it has. `frame.built` must be this frame's. The device is idle.
+    bool shade(const FrameContext& frame, const Scene& scene, const ShadeLayers& layers,
+               std::span<const std::uint8_t> moving, TileNumbers& numbers);
     // As large as the picture: what shade() made, and which tile of it is which.
     [[nodiscard]] const vk::Buffer& shaded() const { return shaded_; }
     [[nodiscard]] const ShadeTiles& tiles() const { return tiles_; }
@@ -33,7 +36,7 @@ class HostShade {
   private:
     void note_light(const LightLevels& levels);
 
-    bool has_layers_ = false;
+    bool has_mask_ = false;  // of these layers
     vk::Buffer shaded_;
     std::unique_ptr<ShadowMask> mask_ = std::make_unique<ShadowMask>();
     std::unique_ptr<ShadowMask> mask_before_ = std::make_unique<ShadowMask>();

@@ -1,7 +1,5 @@
 #include "engine/render/cached/resting_scene.h"
 
-#include <algorithm>
-
 namespace onggi::render {
 
 Result<void> RestingScene::fit(const FrameContext& frame) {
@@ -15,19 +13,11 @@ Result<void> RestingScene::fit(const FrameContext& frame) {
     return {};
 }
 
-Result<void> RestingScene::keep(const FrameContext& frame, const HostPicture& scene) {
+Result<void> RestingScene::keep(const FrameContext& frame, const HostPicture& scene, TileNumbers& numbers) {
     if (is_here_) return {};
     if (auto fitted = fit(frame); !fitted) return fitted;
-    const auto kept = picture_.as<std::uint32_t>();
-    const auto pixels = scene.pixels.as<const std::uint32_t>();
-    std::copy(pixels.begin(), pixels.end(), kept.begin());
-    if (scene.instead != nullptr) {
-        rects_of_tiles(grid_, scene.instead_on, rects_);
-        for (const PixelRect& rect : rects_)
-            copy_rect(scene.instead->as<const std::uint32_t>(), rect, frame.extent.width, kept);
-    }
-    constexpr std::uint64_t kNoShadeTile = std::uint64_t{1} << 63U;
-    numbers_.assign(grid_.count(), kNoShadeTile | ++last_number_);
+    copy_whole(scene, grid_, picture_.as<std::uint32_t>());
+    numbers_.assign(grid_.count(), numbers.next());
     is_here_ = true;
     return {};
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/render/cached/host_frame.h"
+#include "engine/render/cached/tile_numbers.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/shapes/tiles.h"
 
@@ -15,7 +16,7 @@ class RestingScene {
   public:
     void forget() { is_here_ = false; }
     // No overlay lies on the scene yet: keeps a copy, unless one is here.
-    Result<void> keep(const FrameContext& frame, const HostPicture& scene);
+    Result<void> keep(const FrameContext& frame, const HostPicture& scene, TileNumbers& numbers);
     [[nodiscard]] bool is_here() const { return is_here_; }
     [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
 
@@ -26,8 +27,6 @@ class RestingScene {
     TileGrid grid_;
     vk::Buffer picture_;
     std::vector<std::uint64_t> numbers_;
-    std::uint64_t last_number_ = 0;
-    std::vector<PixelRect> rects_;
 };
 
 }  // namespace onggi::render

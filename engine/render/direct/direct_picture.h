@@ -5,6 +5,7 @@
 #include "engine/render/direct/lathe_pass.h"
 #include "engine/render/direct/mover_pass.h"
 #include "engine/render/direct/overlay_pass.h"
+#include "engine/render/direct/room_pass.h"
 #include "engine/render/direct/shadow_pass.h"
 #include "engine/render/frame/picture_way.h"
 #include "engine/render/shapes/mover_models.h"
@@ -14,14 +15,15 @@ namespace onggi::render {
 class DirectPicture : public PictureWay {
   public:
     Result<void> create(FrameContext& frame) override;
-    Result<bool> draw(FrameContext& frame, StillPass& room, const Scene& scene, const vk::TargetImage& target,
+    Result<void> fit(FrameContext& frame, const Scene& scene) override;
+    Result<bool> draw(FrameContext& frame, const Scene& scene, const vk::TargetImage& target,
                       const Overlay* overlay) override;
 
   private:
-    Result<void> upload(FrameContext& frame, StillPass& room, const Scene& scene);
-    void record(FrameContext& frame, const StillPass& room, const Scene& scene,
-                const vk::TargetImage& target);
+    Result<void> upload(FrameContext& frame, const Scene& scene);
+    void record(FrameContext& frame, const Scene& scene, const vk::TargetImage& target);
 
+    RoomPass room_;
     ShadowPass shadow_;
     LathePass lathe_;
     MoverModels models_;

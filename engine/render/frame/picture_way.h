@@ -3,7 +3,6 @@
 
 #include "engine/core/result.h"
 #include "engine/render/frame/frame_context.h"
-#include "engine/render/frame/still_pass.h"
 #include "engine/render/overlay.h"
 #include "engine/vk/frame_target.h"
 
@@ -20,10 +19,12 @@ class PictureWay {
     virtual Result<void> create(FrameContext& frame) = 0;
     // The picture has another size. The device is idle.
     virtual void resized() {}
-    // Puts all that a frame shows together and records its commands. The device is idle; `room` has what it
-    // needs of the scene. False: the scene is not in it, because a screen covers it or it stands still.
-    virtual Result<bool> draw(FrameContext& frame, StillPass& room, const Scene& scene,
-                              const vk::TargetImage& target, const Overlay* overlay) = 0;
+    // What stands still in the scene to where it is drawn from, if it is another. The device is idle.
+    virtual Result<void> fit(FrameContext& frame, const Scene& scene) = 0;
+    // Puts all that a frame shows together and records its commands; after fit() with the same scene. The
+    // device is idle. False: the scene is not in it, because a screen covers it or it stands still.
+    virtual Result<bool> draw(FrameContext& frame, const Scene& scene, const vk::TargetImage& target,
+                              const Overlay* overlay) = 0;
 };
 
 }  // namespace onggi::render

@@ -240,7 +240,7 @@ Result<void> make_pipelines(const vk::Device& device, const RendererDesc& desc, 
     plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
     plate_surface.attributes = std::span(kMeshAttributes).first(2);
     if (desc.cached) {
-        // The photographs are laid and bent by the processor, and what moves is drawn by it.
+        // The photographs are laid by the processor, and what moves is drawn by it.
         vk::PipelineDesc places = plate_surface;
         places.name = "places of the still life";
         places.fragment_spirv = shaders::kPlacesFrag;

@@ -9,6 +9,15 @@ constexpr VkShaderStageFlags kBothStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADE
 
 }  // namespace
 
+Result<bool> StillMeshes::fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life) {
+    const std::uint64_t revision = still_life ? still_life->revision : 0;
+    if (still_life == uploaded_ && revision == revision_) return false;
+    if (auto sent = upload(device, still_life ? *still_life : StillLife{}); !sent) return sent.error();
+    uploaded_ = still_life;
+    revision_ = revision;
+    return true;
+}
+
 Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& still_life) {
     std::vector<Mesh::Vertex> vertices;
     std::vector<std::uint32_t> indices;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -14,8 +15,9 @@ namespace onggi::render {
 
 class StillMeshes {
   public:
+    // Uploads a still life, none where it is null, unless it is there as it is now; true: it was not.
     // Precondition: the device does not read what was uploaded before.
-    Result<void> upload(const vk::Device& device, const StillLife& still_life);
+    Result<bool> fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life);
 
     enum class Which { kAll, kCasters, kNotInRelief };
     // Draws each part with its push constants.
@@ -23,6 +25,8 @@ class StillMeshes {
     [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
 
   private:
+    Result<void> upload(const vk::Device& device, const StillLife& still_life);
+
     struct Part {
         shaders::MeshDraw draw;
         std::uint32_t first_index = 0;
@@ -34,6 +38,8 @@ class StillMeshes {
     MeshBuffers buffers_;
     std::vector<Part> parts_;
     StillBounds bounds_;
+    std::shared_ptr<const StillLife> uploaded_;  // held, so that its revision is compared with itself
+    std::uint64_t revision_ = 0;
 };
 
 }  // namespace onggi::render

@@ -1,4 +1,4 @@
-// Photographs where the processor finds them, to be bent by it. Any thread. Texels.
+// Photographs where the processor finds them, to be laid by it. Any thread. Texels.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,11 @@ class HostPhotograph {
     // rgba: width x height pixels.
     HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba, ByteOrder order);
 
-    // Of half the width and height, each texel the mean of four; a single row or column stays as it is.
-    [[nodiscard]] HostPhotograph halved() const;
-
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] const std::uint32_t* first() const { return texels_.data() + width_ + 1; }
 
   private:
-    HostPhotograph(int width, int height);
     std::span<std::uint32_t> texels();
     void fill_border();
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/render/pixels/bend_rows.h"
+#include "engine/render/pixels/photograph_rows.h"
+#include "engine/render/pixels/wide_vectors.h"
 
 namespace onggi::render {
 namespace {
@@ -12,13 +13,14 @@ namespace {
 struct Layers {
     vec4 window;
     std::size_t width = 0;
-    std::size_t height = 0;
+    std::size_t first_row = 0;
+    std::size_t end_row = 0;
     std::uint32_t* with_key = nullptr;
     std::uint32_t* without_key = nullptr;
 };
 
 // Where a row of the picture lies in a photograph.
-bend::Place place_of(const Layers& layers, const HostPhotograph& photograph, std::size_t y) {
+rows::Place place_of(const Layers& layers, const HostPhotograph& photograph, std::size_t y) {
     const vec4& window = layers.window;
     const auto width = static_cast<float>(photograph.width());
     const auto height = static_cast<float>(photograph.height());
@@ -27,29 +29,29 @@ bend::Place place_of(const Layers& layers, const HostPhotograph& photograph, std
             .v = {.first = down * height - 0.5F, .step = 0.0F}};
 }
 
-[[gnu::always_inline]] inline void take_row(const HostPhotograph& photograph, const bend::Place& place,
+[[gnu::always_inline]] inline void take_row(const HostPhotograph& photograph, const rows::Place& place,
                                             std::uint32_t* pixels, int count) {
     // A texel a pixel, as nearly as one can see at the end of a row.
     constexpr float kAlike = 1.0F / 65536.0F;
-    if (std::abs(place.u.step - 1.0F) > kAlike || !bend::lies_in(photograph, place, count)) {
-        bend::take_one(photograph, place, pixels, count);
+    if (std::abs(place.u.step - 1.0F) > kAlike || !rows::lies_in(photograph, place, count)) {
+        rows::take_stretched(photograph, place, pixels, count);
         return;
     }
-    const bend::FixedRow row{bend::fixed(std::max(place.u.first, 0.0F)), bend::kOne,
-                             bend::fixed(std::max(place.v.first, 0.0F)), 0};
-    bend::take_inside(photograph, row, pixels, count);
+    const rows::FixedPlace first{rows::fixed(std::max(place.u.first, 0.0F)),
+                                 rows::fixed(std::max(place.v.first, 0.0F))};
+    rows::take_as_it_is(photograph, first, pixels, count);
 }
 
 [[gnu::always_inline]] inline void lay(const HostPlate& plate, const Layers& layers) {
     // So short that both pieces are still at hand when they are brought together.
     constexpr std::size_t kPiece = 256;
     std::array<std::uint32_t, kPiece> unlit;
-    for (std::size_t y = 0; y < layers.height; ++y) {
-        const bend::Place lit_from = place_of(layers, plate.key, y);
-        const bend::Place unlit_from = place_of(layers, plate.ambient, y);
+    for (std::size_t y = layers.first_row; y < layers.end_row; ++y) {
+        const rows::Place lit_from = place_of(layers, plate.key, y);
+        const rows::Place unlit_from = place_of(layers, plate.ambient, y);
         for (std::size_t x = 0; x < layers.width; x += kPiece) {
             const std::size_t count = std::min(kPiece, layers.width - x);
-            const auto take = [&](const HostPhotograph& photograph, const bend::Place& place,
+            const auto take = [&](const HostPhotograph& photograph, const rows::Place& place,
                                   std::uint32_t* pixels) __attribute__((always_inline)) {
                 take_row(photograph, {{place.u.at(static_cast<int>(x)), place.u.step}, place.v}, pixels,
                          static_cast<int>(count));
@@ -73,27 +75,26 @@ bend::Place place_of(const Layers& layers, const HostPhotograph& photograph, std
     }
 }
 
-#if defined(__x86_64__)
-// The same lines with better instructions; without fused multiply-add, so the same bits.
-[[gnu::target("avx2")]] void lay_avx2(const HostPlate& plate, const Layers& layers) {
+void lay_plain(const HostPlate& plate, const Layers& layers) {
     lay(plate, layers);
 }
-#endif
+
+ONGGI_WIDE_VECTORS void lay_wide(const HostPlate& plate, const Layers& layers) {
+    lay(plate, layers);
+}
 
 }  // namespace
 
-void lay_photographs(const HostPlate& plate, vec4 window, int width, std::span<std::uint32_t> with_key,
-                     std::span<std::uint32_t> without_key) {
-    const auto across = static_cast<std::size_t>(width);
+void lay_photographs(const HostPlate& plate, vec4 window, int width, RowSpan rows,
+                     std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key) {
     const Layers layers{.window = window,
-                        .width = across,
-                        .height = with_key.size() / across,
+                        .width = static_cast<std::size_t>(width),
+                        .first_row = static_cast<std::size_t>(rows.first),
+                        .end_row = static_cast<std::size_t>(rows.end),
                         .with_key = with_key.data(),
                         .without_key = without_key.data()};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") != 0) return lay_avx2(plate, layers);
-#endif
-    lay(plate, layers);
+    static auto* const best = best_of(lay_plain, lay_wide);
+    best(plate, layers);
 }
 
 }  // namespace onggi::render

@@ -40,7 +40,7 @@ void ShadeTiles::learn(const TileGrid& grid, std::span<const std::uint32_t> plac
     reach_.assign(grid.count(), {});
     is_stale_.assign(grid.count(), 1);
     may_wait_.assign(grid.count(), 0);
-    numbers_.assign(grid.count(), ++last_number_);
+    numbers_.assign(grid.count(), 0);
     const auto width = static_cast<std::size_t>(grid.width_px);
     const auto across = static_cast<std::size_t>(grid.across());
     for (std::size_t y = 0; y < static_cast<std::size_t>(grid.height_px); ++y) {
@@ -81,8 +81,8 @@ void ShadeTiles::note_light(LightChange change) {
     std::fill(noted.begin(), noted.end(), std::uint8_t{1});
 }
 
-void ShadeTiles::take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects) {
-    ++last_number_;
+void ShadeTiles::take(std::span<const std::uint8_t> moving, std::uint64_t number,
+                      std::vector<PixelRect>& rects) {
     waiting_rows_ = 1 - waiting_rows_;
     is_due_ = is_stale_;
     for (std::size_t tile = 0; tile < is_due_.size(); ++tile) {
@@ -92,7 +92,7 @@ void ShadeTiles::take(std::span<const std::uint8_t> moving, std::vector<PixelRec
         if (is_due_[tile] == 0) continue;
         is_stale_[tile] = 0;
         may_wait_[tile] = 0;
-        numbers_[tile] = last_number_;
+        numbers_[tile] = number;
     }
     rects_of_tiles(grid_, is_due_, rects);
 }

@@ -15,7 +15,8 @@ namespace onggi::render {
 // From one frame to the next: so little that a tile may wait a frame for it, or not.
 enum class LightChange { kLittle, kMuch };
 
-// A shaded picture's tiles. Each has a number, another whenever its pixels become others.
+// A shaded picture's tiles. Each has a number, another whenever its pixels become others: that of the frame
+// in which they were shaded.
 class ShadeTiles {
   public:
     // For layers of this size, each of whose pixels lies at a place of the mask (mask_place()). Every tile
@@ -25,12 +26,13 @@ class ShadeTiles {
     void note_mask(const ShadowMask& before, const ShadowMask& now);
     // The light becomes another.
     void note_light(LightChange change);
-    // The tiles that have to be shaded, as rectangles; from here on they count as shaded. Those that are
-    // covered wait until they are seen, and every other row of those that may wait. `moving`: one entry a
-    // tile, or empty: nothing moves.
-    void take(std::span<const std::uint8_t> moving, std::vector<PixelRect>& rects);
+    // The tiles that have to be shaded, as rectangles; from here on they count as shaded and have this
+    // number, which no picture has had. Those that are covered wait until they are seen, and every other row
+    // of those that may wait. `moving`: one entry a tile, or empty: nothing moves.
+    void take(std::span<const std::uint8_t> moving, std::uint64_t number, std::vector<PixelRect>& rects);
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
+    // 0 of those that were never shaded.
     [[nodiscard]] std::span<const std::uint64_t> numbers() const { return numbers_; }
 
   private:
@@ -52,7 +54,6 @@ class ShadeTiles {
     int waiting_rows_ = 0;                // the even ones or the odd ones
     std::vector<std::uint8_t> is_due_;
     std::vector<std::uint64_t> numbers_;
-    std::uint64_t last_number_ = 0;  // never used again, so that a target cannot take new layers for old
     std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes
 };
 

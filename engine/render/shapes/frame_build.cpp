@@ -79,6 +79,15 @@ void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::Fr
     frame.glide = vec4(scene.glide ? scene.glide->share : 0.0F, 0.0F, 0.0F, 0.0F);
 }
 
+// All of it but what moves.
+void build_scene(const Scene& scene, const StillBounds& still, int width_px, int height_px,
+                 shaders::FrameData& frame) {
+    frame.view_projection = view_projection(scene.camera, width_px, height_px);
+    frame.eye = vec4(scene.camera.eye_mm, 0.0F);
+    build_lights(scene, still, frame);
+    build_backdrop(scene, width_px, height_px, frame);
+}
+
 // How far the slip's texture has turned, in its own widths: two of it go round.
 float slip_turn(vec2 turn) {
     const float angle = std::atan2(turn.y, turn.x);
@@ -216,10 +225,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     built.vertices.clear();
     built.edges.clear();
     built.ring_error_px = 0.0F;
-    frame.view_projection = view_projection(scene.camera, width_px, height_px);
-    frame.eye = vec4(scene.camera.eye_mm, 0.0F);
-    build_lights(scene, still, frame);
-    build_backdrop(scene, width_px, height_px, frame);
+    build_scene(scene, still, width_px, height_px, frame);
     const EdgeView view{scene.camera, width_px, height_px};
     if (scene.lathe) build_lathe(scene, desc, view, built);
     const std::size_t sphere_count = std::min<std::size_t>(scene.spheres.size(), kMaxSpheres);
@@ -241,13 +247,11 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     built.moving = pixels_of(moving, scene.camera, width_px, height_px);
 }
 
-shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still, const BuiltFrame& built,
-                                 int width_px, int height_px) {
+shaders::FrameData still_frame(const Scene& scene, const StillBounds& still, int width_px, int height_px) {
     Scene lit = scene;
     lit.levels = {};
-    shaders::FrameData frame = built.frame;
-    build_lights(lit, still, frame);
-    build_backdrop(lit, width_px, height_px, frame);
+    shaders::FrameData frame{};
+    build_scene(lit, still, width_px, height_px, frame);
     return frame;
 }
 

@@ -54,15 +54,11 @@ struct StillBounds {
 void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
                  int height_px, BuiltFrame& built);
 
-// The frame's uniforms as they are with all lights full, whatever the scene's levels.
-[[nodiscard]] shaders::FrameData by_full_light(const Scene& scene, const StillBounds& still,
-                                               const BuiltFrame& built, int width_px, int height_px);
+// The frame's uniforms for what stands still alone, with all lights full, whatever the scene's levels.
+[[nodiscard]] shaders::FrameData still_frame(const Scene& scene, const StillBounds& still, int width_px,
+                                             int height_px);
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
-
-// Triangles of the lathe's rows and sectors, for as many rows as there may be; any first part that ends at a
-// whole row is a lathe with fewer.
-[[nodiscard]] std::vector<std::uint16_t> lathe_indices(int max_rows, int sectors);
 
 // Of everything the cached layers depend on (the levels of the light do not count), and of everything the
 // shadow mask does.

@@ -15,8 +15,9 @@ struct Feel {
 // The clay resists in series: by indentation, Nc su times the contact area pi 2 R* d, and, where a wall
 // stands alone, by its hinge, 2 pi su t^2. Sliding over it rubs with mu of that force, against the sliding.
 // film: 0 dry to 1 wet, of hand or face. supported: by the other hand, 0 to 1.
-// Differs from clay.md, which has K = 0.5 N/mm where the wheel stands: how stiff the clay is follows from its
-// strength, on a wheel that stands or turns; 13 kPa under a ball of 10 mm is some 4 N/mm, dry clay far more.
+// Differs: the paper's clay has K = 0.1 N/mm while the wheel turns and 0.5 where it stands. Here stiffness
+//   follows from the clay's strength, whether it turns or not; 13 kPa under a ball of 10 mm is some 4 N/mm,
+//   dry clay far more.
 // Differs: Eq. (7)'s friction grows with speed and not with pressure; here it is the other way, as on clay.
 Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dvec3& velocity_mm_s,
           double wheel_speed_rad_s, double film, double supported,

@@ -1,6 +1,6 @@
 // What the clay remembers of a hand: which side of the wall it is on, by how it came there, and how steadily
-// it is held. Haptic thread; no allocation. Units: mm, s, rad. "World" is the frame of clay.md; the clay's
-// frame turns with the wheel.
+// it is held. Haptic thread; no allocation. Units: mm, s, rad. "World" is the frame that stands still
+// (studio_clay.h); the clay's frame turns with the wheel.
 #pragma once
 
 #include "engine/math/math.h"

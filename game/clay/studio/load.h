@@ -14,7 +14,7 @@ enum class Cause { kNone, kWeight, kSpin, kOverhang, kTwist };
 
 // The stresses in one ring, kPa; tension above zero, pressure below. They are judged against 2 su, what clay
 // of that undrained strength bears along one axis (Tresca).
-// Differs from clay.md, which leaves the combining open: after von Mises, as studio-clay.md has it.
+// They are combined after von Mises; MODEL.md says where each law comes from.
 //   sz   -rho g (S0 + V/2)/(pi (ro^2 - ri^2)), the weight above; S0 the volume above
 //   sth  rho w^2 ro^2, hoop of the spin (0.41 of it in solid clay), and rho g R T of the slope
 //   sb   3 rho g Le^2/tn, bending by the overhang L = 2 |S1/S0 - R|, held by the shell: 1/Le^2 = 1/L^2 +

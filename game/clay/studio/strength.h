@@ -1,7 +1,7 @@
 // How strong clay is by its water, and how it gives and takes water. Any thread; fit for the tick.
-// Units: kPa, mm, s, g. The model is a mean of thirty soils: call it a model.
-// Differs from studio-clay.md, which has water in each ring by itself: a wet hand leaves a film on the faces
-// it touches, which makes them slide and soaks in, and water passes between neighbours by Fick's law.
+// Units: kPa, mm, s, g. The model is a mean of thirty soils (MODEL.md): call it a model. Besides the water in
+// each ring a wet hand leaves a film on the faces it touches, which makes them slide and soaks in, and water
+// passes between neighbours by Fick's law.
 #pragma once
 
 #include "game/clay/studio/rings.h"

@@ -58,15 +58,13 @@ Result<void> check(const StudioLump& lump);
 // the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (resplit.h),
 // load and slump (load.h), forces (force.h).
 //
-// Differs from clay.md, section 2: a lump starts with as many rings as its height asks for at 200 mm/N each,
-// and
-//   has room for 2 N; N rings of a low dome would be flakes.
+// Where it departs from the plain form of its laws, and why; MODEL.md beside this file tells the laws.
+// Differs: a lump starts with as many rings as its height asks for at 200 mm/N each and has room for 2 N; N
+//   rings of a low dome would be flakes.
 // Differs: a push that would break a bound is shortened to it rather than refused, so that a fast hand moves
-// the
-//   clay as fast as it may instead of not at all. The refusal stays as the last guard.
+//   the clay as fast as it may instead of not at all. The refusal stays as the last guard.
 // Differs: sectors do not take part in the flow of the mean circle. A bump passing under the hand would cone
-// the
-//   whole ring, as off-centre clay would.
+//   the whole ring, as off-centre clay would.
 // Differs: forces are of the depth before the tick's flow; the flow takes about a hundredth of it.
 // Differs: at 2 kHz and beyond walls give way as a whole in every other tick at most, and load, slump, split
 //   and join are worked at in the ones between, each for the time of both.
@@ -86,9 +84,6 @@ class StudioClay {
     [[nodiscard]] std::span<const double> inner_mm() const { return column(rings_.inner_mm); }
     [[nodiscard]] std::span<const double> heights_mm() const { return column(rings_.height_mm); }
     [[nodiscard]] std::span<const double> volumes_mm3() const { return column(rings_.volume_mm3); }
-    [[nodiscard]] std::span<const float> load_indices() const {
-        return {rings_.load_index.data(), static_cast<std::size_t>(rings_.count)};
-    }
     [[nodiscard]] double centre_height_mm(int ring) const { return rings_.centre_mm(ring); }
     // Off-centre of a ring, its x and z in the clay's frame.
     [[nodiscard]] dvec2 centre_mm(int ring) const;

@@ -1,14 +1,17 @@
 // A visit that is interrupted: its journal on a real disk, what damage leaves of it, and a wheel on which it
 // goes on.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <thread>
 
+#include "engine/core/list_folder.h"
 #include "engine/record/session.h"
 #include "game/app/kiosk_keeper.h"
 #include "game/app/left_over.h"
 #include "game/app/visit_journal.h"
+#include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/haptic/studio_hand.h"
 
@@ -180,6 +183,29 @@ TEST(InterruptedVisit, IsDroppedWithALineWhereNothingIsWhole) {
         EXPECT_EQ(found.remarks[0].find('\n'), std::string::npos);
         EXPECT_TRUE(fs::is_empty(folder / "state")) << "and it is not met a second time";
     }
+}
+
+TEST(InterruptedVisit, IsFoundAndLosesNothingWhereTheDiskFailsInTheMiddleOfItsFolder) {
+    const test::TemporaryFolder folder;
+    Visit visit(folder / "state");
+    visit.throw_until(2345);
+    const std::string journal = test::content_of(folder / "state/visit-2.onggi.part");
+    fs::create_directories(folder / "after");
+    for (int i = 1; i <= 30; ++i)
+        test::put_file(folder / "after" / fmt::format("visit-{:02}.onggi", i), journal);
+    const std::string told = test::in_child([&]() -> std::string {
+        if (!test::fail_listings_after(2)) return "no such kernel";
+        std::vector<std::string> remarks;
+        const auto pot =
+            LeftOver::find(folder / "after", test::studio_start(), parameters_at(kRateHz), remarks);
+        return fmt::format("{}; {}", pot ? "found" : "lost", fmt::join(remarks, "; "));
+    });
+    EXPECT_EQ(told, fmt::format("found; interrupted visit: {}: expected to list all that is in this folder, "
+                                "found: Input/output error",
+                                (folder / "after").string()));
+    const FolderListing left = list_folder(folder / "after");
+    EXPECT_EQ(left.entries.size(), 30U) << "what the disk did not tell of may be the longest";
+    EXPECT_TRUE(fs::exists(folder / "after/left-over.onggi"));
 }
 
 TEST(InterruptedVisit, IsNoneWhereItEndedBeforeItsFirstBlock) {

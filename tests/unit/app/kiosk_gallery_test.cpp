@@ -1,6 +1,7 @@
 // The shelf on the disk: what is kept, what leaves, what the staff deletes.
 #include "game/app/kiosk_gallery.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "game/app/kiosk_keeper.h"
 #include "game/app/kiosk_settings.h"
 #include "game/haptic/start_state.h"
+#include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -177,6 +179,29 @@ TEST(Gallery, SaysWhereItCannotSave) {
     ASSERT_FALSE(kept);
     EXPECT_NE(kept.error().message.find("taken"), std::string::npos) << kept.error().message;
     EXPECT_EQ(kept.error().message.find('\n'), std::string::npos);
+}
+
+TEST(Gallery, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
+    const test::TemporaryFolder folder;
+    for (int number = 1; number <= 30; ++number)
+        put_pot(folder.path(), fmt::format("2026-11-21/pot-{:03}", number));
+    kiosk::Config config = config_of(folder.path());
+    config.gallery.most_pots = 3;
+    Gallery gallery(config);
+    const Cut cut;
+    const std::string told = test::in_child([&]() -> std::string {
+        // Six: the folder of days, and some of the pots of its day, whenever it is asked for the first time.
+        if (!test::fail_listings_after(6)) return "no such kernel";
+        std::string trouble;
+        const std::size_t some = gallery.pots(&trouble).size();
+        const auto kept = gallery.keep(cut.pot(), "2026-11-21");
+        return fmt::format("{} of 30; {}; {}", some > 0 && some < 30 ? "some" : "all or none", trouble,
+                           kept ? fmt::format("kept as {}", *kept) : kept.error().message);
+    });
+    EXPECT_EQ(told, fmt::format("some of 30; {}/2026-11-21: expected to list all that is in this folder, "
+                                "found: Input/output error; kept as 31",
+                                folder.path().string()));
+    EXPECT_EQ(gallery.pots().size(), 31U) << "none had to go, none was written over";
 }
 
 // A keeper at work on a gallery, and the loop it would follow.

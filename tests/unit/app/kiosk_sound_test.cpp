@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "game/haptic/tools.h"
 #include "game/kiosk/strings.h"
 
 namespace onggi::app {
@@ -35,7 +36,7 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
     haptic::Snapshot snapshot = touching();
     snapshot.result.second_forces.stiffness_n = {0.0, 0.0, -1.0};
     snapshot.result.wheel_load_n_mm = -150.0;
-    snapshot.tool.tool = haptics::ToolKind::kTrimmer;
+    snapshot.tool.tool = haptic::kTrimmer;
     haptic::PotShape shape;
     shape.is_hollow = true;
     snapshot.shape = &shape;

@@ -61,7 +61,19 @@ TEST(SparseFloats, AreCopiedByEveryBit) {
     EXPECT_EQ(bits(other), bits(floats));
 }
 
+// Kernels that lend one page of zeros to all who only read take none for it; some of virtual machines do not.
+long kb_for_reading() {
+    const SparseFloats untouched(kCount);
+    const long before_kb = memory_kb(untouched);
+    float sum = 0.0F;
+    for (std::size_t at = 0; at < kCount; ++at)
+        sum += untouched.data()[at];
+    EXPECT_EQ(sum, 0.0F);
+    return memory_kb(untouched) - before_kb;
+}
+
 TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
+    const long reading_kb = kb_for_reading();
     SparseFloats floats(kCount);
     const long before_kb = memory_kb(floats);
     ASSERT_GE(before_kb, 0);
@@ -69,7 +81,7 @@ TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
     EXPECT_LE(memory_kb(floats) - before_kb, 2 * kPageKb);
 
     SparseFloats copy(floats);
-    EXPECT_LE(memory_kb(copy), before_kb + 32 * kPageKb) << "the copy of a page is a page";
+    EXPECT_LE(memory_kb(copy), before_kb + reading_kb + 32 * kPageKb) << "the copy of a page is a page";
     copy.take_memory();
     constexpr long kAllKb = static_cast<long>(kCount * sizeof(float) / 1024);
     EXPECT_GE(memory_kb(copy), kAllKb);

@@ -127,7 +127,7 @@ TEST_F(InverseDeviceTest, RejectsAServiceThatSpeaksNonsenseWithOneLineAndTriesAg
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(comes_true(device, [&] { return device.status().state == State::kFailed; }));
     EXPECT_EQ(device.status().message,
-              "not a message of the Inverse service: byte 0: expected a value, found byte 0x3c");
+              "not a message of the Inverse service: byte 0: expected JSON, found byte 0x3c");
     EXPECT_FALSE(device.is_here());
     service.say(std::string(100'000, ' '));
     ASSERT_TRUE(comes_true(device, [&] {

@@ -38,18 +38,25 @@ TEST(InverseMessages, FindNoDeviceBeforeOneIsPluggedIn) {
 }
 
 TEST(InverseMessages, RejectsWhatIsNoJson) {
-    EXPECT_EQ(refusal(""), "byte 0: expected a value, found the end");
-    EXPECT_EQ(refusal("{\"a\":1"), "byte 6: expected a comma or a brace, found the end");
-    EXPECT_EQ(refusal("[1,]"), "byte 3: expected a value, found byte 0x5d");
-    EXPECT_EQ(refusal("{} x"), "byte 3: expected the end, found more");
-    EXPECT_EQ(refusal("\"\xff"), "byte 2: expected a closing quote, found the end");
-    EXPECT_EQ(refusal("nan"), "byte 0: expected a value, found byte 0x6e");
-    EXPECT_EQ(refusal("[1e999]"), "byte 1: expected a value, found byte 0x31");
-    EXPECT_EQ(refusal("[inf]"), "byte 1: expected a value, found byte 0x69");
-    EXPECT_EQ(refusal("\"\\"), "byte 2: expected a closing quote, found the end");
-    EXPECT_EQ(refusal(std::string(100, '[')), "byte 33: expected values at most 32 deep, found one deeper");
-    EXPECT_EQ(refusal(std::string(kMaxMessageBytes + 1, ' ')),
-              "byte 0: expected at most 65536 bytes, found more");
+    EXPECT_EQ(refusal(""), "byte 0: expected JSON, found the end");
+    EXPECT_EQ(refusal("{\"a\":1"), "byte 6: expected JSON, found the end");
+    EXPECT_EQ(refusal("[1,]"), "byte 3: expected JSON, found byte 0x5d");
+    EXPECT_EQ(refusal("{} x"), "byte 3: expected JSON, found byte 0x78");
+    EXPECT_EQ(refusal("\"\xff"), "byte 1: expected JSON, found byte 0xff");
+    EXPECT_EQ(refusal("nan"), "byte 1: expected JSON, found byte 0x61");
+    EXPECT_EQ(refusal("[1e999]"), "byte 5: expected a number within range, found byte 0x39");
+    EXPECT_EQ(refusal("[inf]"), "byte 1: expected JSON, found byte 0x69");
+    EXPECT_EQ(refusal("\"\\"), "byte 2: expected JSON, found the end");
+}
+
+TEST(InverseMessages, RejectsWhatIsTooMuch) {
+    const auto nested = [](std::size_t deep) { return std::string(deep, '[') + std::string(deep, ']'); };
+    EXPECT_EQ(refusal(nested(kMaxJsonDepth)), "taken");
+    EXPECT_EQ(refusal(nested(kMaxJsonDepth + 1)), "expected values at most 32 deep, found one deeper");
+    EXPECT_EQ(refusal(std::string(kMaxMessageBytes, '[')),
+              "expected values at most 32 deep, found one deeper");
+    EXPECT_EQ(refusal("1" + std::string(kMaxMessageBytes - 1, ' ')), "taken");
+    EXPECT_EQ(refusal("1" + std::string(kMaxMessageBytes, ' ')), "expected at most 65536 bytes, found 65537");
 }
 
 TEST(InverseMessages, RejectsADeviceThatIsNone) {
@@ -81,6 +88,12 @@ TEST(WalkJson, TellsEachValueWithItsPlace) {
             told += std::string(place) + "=" + std::string(value.text) + std::to_string(value.number) + ";";
         }));
     EXPECT_EQ(told, "a.0=1.000000;a.1.b=x0.000000;a.2=0.000000;c=-25.000000;");
+    told.clear();
+    ASSERT_TRUE(walk_json(
+        R"([{}, [], [[-3], "\u0041\n"], null])", [&](std::string_view place, const JsonValue& value) {
+            told += std::string(place) + "=" + std::string(value.text) + std::to_string(value.number) + ";";
+        }));
+    EXPECT_EQ(told, "2.0.0=-3.000000;2.1=A\n0.000000;3=0.000000;");
 }
 
 }  // namespace

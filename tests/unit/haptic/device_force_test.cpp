@@ -99,7 +99,7 @@ TEST(FitToDevice, JudgesWhatDoesNotSayItsWeightAsLight) {
     parameters.set_rate_hz(500.0);
     const Result<void> paper = fit_to_device(parameters, unknown, true);
     ASSERT_FALSE(paper);
-    EXPECT_NE(paper.error().message.find("the stiffest that is stable on it"), std::string::npos);
+    EXPECT_NE(paper.error().message.find("the largest that is stable on it"), std::string::npos);
     ASSERT_TRUE(fit_to_device(parameters, unknown, false)) << "the studio's clay is shown softer";
     EXPECT_GT(parameters.feel.most_stiffness_n_per_mm, 0.1);
     EXPECT_LT(parameters.feel.most_stiffness_n_per_mm, 0.6);

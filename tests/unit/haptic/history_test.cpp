@@ -9,6 +9,7 @@
 
 #include "engine/files/read_file.h"
 #include "engine/record/session.h"
+#include "game/haptic/tools.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/haptic/studio_hand.h"
 
@@ -75,7 +76,7 @@ TEST(History, TellsTheMovesApart) {
     EXPECT_EQ(moves[0].side, clay::studio::Side::kIn) << "opened and widened";
     EXPECT_EQ(moves[1].side, clay::studio::Side::kOut);
     EXPECT_EQ(moves[1].tool, haptics::ToolKind::kHand);
-    EXPECT_EQ(moves[2].tool, haptics::ToolKind::kRib);
+    EXPECT_EQ(moves[2].tool, haptic::kRib);
     EXPECT_TRUE(moves[3].is_cut);
     for (std::size_t i = 1; i < moves.size(); ++i)
         EXPECT_GE(moves[i].first_tick, moves[i - 1].end_tick);

@@ -8,6 +8,7 @@
 
 #include "engine/haptics/haptic_device.h"
 #include "game/haptic/tick.h"
+#include "game/haptic/tools.h"
 
 namespace onggi::test {
 
@@ -36,10 +37,10 @@ inline haptics::ToolState studio_hand(std::uint64_t tick, double rate_hz) {
     tool.water = t_s < 7.0 ? 1.0 : 0.0;
     tool.shaft_mm = t_s > 2.3 && t_s < 4.6 ? 8.0 : 0.0;
     tool.assist_gap_mm = t_s > 5.1 && t_s < 6.8 ? 5.0 : 0.0;
-    tool.tool = t_s < 7.0 ? haptics::ToolKind::kHand : haptics::ToolKind::kRib;
+    tool.tool = t_s < 7.0 ? haptics::ToolKind::kHand : haptic::kRib;
     if (t_s > 8.8 && t_s < 8.9) {
-        tool.wire = haptics::WireCommand::kCutRim;
-        tool.wire_height_mm = 40.0;
+        tool.command = haptic::kCutRim;
+        tool.command_height_mm = 40.0;
     }
     return tool;
 }

@@ -112,7 +112,8 @@ TEST(StudioLoop, HandsTheWholePotOverBitByBit) {
             expect_shape_of(*snapshot.shape, *loop.work.state().studio(), 0.6);
     }
     EXPECT_GE(shapes, 900) << "two a frame";
-    EXPECT_GT(loop.work.state().studio()->splits(), 100U) << "rings came meanwhile";
+    // Two hands that hold a wall no longer squeeze it higher, so that few rings are split.
+    EXPECT_GT(loop.work.state().studio()->splits(), 10U) << "rings came meanwhile";
 }
 
 TEST(StudioLoop, SaysWhereBothHandsAreAndWhatTheClayCarries) {

@@ -39,19 +39,12 @@ TEST(DualSenseTriggers, AreToldTheBytesOfTheVectors) {
     EXPECT_EQ(bytes_of(trigger_resistance(from_zone(3, 5))), "21 f8 03 00 48 92 24 00 00 00 00");
     EXPECT_EQ(bytes_of(trigger_resistance({0, 1, 2, 3, 4, 5, 6, 7, 8, 8})),
               "21 fe 03 40 34 d6 3f 00 00 00 00");
-    EXPECT_EQ(bytes_of(trigger_vibration(from_zone(0, 4), 40)), "26 ff 03 db b6 6d 1b 00 00 28 00");
-    EXPECT_EQ(bytes_of(trigger_weapon(2, 7, 8)), "25 84 00 07 00 00 00 00 00 00 00");
     EXPECT_EQ(bytes_of(trigger_off()), "05 00 00 00 00 00 00 00 00 00 00");
 }
 
 TEST(DualSenseTriggers, AreNeverToldMoreThanTheMakersRange) {
     EXPECT_EQ(trigger_resistance(from_zone(0, 200)), trigger_resistance(from_zone(0, 8)));
     EXPECT_EQ(trigger_resistance(from_zone(0, 0)), trigger_off());
-    EXPECT_EQ(trigger_vibration(from_zone(0, 4), 0), trigger_off());
-    EXPECT_EQ(trigger_vibration(from_zone(0, 0), 40), trigger_off());
-    EXPECT_EQ(trigger_weapon(-5, 99, 99), trigger_weapon(2, 8, 8));
-    EXPECT_EQ(trigger_weapon(7, 3, 4), trigger_weapon(7, 8, 4)) << "the end lies beyond the start";
-    EXPECT_EQ(trigger_weapon(2, 7, 0), trigger_off());
 }
 
 TEST(DualSenseOrders, SetBothTriggersAsInTheVector) {

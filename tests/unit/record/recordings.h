@@ -10,6 +10,7 @@
 
 #include "engine/record/session.h"
 #include "engine/record/session_writer.h"
+#include "game/haptic/tools.h"
 #include "tests/support/session_checksums.h"
 #include "tests/support/temporary_folder.h"
 
@@ -39,8 +40,8 @@ inline haptics::ToolState both_hands_at(std::uint64_t tick) {
     tool.tool = static_cast<haptics::ToolKind>(part % 4);
     tool.side = static_cast<haptics::SideHint>(part % 3);
     tool.water = part % 2 == 0 ? 0.25 : 1.0;
-    tool.wire = part == 2 ? haptics::WireCommand::kCutRim : haptics::WireCommand::kNone;
-    tool.wire_height_mm = static_cast<double>(part);
+    tool.command = part == 2 ? haptic::kCutRim : haptics::WorkCommand::kNone;
+    tool.command_height_mm = static_cast<double>(part);
     tool.wheel_speed_rev_min = 100.0 + static_cast<double>(part);
     tool.assist_gap_mm = part % 5 == 4 ? 6.5 : 0.0;
     tool.shaft_mm = static_cast<double>(part % 3);
@@ -49,7 +50,7 @@ inline haptics::ToolState both_hands_at(std::uint64_t tick) {
     if (part % 4 != 3) {
         const double moved = part % 4 == 1 ? static_cast<double>(tick) / 4096.0 : 0.0;
         tool.second = {.present = true,
-                       .tool = haptics::ToolKind::kRib,
+                       .tool = haptic::kRib,
                        .radius_mm = 7.0,
                        .position_mm = {-60.0 - moved, 20.0, -0.0}};
     }
@@ -68,7 +69,7 @@ inline SessionHeader test_header() {
     return {.rate_hz = 4000.0,
             .element_count = 2000,
             .sector_count = 1,
-            .clay_model = ClayModel::kPaper,
+            .tool_detail = ToolDetail::kPlain,
             .start_state_hash = 0x0123456789abcdefULL};
 }
 
@@ -83,7 +84,7 @@ inline Result<void> record_ticks(SessionWriter& writer, std::uint64_t ticks) {
 
 inline SessionHeader studio_header() {
     SessionHeader header = test_header();
-    header.clay_model = ClayModel::kStudio;
+    header.tool_detail = ToolDetail::kWhole;
     header.sector_count = 256;
     return header;
 }

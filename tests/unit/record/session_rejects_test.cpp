@@ -190,7 +190,7 @@ TEST(RejectsSession, WithHandsThatNoToolWouldBe) {
     expect_found(refused(96, std::bit_cast<double>(0x7ff8000000000000ULL)), "water of 0 to 1, found nan");
     expect_found(refused(104, std::uint8_t{2}), "a button of 0 to 1, found 2");
     expect_found(refused(105, std::uint8_t{4}), "a tool of 0 to 3, found 4");
-    expect_found(refused(107, std::uint8_t{3}), "a wire of 0 to 2, found 3");
+    expect_found(refused(107, std::uint8_t{3}), "a command of 0 to 2, found 3");
     expect_found(refused(110, std::uint8_t{2}), "being guided of 0 to 1, found 2");
     expect_found(refused(111, std::uint8_t{255}), "pressing of 0 to 1, found 255");
 }

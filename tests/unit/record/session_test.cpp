@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "game/haptic/tools.h"
 #include "tests/support/hostile_system.h"
 #include "tests/unit/record/recordings.h"
 
@@ -299,7 +300,7 @@ TEST(SessionWriter, RejectsAToolThatThePapersClayCannotHear) {
     const TemporaryFolder folder;
     auto writer = SessionWriter::create(folder / "s.onggi", test_header(), {});
     ASSERT_TRUE(writer);
-    EXPECT_FALSE(writer->add_tick({.tool = haptics::ToolKind::kSponge}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.tool = haptic::kSponge}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.wheel_speed_rev_min = 100.0}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.guided = true}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.pressing = false}, dvec3(0.0)));

@@ -37,23 +37,5 @@ TEST(HostPhotograph, RepeatsItsFirstAndLastRowBesideIt) {
     EXPECT_EQ(photograph.first()[-4], photograph.first()[0]);
 }
 
-TEST(HostPhotograph, HalvedIsTheMeanOfFourTexels) {
-    const HostPhotograph half = HostPhotograph(5, 4, ramp(5, 4), ByteOrder::kRedFirst).halved();
-    EXPECT_EQ(half.width(), 2);
-    EXPECT_EQ(half.height(), 2);
-    EXPECT_EQ(half.first()[0], 0xFFC80A05U);
-    EXPECT_EQ(half.first()[3], 0xFFC83219U);
-    EXPECT_EQ(half.first()[-2], half.first()[0]);
-    EXPECT_EQ(half.first()[5], half.first()[3]);
-}
-
-TEST(HostPhotograph, OfASingleRowStaysAsItIsWhenHalved) {
-    const HostPhotograph row(5, 1, ramp(5, 1), ByteOrder::kRedFirst);
-    const HostPhotograph half = row.halved();
-    EXPECT_EQ(half.width(), 5);
-    EXPECT_EQ(half.height(), 1);
-    EXPECT_EQ(half.first()[4], row.first()[4]);
-}
-
 }  // namespace
 }  // namespace onggi::render

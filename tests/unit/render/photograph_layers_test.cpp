@@ -33,7 +33,9 @@ class LaidPhotographs : public testing::Test {
         width_ = width;
         with_key_.assign(static_cast<std::size_t>(width * height), 0U);
         without_key_.assign(with_key_.size(), 0x55000000U);
-        lay_photographs(plate_, window, width, with_key_, without_key_);
+        // In two parts, as one frame after another lays them.
+        for (const RowSpan rows : {RowSpan{0, height / 3}, RowSpan{height / 3, height}})
+            lay_photographs(plate_, window, width, rows, with_key_, without_key_);
     }
     static int byte(std::uint32_t texel, unsigned at) {
         return static_cast<int>((texel >> (8U * at)) & 255U);

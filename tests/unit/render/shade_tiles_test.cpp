@@ -87,8 +87,11 @@ class ShadedTiles : public testing::Test {
         before_->fill(kUnshaded);
         now_->fill(kUnshaded);
         tiles_.learn(kGrid, places_);
-        tiles_.take({}, rects_);
+        take({});
     }
+    void take(const std::vector<std::uint8_t>& moving) { tiles_.take(moving, ++number_, rects_); }
+
+    std::uint64_t number_ = 0;
     std::vector<std::uint32_t> places_;
     std::unique_ptr<ShadowMask> before_ = std::make_unique<ShadowMask>();
     std::unique_ptr<ShadowMask> now_ = std::make_unique<ShadowMask>();
@@ -99,7 +102,7 @@ class ShadedTiles : public testing::Test {
 TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
     ASSERT_EQ(rects_.size(), 1U);
     tiles_.note_mask(*before_, *now_);
-    tiles_.take({}, rects_);
+    take({});
     EXPECT_TRUE(rects_.empty());
 
     std::mt19937 random(7);
@@ -108,7 +111,7 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
         for (int change = 0; change < 3; ++change)
             (*now_)[random() % now_->size()] = static_cast<std::uint32_t>(random()) & kUnshaded;
         tiles_.note_mask(*before_, *now_);
-        tiles_.take({}, rects_);
+        take({});
         const std::vector<int> times = counted(rects_);
         for (std::size_t at = 0; at < places_.size(); ++at) {
             const std::size_t texel = places_[at] >> 16U;
@@ -133,11 +136,11 @@ TEST_F(ShadedTiles, ReadTheFourTexelsAboutTheirPlaceAndNoOthers) {
         const std::vector<std::uint32_t> places(std::size_t{kTileWidthPx} * kTileHeightPx, texel << 16U);
         const auto is_shaded = [&](std::uint32_t changed) {
             tiles_.learn(kOne, places);
-            tiles_.take({}, rects_);
+            take({});
             *now_ = *before_;
             (*now_)[changed] = 0;
             tiles_.note_mask(*before_, *now_);
-            tiles_.take({}, rects_);
+            take({});
             return !rects_.empty();
         };
         for (const std::uint32_t read : {texel, texel + 1, texel + kAcross, texel + kAcross + 1})
@@ -154,12 +157,12 @@ TEST_F(ShadedTiles, ThatAreCoveredWaitUntilTheyAreSeen) {
     moving[8] = kCovered;
     const std::uint64_t before = tiles_.numbers()[8];
     const auto times_of_8 = [&] { return counted(rects_)[pixel(2 * kTileWidthPx, kTileHeightPx)]; };
-    tiles_.take(moving, rects_);
+    take(moving);
     EXPECT_EQ(times_of_8(), 0);
     EXPECT_EQ(tiles_.numbers()[8], before);
     EXPECT_NE(tiles_.numbers()[9], before);
     moving[8] = kNothingMoves;
-    tiles_.take(moving, rects_);
+    take(moving);
     EXPECT_EQ(times_of_8(), 1);
     EXPECT_EQ(rects_.size(), 1U) << "the others have been shaded";
     EXPECT_NE(tiles_.numbers()[8], before);
@@ -168,9 +171,9 @@ TEST_F(ShadedTiles, ThatAreCoveredWaitUntilTheyAreSeen) {
 TEST_F(ShadedTiles, WaitAFrameForALittleOtherLightRowByRow) {
     const std::vector<std::uint64_t> before(tiles_.numbers().begin(), tiles_.numbers().end());
     tiles_.note_light(LightChange::kLittle);
-    tiles_.take({}, rects_);
+    take({});
     const std::vector<int> first = counted(rects_);
-    tiles_.take({}, rects_);
+    take({});
     const std::vector<int> second = counted(rects_);
     for (std::size_t at = 0; at < first.size(); ++at)
         ASSERT_EQ(first[at] + second[at], 1) << at;
@@ -178,10 +181,10 @@ TEST_F(ShadedTiles, WaitAFrameForALittleOtherLightRowByRow) {
     EXPECT_NE(first[pixel(0, 0)], first[pixel(0, kTileHeightPx)]);
     for (std::size_t tile = 0; tile < before.size(); ++tile)
         EXPECT_NE(tiles_.numbers()[tile], before[tile]) << tile;
-    tiles_.take({}, rects_);
+    take({});
     EXPECT_TRUE(rects_.empty());
     tiles_.note_light(LightChange::kMuch);
-    tiles_.take({}, rects_);
+    take({});
     EXPECT_EQ(rects_.size(), 1U) << "all at once";
 }
 

@@ -62,11 +62,11 @@ void add_scene(View& view) {
 
 std::shared_ptr<const std::vector<Exhibit>> sample_exhibits() {
     static const auto all = std::make_shared<const std::vector<Exhibit>>(std::vector<Exhibit>{
-        {"pot.ido", "mus.daitoku", "date.joseon16", 91.0, 154.0, false, finish::kIdoGlaze,
+        {"pot.ido", "mus.daitoku", "date.joseon16", 91.0, 154.0, "", finish::kIdoGlaze,
          hollowed({{26, 0}, {28, 12}, {30, 16}, {48, 30}, {63, 52}, {72, 74}, {77, 91}}, 5.0F, 20.0F)},
-        {"pot.buncheong", "mus.brooklyn", "date.joseon15", 50.0, 196.0, false, 2,
-         hollowed({{29, 0}, {30, 7}, {48, 14}, {72, 26}, {90, 40}, {98, 50}}, 5.0F, 12.0F)},
-        {"pot.maebyeong", "mus.nmk", "date.goryeo12", 303.0, 0.0, false, 0,
+        {"pot.buncheong", "mus.brooklyn", "date.joseon", 55.0, 125.0, "", 2,
+         hollowed({{18, 0}, {19, 5}, {26, 8}, {42, 19}, {53, 33}, {60, 47}, {62, 55}}, 5.0F, 9.0F)},
+        {"pot.maebyeong", "mus.nmk", "date.goryeo12", 303.0, 0.0, "1/2", 0,
          hollowed({{52, 0},
                    {50, 30},
                    {52, 80},
@@ -79,7 +79,7 @@ std::shared_ptr<const std::vector<Exhibit>> sample_exhibits() {
                    {20, 296},
                    {25, 303}},
                   5.0F, 8.0F)},
-        {"pot.moon", "mus.nmk", "date.joseon18", 305.0, 302.0, true, 1,
+        {"pot.moon", "mus.nmk", "date.joseon18", 305.0, 302.0, "1/3", 1,
          hollowed({{60, 0},
                    {62, 10},
                    {103, 44},

@@ -41,8 +41,18 @@ const char* word_of(onggi::kiosk::Button button) {
             return "my-turn";
         case Button::kLookIn:
             return "look-in";
+        case Button::kHandUp:
+            return "hand-up";
+        case Button::kHandDown:
+            return "hand-down";
         case Button::kHandLeft:
             return "hand-left";
+        case Button::kHandRight:
+            return "hand-right";
+        case Button::kWaterMore:
+            return "water-more";
+        case Button::kSpeedMore:
+            return "speed-more";
         case Button::kDone:
             return "done";
         case Button::kSkip:

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace onggi::sound {
@@ -16,14 +18,15 @@ std::string little(std::uint32_t value, int bytes) {
     return text;
 }
 
-// A wave file of one loudness.
-std::string wave(std::uint32_t rate_hz, std::uint32_t channels, std::size_t frames, std::int16_t value,
+// A wave file of one loudness, given as one sample's bits.
+std::string wave(std::uint32_t rate_hz, std::uint32_t channels, std::size_t frames, std::uint32_t value,
                  std::uint32_t bits = 16, std::uint32_t kind = 1) {
     std::string data;
     for (std::size_t i = 0; i < frames * channels; ++i)
-        data += little(static_cast<std::uint16_t>(value), 2);
+        data += little(value, static_cast<int>(bits / 8));
+    const std::uint32_t frame_bytes = channels * bits / 8;
     const std::string format = little(kind, 2) + little(channels, 2) + little(rate_hz, 4) +
-                               little(rate_hz * channels * 2, 4) + little(channels * 2, 2) + little(bits, 2);
+                               little(rate_hz * frame_bytes, 4) + little(frame_bytes, 2) + little(bits, 2);
     // A piece that nobody asked for, of an odd size, lies between.
     return "RIFF" + little(0, 4) + "WAVEfmt " + little(16, 4) + format + "LIST" + little(3, 4) + "abc\0" +
            std::string(1, '\0') + "data" + little(static_cast<std::uint32_t>(data.size()), 4) + data;
@@ -40,16 +43,48 @@ TEST(SpokenLine, ReadsEveryRateAndOneOrTwoChannels) {
     }
 }
 
+TEST(SpokenLine, ReadsWhatRecordersWrite) {
+    constexpr std::uint32_t kFloats = 3;
+    const auto middle = [](const std::string& bytes) {
+        const auto line = read_wave(bytes, "line.wav");
+        return line ? line->samples[line->samples.size() / 2] : -2.0F;
+    };
+    EXPECT_NEAR(middle(wave(48000, 1, 5000, 0x400000, 24)), 0.5F, 1e-6F);
+    EXPECT_NEAR(middle(wave(48000, 1, 5000, 0xc0000000, 32)), -0.5F, 1e-6F);
+    EXPECT_NEAR(middle(wave(48000, 2, 5000, std::bit_cast<std::uint32_t>(0.25F), 32, kFloats)), 0.25F, 1e-6F);
+    EXPECT_EQ(middle(wave(48000, 1, 5000, std::bit_cast<std::uint32_t>(7.0F), 32, kFloats)), 1.0F);
+    EXPECT_EQ(middle(wave(48000, 1, 5000, std::bit_cast<std::uint32_t>(std::nanf("")), 32, kFloats)), 0.0F);
+}
+
+TEST(SpokenLine, GoesOnEvenlyFromBlockToBlock) {
+    // A ramp of 20000 frames, at half the rate: straight lines between its samples are the ramp again.
+    std::string bytes = wave(24000, 1, 20000, 0);
+    for (std::size_t i = 0; i < 20000; ++i) {
+        const std::string sample = little(static_cast<std::uint32_t>(i), 2);
+        std::copy(sample.begin(), sample.end(), bytes.end() - 40000 + static_cast<std::ptrdiff_t>(2 * i));
+    }
+    const auto line = read_wave(bytes, "line.wav");
+    ASSERT_TRUE(line) << line.error().message;
+    ASSERT_EQ(line->samples.size(), 40000U);
+    for (std::size_t i = 0; i + 1 < line->samples.size(); ++i)
+        ASSERT_NEAR(line->samples[i], static_cast<float>(i) / 65536.0F, 1e-6F) << i;
+}
+
 TEST(SpokenLine, SaysInOneLineWhatItCannotRead) {
     const auto message = [](const std::string& bytes) {
         const auto line = read_wave(bytes, "en/choose.title.wav");
         return line ? std::string() : line.error().message;
     };
     EXPECT_EQ(message("MP3"), "en/choose.title.wav: expected a RIFF wave file, found something else");
-    EXPECT_EQ(message(wave(48000, 1, 10, 1, 24)),
-              "en/choose.title.wav: expected 16-bit PCM, found format 1 of 24 bits");
-    EXPECT_EQ(message(wave(48000, 1, 10, 1, 16, 3)),
-              "en/choose.title.wav: expected 16-bit PCM, found format 3 of 16 bits");
+    EXPECT_EQ(
+        message(wave(48000, 1, 10, 1, 8)),
+        "en/choose.title.wav: expected PCM of 16, 24 or 32 bits or of floats, found Unsigned 8 bit PCM");
+    EXPECT_EQ(message(wave(48000, 1, 10, 1, 8, 7)),
+              "en/choose.title.wav: expected PCM of 16, 24 or 32 bits or of floats, found U-Law");
+    const std::string broken = message(wave(48000, 1, 10, 1, 16, 0x55));
+    EXPECT_TRUE(broken.starts_with("en/choose.title.wav: expected a wave file that can be read, found '"))
+        << broken;
+    EXPECT_EQ(broken.find('\n'), std::string::npos);
     EXPECT_EQ(message(wave(48000, 6, 10, 1)), "en/choose.title.wav: expected 1 or 2 channels, found 6");
     EXPECT_EQ(message(wave(4000, 1, 10, 1)), "en/choose.title.wav: expected 8000 to 96000 Hz, found 4000 Hz");
     EXPECT_EQ(message(wave(48000, 1, 0, 1)), "en/choose.title.wav: expected samples, found none");

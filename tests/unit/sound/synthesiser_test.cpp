@@ -45,7 +45,7 @@ TEST(Synthesiser, IsExactlySilentWhenNothingMoves) {
 }
 
 TEST(Synthesiser, RoarsLowAndUnevenlyWhileTheKilnBurns) {
-    constexpr SoundScene kFiring{.kiln_burns = true, .volume = 1.0};
+    constexpr SoundScene kFiring{.fire_burns = true, .volume = 1.0};
     EXPECT_LT(level_db(heard(kFiring)), -18.0);
     EXPECT_GT(level_db(heard(kFiring)), -34.0);
     EXPECT_LT(brightness_hz(heard(kFiring)), brightness_hz(heard(kPressing)));

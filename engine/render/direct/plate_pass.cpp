@@ -1,28 +1,16 @@
-#include "engine/render/frame/plate_pass.h"
+#include "engine/render/direct/plate_pass.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
+#include "engine/render/frame/plate_pair.h"
 #include "engine/render/shapes/relief.h"
 
 namespace onggi::render {
 namespace {
 
 constexpr VkFormat kPlateFormat = VK_FORMAT_R8G8B8A8_UNORM;
-
-// What each byte of a plate, exact sRGB, is with the transfer of the target.
-std::array<std::uint8_t, 256> transfer_table(Transfer transfer) {
-    std::array<std::uint8_t, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const double v = static_cast<double>(i) / 255.0;
-        const double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-        const double shown = transfer == Transfer::kExactSrgb ? v : std::sqrt(linear);
-        table[i] = static_cast<std::uint8_t>(std::lround(255.0 * shown));
-    }
-    return table;
-}
 
 struct Texels {
     const char* name;
@@ -72,33 +60,6 @@ Result<vk::Image> upload_picture(const FrameContext& frame, const asset::Image& 
                          });
 }
 
-// Each is two triangles of the mesh, {corner, below, right} and {right, below, across}.
-std::vector<Quad> cells_of(const ReliefMesh& mesh) {
-    std::vector<Quad> cells;
-    for (std::size_t i = 0; i + 5 < mesh.indices.size(); i += 6)
-        cells.push_back({mesh.indices[i], mesh.indices[i + 2], mesh.indices[i + 5], mesh.indices[i + 1]});
-    return cells;
-}
-
-HostPhotograph host_photograph(const FrameContext& frame, const asset::Image& picture) {
-    const std::array<std::uint8_t, 256> table = transfer_table(frame.desc.transfer);
-    std::vector<std::uint8_t> shown(picture.rgba.size());
-    std::transform(picture.rgba.begin(), picture.rgba.end(), shown.begin(),
-                   [&](std::uint8_t value) { return table[value]; });
-    return {picture.width, picture.height, shown, byte_order(frame.desc.colour_format)};
-}
-
-BendablePlate bendable_plate(const FrameContext& frame, const PhotographPair& pair, ReliefMesh mesh) {
-    BendablePlate plate{
-        .photographs = {host_photograph(frame, pair.key), host_photograph(frame, pair.ambient)},
-        .halved = {},
-        .relief_mm = std::move(mesh.positions_mm),
-        .cells = cells_of(mesh)};
-    if (frame.desc.softens_glides)
-        plate.halved = {plate.photographs.key.halved(), plate.photographs.ambient.halved()};
-    return plate;
-}
-
 // Depths of the relief's corners; of a plate without one, that it hides nothing.
 Result<vk::Image> upload_depth(const FrameContext& frame, const Relief& relief) {
     constexpr float kFarMm = 1e9F;
@@ -117,21 +78,6 @@ Result<vk::Buffer> upload_buffer(const FrameContext& frame, const std::vector<T>
     auto buffer = vk::Buffer::create(frame.device, {.name = name, .size = bytes.size(), .usage = usage});
     if (buffer) buffer->write(bytes);
     return buffer;
-}
-
-bool is_whole(const Plate& plate, const PhotographPair& pair) {
-    const auto is_whole_picture = [&](const asset::Image& image) {
-        return image.width > 0 && image.height > 0 && image.width == plate.width_px &&
-               image.height == plate.height_px &&
-               image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                        static_cast<std::size_t>(image.height);
-    };
-    const Relief& relief = plate.relief;
-    const bool has_relief = !relief.depth_mm.empty();
-    return is_whole_picture(pair.key) && is_whole_picture(pair.ambient) &&
-           (!has_relief || (relief.columns >= 2 && relief.rows >= 2 &&
-                            relief.depth_mm.size() == static_cast<std::size_t>(relief.columns) *
-                                                          static_cast<std::size_t>(relief.rows)));
 }
 
 constexpr PlateSlots kFrom{shaders::kBindPlateKey, shaders::kBindPlateAmbient, shaders::kBindFromDepth};
@@ -164,23 +110,14 @@ void PlatePass::bind_placeholders(const FrameContext& frame) {
 void PlatePass::let_go(const FrameContext& frame, const PlateSlots& slots,
                        std::shared_ptr<const Plate>& bound) const {
     if (!bound || find(bound) != nullptr) return;
-    if (!frame.desc.cached) bind_nothing(frame, slots);
+    bind_nothing(frame, slots);
     bound = nullptr;
 }
 
 Result<PlatePass::Resident> PlatePass::upload(const FrameContext& frame, std::shared_ptr<const Plate> plate) {
-    if (!plate->photographs) return failed("plate: expected its photographs, found none");
-    const auto pair = plate->photographs->pair();
+    const auto pair = whole_pair(*plate);
     if (!pair) return pair.error();
-    if (!is_whole(*plate, **pair)) {
-        return failed("plate: expected two whole pictures of one size and a whole relief, found others");
-    }
-    ReliefMesh mesh = relief_mesh(*plate);
-    if (frame.desc.cached) {
-        BendablePlate bendable = bendable_plate(frame, **pair, std::move(mesh));
-        plate->photographs->let_go();
-        return Resident{.plate = std::move(plate), .bendable = std::move(bendable)};
-    }
+    const ReliefMesh mesh = relief_mesh(*plate);
     auto key = upload_picture(frame, (*pair)->key, "plate with the key light");
     if (!key) return key.error();
     auto ambient = upload_picture(frame, (*pair)->ambient, "plate without the key light");
@@ -218,7 +155,7 @@ Result<const PlatePass::Resident*> PlatePass::resident(const FrameContext& frame
     return static_cast<const Resident*>(residents_.back().get());
 }
 
-Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
+Result<void> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
     const std::shared_ptr<const Plate> to = scene.glide ? scene.glide->towards : nullptr;
     const auto is_wanted = [&](const std::unique_ptr<Resident>& resident) {
         const auto& at_hand = scene.plates_at_hand;
@@ -235,22 +172,16 @@ Result<bool> PlatePass::fit(const FrameContext& frame, const Scene& scene) {
     if (changed && scene.plate) {
         auto there = resident(frame, scene.plate);
         if (!there) return there.error();
-        if (!frame.desc.cached) bind_plate(frame, kFrom, (*there)->key, (*there)->ambient, (*there)->depth);
+        bind_plate(frame, kFrom, (*there)->key, (*there)->ambient, (*there)->depth);
     }
     if (to && to != to_) {
         auto there = resident(frame, to);
         if (!there) return there.error();
-        if (!frame.desc.cached) bind_plate(frame, kTo, (*there)->key, (*there)->ambient, (*there)->depth);
+        bind_plate(frame, kTo, (*there)->key, (*there)->ambient, (*there)->depth);
     }
     from_ = scene.plate;
     if (to) to_ = to;
-    return changed;
-}
-
-Result<const BendablePlate*> PlatePass::bendable(const std::shared_ptr<const Plate>& plate) const {
-    const Resident* const there = find(plate);
-    if (there == nullptr) return failed("plate: expected one of the scene's, found another");
-    return &there->bendable;
+    return {};
 }
 
 void PlatePass::draw_relief(const FrameContext& frame, const Glide& glide) const {

@@ -1,19 +1,19 @@
-// A few pixels of a row out of photographs: the innermost loops of bend_pixels.cpp, in a file of their own
-// and inline, so that they become a part of whatever instructions that is compiled for. Any thread; pure.
+// A few pixels of a row out of a photograph: the innermost loops of photograph_layers.cpp, in a file of their
+// own and inline, so that they become a part of whatever instructions that is compiled for. Any thread; pure.
 // Pixels, texels.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#include "engine/render/pixels/bend_pixels.h"
+#include "engine/render/pixels/host_photograph.h"
+#include "engine/render/pixels/picture_shapes.h"
 
-namespace onggi::render::bend {
+namespace onggi::render::rows {
 
 using shapes::fixed;
 using shapes::kOne;
@@ -84,12 +84,6 @@ using BlockHalves [[gnu::vector_size(32)]] = std::uint16_t;
     return pixel;
 }
 
-[[gnu::always_inline]] inline Halves unpacked(std::uint32_t pixel) {
-    Bytes8 bytes{};
-    std::memcpy(&bytes, &pixel, sizeof pixel);
-    return __builtin_convertvector(bytes, Halves);
-}
-
 // share: of 256.
 [[gnu::always_inline]] inline Halves mixed(Halves a, Halves b, int share) {
     const auto of_b = static_cast<std::uint16_t>(share);
@@ -125,37 +119,24 @@ inline Beside beside(const HostPhotograph& photograph, float u, float v) {
     return found;
 }
 
-// The same as a Place, sixteen bits behind the point.
-struct FixedRow {
+// Where a row begins in a photograph that it goes through a texel a pixel, sixteen bits behind the point.
+struct FixedPlace {
     int u;
-    int u_step;
     int v;
-    int v_step;
-
-    [[nodiscard]] FixedRow later(int pixels) const {
-        return {u + pixels * u_step, u_step, v + pixels * v_step, v_step};
-    }
 };
 
-// So far from a texel a pixel, and from level, a row may go and still be made in blocks.
-constexpr int kMostChange = kOne / 4;
-
-// A block of a row that goes about a texel a pixel and almost level: as if it did so exactly, which in its
-// outer pixels is wrong by less than two fifths of a pixel.
 [[gnu::always_inline]] inline void make_block(const std::uint32_t* texels, std::ptrdiff_t across,
-                                              const FixedRow& row, BlockHalves& block) {
-    const int u = row.u + 3 * (row.u_step - kOne) / 2;
-    const int v = row.v + 3 * row.v_step / 2;
-    const std::uint32_t* const at = texels + (v >> 16) * across + (u >> 16);
+                                              const FixedPlace& place, BlockHalves& block) {
+    const std::uint32_t* const at = texels + (place.v >> 16) * across + (place.u >> 16);
     BlockHalves right;
     BlockHalves below;
     read_block(at, block);
     read_block(at + across, below);
-    go_towards(block, below, v);
+    go_towards(block, below, place.v);
     read_block(at + 1, right);
     read_block(at + across + 1, below);
-    go_towards(right, below, v);
-    go_towards(block, right, u);
+    go_towards(right, below, place.v);
+    go_towards(block, right, place.u);
 }
 
 [[gnu::always_inline]] inline void put_block(const BlockHalves& block, std::uint32_t* pixels, int count) {
@@ -175,35 +156,19 @@ constexpr int kMostChange = kOne / 4;
     if (count % 2 == 1) std::memcpy(pixels, &rest, sizeof *pixels);
 }
 
-// What one photograph has for a row of pixels that lies in it.
-[[gnu::always_inline]] inline void take_inside(const HostPhotograph& photograph, const FixedRow& row,
-                                               std::uint32_t* pixels, int count) {
-    const std::uint32_t* const texels = photograph.first();
-    const std::ptrdiff_t across = photograph.width();
+// A row of pixels that lies in the photograph, a texel a pixel.
+[[gnu::always_inline]] inline void take_as_it_is(const HostPhotograph& photograph, const FixedPlace& first,
+                                                 std::uint32_t* pixels, int count) {
     for (int i = 0; i < count; i += kBlock) {
         BlockHalves block;
-        make_block(texels, across, row.later(i), block);
+        make_block(photograph.first(), photograph.width(), {first.u + i * kOne, first.v}, block);
         put_block(block, pixels + i, count - i);
     }
 }
 
-// Two of them, the second with a share of 65536.
-[[gnu::always_inline]] inline void take_inside(const HostPhotograph& from, const FixedRow& from_row,
-                                               const HostPhotograph& to, const FixedRow& to_row, int share,
-                                               int share_step, std::uint32_t* pixels, int count) {
-    for (int i = 0; i < count; i += kBlock) {
-        BlockHalves block;
-        BlockHalves second;
-        make_block(from.first(), from.width(), from_row.later(i), block);
-        make_block(to.first(), to.width(), to_row.later(i), second);
-        go_towards(block, second, std::clamp(share + (i + kBlock / 2) * share_step, 0, kOne - 1));
-        put_block(block, pixels + i, count - i);
-    }
-}
-
-// What one photograph has for a row of pixels, wherever that lies.
-[[gnu::always_inline]] inline void take_one(const HostPhotograph& photograph, const Place& place,
-                                            std::uint32_t* pixels, int count) {
+// A row of pixels, however long it is in the photograph and wherever it lies.
+[[gnu::always_inline]] inline void take_stretched(const HostPhotograph& photograph, const Place& place,
+                                                  std::uint32_t* pixels, int count) {
     const std::uint32_t* const texels = photograph.first();
     const std::ptrdiff_t across = photograph.width();
     if (!lies_in(photograph, place, count)) {
@@ -222,50 +187,4 @@ constexpr int kMostChange = kOne / 4;
         pixels[i] = packed(texel_at(texels, across, u, v));
 }
 
-// Two photographs, the second with a share.
-[[gnu::always_inline]] inline void take_both(const HostPhotograph& from, const Place& from_place,
-                                             const HostPhotograph& to, const Place& to_place,
-                                             const Slope& share, std::uint32_t* pixels, int count) {
-    // So short that the rows are still at hand when they are mixed.
-    constexpr int kMost = 64;
-    std::array<std::uint32_t, kMost> second;
-    for (int done = 0; done < count; done += kMost) {
-        const int now = std::min(count - done, kMost);
-        const auto later = [&](const Slope& slope) { return Slope{slope.at(done), slope.step}; };
-        take_one(from, {later(from_place.u), later(from_place.v)}, pixels + done, now);
-        take_one(to, {later(to_place.u), later(to_place.v)}, second.data(), now);
-        for (int i = 0; i < now; ++i) {
-            pixels[done + i] =
-                packed(mixed(unpacked(pixels[done + i]), unpacked(second[static_cast<std::size_t>(i)]),
-                             part_of_256(share.at(done + i))));
-        }
-    }
-}
-
-[[gnu::always_inline]] inline void dim(const std::array<std::array<std::uint8_t, 256>, 3>& tables,
-                                       std::uint32_t* pixels, int count) {
-    for (int i = 0; i < count; ++i) {
-        const std::uint32_t pixel = pixels[i];
-        pixels[i] = (pixel & 0xFF000000U) | static_cast<std::uint32_t>(tables[0][pixel & 255U]) |
-                    static_cast<std::uint32_t>(tables[1][pixel >> 8U & 255U]) << 8U |
-                    static_cast<std::uint32_t>(tables[2][pixel >> 16U & 255U]) << 16U;
-    }
-}
-
-// Out on the deck the room without the key light is about this much darker, see glide.frag.
-[[gnu::always_inline]] inline void shade_softly(const Slope& seen, ByteOrder order, std::uint32_t* pixels,
-                                                int count) {
-    constexpr std::array<float, 3> kWithoutKey{0.50F, 0.53F, 0.58F};
-    for (int i = 0; i < count; ++i) {
-        const float shade = 1.0F - std::clamp(seen.at(i), 0.0F, 1.0F);
-        Halves left{};
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const std::size_t named = order == ByteOrder::kRedFirst ? channel : 2 - channel;
-            left[channel] = static_cast<std::uint16_t>(256.5F - 256.0F * shade * (1.0F - kWithoutKey[named]));
-        }
-        left[3] = 256;
-        pixels[i] = packed((unpacked(pixels[i]) * left + 128) >> 8);
-    }
-}
-
-}  // namespace onggi::render::bend
+}  // namespace onggi::render::rows

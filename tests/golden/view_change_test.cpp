@@ -1,0 +1,182 @@
+// Where the processor keeps what stands still, another view is made beside the frames of the one before, and
+// then fades in: which pictures that gives, and that nothing else is in them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "engine/render/renderer.h"
+#include "engine/vk/offscreen.h"
+#include "game/wheel/workshop_scene.h"
+#include "tests/golden/drawing_test.h"
+#include "tests/golden/golden_scenes.h"
+
+namespace onggi::golden {
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 360;
+constexpr double kFrameS = 1.0 / 60.0;
+constexpr int kMaskStep = 2;  // see held_picture_test.cpp
+constexpr int kMostFramesToMake = 12;
+using Pixels = std::vector<std::uint8_t>;
+
+// How far a picture is from the mix of two others, levels of 255.
+int off_the_mix(const Pixels& shown, const Pixels& from, const Pixels& to, float share) {
+    int worst = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const float mixed = static_cast<float>(from[i]) * (1.0F - share) + static_cast<float>(to[i]) * share;
+        worst = std::max(worst, std::abs(int{shown[i]} - static_cast<int>(std::lround(mixed))));
+    }
+    return worst;
+}
+
+class ViewChange : public DrawingTest {
+  protected:
+    void SetUp() override {
+        DrawingTest::SetUp();
+        shown_ = scene_named("pulling");
+        opened_ = wheel::open_scene({}, kWidth, kHeight);
+        ASSERT_EQ(opened_.lack, "");
+        opened_.scene->glide(false);
+        opened_.scene->look_at(wheel::View::kThrowing);
+        opened_.scene->apply(shown_.pot(), kWidth, kHeight);
+        fading_ = make();
+        for (int frame = 0; frame < 3; ++frame)
+            next();
+    }
+    void TearDown() override {
+        fading_ = {};
+        DrawingTest::TearDown();
+    }
+
+    struct Drawn {
+        std::unique_ptr<render::Renderer> renderer;
+        std::unique_ptr<vk::Offscreen> target;
+    };
+    [[nodiscard]] Drawn make() const {
+        const render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
+        return {render::Renderer::create(*device_, desc).value(),
+                vk::Offscreen::create(*device_, {kWidth, kHeight}).value()};
+    }
+    static Pixels draw(Drawn& into, const render::Scene& scene, const render::Overlay* overlay = nullptr) {
+        const auto drawn = into.renderer->draw(scene, *into.target, overlay);
+        EXPECT_TRUE(drawn && *drawn);
+        return into.target->read_back().value();
+    }
+    // The next frame: the hand moves, and what is ready is shown.
+    void next(const render::Overlay* overlay = nullptr) {
+        shown_.tool_position_mm.y += 1.0;
+        scene_ = opened_.scene->apply(shown_.pot(), kWidth, kHeight, kFrameS);
+        picture_ = draw(fading_, scene_, overlay);
+        if (fading_.renderer->stats().next_view_ready) opened_.scene->next_view_is_ready();
+    }
+    // Until the camera is cut. The picture before that is kept.
+    void go_to(wheel::View view, const render::Overlay* overlay = nullptr) {
+        opened_.scene->look_at(view);
+        const render::Camera before = scene_.camera;
+        for (int frame = 0; frame < kMostFramesToMake && scene_.camera == before; ++frame) {
+            last_ = picture_;
+            next(overlay);
+        }
+        ASSERT_FALSE(scene_.camera == before);
+    }
+    // This frame's scene as who knows of no other view draws it.
+    [[nodiscard]] Pixels alone() const {
+        render::Scene scene = scene_;
+        scene.fade_in.reset();
+        scene.next_view.reset();
+        Drawn fresh = make();
+        return draw(fresh, scene);
+    }
+
+    GoldenScene shown_;
+    wheel::OpenedScene opened_;
+    Drawn fading_;
+    render::Scene scene_;
+    Pixels picture_;
+    Pixels last_;
+};
+
+TEST_F(ViewChange, IsMadeInPartsWhileTheViewBeforeGoesOn) {
+    const render::Camera before = scene_.camera;
+    opened_.scene->look_at(wheel::View::kLookingIn);
+    int frames = 0;
+    for (;; ++frames) {
+        ASSERT_LT(frames, kMostFramesToMake);
+        next();
+        if (!(scene_.camera == before)) break;
+        ASSERT_TRUE(scene_.next_view.has_value());
+        EXPECT_FALSE(scene_.fade_in.has_value());
+        EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep) << frames;
+    }
+    EXPECT_GT(frames, 3) << "all at once";
+    EXPECT_FALSE(fading_.renderer->stats().still_life_drawn) << "it was to be there";
+    EXPECT_TRUE(scene_.fade_in.has_value());
+}
+
+TEST_F(ViewChange, MixesTheLastPictureOfTheViewBeforeWithEachOfTheNext) {
+    go_to(wheel::View::kLookingIn);
+    float before = 0.0F;
+    int frames = 0;
+    for (; scene_.fade_in; next(), ++frames) {
+        ASSERT_LT(frames, 20);
+        EXPECT_GT(*scene_.fade_in, before);
+        before = *scene_.fade_in;
+        EXPECT_LE(off_the_mix(picture_, last_, alone(), before), kMaskStep) << before;
+    }
+    EXPECT_EQ(frames, 14) << "a quarter of a second, and the whole picture";
+    EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
+    EXPECT_GT(apart(picture_, last_, 20).beyond, kWidth * kHeight / 4) << "it is another view";
+}
+
+TEST_F(ViewChange, GoesOnFromWhatIsSeenWhenItIsCalledBack) {
+    go_to(wheel::View::kLookingIn);
+    for (int frame = 0; frame < 3; ++frame)
+        next();
+    ASSERT_TRUE(scene_.fade_in.has_value());
+    go_to(wheel::View::kThrowing);
+    ASSERT_TRUE(scene_.fade_in.has_value());
+    EXPECT_LE(off_the_mix(picture_, last_, alone(), *scene_.fade_in), kMaskStep);
+}
+
+// What lay over the last picture is no part of it.
+TEST_F(ViewChange, LeavesNothingOfTheOverlayBehind) {
+    ui::DrawList list;
+    list.add_box({.x = 200.0F, .y = 90.0F, .width = 240.0F, .height = 180.0F}, {.r = 1.0F, .a = 0.8F});
+    const render::Overlay box{.list = &list, .atlas_side_px = 64};
+    // Sees the same scenes, and never an overlay.
+    Drawn bare = make();
+    opened_.scene->look_at(wheel::View::kLookingIn);
+    for (int frame = 0; !scene_.fade_in; ++frame) {
+        ASSERT_LT(frame, kMostFramesToMake);
+        next(&box);
+        const Pixels without = draw(bare, scene_);
+        EXPECT_GT(apart(picture_, without, 20).beyond, 20000) << "the box is seen";
+    }
+    next();
+    EXPECT_LE(apart(picture_, draw(bare, scene_), 0).worst, kMaskStep);
+}
+
+TEST_F(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
+    opened_.scene->move_less(true);
+    go_to(wheel::View::kLookingIn);
+    EXPECT_FALSE(fading_.renderer->stats().still_life_drawn);
+    EXPECT_FALSE(scene_.fade_in.has_value());
+    EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
+}
+
+// A jump leaves no time to make it beside; it is all there at once.
+TEST_F(ViewChange, IsThereAtOnceAfterAJump) {
+    opened_.scene->look_at(wheel::View::kLookingIn);
+    opened_.scene->jump();
+    next();
+    EXPECT_TRUE(fading_.renderer->stats().still_life_drawn);
+    EXPECT_FALSE(scene_.fade_in.has_value());
+    EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
+}
+
+}  // namespace
+}  // namespace onggi::golden

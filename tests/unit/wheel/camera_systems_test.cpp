@@ -1,0 +1,131 @@
+// How the camera of the photographed room comes to another view, as the scene says it.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "game/wheel/workshop_scene.h"
+
+namespace onggi::wheel {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 180;
+
+class CameraOfARoom : public testing::Test {
+  protected:
+    CameraOfARoom() {
+        EXPECT_EQ(opened_.lack, "");
+        place_ = frame(0.0).camera;
+    }
+    const render::Scene& frame(double dt_s = 1.0 / 60.0) {
+        return opened_.scene->apply({.radii_mm = radii_}, kWidth, kHeight, dt_s);
+    }
+    WheelScene& scene() { return *opened_.scene; }
+    // As if its picture had been made at once.
+    void cut_to(View view) {
+        scene().look_at(view);
+        EXPECT_TRUE(frame().next_view.has_value());
+        scene().next_view_is_ready();
+    }
+
+    std::vector<float> radii_ = std::vector<float>(100, 60.0F);
+    OpenedScene opened_ = open_scene({}, kWidth, kHeight);
+    render::Camera place_;  // where it began
+};
+
+TEST_F(CameraOfARoom, GlidesWhereThereIsTime) {
+    scene().look_at(View::kLookingIn);
+    for (int i = 0; i < 30; ++i) {
+        const render::Scene& seen = frame();
+        EXPECT_TRUE(seen.glide.has_value());
+        EXPECT_FALSE(seen.next_view.has_value());
+        EXPECT_FALSE(seen.fade_in.has_value());
+    }
+}
+
+TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyAndIsThenThereAtOnce) {
+    scene().glide(false);
+    scene().look_at(View::kLookingIn);
+    render::Camera next;
+    for (int i = 0; i < 20; ++i) {
+        const render::Scene& seen = frame();
+        EXPECT_EQ(seen.camera, place_);
+        ASSERT_TRUE(seen.next_view.has_value());
+        next = seen.next_view->camera;
+    }
+    EXPECT_FALSE(next == place_);
+    scene().next_view_is_ready();
+    const render::Scene& seen = frame();
+    EXPECT_EQ(seen.camera, next);
+    EXPECT_FALSE(seen.glide.has_value());
+    EXPECT_FALSE(seen.next_view.has_value());
+    EXPECT_TRUE(seen.fade_in.has_value());
+    EXPECT_EQ(scene().camera_now(kWidth, kHeight), next) << "and so for touches";
+}
+
+TEST_F(CameraOfARoom, FadesForAQuarterOfASecondAtAnyFrameRate) {
+    scene().glide(false);
+    View view = View::kThrowing;
+    for (const int rate_hz : {20, 60, 144}) {
+        view = view == View::kThrowing ? View::kLookingIn : View::kThrowing;
+        cut_to(view);
+        int frames = 0;
+        float before = 0.0F;
+        for (; frames < 100; ++frames) {
+            const std::optional<float> share = frame(1.0 / rate_hz).fade_in;
+            if (!share) break;
+            EXPECT_NEAR(*share - before, 4.0F / static_cast<float>(rate_hz), 1e-5F);
+            before = *share;
+        }
+        EXPECT_NEAR(frames, rate_hz / 4 - 1, 1) << rate_hz;
+    }
+}
+
+TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
+    scene().glide(false);
+    scene().look_at(View::kLookingIn);
+    EXPECT_TRUE(frame().next_view.has_value());
+    scene().look_at(View::kThrowing);
+    scene().next_view_is_ready();
+    EXPECT_FALSE(frame().next_view.has_value());
+    EXPECT_EQ(frame().camera, place_);
+}
+
+// What is ready is the view that was asked for before.
+TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
+    scene().glide(false);
+    scene().look_at(View::kLookingIn);
+    frame();
+    scene().next_view_is_ready();
+    scene().set_framing({.shift = {0.0, 0.1}});
+    EXPECT_EQ(frame().camera, place_);
+    EXPECT_TRUE(frame().next_view.has_value());
+    scene().next_view_is_ready();
+    EXPECT_EQ(frame().camera.lens_shift, vec2(0.0F, 0.1F));
+}
+
+TEST_F(CameraOfARoom, IsCutWithoutAFadeForLessMotionEvenWhereItCouldGlide) {
+    for (const bool glides : {true, false}) {
+        scene().glide(glides);
+        scene().move_less(true);
+        cut_to(glides ? View::kLookingIn : View::kThrowing);
+        const render::Scene& seen = frame();
+        EXPECT_EQ(seen.camera == place_, !glides);
+        EXPECT_FALSE(seen.fade_in.has_value());
+        EXPECT_FALSE(seen.glide.has_value());
+    }
+}
+
+TEST_F(CameraOfARoom, StandsWhereItWasGoingWhenThereIsNoMoreTimeToGlide) {
+    scene().look_at(View::kLookingIn);
+    for (int i = 0; i < 10; ++i)
+        frame();
+    scene().glide(false);
+    const render::Scene& seen = frame();
+    EXPECT_FALSE(seen.glide.has_value());
+    EXPECT_FALSE(seen.camera == place_);
+    EXPECT_EQ(frame().camera, frame().camera);
+}
+
+}  // namespace
+}  // namespace onggi::wheel

@@ -1,0 +1,59 @@
+// Says where on the screen a visitor sees places of the wheel: clay_places WIDTH HEIGHT [low] reads a place a
+// line, radius (negative: left of the axis) and height in mm on the upright plane through the axis, and
+// writes its pixel. For scripts, which have no eyes: by the kiosk's own camera at rest, with clay up to 144
+// mm high on the wheel.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+
+#include "engine/files/asset_folder.h"
+#include "game/app/kiosk_camera.h"
+#include "game/wheel/wheel_scene.h"
+
+int main(int argc, char** argv) {
+    using namespace onggi;
+    if (argc < 3) {
+        std::fputs("clay_places: expected WIDTH HEIGHT [low]\n", stderr);
+        return 2;
+    }
+    const auto folder = files::find_asset("workshop");
+    if (!folder) {
+        std::fprintf(stderr, "clay_places: %s\n", folder.error().message.c_str());
+        return 3;
+    }
+    auto workshop = wheel::load_workshop(*folder);
+    if (!workshop) {
+        std::fprintf(stderr, "clay_places: %s\n", workshop.error().message.c_str());
+        return 3;
+    }
+    wheel::WheelScene scene(std::make_shared<const wheel::Workshop>(std::move(*workshop)));
+    const int width_px = std::atoi(argv[1]);
+    const int height_px = std::atoi(argv[2]);
+    const app::PlateSight sight{
+        .width_px = width_px,
+        .height_px = height_px,
+        .project = [&](wheel::View view, const wheel::Framing& framing, const dvec3& place_mm) {
+            return scene.project_framed(view, framing, width_px, height_px, place_mm);
+        }};
+    kiosk::State state;
+    state.screen = kiosk::Screen::kThrow;
+    state.comfort.reach = argc > 3 && std::string_view(argv[3]) == "low";
+    constexpr double kLumpMm = 50.0;
+    app::KioskCamera camera;
+    const app::CameraWish wish = camera.wish(state, true, kLumpMm, sight);
+    double radius_mm = 0.0;
+    double height_mm = 0.0;
+    while (std::cin >> radius_mm >> height_mm) {
+        const auto px = sight.project(wish.view, wish.framing, {radius_mm, height_mm, 0.0});
+        if (!px) {
+            std::fprintf(stderr, "clay_places: %g %g: the camera does not see it\n", radius_mm, height_mm);
+            return 1;
+        }
+        const std::string line = fmt::format("{:.0f} {:.0f}\n", px->x, px->y);
+        std::fwrite(line.data(), 1, line.size(), stdout);
+    }
+    return 0;
+}
