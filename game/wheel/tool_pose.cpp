@@ -43,6 +43,14 @@ double eased(double from, double to, double dt_s, double time_s) {
     return dt_s <= 0.0 ? to : to + (from - to) * std::exp(-dt_s / time_s);
 }
 
+// How far outwards from upright what reaches in from above may lean at most: through the mouth, not the wall.
+double most_lean_through_mouth(const ToolSight& sight, const dvec3& touch) {
+    constexpr double kShaftMm = 4.0;
+    constexpr double kAtRimMm = 25.0;  // nearer to it nothing is in the way
+    const double reach_mm = std::hypot(touch.x, touch.z);
+    return std::atan2(sight.mouth_radius_mm - kShaftMm - reach_mm, std::max(sight.below_rim_mm, kAtRimMm));
+}
+
 double wrapped(double angle_rad) {
     return std::remainder(angle_rad, 2.0 * kPi);
 }
@@ -148,8 +156,12 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     const double round = std::atan2(-normal.y, leads_right ? normal.x : -normal.x);
     const double held = std::clamp(round, -kMostToFront, kMostToBack);
     const double yaw = leads_right ? held : kPi - held;
-    const double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
-    const double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
+    double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
+    double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
+    if (sight.guided && is_inside(side_) && sight.below_rim_mm > 0.0) {
+        lean = std::min(lean, most_lean_through_mouth(sight, touch));
+        lowest = -kMostLean;  // what comes from above has no wheel under it
+    }
     const double above = sight.digs ? kDigs : sight.guided ? kFlatOnRim : kFromAbove;
     const double pitch = from_above ? above : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
 

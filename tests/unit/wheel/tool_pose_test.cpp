@@ -136,6 +136,27 @@ TEST(ToolPose, HoldsWhatItWorksWith) {
     EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kTrimmer);
 }
 
+// A stick that leaned as the belly of a vase does stood through its neck.
+TEST(ToolPose, ReachesThroughTheMouthAndNotThroughTheWallBesideIt) {
+    ToolSight sight = inside(30.0);
+    sight.guided = true;
+    sight.radius_mm = 10.0;
+    sight.centre_mm = {26.0, 30.0, 0.0};
+    sight.below_rim_mm = 100.0;
+    for (const double touch_mm : {20.0, 36.0, 50.0}) {
+        for (const double wall_lean : {-0.5, 0.0, 0.8}) {
+            sight.centre_mm.x = touch_mm - sight.radius_mm;
+            sight.wall_lean = wall_lean;
+            const ShownTool stick = settled(sight).picture().tools.at(0);
+            ASSERT_EQ(stick.model, ToolModel::kStick);
+            const vec3 up(stick.place[1]);
+            ASSERT_GT(up.y, 0.5F);
+            const vec3 at_rim = touch_of(stick) + up * (100.0F / up.y);
+            EXPECT_LT(at_rim.x, 30.0F) << touch_mm << " mm, lean " << wall_lean;
+        }
+    }
+}
+
 TEST(ToolPose, ReachesIntoANarrowNeckWithAStick) {
     EXPECT_EQ(settled(inside(30.0)).picture().tools.at(0).model, ToolModel::kStick);
     // Between the two bounds it stays as it was.
