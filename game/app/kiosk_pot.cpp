@@ -37,14 +37,14 @@ struct Known {
 // Those of the choose screen, in its order: the least tall first.
 constexpr std::array kShown{
     Known{"ido-kizaemon", "pot.ido", "mus.daitoku", "date.joseon16", finish::kIdoGlaze},
-    Known{"buncheong-small-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon", 2},
+    Known{"buncheong-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon15", 2},
     Known{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
     Known{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1}};
 // The others, which a visitor's pot may resemble: their museums are not named there.
 constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseon18", 1},
                                 Known{"moon-jar-met", "pot.moon", "", "date.joseon18", 1},
                                 Known{"maebyeong-68", "pot.maebyeong", "", "date.goryeo12", 0},
-                                Known{"buncheong-bowl", "pot.buncheong", "", "date.joseon15", 2},
+                                Known{"buncheong-small-bowl", "pot.buncheong", "", "date.joseon", 2},
                                 Known{"joseon-bowl", "pot.bowl", "", "date.joseon16", 1},
                                 Known{"meiping-ngv", "pot.meiping", "", "date.ming16", 0},
                                 Known{"kylix-met", "pot.kylix", "", "date.athens6", 3},

@@ -64,8 +64,8 @@ std::shared_ptr<const std::vector<Exhibit>> sample_exhibits() {
     static const auto all = std::make_shared<const std::vector<Exhibit>>(std::vector<Exhibit>{
         {"pot.ido", "mus.daitoku", "date.joseon16", 91.0, 154.0, "", finish::kIdoGlaze,
          hollowed({{26, 0}, {28, 12}, {30, 16}, {48, 30}, {63, 52}, {72, 74}, {77, 91}}, 5.0F, 20.0F)},
-        {"pot.buncheong", "mus.brooklyn", "date.joseon", 55.0, 125.0, "", 2,
-         hollowed({{18, 0}, {19, 5}, {26, 8}, {42, 19}, {53, 33}, {60, 47}, {62, 55}}, 5.0F, 9.0F)},
+        {"pot.buncheong", "mus.brooklyn", "date.joseon15", 50.0, 196.0, "", 2,
+         hollowed({{29, 0}, {30, 7}, {48, 14}, {72, 26}, {90, 40}, {98, 50}}, 5.0F, 12.0F)},
         {"pot.maebyeong", "mus.nmk", "date.goryeo12", 303.0, 0.0, "1/2", 0,
          hollowed({{52, 0},
                    {50, 30},
