@@ -132,14 +132,29 @@ TEST_F(ViewChange, MixesTheLastPictureOfTheViewBeforeWithEachOfTheNext) {
     EXPECT_GT(apart(picture_, last_, 20).beyond, kWidth * kHeight / 4) << "it is another view";
 }
 
-TEST_F(ViewChange, GoesOnFromWhatIsSeenWhenItIsCalledBack) {
+TEST_F(ViewChange, EndsItsFadeBeforeItIsCalledBack) {
     go_to(wheel::View::kLookingIn);
-    for (int frame = 0; frame < 3; ++frame)
-        next();
-    ASSERT_TRUE(scene_.fade_in.has_value());
+    const render::Camera there = scene_.camera;
+    opened_.scene->look_at(wheel::View::kThrowing);
+    for (; scene_.fade_in; next())
+        EXPECT_EQ(scene_.camera, there);
     go_to(wheel::View::kThrowing);
     ASSERT_TRUE(scene_.fade_in.has_value());
     EXPECT_LE(off_the_mix(picture_, last_, alone(), *scene_.fade_in), kMaskStep);
+}
+
+// A picture whose size has changed and changed back is no picture of what was kept before.
+TEST_F(ViewChange, IsMadeAnewAfterOtherSizes) {
+    go_to(wheel::View::kLookingIn);
+    while (scene_.fade_in)
+        next();
+    const auto small = vk::Offscreen::create(*device_, {320, 180}).value();
+    ASSERT_TRUE(fading_.renderer->draw(scene_, *small).value());
+    ASSERT_TRUE(small->wait());
+    go_to(wheel::View::kThrowing);
+    while (scene_.fade_in)
+        next();
+    EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
 }
 
 // What lay over the last picture is no part of it.

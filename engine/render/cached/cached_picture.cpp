@@ -26,6 +26,8 @@ Result<void> CachedPicture::create(FrameContext& frame) {
 void CachedPicture::resized() {
     resting_.forget();
     fade_.end();
+    shown_.forget();
+    next_.forget();
     has_picture_ = false;
 }
 
@@ -68,6 +70,8 @@ Result<bool> CachedPicture::draw(FrameContext& frame, const Scene& scene, const 
     } else if (under == Under::kNothing) {
         // Nobody sees how long the next view takes.
         frame.stats.next_view_ready = scene.next_view.has_value();
+        fade_.end();
+        next_.let_go();
     }
     if (auto fitted = overlay_.fit(frame, overlay); !fitted) return fitted.error();
     if (auto begun = frame.begin(); !begun) return begun.error();
@@ -82,34 +86,31 @@ Result<bool> CachedPicture::draw(FrameContext& frame, const Scene& scene, const 
     return under == Under::kScene;
 }
 
-// As the view alone has it. What moves lies where it did when it was drawn.
-HostPicture CachedPicture::view_picture(const FrameContext& frame) const {
-    return {.pixels = shown_.shaded(),
-            .numbers = shown_.numbers(),
+// As a view alone has it. What moves lies where it did when it was drawn.
+HostPicture CachedPicture::picture_of(const FrameContext& frame, const KeptView& view) const {
+    return {.pixels = view.shaded(),
+            .numbers = view.numbers(),
             .instead = &moving_.picture(),
             .instead_on = frame.built.moving_tiles};
 }
 
 HostPicture CachedPicture::picture(const FrameContext& frame) const {
-    return fade_.is_on() ? fade_.picture() : view_picture(frame);
+    return fade_.is_on() ? fade_.picture() : picture_of(frame, shown_);
 }
 
-Result<void> CachedPicture::change_view(const FrameContext& frame, const Scene& scene) {
-    if (!shown_.shows(frame, scene)) {
-        if (!scene.fade_in || !has_picture_) {
-            fade_.end();
-        } else if (auto begun = fade_.begin(frame, picture(frame)); !begun) {
-            return begun;
-        }
-        if (next_.shows(frame, scene)) std::swap(shown_, next_);
-    }
-    if (scene.fade_in) return {};
-    fade_.end();
-    if (!scene.next_view) next_.let_go();
-    return {};
+void CachedPicture::change_view(const FrameContext& frame, const Scene& scene) {
+    if (!scene.fade_in) fade_.end();
+    if (shown_.shows(frame, scene)) return;
+    const bool is_made = next_.shows(frame, scene);
+    if (is_made) std::swap(shown_, next_);
+    if (!scene.fade_in || !has_picture_) return;
+    const HostPicture last = fade_.is_on() ? fade_.picture() : picture_of(frame, is_made ? next_ : shown_);
+    const TileGrid grid{static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
+    fade_.begin(grid, last, next_.lend());
 }
 
 Result<void> CachedPicture::make_next_view(FrameContext& frame, const Scene& scene) {
+    if (fade_.is_on()) return {};  // in its memory
     const Scene seen = seen_next(scene);
     if (!next_.shows(frame, seen)) {
         if (auto made = next_.make_part(frame, seen, scene, room_, numbers_); !made) return made;
@@ -119,13 +120,17 @@ Result<void> CachedPicture::make_next_view(FrameContext& frame, const Scene& sce
 }
 
 Result<HostPicture> CachedPicture::make(FrameContext& frame, const Scene& scene) {
-    if (auto changed = change_view(frame, scene); !changed) return changed.error();
+    change_view(frame, scene);
     frame.clock.enter_host("shapes");
     frame.build(scene, room_.meshes.bounds());
     models_.choose(scene, frame.desc, frame.view(scene), frame.built);
     moving_.place(frame, scene, models_);
     find_moving_tiles(scene, frame.view(scene), frame.built);
     frame.clock.enter_host("room");
+    // It may be seen from another place in any frame, and then there is no time to make room.
+    if (scene.plate) {
+        if (auto fitted = next_.fit(frame); !fitted) return fitted.error();
+    }
     if (auto made = shown_.make(frame, scene, room_, numbers_); !made) return made.error();
     frame.stats.shadow_drawn = shown_.shade(frame, scene, numbers_);
     frame.clock.enter_host("hands and clay");
@@ -137,7 +142,7 @@ Result<HostPicture> CachedPicture::make(FrameContext& frame, const Scene& scene)
     }
     if (fade_.is_on()) {
         frame.clock.enter_host("fade");
-        fade_.mix(view_picture(frame), *scene.fade_in, numbers_);
+        fade_.mix(picture_of(frame, shown_), *scene.fade_in, numbers_);
     }
     frame.clock.end_host();
     has_picture_ = true;

@@ -31,9 +31,9 @@ class CachedPicture : public PictureWay {
 
     Under look_under(const FrameContext& frame, const Scene& scene, const Overlay* overlay);
     Result<HostPicture> make(FrameContext& frame, const Scene& scene);
-    Result<void> change_view(const FrameContext& frame, const Scene& scene);
+    void change_view(const FrameContext& frame, const Scene& scene);
     Result<void> make_next_view(FrameContext& frame, const Scene& scene);
-    [[nodiscard]] HostPicture view_picture(const FrameContext& frame) const;
+    [[nodiscard]] HostPicture picture_of(const FrameContext& frame, const KeptView& view) const;
     [[nodiscard]] HostPicture picture(const FrameContext& frame) const;
 
     MoverModels models_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/cached/touched.h"
+
 namespace onggi::render {
 namespace {
 
@@ -22,6 +24,7 @@ Result<void> HostShade::fit(const FrameContext& frame) {
         {.name = "shaded still life", .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
     if (!buffer) return buffer.error();
     shaded_ = std::move(*buffer);
+    touch(shaded_);
     return {};
 }
 

@@ -45,9 +45,24 @@ Result<void> KeptView::make(FrameContext& frame, const Scene& scene, const KeptR
     return {};
 }
 
-Result<void> KeptView::draw(FrameContext& frame, const Scene& seen, const KeptRoom& room) {
+Result<void> KeptView::fit(const FrameContext& frame) {
     if (auto fitted = layers_.fit(frame); !fitted) return fitted;
-    if (auto fitted = shade_.fit(frame); !fitted) return fitted;
+    return shade_.fit(frame);
+}
+
+void KeptView::let_go() {
+    forget();
+    layers_.let_go();
+    shade_.let_go();
+}
+
+KeptView::Lent KeptView::lend() {
+    forget();
+    return {shade_.shaded(), layers_.with_key()};
+}
+
+Result<void> KeptView::draw(FrameContext& frame, const Scene& seen, const KeptRoom& room) {
+    if (auto fitted = fit(frame); !fitted) return fitted;
     const shaders::FrameData by_day =
         still_frame(seen, room.meshes.bounds(), static_cast<int>(frame.extent.width),
                     static_cast<int>(frame.extent.height));
@@ -67,13 +82,6 @@ Result<void> KeptView::draw_band(FrameContext& frame, const KeptRoom& room, vec4
     if (auto drawn = layers_.draw_places(frame, room.meshes, rows); !drawn) return drawn;
     layers_.lay(**plate, window, rows);
     return {};
-}
-
-void KeptView::let_go() {
-    parts_made_ = 0;
-    plate_.reset();
-    layers_.let_go();
-    shade_.let_go();
 }
 
 }  // namespace onggi::render

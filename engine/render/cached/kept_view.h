@@ -35,8 +35,17 @@ class KeptView {
     Result<void> make(FrameContext& frame, const Scene& scene, const KeptRoom& room, TileNumbers& numbers);
     // What it is made of has changed.
     void forget() { parts_made_ = 0; }
+    // Makes room for it, so that no part has to. The device is idle.
+    Result<void> fit(const FrameContext& frame);
     // Nobody will look from there: gives back its memory. The device is idle.
     void let_go();
+    // Of a view that is left: its memory for two pictures as large as the frame, until something is made of
+    // it again. There is room for it. In the first is what was shaded last.
+    struct Lent {
+        const vk::Buffer& first;
+        const vk::Buffer& second;
+    };
+    [[nodiscard]] Lent lend();
 
     // Lays the shade and the light of the hour over it; it is there. True: the shade is another than before.
     bool shade(const FrameContext& frame, const Scene& scene, TileNumbers& numbers) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/render/cached/touched.h"
 #include "engine/vk/readback.h"
 
 namespace onggi::render {
@@ -97,13 +98,14 @@ Result<void> StillLayers::fit(const FrameContext& frame) {
          {Wish{with_key_, "still life with the key light"},
           Wish{without_key_, "still life without the key light"},
           Wish{places_, "still life's places in the shadow mask"}, Wish{depth_, "still life's depth"}}) {
-        auto buffer =
-            vk::Buffer::create(frame.device, {.name = wish.name,
-                                              .size = VkDeviceSize{4} * extent.width * extent.height,
-                                              .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                              .use = vk::MemoryUse::kReadback});
+        auto buffer = vk::Buffer::create(
+            frame.device, {.name = wish.name,
+                           .size = VkDeviceSize{4} * extent.width * extent.height,
+                           .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                           .use = vk::MemoryUse::kReadback});
         if (!buffer) return buffer.error();
         wish.into = std::move(*buffer);
+        touch(wish.into);
     }
     extent_ = extent;
     return {};

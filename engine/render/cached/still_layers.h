@@ -30,6 +30,7 @@ class StillLayers {
     void turn_into_places();
 
     [[nodiscard]] ShadeLayers layers() const;
+    [[nodiscard]] const vk::Buffer& with_key() const { return with_key_; }
     [[nodiscard]] const vk::Buffer& depth() const { return depth_; }  // a float a pixel
 
   private:

@@ -3,74 +3,132 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
-#include "engine/render/pixels/photograph_rows.h"
+#include "engine/render/pixels/mix_words.h"
+#include "engine/render/pixels/picture_shapes.h"
 #include "engine/render/pixels/wide_vectors.h"
 
 namespace onggi::render {
 namespace {
 
+using shapes::fixed;
+using shapes::kOne;
+using shapes::Slope;
+
+// What both layers are made of, and memory to work in.
 struct Layers {
     vec4 window;
     std::size_t width = 0;
-    std::size_t first_row = 0;
-    std::size_t end_row = 0;
+    RowSpan rows;
     std::uint32_t* with_key = nullptr;
     std::uint32_t* without_key = nullptr;
+    std::uint32_t* unlit = nullptr;  // a row of the picture
+    std::uint32_t* mixed = nullptr;  // a row of a photograph, and the texel behind it
 };
 
-// Where a row of the picture lies in a photograph.
-rows::Place place_of(const Layers& layers, const HostPhotograph& photograph, std::size_t y) {
-    const vec4& window = layers.window;
-    const auto width = static_cast<float>(photograph.width());
-    const auto height = static_cast<float>(photograph.height());
-    const float down = (static_cast<float>(y) + 0.5F) * window.y + window.w;
-    return {.u = {.first = (0.5F * window.x + window.z) * width - 0.5F, .step = window.x * width},
-            .v = {.first = down * height - 0.5F, .step = 0.0F}};
+std::uint32_t part_of(int place) {
+    return static_cast<std::uint32_t>(place) >> 8U & 255U;
 }
 
-[[gnu::always_inline]] inline void take_row(const HostPhotograph& photograph, const rows::Place& place,
-                                            std::uint32_t* pixels, int count) {
-    // A texel a pixel, as nearly as one can see at the end of a row.
-    constexpr float kAlike = 1.0F / 65536.0F;
-    if (std::abs(place.u.step - 1.0F) > kAlike || !rows::lies_in(photograph, place, count)) {
-        rows::take_stretched(photograph, place, pixels, count);
-        return;
+// Where a place lies along a photograph's width or height, sixteen bits behind the point: beside it as
+// mirrored() of shaders/plate_edge.glsl says, and how far outside by its left_beside(), squared.
+struct Along {
+    int at = 0;
+    float out = 0.0F;
+};
+[[gnu::always_inline]] inline Along along(float texel, int texels) {
+    constexpr float kPerWidth = 1.0F / 0.06F;
+    const auto size = static_cast<float>(texels);
+    if (texel >= 0.0F && texel <= size - 1.0F) return {fixed(texel), 0.0F};
+    const float at = std::clamp((texel + 0.5F) / size, -1.0F, 2.0F);
+    const float out = std::max(std::abs(at - 0.5F) - 0.5F, 0.0F) * kPerWidth;
+    const float mirrored = 1.0F - std::abs(1.0F - std::abs(at));
+    return {fixed(std::clamp(mirrored * size - 0.5F, 0.0F, size - 1.0F)), out * out};
+}
+
+// A row of a photograph, a texel a pixel from this place on.
+[[gnu::always_inline]] inline void take_as_it_is(const std::uint32_t* texels, int at, std::size_t count,
+                                                 std::uint32_t* pixels) {
+    const std::uint32_t* const first = texels + (at >> 16);
+    const std::uint32_t part = part_of(at);
+    for (std::size_t i = 0; i < count; ++i)
+        pixels[i] = mix_words(first[i], first[i + 1], part);
+}
+
+[[gnu::always_inline]] inline void take_stretched(const std::uint32_t* texels, int at, int step,
+                                                  std::size_t count, std::uint32_t* pixels) {
+    for (std::size_t i = 0; i < count; ++i, at += step)
+        pixels[i] = mix_words(texels[at >> 16], texels[(at >> 16) + 1], part_of(at));
+}
+
+// One that lies, or may lie, beside the photograph; `out` of the row.
+[[gnu::always_inline]] inline void take_beside(const std::uint32_t* texels, int across, const Slope& u,
+                                               float out, std::size_t count, std::uint32_t* pixels) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Along place = along(u.at(static_cast<int>(i)), across);
+        const std::uint32_t texel =
+            mix_words(texels[place.at >> 16], texels[(place.at >> 16) + 1], part_of(place.at));
+        const float left = 1.0F / (1.0F + place.out + out);
+        pixels[i] = mix_words(0U, texel, static_cast<std::uint32_t>(left * 256.0F + 0.5F)) | 0xFF000000U;
     }
-    const rows::FixedPlace first{rows::fixed(std::max(place.u.first, 0.0F)),
-                                 rows::fixed(std::max(place.v.first, 0.0F))};
-    rows::take_as_it_is(photograph, first, pixels, count);
+}
+
+// A row of the picture, first mixed down the photograph and then along it.
+[[gnu::always_inline]] inline void take_row(const HostPhotograph& photograph, const Layers& layers, int y,
+                                            std::uint32_t* pixels) {
+    // So short that steps in whole numbers hold their place.
+    constexpr std::size_t kPiece = 256;
+    constexpr float kAlike = 1.0F / 65536.0F;
+    const int across = photograph.width();
+    const auto texels_across = static_cast<std::size_t>(across);
+    const vec4& window = layers.window;
+    const auto width = static_cast<float>(across);
+    const float down = (static_cast<float>(y) + 0.5F) * window.y + window.w;
+    const Along v = along(down * static_cast<float>(photograph.height()) - 0.5F, photograph.height());
+    const std::uint32_t* const row = photograph.first() + (v.at >> 16) * std::ptrdiff_t{across};
+    const std::uint32_t part = part_of(v.at);
+    for (std::size_t i = 0; i <= texels_across; ++i)
+        layers.mixed[i] = mix_words(row[i], row[i + texels_across], part);
+
+    const Slope whole{(0.5F * window.x + window.z) * width - 0.5F, window.x * width};
+    for (std::size_t x = 0; x < layers.width; x += kPiece) {
+        const std::size_t count = std::min(kPiece, layers.width - x);
+        const Slope u{whole.at(static_cast<int>(x)), whole.step};
+        // The fringe is there for what rounding makes of the border.
+        constexpr float kFringe = 1.0F / 256.0F;
+        const bool is_inside = v.out == 0.0F && u.first >= -kFringe &&
+                               u.at(static_cast<int>(count) - 1) <= width - 1.0F + kFringe;
+        if (!is_inside) {
+            take_beside(layers.mixed, across, u, v.out, count, pixels + x);
+            continue;
+        }
+        const int at = fixed(std::max(u.first, 0.0F));
+        if (std::abs(u.step - 1.0F) <= kAlike) {
+            take_as_it_is(layers.mixed, at, count, pixels + x);
+        } else {
+            take_stretched(layers.mixed, at, fixed(u.step), count, pixels + x);
+        }
+    }
 }
 
 [[gnu::always_inline]] inline void lay(const HostPlate& plate, const Layers& layers) {
-    // So short that both pieces are still at hand when they are brought together.
-    constexpr std::size_t kPiece = 256;
-    std::array<std::uint32_t, kPiece> unlit;
-    for (std::size_t y = layers.first_row; y < layers.end_row; ++y) {
-        const rows::Place lit_from = place_of(layers, plate.key, y);
-        const rows::Place unlit_from = place_of(layers, plate.ambient, y);
-        for (std::size_t x = 0; x < layers.width; x += kPiece) {
-            const std::size_t count = std::min(kPiece, layers.width - x);
-            const auto take = [&](const HostPhotograph& photograph, const rows::Place& place,
-                                  std::uint32_t* pixels) __attribute__((always_inline)) {
-                take_row(photograph, {{place.u.at(static_cast<int>(x)), place.u.step}, place.v}, pixels,
-                         static_cast<int>(count));
-            };
-            std::uint32_t* const with_key = layers.with_key + y * layers.width + x;
-            std::uint32_t* const without_key = layers.without_key + y * layers.width + x;
-            take(plate.key, lit_from, with_key);
-            take(plate.ambient, unlit_from, unlit.data());
-            for (std::size_t i = 0; i < count; ++i) {
-                constexpr std::uint32_t kColours = 0x00FFFFFFU;
-                without_key[i] = (without_key[i] & ~kColours) | (unlit[i] & kColours);
-                // Compression may leave the lit picture the darker one by a level.
-                std::uint32_t lit = 0xFF000000U;
-                for (std::uint32_t shift = 0; shift < 24U; shift += 8U) {
-                    const std::uint32_t channel = 0xFFU << shift;
-                    lit |= std::max(with_key[i] & channel, unlit[i] & channel);
-                }
-                with_key[i] = lit;
+    for (int y = layers.rows.first; y < layers.rows.end; ++y) {
+        const std::size_t first = static_cast<std::size_t>(y) * layers.width;
+        std::uint32_t* const with_key = layers.with_key + first;
+        std::uint32_t* const without_key = layers.without_key + first;
+        take_row(plate.key, layers, y, with_key);
+        take_row(plate.ambient, layers, y, layers.unlit);
+        for (std::size_t i = 0; i < layers.width; ++i) {
+            constexpr std::uint32_t kColours = 0x00FFFFFFU;
+            without_key[i] = (without_key[i] & ~kColours) | (layers.unlit[i] & kColours);
+            // Compression may leave the lit picture the darker one by a level.
+            std::uint32_t lit = 0xFF000000U;
+            for (std::uint32_t shift = 0; shift < 24U; shift += 8U) {
+                const std::uint32_t channel = 0xFFU << shift;
+                lit |= std::max(with_key[i] & channel, layers.unlit[i] & channel);
             }
+            with_key[i] = lit;
         }
     }
 }
@@ -87,14 +145,16 @@ ONGGI_WIDE_VECTORS void lay_wide(const HostPlate& plate, const Layers& layers) {
 
 void lay_photographs(const HostPlate& plate, vec4 window, int width, RowSpan rows,
                      std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key) {
-    const Layers layers{.window = window,
-                        .width = static_cast<std::size_t>(width),
-                        .first_row = static_cast<std::size_t>(rows.first),
-                        .end_row = static_cast<std::size_t>(rows.end),
-                        .with_key = with_key.data(),
-                        .without_key = without_key.data()};
+    std::vector<std::uint32_t> unlit(static_cast<std::size_t>(width));
+    std::vector<std::uint32_t> mixed(static_cast<std::size_t>(plate.key.width()) + 1);
     static auto* const best = best_of(lay_plain, lay_wide);
-    best(plate, layers);
+    best(plate, {.window = window,
+                 .width = static_cast<std::size_t>(width),
+                 .rows = rows,
+                 .with_key = with_key.data(),
+                 .without_key = without_key.data(),
+                 .unlit = unlit.data(),
+                 .mixed = mixed.data()});
 }
 
 }  // namespace onggi::render

@@ -1,0 +1,20 @@
+// Two pixels of four bytes each, mixed: inline, so that it becomes a part of whatever instructions its user
+// is compiled for. Any thread; pure.
+#pragma once
+
+#include <cstdint>
+
+namespace onggi::render {
+
+// Of the second `part`, 0 to 256, and of the first the rest of 256; two channels at a time.
+[[gnu::always_inline]] inline std::uint32_t mix_words(std::uint32_t first, std::uint32_t second,
+                                                      std::uint32_t part) {
+    constexpr std::uint32_t kTwo = 0x00FF00FFU;
+    constexpr std::uint32_t kHalf = 0x00800080U;
+    const std::uint32_t rest = 256U - part;
+    const std::uint32_t even = (first & kTwo) * rest + (second & kTwo) * part + kHalf;
+    const std::uint32_t odd = (first >> 8U & kTwo) * rest + (second >> 8U & kTwo) * part + kHalf;
+    return (even >> 8U & kTwo) | (odd & ~kTwo);
+}
+
+}  // namespace onggi::render
