@@ -99,7 +99,12 @@ template <typename Visitor, typename Enum>
 void visit_enum(Visitor& visitor, Enum& value) {
     int number = static_cast<int>(value);
     visitor.number(number);
-    if constexpr (!std::is_const_v<Enum>) value = static_cast<Enum>(number);
+    if constexpr (!std::is_const_v<Enum>) {
+        // A word larger than the enumeration's own bits must not pass for one that fits them.
+        constexpr int kUnknown = 0xff;
+        value = static_cast<Enum>(number);
+        if (static_cast<int>(value) != number) value = static_cast<Enum>(kUnknown);
+    }
 }
 
 template <typename Visitor, typename Vector>
