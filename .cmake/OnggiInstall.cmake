@@ -38,6 +38,8 @@ install(DIRECTORY assets/workshop DESTINATION share/onggi FILES_MATCHING
     PATTERN "*.json" PATTERN "*.jpg" PATTERN "*.glb" PATTERN "README.md" PATTERN "maker" EXCLUDE)
 install(DIRECTORY assets/heritage DESTINATION share/onggi)
 install(DIRECTORY assets/tools DESTINATION share/onggi FILES_MATCHING PATTERN "*.glb" PATTERN "maker" EXCLUDE)
+install(DIRECTORY assets/demonstrations DESTINATION share/onggi FILES_MATCHING
+    PATTERN "*.onggi" PATTERN "shown.txt" PATTERN "README.md")
 install(FILES assets/gestures/attract.csv DESTINATION share/onggi/gestures)
 install(FILES assets/kiosk.toml DESTINATION share/onggi RENAME kiosk-settings.toml)
 

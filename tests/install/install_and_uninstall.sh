@@ -36,6 +36,11 @@ fi
 "$root/usr/bin/onggi" --version
 (cd "$folder" && "$root/usr/bin/onggi" throw "$OLDPWD/assets/gestures/touch-still.csv" --clay studio --target nearest \
     --stats stats.json >/dev/null)
+# What the wheel shows while nobody is there, each of it whole.
+while read -r name _; do
+    [ -z "$name" ] || "$root/usr/bin/onggi" replay "$root/usr/share/onggi/demonstrations/$name.onggi" --validate >/dev/null ||
+        fail "expected the installed demonstration '$name' to replay"
+done <assets/demonstrations/shown.txt
 grep -q '"target"' "$folder/stats.json" || fail "expected a score against a museum's pot"
 
 DESTDIR=$root cmake --build "$build" --target uninstall >>"$folder/log"
