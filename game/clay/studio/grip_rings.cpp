@@ -15,7 +15,7 @@ std::size_t at(int i) {
 
 constexpr double kSteepest = 1.4;        // |dR/dy| that the hands leave
 constexpr double kSteepestAtFoot = 0.8;  // up to a little over the floor
-constexpr double kWidestSkirt = 0.35;    // there, the other way: wider below
+constexpr double kWidestSkirt = 0.1;     // there, the other way: wider below
 constexpr double kFootZoneMm = 6.0;
 constexpr double kFairestFootMm = 0.25;  // the same, of a foot that follows the wall above it
 constexpr double kFairestStepMm = 0.1;   // of a slope that is brought back while nothing else moves there

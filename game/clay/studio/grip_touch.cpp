@@ -69,7 +69,7 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
     }
     const double wall = outer_face_mm(rings, finger.y);
     state.offset_mm = wall - state.finger_mm.x;
-    state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 6.0 : 60.0;
+    state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 4.0 : 60.0;
     state.bottom_mm = is_hollow(rings) ? rings.floor_mm() : top;
     state.bore_mm = kThumbsMm;
     if (state.grip == Grip::kOpen && is_hollow(rings)) {
