@@ -100,6 +100,17 @@ CueHold hold_of_step(const haptic::PotShape& shape, int step) {
     return step == kOpens ? opening_of(shape) : about(kLowShare * shape.height_mm, shape.height_mm);
 }
 
+std::optional<CueThread> thread_of(const clay::studio::GripReport& grip) {
+    constexpr double kTogetherMm = 10.0;  // a hand covers a finger that is no farther off
+    constexpr double kApartMm = 18.0;
+    if (grip.grip == Grip::kNone) return std::nullopt;
+    const double apart_mm = glm::length(grip.finger_mm - grip.hand_mm);
+    if (!(apart_mm > kTogetherMm)) return std::nullopt;
+    return CueThread{.finger_mm = grip.finger_mm,
+                     .hand_mm = grip.hand_mm,
+                     .strength = std::min((apart_mm - kTogetherMm) / (kApartMm - kTogetherMm), 1.0)};
+}
+
 void KioskCue::follow_progress(const CueMoment& moment, double dt_s) {
     const clay::studio::GripReport& grip = moment.grip;
     const double way_mm = glm::length(grip.hand_mm - hand_mm_);
@@ -136,6 +147,7 @@ std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {
     CuePlace place;
     if (grip.grip != Grip::kNone) {
         if (guard_ != GripGuard::kNone && guard_s_ >= kGuardSaysS) place.guard = words_of(guard_);
+        if (!moment.is_shown) place.thread = thread_of(grip);
         place.hand_side = grip.hand_mm.x < 0.0 ? -1.0 : 1.0;
         if (!is_known_ || moment.is_shown || place.guard != CueGuard::kNone)
             place.hold = grip.grip == Grip::kAsking ? hold_of_touch(moment.shape, grip.finger_mm)
@@ -151,7 +163,7 @@ std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {
     }
     if (!place.hold) {
         shown_.reset();
-        return std::nullopt;
+        return place.thread ? std::optional(place) : std::nullopt;
     }
     place.hold = shown_ = eased(*place.hold, moment, dt_s);
     return place;

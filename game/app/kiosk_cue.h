@@ -1,6 +1,6 @@
 // Where the calm cue lies: round what of the clay the hands hold, what a touch would take hold of, or where
-// the lesson wants the next one; and when it is to be seen. Pure state, the caller's clock. Main thread, once
-// a frame. mm, s.
+// the lesson wants the next one; when it is to be seen; and how far the hands lag behind a finger. Pure
+// state, the caller's clock. Main thread, once a frame. mm, s.
 #pragma once
 
 #include <optional>
@@ -23,6 +23,15 @@ struct CueHold {
 // Where a step of the lesson, counted from 0, begins.
 [[nodiscard]] CueHold hold_of_step(const haptic::PotShape& shape, int step);
 
+// From a finger to the hands that lag behind it.
+struct CueThread {
+    dvec2 finger_mm{0.0};
+    dvec2 hand_mm{0.0};
+    double strength = 0.0;  // 0 where they are nearly together, to 1
+};
+// Nothing where no hand is at work.
+[[nodiscard]] std::optional<CueThread> thread_of(const clay::studio::GripReport& grip);
+
 struct CueMoment {
     double now_s = 0.0;
     const haptic::PotShape& shape;
@@ -36,6 +45,7 @@ struct CueMoment {
 
 struct CuePlace {
     std::optional<CueHold> hold{};
+    std::optional<CueThread> thread{};
     std::optional<int> step{};  // whose way the arrow shows, beside where that step begins
     screens::CueGuard guard = screens::CueGuard::kNone;
     double hand_side = 0.0;  // on which side of the axis a hand is at work: +1 right; 0: none is

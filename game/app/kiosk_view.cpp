@@ -245,9 +245,16 @@ std::optional<screens::Cue> KioskVisit::cue(const haptic::Snapshot& snapshot) {
                                   .still = state_.comfort.still});
     if (!place) return std::nullopt;
     screens::Cue cue{.guard = place->guard, .words_on_left = place->hand_side > 0.0};
-    const CueHold& hold = *place->hold;
-    if (hold.opening_mm > 0.0) {
+    if (place->thread) {
+        const auto finger_px =
+            parts_.view.project({place->thread->finger_mm.x, place->thread->finger_mm.y, 0.0});
+        const auto hand_px = parts_.view.project({place->thread->hand_mm.x, place->thread->hand_mm.y, 0.0});
+        if (finger_px && hand_px)
+            cue.thread = {vec2(*finger_px), vec2(*hand_px), static_cast<float>(place->thread->strength)};
+    }
+    if (place->hold && place->hold->opening_mm > 0.0) {
         constexpr int kPoints = 40;
+        const CueHold& hold = *place->hold;
         for (int i = 0; i <= kPoints; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / kPoints;
             const auto px = parts_.view.project(
@@ -255,8 +262,8 @@ std::optional<screens::Cue> KioskVisit::cue(const haptic::Snapshot& snapshot) {
             if (!px) return std::nullopt;
             cue.ring.push_back(vec2(*px));
         }
-    } else {
-        auto belt = band_round(shape, hold.low_mm, hold.high_mm);
+    } else if (place->hold) {
+        auto belt = band_round(shape, place->hold->low_mm, place->hold->high_mm);
         if (!belt) return std::nullopt;
         cue.belt = std::move(*belt);
     }

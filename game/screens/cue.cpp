@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "game/screens/design.h"
 #include "game/screens/forces.h"
@@ -56,6 +57,28 @@ void draw_slip(DrawList& list, const Band& belt, float alpha) {
     }
 }
 
+// Dots from the hands out to the finger, which is ringed.
+void draw_thread(DrawList& list, const Thread& thread, float alpha, float u) {
+    constexpr float kPitchU = 11.0F;
+    constexpr float kRingU = 12.0F;
+    const float length = glm::length(thread.finger_px - thread.hand_px);
+    if (!(thread.strength > 0.0F) || !(length > 2.0F * kRingU * u)) return;
+    const vec2 along = (thread.hand_px - thread.finger_px) / length;
+    const float strength = thread.strength * alpha;
+    std::array<vec2, 25> ring;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / (ring.size() - 1);
+        ring[i] = thread.finger_px + kRingU * u * vec2(std::cos(angle), std::sin(angle));
+    }
+    const auto both = [&](float line_u, const Colour& colour) {
+        list.add_line(ring, line_u * u, colour);
+        for (float way = (kRingU + kPitchU) * u; way < length; way += kPitchU * u)
+            draw_disc(list, thread.finger_px + way * along, 0.5F * line_u * u, colour);
+    };
+    both(7.0F, design::kNight.with_alpha(0.5F * strength));
+    both(3.4F, design::kOutline.with_alpha(strength));
+}
+
 // Dots that lead to a head, cream over dark.
 void draw_way(DrawList& list, CueWay way, vec2 from, float alpha, float u) {
     constexpr int kDots = 5;
@@ -100,6 +123,7 @@ void draw_cue(DrawList& list, const Cue& cue, float alpha, float px_per_u) {
         draw_edge(list, cue.belt.upper, alpha, u);
         draw_edge(list, cue.belt.lower, alpha, u);
     }
+    draw_thread(list, cue.thread, alpha, u);
     if (cue.way != CueWay::kNone) draw_way(list, cue.way, cue.way_px, alpha, u);
 }
 

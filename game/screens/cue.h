@@ -1,5 +1,6 @@
 // What is drawn round the clay itself, anew each frame: the calm belt that says where a touch takes hold, the
-// arrow that says which way, and the hatched band that warns. Main thread. Pixels.
+// arrow that says which way, the thread from a finger to hands that lag behind it, and the hatched band that
+// warns. Main thread. Pixels.
 #pragma once
 
 #include <string_view>
@@ -24,9 +25,16 @@ constexpr int kCueGuardCount = 6;
 // The way a hand goes, as the screen has it.
 enum class CueWay { kNone, kLeft, kRight, kDown, kUp };
 
+struct Thread {
+    vec2 finger_px{0.0F};
+    vec2 hand_px{0.0F};
+    float strength = 0.0F;  // 0: none, to 1
+};
+
 struct Cue {
     Band belt{};               // empty: none
     std::vector<vec2> ring{};  // instead of it, on top of the clay: where the middle is opened; closed
+    Thread thread{};
     CueWay way = CueWay::kNone;
     vec2 way_px{0.0F};  // where the arrow begins
     CueGuard guard = CueGuard::kNone;

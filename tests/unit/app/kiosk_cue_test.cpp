@@ -154,5 +154,44 @@ TEST_F(Cue, EasesFromOnePlaceToTheNextUnlessLessMotionIsWanted) {
     EXPECT_EQ(jumped->hold->low_mm, 68.0);
 }
 
+TEST_F(Cue, LeadsFromTheFingerToHandsThatLagBehindIt) {
+    const GripReport together{.grip = Grip::kWall,
+                              .hand_mm = dvec2(50.0, 40.0),
+                              .finger_mm = dvec2(50.0, 46.0),
+                              .low_mm = 28.0,
+                              .high_mm = 66.0};
+    GripReport apart = together;
+    apart.finger_mm = dvec2(50.0, 70.0);
+    EXPECT_FALSE(look(together)->thread) << "a hand covers the finger";
+    const auto place = look(apart);
+    ASSERT_TRUE(place && place->thread);
+    EXPECT_EQ(place->thread->finger_mm, apart.finger_mm);
+    EXPECT_EQ(place->thread->hand_mm, apart.hand_mm);
+    EXPECT_EQ(place->thread->strength, 1.0);
+    GripReport between = together;
+    between.finger_mm.y = between.hand_mm.y + 14.0;
+    EXPECT_NEAR(thread_of(between)->strength, 0.5, 1e-9) << "it comes little by little";
+    is_shown_ = true;
+    EXPECT_FALSE(look(apart)->thread) << "the wheel's own hands show where they are";
+    is_shown_ = false;
+    apart.grip = Grip::kNone;
+    const auto lifted = look(apart);
+    EXPECT_FALSE(lifted && lifted->thread);
+}
+
+// Who gets on without a belt still sees where a finger has run ahead to.
+TEST_F(Cue, ThreadStaysForWhoKnowsTheWay) {
+    draws_up(3.0, 20.0);
+    GripReport apart{.grip = Grip::kWall,
+                     .hand_mm = hand_mm_ += dvec2(0.0, 0.3),
+                     .finger_mm = hand_mm_ + dvec2(0.0, 40.0),
+                     .low_mm = 30.0,
+                     .high_mm = 90.0};
+    const auto place = look(apart);
+    ASSERT_TRUE(place);
+    EXPECT_TRUE(place->thread);
+    EXPECT_FALSE(place->hold);
+}
+
 }  // namespace
 }  // namespace onggi::app

@@ -203,6 +203,9 @@ TEST_F(Theatre, BringsTheCueAndTakesItAway) {
     EXPECT_EQ(draw(1.7).vertices().size(), without);
     cue.way = CueWay::kUp;
     EXPECT_GT(draw(1.8, -1, &cue).vertices().size(), with_belt) << "and an arrow";
+    const std::size_t with_arrow = draw(1.85, -1, &cue).vertices().size();
+    cue.thread = {.finger_px = {250.0F, 40.0F}, .hand_px = {250.0F, 110.0F}, .strength = 1.0F};
+    EXPECT_GT(draw(1.9, -1, &cue).vertices().size(), with_arrow) << "and a thread to hands that lag";
 }
 
 TEST_F(Theatre, DrawsNoCueUnderAWarningAndNoneWhereNobodyThrows) {
