@@ -59,7 +59,7 @@ Result<std::vector<std::byte>> picture_bytes(const ThrowOutputs& outputs, const 
 Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, share::ExportKind kind,
                                            clay::Firing stage) {
     if (const clay::StudioClay* studio = state.studio()) return share::export_pot(*studio, stage, kind);
-    return share::export_pot({.height_mm = state.height_mm(), .radii_mm = state.paper()->radii_mm()}, kind);
+    return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind);
 }
 
 Result<void> check_outputs(const ThrowOutputs& outputs) {

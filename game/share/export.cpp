@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
-#include "engine/asset/gltf.h"
 #include "engine/asset/stl.h"
-#include "game/share/pot_mesh.h"
-#include "game/share/pot_profile.h"
+#include "game/share/pot_solid.h"
 
 namespace onggi::share {
 namespace {
@@ -33,10 +32,6 @@ asset::Material stoneware() {
             .metallic = 0.0};
 }
 
-double max_diameter_mm(const PotShape& shape) {
-    return 2.0 * double{*std::max_element(shape.radii_mm.begin(), shape.radii_mm.end())};
-}
-
 }  // namespace
 
 Result<ExportKind> export_kind_of(std::string_view path) {
@@ -54,21 +49,28 @@ Result<ExportKind> export_kind_of(std::string_view path) {
     return bad_input(fmt::format("{}: expected a name that ends in {}", path, known));
 }
 
-Result<std::vector<std::byte>> export_pot(const PotShape& shape, ExportKind kind) {
-    if (const Result<void> good = check_shape(shape); !good) return good.error();
-    PotMesh pot = build_pot_mesh(shape);
-    if (kind == ExportKind::kStl) {
-        return asset::encode_stl(pot.mesh, fmt::format("Onggi pot, {:.1f} mm high", shape.height_mm));
-    }
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file) {
+    Result<PotSolid> pot = build_pot_solid(rings, file.shrinkage);
+    if (!pot) return pot.error();
+    if (kind == ExportKind::kStl) return asset::encode_stl(pot->mesh, file.title);
     asset::GltfContent content;
     content.name = "pot";
     content.generator = "Onggi " ONGGI_VERSION;
-    content.mesh = std::move(pot.mesh);
-    content.material = stoneware();
-    content.extras = {{"height_mm", shape.height_mm},
-                      {"max_diameter_mm", max_diameter_mm(shape)},
-                      {"volume_mm3", clay_volume_mm3(shape)}};
+    content.mesh = std::move(pot->mesh);
+    content.material = std::move(file.material);
+    content.extras = std::move(file.extras);
     return asset::encode_glb(content);
+}
+
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind) {
+    if (const Result<void> good = check_rings(rings); !good) return good.error();
+    const double widest_mm = 2.0 * *std::max_element(rings.outer_mm.begin(), rings.outer_mm.end());
+    return export_pot(rings, kind,
+                      {.title = fmt::format("Onggi pot, {:.1f} mm high", rings.height_mm()),
+                       .material = stoneware(),
+                       .extras = {{"height_mm", rings.height_mm()},
+                                  {"max_diameter_mm", widest_mm},
+                                  {"volume_mm3", rings.volume_mm3}}});
 }
 
 }  // namespace onggi::share

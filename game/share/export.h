@@ -3,32 +3,32 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/asset/gltf.h"
 #include "engine/core/result.h"
+#include "game/share/pot_rings.h"
 
 namespace onggi::share {
 
 enum class ExportKind { kGlb, kStl };
 
-// A pot of the cylindrical element method: elements of equal height, bottom first. It refers to radii that
-// must outlive the call; clay::PaperClay gives both members.
-struct PotShape {
-    double height_mm = 0.0;
-    std::span<const float> radii_mm;
-};
-
-// The clay of a shape: sum of pi R_i^2 H/N, mm^3.
-[[nodiscard]] double clay_volume_mm3(const PotShape& shape);
-
 // The kind that a path's ending names, in small or capital letters. kBadInput for any other, naming those
 // known.
 Result<ExportKind> export_kind_of(std::string_view path);
 
-// The file's bytes, the same for the same shape on every machine. kBadInput if the shape is outside what a
-// pot can be (see pot_mesh.h).
-Result<std::vector<std::byte>> export_pot(const PotShape& shape, ExportKind kind);
+// What stands in a file beside the mesh.
+struct PotFile {
+    std::string title{};  // of the STL's header
+    asset::Material material{};
+    std::vector<asset::Extra> extras{};
+    double shrinkage = 1.0;  // what every length is times
+};
+// The file's bytes, the same for the same rings on every machine. kBadInput as build_pot_solid().
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file);
+// A pot of stoneware of which only the shape is known: the paper's clay.
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind);
 
 }  // namespace onggi::share

@@ -2,13 +2,14 @@
 #include "game/share/pot_faces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
 
 #include "game/share/slope_range.h"
 
 namespace onggi::share {
 namespace {
-
-using clay::studio::Rings;
 
 constexpr double kFlakeMm = 0.05;
 // Rows nearer than this would make triangles without an area in float metres.
@@ -16,32 +17,40 @@ constexpr double kNearestRowsMm = 1e-3;
 // An opening narrower than this is drawn as wide as this, for the same reason.
 constexpr double kNarrowestOpeningMm = 0.02;
 
+constexpr double kLedgeSteepness = 4.0;
+constexpr double kLedgeVolumeShare = 1e-3;
+
+// Replacing a step between two rings by a straight slope takes pi h/6 (a - b)^2 of clay away; the halves of
+// the two rings that it spans hold pi h/2 (a^2 + b^2).
+bool is_ledge(double below_mm, double above_mm, double ring_mm) {
+    const double step = std::fabs(below_mm - above_mm);
+    const double lost_share = step * step / (3.0 * (below_mm * below_mm + above_mm * above_mm));
+    return step > kLedgeSteepness * ring_mm && lost_share > kLedgeVolumeShare;
+}
+
 // The mean of the sectors about each corner. Corner k stands at k/count of a turn, sector s is about (s +
 // 1/2)/S: with half as many corners as sectors each corner takes the two next to it.
-std::vector<double> dents_at_corners(const Rings& rings, int ring, int count) {
-    std::vector<double> dents(static_cast<std::size_t>(count), 0.0);
-    if (!(rings.rough_mm[Rings::at(ring)] > 0.0F)) return dents;
-    const float* row = rings.row_of(ring);
-    const int sectors = rings.sectors;
+std::vector<double> dents_at_corners(std::span<const float> row, int count) {
+    std::vector<double> dents(PotRings::at(row.empty() ? 0 : count), 0.0);
+    const auto sectors = static_cast<int>(row.size());
     const int width = std::max(sectors / count, 2);  // sectors a corner stands for
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < std::ssize(dents); ++k) {
         const int middle = k * sectors / count;  // the sector just after the corner
         double sum = 0.0;
         for (int j = -width / 2; j < width - width / 2; ++j)
-            sum += static_cast<double>(row[(middle + j + sectors) & (sectors - 1)]);
-        dents[static_cast<std::size_t>(k)] = sum / width;
+            sum += static_cast<double>(row[PotRings::at((middle + j + sectors) & (sectors - 1))]);
+        dents[PotRings::at(k)] = sum / width;
     }
     return dents;
 }
 
-FaceRow row_at(const Rings& rings, Which which, int ring, double y_mm, const Corners& corners) {
-    const std::size_t at = Rings::at(ring);
+FaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int corners) {
     FaceRow row;
     row.y_mm = y_mm;
-    row.radius_mm =
-        which == Which::kOuter ? rings.outer_mm[at] : std::max(rings.inner_mm[at], kNarrowestOpeningMm);
-    row.centre_mm = {static_cast<double>(rings.centre_x_mm[at]), static_cast<double>(rings.centre_z_mm[at])};
-    if (corners.dented) row.dents_mm = dents_at_corners(rings, ring, corners.count);
+    row.radius_mm = which == Which::kOuter ? rings.outer_mm[PotRings::at(ring)]
+                                           : std::max(rings.inner(ring), kNarrowestOpeningMm);
+    if (!rings.centre_mm.empty()) row.centre_mm = rings.centre_mm[PotRings::at(ring)];
+    row.dents_mm = dents_at_corners(rings.dents_of(ring), corners);
     return row;
 }
 
@@ -69,15 +78,14 @@ FaceRow on_lines(const FaceRow& anchor, const std::vector<SlopeRange>& slopes, d
 
 }  // namespace
 
-std::vector<RingRun> ring_runs(const Rings& rings) {
+std::vector<RingRun> ring_runs(const PotRings& rings) {
     std::vector<RingRun> runs;
-    for (int i = 0; i < rings.count;) {
+    for (int i = 0; i < rings.count();) {
         const bool hollow = rings.is_hollow(i);
         const int first = i;
-        while (i < rings.count && rings.is_hollow(i) == hollow)
+        while (i < rings.count() && rings.is_hollow(i) == hollow)
             ++i;
-        const double height =
-            (i < rings.count ? rings.bottom_mm(i) : rings.top_mm()) - rings.bottom_mm(first);
+        const double height = rings.bottom_mm(i) - rings.bottom_mm(first);
         const bool joins = !runs.empty() && (height < kFlakeMm || runs.back().hollow == hollow);
         if (joins)
             runs.back().end = i;
@@ -91,14 +99,9 @@ std::vector<RingRun> ring_runs(const Rings& rings) {
     return runs;
 }
 
-bool has_dents(const Rings& rings) {
-    return std::any_of(rings.rough_mm.begin(), rings.rough_mm.begin() + rings.count,
-                       [](float rough) { return rough > 0.0F; });
-}
-
-Face face_of(const Rings& rings, Which which, int first, int end, const Corners& corners) {
+Face face_of(const PotRings& rings, Which which, int first, int end, int corners) {
     const auto has_face = [&](int ring) { return which == Which::kOuter || rings.is_hollow(ring); };
-    const double top_mm = end < rings.count ? rings.bottom_mm(end) : rings.top_mm();
+    const double top_mm = rings.bottom_mm(end);
     const double bottom_mm = rings.bottom_mm(first);
     // A flake of the other kind at either end lends its height only.
     while (first + 1 < end && !has_face(first))
@@ -106,10 +109,19 @@ Face face_of(const Rings& rings, Which which, int first, int end, const Corners&
     while (first + 1 < end && !has_face(end - 1))
         --end;
     Face face{row_at(rings, which, first, bottom_mm, corners)};
+    int below = first;
     for (int i = first; i < end; ++i) {
-        const double y_mm = rings.centre_mm(i);
-        if (has_face(i) && y_mm - face.back().y_mm >= kNearestRowsMm)
-            face.push_back(row_at(rings, which, i, y_mm, corners));
+        if (!has_face(i)) continue;
+        const FaceRow row = row_at(rings, which, i, rings.middle_mm(i), corners);
+        const double ring_mm = row.y_mm - (i > first ? rings.middle_mm(below) : bottom_mm);
+        if (is_ledge(face.back().radius_mm, row.radius_mm, ring_mm)) {
+            const double edge_mm = rings.bottom_mm(i);
+            if (edge_mm - face.back().y_mm >= kNearestRowsMm)
+                face.push_back(row_at(rings, which, below, edge_mm, corners));
+            face.push_back(row_at(rings, which, i, face.back().y_mm, corners));
+        }
+        below = i;
+        if (row.y_mm - face.back().y_mm >= kNearestRowsMm) face.push_back(row);
     }
     if (face.size() > 1 && top_mm - face.back().y_mm < kNearestRowsMm) face.pop_back();
     face.push_back(row_at(rings, which, end - 1, top_mm, corners));
@@ -122,6 +134,13 @@ Face thinned(const Face& face, double tolerance_mm) {
     std::vector<SlopeRange> slopes(numbers);
     for (std::size_t i = 1; i < face.size();) {
         const double run = face[i].y_mm - out.back().y_mm;
+        const bool is_ledge_here = face[i].y_mm <= face[i - 1].y_mm;
+        if (is_ledge_here) {
+            if (run > 0.0) out.push_back(on_lines(out.back(), slopes, face[i - 1].y_mm));
+            out.push_back(face[i++]);
+            slopes.assign(numbers, {});
+            continue;
+        }
         bool passes = true;
         std::size_t number = 0;
         visit_numbers(out.back(), face[i], [&](double from, double to) {
@@ -139,12 +158,10 @@ Face thinned(const Face& face, double tolerance_mm) {
     return out;
 }
 
-double thinnest_wall_mm(const Rings& rings) {
-    double thinnest = 0.0;
-    for (int i = 0; i < rings.count; ++i) {
-        if (!rings.is_hollow(i)) continue;
-        thinnest = thinnest > 0.0 ? std::min(thinnest, rings.wall_mm(i)) : rings.wall_mm(i);
-    }
+double thinnest_mm(const PotRings& rings) {
+    double thinnest = rings.outer_mm.front();
+    for (int i = 0; i < rings.count(); ++i)
+        thinnest = std::min(thinnest, rings.outer_mm[PotRings::at(i)] - rings.inner(i));
     return thinnest;
 }
 

@@ -1,13 +1,12 @@
-// The studio clay's faces for sharing: from thousands of rings to the few rows of corners that a smooth wall
-// needs, dents and off-centre as they are. Any thread but the haptic one. mm, wet size, the clay's frame: x
-// along its direction 0, y up, corners counter-clockwise seen from above.
+// A pot's faces for sharing: from thousands of rings to the few rows of corners that a smooth wall needs,
+// dents and off-centre as they are. Any thread but the haptic one. mm, wet size, the clay's frame: x along
+// its direction 0, y up, corners counter-clockwise seen from above.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "engine/math/math.h"
-#include "game/clay/studio/rings.h"
+#include "game/share/pot_rings.h"
 
 namespace onggi::share {
 
@@ -22,7 +21,8 @@ struct FaceRow {
         return dents_mm.empty() ? radius_mm : radius_mm + dents_mm[k];
     }
 };
-using Face = std::vector<FaceRow>;  // bottom first, heights rising
+// Bottom first, heights never falling; two rows at one height are a ledge.
+using Face = std::vector<FaceRow>;
 
 // Rings without a gap that are all solid or all hollow.
 struct RingRun {
@@ -33,25 +33,21 @@ struct RingRun {
 
 // The stack as runs, bottom first, neighbours of different kind. A run lower than 0.05 mm is a flake and goes
 // with the run below it, or above the first.
-std::vector<RingRun> ring_runs(const clay::studio::Rings& rings);
-
-// How many corners a row gets, and whether rows carry dents at all.
-struct Corners {
-    int count = 128;  // divides twice the sectors, or the other way round
-    bool dented = false;
-};
-bool has_dents(const clay::studio::Rings& rings);
+std::vector<RingRun> ring_runs(const PotRings& rings);
 
 enum class Which { kOuter, kInner };
 
 // The face of rings [first, end) through the middle of each ring, straight between them, upright in the lower
-// half of the first and the upper half of the last. Rings flatter than a micrometre are passed over.
-Face face_of(const clay::studio::Rings& rings, Which which, int first, int end, const Corners& corners);
+// half of the first and the upper half of the last. Rings flatter than a micrometre are passed over. Rings
+// are a staircase only because there are finitely many; a step is kept as a ledge only where it is one: where
+// a straight slope in its place would be steeper than 4 : 1 and would cost more than a thousandth of the two
+// rings' clay. corners: of each row; divides twice the sectors, or the other way round.
+Face face_of(const PotRings& rings, Which which, int first, int end, int corners);
 
-// Fewer rows, such that no radius, centre or dent is off by more than tolerance_mm.
+// Fewer rows, such that no radius, centre or dent is off by more than tolerance_mm. Ledges stay.
 Face thinned(const Face& face, double tolerance_mm);
 
-// The thinnest wall of the hollow rings; 0 if there are none.
-double thinnest_wall_mm(const clay::studio::Rings& rings);
+// The least that lies between two faces, or between a face and the axis.
+double thinnest_mm(const PotRings& rings);
 
 }  // namespace onggi::share

@@ -1,20 +1,18 @@
 // See pot_solid.h. Any thread but the haptic one.
 #include "game/share/pot_solid.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <utility>
 
 #include "engine/core/units.h"
-#include "game/share/pot_mesh.h"
+#include "game/share/unit_circle.h"
 
 namespace onggi::share {
 namespace {
-
-using clay::studio::Rings;
 
 struct Fineness {
     double tolerance_mm;
@@ -24,7 +22,9 @@ struct Fineness {
 constexpr std::array<Fineness, 7> kFinenesses{
     {{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}, {0.125, 48}, {0.25, 48}, {0.5, 48}}};
 
-// As in pot_mesh.cpp: cos 20 degrees.
+// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
+// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
+// stays smooth.
 constexpr double kCreaseCosine = 0.9396926207859084;
 
 // A surface walked row by row such that its outside lies to the right of the walk in the plane of radius and
@@ -45,14 +45,14 @@ void append_down(Walk& walk, Face face) {
 
 // Every surface of the clay; take gives the rows of rings [first, end) of a face.
 template <typename Take>
-std::vector<Walk> walks_over(const Rings& rings, Take take) {
+std::vector<Walk> walks_over(const PotRings& rings, Take take) {
     std::vector<Walk> walks;
     Walk outside;
     Face inside;  // of the run that is open at the top
     for (const RingRun& run : ring_runs(rings)) {
         if (!run.hollow) continue;
         Face face = take(Which::kInner, run.first, run.end);
-        if (run.end == rings.count) {
+        if (run.end == rings.count()) {
             inside = std::move(face);
             outside.meets_itself = run.first == 0;
         } else if (run.first == 0) {
@@ -61,7 +61,7 @@ std::vector<Walk> walks_over(const Rings& rings, Take take) {
             append_down(walks.emplace_back(), std::move(face));
         }
     }
-    append_up(outside, take(Which::kOuter, 0, rings.count));
+    append_up(outside, take(Which::kOuter, 0, rings.count()));
     append_down(outside, std::move(inside));
     walks.push_back(std::move(outside));
     return walks;
@@ -82,34 +82,19 @@ std::size_t triangle_count(const std::vector<Walk>& walks, int corners) {
 struct Rows {
     std::vector<Walk> walks;
     Fineness fineness;
+    int rings = 0;  // that they were taken from
 };
 
-Rows rows_within_budget(const Rings& rings) {
-    const bool dented = has_dents(rings);
-    const double thinnest = thinnest_wall_mm(rings);
-    for (const Fineness& fineness : kFinenesses) {
-        // Each face may move by the tolerance, and a wall must be left between them.
-        if (thinnest > 0.0 && !(4.0 * fineness.tolerance_mm <= thinnest)) break;
-        const Corners corners{fineness.corners, dented};
-        auto walks = walks_over(rings, [&](Which which, int first, int end) {
-            return thinned(face_of(rings, which, first, end, corners), fineness.tolerance_mm);
-        });
-        if (triangle_count(walks, fineness.corners) <= kMaxTriangles) return {std::move(walks), fineness};
-    }
-    // Both faces keep rows of the same rings, so that the wall between them stays.
-    const Corners corners{kFinenesses.back().corners, dented};
-    for (std::size_t stride = 2;; stride *= 2) {
-        auto walks = walks_over(rings, [&](Which which, int first, int end) {
-            const Face face = face_of(rings, which, first, end, corners);
-            Face kept{face.front()};
-            for (std::size_t i = stride; i + 1 < face.size(); i += stride)
-                kept.push_back(face[i]);
-            kept.push_back(face.back());
-            return kept;
-        });
-        if (triangle_count(walks, corners.count) <= kMaxTriangles)
-            return {std::move(walks), {0.0, corners.count}};
-    }
+// At one setting; nothing where its tolerance might push one face through the other, or it does not fit.
+std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness) {
+    // Each face may move by the tolerance, and something must be left between them.
+    if (!(4.0 * fineness.tolerance_mm <= thinnest_mm(rings))) return std::nullopt;
+    auto walks = walks_over(rings, [&](Which which, int first, int end) {
+        const Face face = face_of(rings, which, first, end, fineness.corners);
+        return fineness.tolerance_mm > 0.0 ? thinned(face, fineness.tolerance_mm) : face;
+    });
+    if (triangle_count(walks, fineness.corners) > kMaxTriangles) return std::nullopt;
+    return Rows{std::move(walks), fineness, rings.count()};
 }
 
 // The walk's right-hand normal between two rows at a corner, in the plane of that corner and the axis.
@@ -216,43 +201,54 @@ class Builder {
     std::vector<dvec2> circle_;
 };
 
-Result<void> check_rings(const Rings& rings) {
-    if (rings.count == 0) return bad_input("pot: expected clay on the wheel, found none");
-    for (int i = 0; i < rings.count; ++i) {
-        const std::size_t at = Rings::at(i);
-        const bool sound = rings.inner_mm[at] >= 0.0 && rings.outer_mm[at] > rings.inner_mm[at] &&
-                           rings.outer_mm[at] <= kMaxRadiusMm && rings.height_mm[at] > 0.0 &&
-                           rings.volume_mm3[at] > 0.0 &&
-                           std::fabs(rings.centre_x_mm[at]) <= static_cast<float>(kMaxRadiusMm) &&
-                           std::fabs(rings.centre_z_mm[at]) <= static_cast<float>(kMaxRadiusMm);
-        if (!sound) {
-            return bad_input(
-                fmt::format("pot: ring {}: expected 0 <= inner < outer <= {} mm and some "
-                            "height, found {} and {} mm, height {}",
-                            i, kMaxRadiusMm, rings.inner_mm[at], rings.outer_mm[at], rings.height_mm[at]));
+Builder built(const Rows& rows) {
+    Builder builder(rows.fineness.corners);
+    for (const Walk& walk : rows.walks)
+        builder.add_walk(walk);
+    return builder;
+}
+
+// That is to hold the clay's volume, of everything across the axis.
+double across_scale(const Builder& builder, const PotRings& rings) {
+    return std::sqrt(rings.volume_mm3 / builder.volume_mm3());
+}
+
+// Whether chosen rows stand for the clay that was left out.
+bool is_like(const Rows& rows, const PotRings& rings) {
+    constexpr double kMostOff = 0.01;
+    return std::fabs(across_scale(built(rows), rings) - 1.0) < kMostOff;
+}
+
+std::optional<Rows> rows_within_budget(const PotRings& rings) {
+    for (const Fineness& fineness : kFinenesses)
+        if (auto rows = rows_at(rings, fineness)) return rows;
+    // Rough all over: every second ring, or fourth, while those are like the rest; else what all hold on
+    // average.
+    for (const Halving how : {Halving::kEverySecond, Halving::kMerged}) {
+        for (PotRings fewer = halved(rings, how), last = rings; fewer.count() < last.count();
+             last = std::exchange(fewer, halved(fewer, how))) {
+            for (const double tolerance_mm : {0.0, kFinenesses.back().tolerance_mm}) {
+                auto rows = rows_at(fewer, {tolerance_mm, kFinenesses.back().corners});
+                if (rows && is_like(*rows, rings)) return rows;
+            }
         }
     }
-    if (!(rings.top_mm() >= kMinHeightMm && rings.top_mm() <= kMaxHeightMm)) {
-        return bad_input(fmt::format("pot: expected a height of {} to {} mm, found {}", kMinHeightMm,
-                                     kMaxHeightMm, rings.top_mm()));
-    }
-    return {};
+    return std::nullopt;
 }
 
 }  // namespace
 
-Result<PotSolid> build_pot_solid(const Rings& rings, double shrinkage) {
+Result<PotSolid> build_pot_solid(const PotRings& rings, double shrinkage) {
     if (const Result<void> good = check_rings(rings); !good) return good.error();
-    const Rows rows = rows_within_budget(rings);
-    Builder builder(rows.fineness.corners);
-    for (const Walk& walk : rows.walks)
-        builder.add_walk(walk);
-
+    const std::optional<Rows> rows = rows_within_budget(rings);
+    if (!rows) return bad_input("pot: expected clay that is not split into thousands of hollows");
+    Builder builder = built(*rows);
     PotSolid pot;
-    pot.corners = rows.fineness.corners;
-    pot.tolerance_mm = rows.fineness.tolerance_mm;
-    pot.rows = row_count(rows.walks);
-    pot.across_scale = std::sqrt(rings.on_wheel_mm3() / builder.volume_mm3());
+    pot.corners = rows->fineness.corners;
+    pot.tolerance_mm = rows->fineness.tolerance_mm;
+    pot.rows = row_count(rows->walks);
+    pot.rings = rows->rings;
+    pot.across_scale = across_scale(builder, rings);
     if (!std::isfinite(pot.across_scale)) return bad_input("pot: expected clay that encloses a volume");
     const double up = shrinkage * units::kMetresPerMm;
     const double across = up * pot.across_scale;

@@ -1,5 +1,5 @@
-// A studio pot as the closed solid that is shared: outer wall, rim, inner wall, floor and foot. Any thread
-// but the haptic one.
+// A pot as the closed solid that is shared: outer wall and rim, inner wall and floor where it has an inside,
+// and foot. Any thread but the haptic one.
 #pragma once
 
 #include "engine/asset/mesh.h"
@@ -8,25 +8,33 @@
 
 namespace onggi::share {
 
+// Phones turn a model of this size smoothly, and it stays below 1 MB on the wire.
+constexpr std::size_t kMaxTriangles = 50000;
+
 // Metres, +Y up, base at y = 0, the wheel's axis at x = z = 0, the clay's direction 0 along +X. Closed by
-// position, outward, vertices twice only where the surface has an edge. A vessel is one part with V - E + F =
-// 2; clay without a floor is a tube, 0; a hollow that clay has closed over is a part of its own, inside.
+// position, outward: each edge is shared by two triangles that run it in opposite directions. Vertices stand
+// twice only where the surface has an edge. A pot without an inside and a vessel are one part with V - E + F
+// = 2; clay without a floor is a tube, 0; a hollow that clay has closed over is a part of its own, inside.
 //
-// The clay's volume is kept as in pot_mesh.h: thinning and corners move a wall by micrometres, and one factor
-// near 1 on everything across the axis gives the mesh exactly the volume that the rings own.
+// Two approximations, and what keeps the clay's volume in spite of them: faces are thinned (pot_faces.h), and
+// a circle of radius R becomes a regular polygon of n corners, whose area is n/2 sin(2 pi/n) R^2 and so too
+// small. One factor near 1 on everything across the axis gives the mesh exactly the volume that the rings
+// own. With 128 corners it is 1.0002: at R = 60 mm corners lie 12 um outside the circle and the middles of
+// edges 6 um inside.
 struct PotSolid {
     asset::Mesh mesh;
-    int corners = 0;
-    double tolerance_mm = 0.0;  // how far thinning may have moved a face; 0: rows were left out instead
+    int corners = 0;            // of each row
+    double tolerance_mm = 0.0;  // how far thinning may have moved a face; 0: it was not thinned
     double across_scale = 1.0;  // that factor, before shrinkage
     std::size_t rows = 0;
+    int rings = 0;  // that the faces were taken from; fewer than the pot's if it is too rough
 };
 
-// The finest of seven settings that stays within kMaxTriangles of pot_mesh.h and cannot push one face of a
-// wall through the other: from 0.008 mm and 128 corners, which calm pots get, to 0.5 mm and 48. What is too
-// rough for all has rows left out evenly. shrinkage: what every length is times (pot.h). kBadInput if there
-// is less than a millimetre of clay, or if its rings are no numbers. The same clay gives the same bits on
-// every machine.
-Result<PotSolid> build_pot_solid(const clay::studio::Rings& rings, double shrinkage = 1.0);
+// The finest of seven settings that stays within kMaxTriangles and cannot push one face of a wall through the
+// other: from 0.008 mm and 128 corners, which smooth pots get, to 0.5 mm and 48. What is too rough for all
+// (thousands of ledges, as no hand makes them) is blurred: its rings are merged, each keeping its clay, until
+// it fits. shrinkage: what every length is times (pot.h). kBadInput if check_rings() or no merging helps. The
+// same clay gives the same bits on every machine: no libm trigonometry.
+Result<PotSolid> build_pot_solid(const PotRings& rings, double shrinkage = 1.0);
 
 }  // namespace onggi::share

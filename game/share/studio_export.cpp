@@ -5,9 +5,6 @@
 
 #include <cmath>
 
-#include "engine/asset/stl.h"
-#include "game/share/pot_solid.h"
-
 namespace onggi::share {
 namespace {
 
@@ -156,19 +153,12 @@ Result<std::vector<std::byte>> export_pot(const clay::StudioClay& clay, Firing s
                                           const asset::Material* material) {
     const ClayBody body = clay.lump().body;
     const double scale = clay::shrunk_scale(body, stage);
-    Result<PotSolid> pot = build_pot_solid(clay.rings(), scale);
-    if (!pot) return pot.error();
-    if (kind == ExportKind::kStl) {
-        return asset::encode_stl(pot->mesh, fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage),
-                                                        name_of(body), clay.height_mm() * scale));
-    }
-    asset::GltfContent content;
-    content.name = "pot";
-    content.generator = "Onggi " ONGGI_VERSION;
-    content.mesh = std::move(pot->mesh);
-    content.material = material != nullptr ? *material : pot_material(body, stage);
-    content.extras = pot_extras(clay, stage);
-    return asset::encode_glb(content);
+    return export_pot(rings_of(clay.rings()), kind,
+                      {.title = fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage), name_of(body),
+                                            clay.height_mm() * scale),
+                       .material = material != nullptr ? *material : pot_material(body, stage),
+                       .extras = pot_extras(clay, stage),
+                       .shrinkage = scale});
 }
 
 }  // namespace onggi::share

@@ -13,7 +13,7 @@ void export_glb(benchmark::State& state) {
     const support::PotSample pot = support::thrown_vase();
     std::size_t bytes = 0;
     for ([[maybe_unused]] auto iteration : state) {
-        const Result<std::vector<std::byte>> glb = share::export_pot(pot.shape(), share::ExportKind::kGlb);
+        const Result<std::vector<std::byte>> glb = share::export_pot(pot.rings(), share::ExportKind::kGlb);
         if (!glb || glb->size() < 100000) {
             fail(state, "the export gave no pot");
             return;

@@ -9,7 +9,7 @@
 #include "game/app/performance.h"
 #include "game/app/replay_command.h"
 #include "game/clay/studio/pot.h"
-#include "game/share/pot_mesh.h"
+#include "game/share/pot_solid.h"
 #include "game/share/studio_export.h"
 #include "tests/support/mesh_check.h"
 

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "game/share/export.h"
-#include "game/share/pot_mesh.h"
 #include "game/share/pot_solid.h"
 #include "game/share/studio_export.h"
 #include "tests/support/pot_samples.h"
@@ -41,20 +40,25 @@ bool write_both(const std::filesystem::path& folder, const std::string& name, Ex
     return true;
 }
 
+void say(const std::string& name, const share::PotSolid& built) {
+    fmt::print("{}: {} rings, {} rows of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", name,
+               built.rings, built.rows, built.corners, built.mesh.triangle_count(), built.tolerance_mm,
+               built.across_scale);
+}
+
 bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample& pot,
                    nlohmann::json& expected) {
-    if (!write_both(folder, pot.name, [&](auto kind) { return share::export_pot(pot.shape(), kind); }))
+    if (!write_both(folder, pot.name, [&](auto kind) { return share::export_pot(pot.rings(), kind); }))
         return false;
-    const share::PotMesh built = share::build_pot_mesh(pot.shape());
+    const auto built = share::build_pot_solid(pot.rings());
+    if (!built) return false;
     expected.push_back({{"name", pot.name},
                         {"height_m", pot.height_mm * 1e-3},
                         {"diameter_m", 2e-3 * *std::max_element(pot.radii_mm.begin(), pot.radii_mm.end())},
-                        {"volume_m3", share::clay_volume_mm3(pot.shape()) * 1e-9},
+                        {"volume_m3", pot.rings().volume_mm3 * 1e-9},
                         {"hand_made", pot.hand_made},
-                        {"triangles", built.mesh.triangle_count()}});
-    fmt::print("{}: {} elements, {} rings of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", pot.name,
-               built.elements, built.profile.size(), built.sectors, built.mesh.triangle_count(),
-               built.tolerance_mm, built.radius_scale);
+                        {"triangles", built->mesh.triangle_count()}});
+    say(pot.name, *built);
     return true;
 }
 
@@ -64,7 +68,7 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                     [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(pot.clay.lump().body, pot.stage);
-    const auto built = share::build_pot_solid(pot.clay.rings());
+    const auto built = share::build_pot_solid(share::rings_of(pot.clay.rings()));
     if (!built) return false;
     const auto outer = pot.clay.outer_mm();
     // Clay off its axis is wider across than twice its radius; the browser's check is for calm pots.
@@ -74,9 +78,7 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                         {"volume_m3", pot.clay.volume_mm3() * scale * scale * scale},
                         {"hand_made", pot.calm && pot.off_axis_mm == 0.0},
                         {"triangles", built->mesh.triangle_count()}});
-    fmt::print("{}: {} elements, {} rings of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", pot.name,
-               pot.clay.ring_count(), built->rows, built->corners, built->mesh.triangle_count(),
-               built->tolerance_mm, built->across_scale);
+    say(pot.name, *built);
     return true;
 }
 

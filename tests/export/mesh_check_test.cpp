@@ -15,13 +15,13 @@ using support::SolidMesh;
 class MeshCheck : public testing::Test {
   protected:
     MeshCheck() : pot_(support::vase(2000)) {
-        const auto bytes = share::export_pot(pot_.shape(), share::ExportKind::kGlb);
+        const auto bytes = share::export_pot(pot_.rings(), share::ExportKind::kGlb);
         if (bytes) glb_ = *bytes;
         if (const auto file = support::read_glb(glb_)) mesh_ = file->mesh;
         double max_radius_mm = 0.0;
         for (const float radius : pot_.radii_mm)
             max_radius_mm = std::max(max_radius_mm, double{radius});
-        expected_ = {.volume_m3 = share::clay_volume_mm3(pot_.shape()) * 1e-9,
+        expected_ = {.volume_m3 = pot_.rings().volume_mm3 * 1e-9,
                      .height_m = pot_.height_mm * 1e-3,
                      .max_radius_m = max_radius_mm * 1e-3};
     }

@@ -53,7 +53,7 @@ support::ExpectedPot expected_of(const PotSample& pot) {
 class ExportedPot : public testing::TestWithParam<PotSample> {
   protected:
     [[nodiscard]] std::vector<std::byte> bytes(ExportKind kind) const {
-        const Result<std::vector<std::byte>> exported = share::export_pot(GetParam().shape(), kind);
+        const Result<std::vector<std::byte>> exported = share::export_pot(GetParam().rings(), kind);
         EXPECT_TRUE(exported) << (exported ? "" : exported.error().message);
         return exported ? *exported : std::vector<std::byte>{};
     }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/share/pot_mesh.h"
 #include "game/share/pot_solid.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/studio_samples.h"
@@ -122,7 +121,7 @@ TEST(StudioExport, StaysWithinTwentyMicrometresOfBothWalls) {
             worst = std::max(worst, std::fabs(glm::length(from_centre) - face));
             ++(is_inside ? inside : outside);
         }
-        EXPECT_LT(worst, 0.02 + 4e-4 * 90.0) << pot.name;  // corners lie outside the circle (pot_mesh.h)
+        EXPECT_LT(worst, 0.02 + 4e-4 * 90.0) << pot.name;  // corners lie outside the circle (pot_solid.h)
     }
     EXPECT_GT(outside, 10000U);
     EXPECT_GT(inside, 10000U);
@@ -130,7 +129,7 @@ TEST(StudioExport, StaysWithinTwentyMicrometresOfBothWalls) {
 
 TEST(StudioExport, OfCalmPotsIsOfOneOfTheTwoFinestSettings) {
     for (const StudioSample& pot : samples()) {
-        const auto solid = share::build_pot_solid(pot.clay.rings());
+        const auto solid = share::build_pot_solid(share::rings_of(pot.clay.rings()));
         ASSERT_TRUE(solid) << pot.name;
         EXPECT_LE(solid->mesh.triangle_count(), share::kMaxTriangles) << pot.name;
         if (!pot.calm) continue;
@@ -175,7 +174,7 @@ TEST(StudioExport, PutsOffCentreClayOnTheSideWhereItIs) {
     clay::StudioClay pot({.mass_g = 500.0});
     pot.set_wall(40.0, 5.0, 10.0, 50.0, 200);
     pot.set_centre({1.0, 3.0});
-    const auto solid = share::build_pot_solid(pot.rings());
+    const auto solid = share::build_pot_solid(share::rings_of(pot.rings()));
     ASSERT_TRUE(solid);
     dvec3 low(1e9);
     dvec3 high(-1e9);

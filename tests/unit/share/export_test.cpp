@@ -28,7 +28,7 @@ TEST(ExportKindOf, RejectsOtherEndingsAndNamesThoseKnown) {
 }
 
 std::string refusal(double height_mm, const std::vector<float>& radii_mm) {
-    const auto bytes = export_pot({height_mm, radii_mm}, ExportKind::kGlb);
+    const auto bytes = export_pot(rings_of(height_mm, radii_mm), ExportKind::kGlb);
     if (bytes) return "";
     EXPECT_EQ(bytes.error().kind, ErrorKind::kBadInput);
     return bytes.error().message;
@@ -37,13 +37,15 @@ std::string refusal(double height_mm, const std::vector<float>& radii_mm) {
 TEST(ExportPot, RejectsWhatIsNoPot) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(refusal(200.0, {60.0F, 60.0F}), "");
-    EXPECT_EQ(refusal(200.0, {}), "pot: expected 1 to 200000 elements, found 0");
+    EXPECT_EQ(refusal(200.0, {}), "pot: expected 1 to 200000 rings of clay, found 0");
     EXPECT_EQ(refusal(0.0, {60.0F}), "pot: expected a height of 1 to 2000 mm, found 0");
     EXPECT_EQ(refusal(std::numeric_limits<double>::infinity(), {60.0F}),
               "pot: expected a height of 1 to 2000 mm, found inf");
-    EXPECT_EQ(refusal(200.0, {60.0F, nan}), "pot: element 1: expected a radius of 0.1 to 1000 mm, found nan");
-    EXPECT_EQ(refusal(200.0, {60.0F, 0.0F}), "pot: element 1: expected a radius of 0.1 to 1000 mm, found 0");
-    EXPECT_EQ(refusal(200.0, {-1.0F}), "pot: element 0: expected a radius of 0.1 to 1000 mm, found -1");
+    EXPECT_EQ(refusal(200.0, {60.0F, nan}),
+              "pot: ring 1: expected an outer radius of 0.1 to 1000 mm, found nan");
+    EXPECT_EQ(refusal(200.0, {60.0F, 0.0F}),
+              "pot: ring 1: expected an outer radius of 0.1 to 1000 mm, found 0");
+    EXPECT_EQ(refusal(200.0, {-1.0F}), "pot: ring 0: expected an outer radius of 0.1 to 1000 mm, found -1");
 }
 
 TEST(ExportPot, MakesSoundNumbersAtTheLimitsOfAPot) {
@@ -51,7 +53,7 @@ TEST(ExportPot, MakesSoundNumbersAtTheLimitsOfAPot) {
         for (const float radius_mm : {0.1F, 1000.0F}) {
             EXPECT_EQ(refusal(height_mm, std::vector<float>(200000, radius_mm)), "");
             const std::vector<float> radii_mm{radius_mm};
-            EXPECT_TRUE(export_pot({height_mm, radii_mm}, ExportKind::kStl))
+            EXPECT_TRUE(export_pot(rings_of(height_mm, radii_mm), ExportKind::kStl))
                 << "which refuses triangles without area";
         }
     }
