@@ -182,7 +182,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
     return pot;
 }
 
-ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px) {
+ui::Painting portrait(const screens::PotSection& shape, int glaze, int side_px) {
     const auto side = static_cast<float>(side_px);
     const float scale = std::min(0.62F * side / std::max(1.0F, 2.0F * shape.radius_mm()),
                                  0.66F * side / std::max(1.0F, shape.height_mm()));

@@ -47,7 +47,7 @@ class Lesson {
     const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
     const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives);
 // A portrait on the evening museum's wall, square.
-[[nodiscard]] ui::Painting portrait(const screens::PotShape& shape, int glaze, int side_px);
+[[nodiscard]] ui::Painting portrait(const screens::PotSection& shape, int glaze, int side_px);
 
 // The pots of the choose screen, of all that the tables hold: those for which the design has words. `places`
 // gets where each stands in the tables.

@@ -134,7 +134,7 @@ void KioskVisit::carry_out(const Effect& effect) {
             break;
         case Effect::Kind::kSave:
             if (pot_) {
-                parts_.keeper.save(std::shared_ptr<const screens::PotShape>(pot_, &pot_->shape),
+                parts_.keeper.save(std::shared_ptr<const screens::PotSection>(pot_, &pot_->shape),
                                    state_.glaze);
             } else {
                 tell({Event::Kind::kSaveFailed});

@@ -8,7 +8,7 @@
 namespace onggi::screens {
 namespace {
 
-PotShape jar() {
+PotSection jar() {
     return hollowed({{42, 0},
                      {46, 6},
                      {62, 30},

@@ -11,7 +11,7 @@
 namespace onggi::screens {
 namespace {
 
-const PotShape& bowl() {
+const PotSection& bowl() {
     return sample_exhibits()->at(0).shape;
 }
 
