@@ -13,10 +13,6 @@ constexpr double kLeastShown = 0.03;  // of a full arrow
 constexpr int kMostLines = 12;
 constexpr int kPoints = 48;
 
-double length_of(const dvec3& v) {
-    return std::sqrt(glm::dot(v, v));
-}
-
 struct Ring {
     double outer_mm = 0.0;
     double inner_mm = 0.0;
@@ -79,7 +75,7 @@ void add_rings(screens::ForceTouch& touch, const haptic::PotShape& shape, const 
 screens::ForceArrow arrow_of(const dvec3& from_mm, const dvec3& force_n, double mm_per_n,
                              const Sight& sight) {
     screens::ForceArrow arrow;
-    const double size_n = length_of(force_n);
+    const double size_n = glm::length(force_n);
     const dvec3 to_mm = arrow_end_mm(from_mm, force_n, mm_per_n);
     const auto from = sight.project(from_mm);
     const auto to = sight.project(to_mm);
@@ -105,7 +101,7 @@ Forces forces_of(const clay::ContactForces& forces) {
 }
 
 dvec3 touched_mm(const dvec3& tool_mm, double radius_mm, const dvec3& stiffness_n) {
-    const double size_n = length_of(stiffness_n);
+    const double size_n = glm::length(stiffness_n);
     return size_n > 0.0 ? tool_mm - stiffness_n * (radius_mm / size_n) : tool_mm;
 }
 
@@ -146,19 +142,19 @@ void ForceView::look(const haptic::Snapshot& snapshot, double now_s) {
                                                : shown + (now_n[k] - shown) * (dt_s / (dt_s + kFollowS));
         }
     }
-    trace_.add(now_s, length_of(hands[0]->total_n()), snapshot.periods);
+    trace_.add(now_s, glm::length(hands[0]->total_n()), snapshot.periods);
     full_n_ += (trace_.full_n() - full_n_) * std::min(1.0, dt_s / kRescaleS);
     // A force that has just leapt up, or the other hand's, keeps within an arrow's length.
     for (const Forces& shown_n : shown_n_)
         for (const dvec3& force_n : shown_n)
-            full_n_ = std::max(full_n_, length_of(force_n));
+            full_n_ = std::max(full_n_, glm::length(force_n));
 }
 
 screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const wheel::PotView& pot,
                                      const Sight& sight, bool with_sum) const {
     screens::ForceFrame frame{.trace = &trace_, .with_sum = with_sum};
     for (std::size_t k = 0; k < screens::kForceCount; ++k)
-        frame.size_n[k] = length_of(shown_n_[0][k]);
+        frame.size_n[k] = glm::length(shown_n_[0][k]);
     const auto add_touch = [&](std::size_t hand, const clay::ContactForces& forces,
                                const wheel::HandView& view) {
         if (forces.contacts == 0) return;

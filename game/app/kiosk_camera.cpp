@@ -23,7 +23,7 @@ constexpr double kHeadEdgeMm = 22.0;  // how thick the wheel head is
 constexpr double kFootMm = 60.0;
 constexpr double kHandMm = 15.0;  // over the rim
 // The framing gives room in steps, so that a growing pot does not move the camera with every frame.
-constexpr double kStepMm = 24.0;
+constexpr double kFitStepMm = 24.0;
 constexpr double kLeastFitMm = 150.0;
 
 // Moves the picture so that what an unshifted lens shows at `from` (px from the middle) is seen at `to`.
@@ -126,8 +126,8 @@ CameraWish KioskCamera::wish(const kiosk::State& state, bool shows_room, double 
         return wish;
     }
     // A pot that sinks a little keeps its room.
-    if (pot_mm > fitted_mm_ || pot_mm < fitted_mm_ - 2.5 * kStepMm)
-        fitted_mm_ = std::max(kLeastFitMm, kStepMm * std::ceil(pot_mm / kStepMm));
+    if (pot_mm > fitted_mm_ || pot_mm < fitted_mm_ - 2.5 * kFitStepMm)
+        fitted_mm_ = std::max(kLeastFitMm, kFitStepMm * std::ceil(pot_mm / kFitStepMm));
     if (state.screen == kiosk::Screen::kThrow && state.throwing.looks_in) {
         wish.view = View::kLookingIn;
         wish.framing = framer.looking_in(fitted_mm_);

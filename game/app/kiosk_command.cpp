@@ -38,8 +38,6 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kNsPerSecond = 1e9;
-
 struct KioskOptions {
     PictureSize size;
     bool full_screen = false;
@@ -72,7 +70,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the hand's loop has ended by itself");
         pacer.wait();
-        const double now_s = static_cast<double>(jobs::MonotonicClock::now_ns()) / kNsPerSecond;
+        const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
         service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),

@@ -20,7 +20,6 @@ constexpr double kEasesS = 0.06;
 constexpr double kHoldMm = 12.0;    // to each side of a finger that lands on a wall
 constexpr double kThumbsMm = 17.0;  // what is opened at first
 constexpr double kRimShare = 0.3;   // of the depth, that a palm on the rim holds
-constexpr double kLowShare = 0.3;   // of the height, where the lesson presses and pulls
 constexpr double kFeltShare = 0.5;  // of a window, beyond which hands hardly move its clay
 
 CueHold about(double y_mm, double height_mm) {

@@ -14,7 +14,6 @@ constexpr double kReachMm = 260.0;
 constexpr double kLeapMm = 120.0;
 constexpr double kRestsAfterS = 4.0;
 constexpr dvec2 kRestingMm{230.0, 45.0};  // over the pan's edge, out of reach of any clay
-constexpr double kLowShare = 0.3;         // of the height: where the first move of the lesson presses
 constexpr double kBesideMm = 15.0;
 // Of who types faster than hands work.
 constexpr std::size_t kMostWaiting = 3;

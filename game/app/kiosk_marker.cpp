@@ -6,9 +6,8 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kLowShare = 0.3;  // where the first move of the lesson presses
-constexpr double kStepMm = 5.0;    // along the wall
-constexpr double kWallMm = 3.0;
+constexpr double kWalkMm = 5.0;  // along the wall
+constexpr double kIntoWallMm = 3.0;
 constexpr double kPullMm = 6.0;
 constexpr double kOpenMm = 8.0;
 constexpr double kLowerMm = 6.0;
@@ -60,7 +59,7 @@ TouchPath KioskMarker::move_wall(double direction, const haptic::PotShape& shape
     // Right at the rim a touch may mean to press it down.
     constexpr double kOffRimMm = 6.0;
     const double y_mm = std::clamp(share_ * shape.height_mm, 0.0, std::max(0.0, shape.height_mm - kOffRimMm));
-    return sideways_path({side_ * wall_at(shape, y_mm).outer_mm, y_mm}, direction * kWallMm);
+    return sideways_path({side_ * wall_at(shape, y_mm).outer_mm, y_mm}, direction * kIntoWallMm);
 }
 
 std::optional<TouchPath> KioskMarker::key(HandKey key, const haptic::PotShape& shape, double side) {
@@ -73,12 +72,12 @@ std::optional<TouchPath> KioskMarker::key(HandKey key, const haptic::PotShape& s
                 if (!is_solid(shape)) return pull_path(shape, side_, kPullMm);
                 is_over_ = true;
             } else {
-                walk(kStepMm, shape);
+                walk(kWalkMm, shape);
             }
             return std::nullopt;
         case HandKey::kDown:
             if (is_over_) return open_path(shape, side_, kOpenMm);
-            walk(-kStepMm, shape);
+            walk(-kWalkMm, shape);
             return std::nullopt;
         case HandKey::kLeft:
         case HandKey::kRight:

@@ -19,10 +19,6 @@ constexpr double kEdgeMm = 150.0;
 // The torque that nearly stalls a small studio wheel: 3 N at 100 mm.
 constexpr double kStallNMm = 300.0;
 
-double length_of(const dvec3& v) {
-    return std::sqrt(glm::dot(v, v));
-}
-
 bool is_hard(haptics::ToolKind kind) {
     return kind == haptic::kRib || kind == haptic::kTrimmer;
 }
@@ -31,8 +27,8 @@ bool is_hard(haptics::ToolKind kind) {
 
 sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
     const dvec3& at = snapshot.tool.position_mm;
-    const double press_n =
-        length_of(snapshot.result.forces.stiffness_n) + length_of(snapshot.result.second_forces.stiffness_n);
+    const double press_n = glm::length(snapshot.result.forces.stiffness_n) +
+                           glm::length(snapshot.result.second_forces.stiffness_n);
     // Where the surface is: the tool's centre is off it by the tool's radius, which changes little.
     const double slip_mm_s = snapshot.wheel_speed_rad_s * std::sqrt(at.x * at.x + at.z * at.z);
     // The paper's clay knows no water; it sounds as clay does that has been wetted once.

@@ -14,7 +14,6 @@ constexpr double kSolidMm = 8.0;  // a hollow that is no deeper is none yet
 constexpr double kLumpFootMm = 62.0;
 constexpr double kComesS = 0.5;  // in which the hands are seen to come, before they press
 constexpr double kStaysS = 0.3;  // and catch up with the finger, before it is lifted
-constexpr double kLowShare = 0.3;
 constexpr double kPressFromMm = 2.0;
 constexpr double kPressToMm = 8.0;
 constexpr double kPressS = 1.5;
@@ -34,7 +33,7 @@ constexpr double kBeyondShare = 0.95;
 constexpr double kSidewaysS = 0.25;
 constexpr double kSidewaysStaysS = 0.15;
 
-constexpr double kBelowRimMm = 8.0;  // where a pull takes hold: lower than what counts as the rim
+constexpr double kPullsBelowRimMm = 8.0;  // where a pull takes hold: lower than what counts as the rim
 constexpr double kPullMmPerS = 26.0;
 constexpr double kPullStaysS = 0.25;
 constexpr double kOpensByItselfS = 2.0;  // how long the other hand takes to open solid clay
@@ -125,7 +124,7 @@ TouchPath sideways_path(const dvec2& place_mm, double step_mm) {
 }
 
 TouchPath pull_path(const haptic::PotShape& shape, double side, double rise_mm) {
-    const double from_mm = std::max(0.5 * shape.height_mm, shape.height_mm - kBelowRimMm);
+    const double from_mm = std::max(0.5 * shape.height_mm, shape.height_mm - kPullsBelowRimMm);
     const double to_mm = shape.height_mm + (is_solid(shape) ? 2.0 : 1.0) * rise_mm;
     const double x_mm = side * rim_of(shape).outer_mm;
     const double there_s = (to_mm - from_mm) / kPullMmPerS;

@@ -10,6 +10,9 @@
 
 namespace onggi::app {
 
+// Of the height: where the lesson presses first and pulls.
+constexpr double kLowShare = 0.3;
+
 // Outer and inner radius of the shape at a height; inner 0 where it is solid, both 0 above it.
 struct Wall {
     double outer_mm = 0.0;

@@ -9,8 +9,8 @@
 namespace onggi::app {
 namespace {
 
-constexpr std::int64_t kLookEveryNs = 20'000'000;
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+constexpr std::int64_t kReadEveryNs = 20'000'000;
+constexpr std::size_t kMostSpokenBytes = std::size_t{64} << 20U;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ std::shared_ptr<const sound::SpokenLine> KioskVoice::read(const std::filesystem:
     const std::filesystem::path file = folder / name;
     std::error_code error;
     if (name.empty() || !std::filesystem::exists(file, error)) return nullptr;
-    const auto bytes = files::read_file(file, kMostBytes);
+    const auto bytes = files::read_file(file, kMostSpokenBytes);
     auto line = bytes ? sound::read_wave(*bytes, file.string()) : Result<sound::SpokenLine>(bytes.error());
     if (line) return std::make_shared<const sound::SpokenLine>(std::move(*line));
     trouble = line.error().message;
@@ -52,7 +52,7 @@ std::shared_ptr<const sound::SpokenLine> KioskVoice::read(const std::filesystem:
 
 std::int64_t KioskVoice::round(std::int64_t) noexcept {
     const auto wish = wishes_.latest();
-    if (!wish || *wish == read_) return kLookEveryNs;
+    if (!wish || *wish == read_) return kReadEveryNs;
     read_ = *wish;
     Found found{.name = read_, .line = nullptr, .trouble = {}};
     found.line = read(folder_, read_, found.trouble);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kJournalPrefix = "visit-";
 constexpr const char* kPutAside = "left-over.onggi";
 // Half an hour of two hands at 4 kHz.
-constexpr std::size_t kMostBytes = std::size_t{400} << 20U;
+constexpr std::size_t kMostJournalBytes = std::size_t{400} << 20U;
 
 struct Found {
     fs::path file;
@@ -39,7 +39,7 @@ std::vector<fs::path> journals_among(std::vector<fs::path> files) {
 Result<record::Session> read(const fs::path& file, const haptic::HapticState& start,
                              const haptic::HapticParameters& parameters,
                              const std::vector<std::byte>& expected) {
-    auto bytes = files::read_file(file, kMostBytes);
+    auto bytes = files::read_file(file, kMostJournalBytes);
     if (!bytes) return bytes.error();
     auto session = record::parse_session(std::move(*bytes), file.string(), record::Damage::kCutThere);
     if (!session) return session;

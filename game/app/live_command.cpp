@@ -34,7 +34,6 @@ namespace {
 // A live run may last as long as a museum's season, but no shorter than a frame.
 constexpr double kLeastSeconds = 0.02;
 constexpr double kMostSeconds = 1e7;
-constexpr double kNsPerSecond = 1e9;
 
 struct LiveOptions {
     InputOptions input;
@@ -59,7 +58,7 @@ Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const hapti
     }
     if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
     const wheel::PotView pot = pot_view(snapshot);
-    const double now_s = static_cast<double>(jobs::MonotonicClock::now_ns()) / kNsPerSecond;
+    const double now_s = jobs::MonotonicClock::now_s();
     const auto drawn = view.draw(pot, 1.0 / kFrameRateHz, forces.look(snapshot, pot, view, now_s));
     if (!drawn) return drawn.error();
     if (auto done = view.wait(); !done) return done.error();

@@ -6,12 +6,12 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kReachMm = 6.0;
-constexpr double kComesS = 0.5;
+constexpr double kDrawnWithinMm = 6.0;
+constexpr double kGrowsS = 0.5;
 
 // 1 in the middle, and at the edge nothing, without a corner on the way.
 double faded(double distance_mm) {
-    const double share = std::min(std::abs(distance_mm) / kReachMm, 1.0);
+    const double share = std::min(std::abs(distance_mm) / kDrawnWithinMm, 1.0);
     const double rest = 1.0 - share * share;
     return rest * rest;
 }
@@ -30,7 +30,7 @@ void OutlineHelp::set(std::span<const vec2> radius_height, double strength) {
 }
 
 void OutlineHelp::pass_time(double dt_s) {
-    now_ += (strength_ - now_) * (dt_s / (dt_s + kComesS));
+    now_ += (strength_ - now_) * (dt_s / (dt_s + kGrowsS));
 }
 
 dvec2 OutlineHelp::drawn(const dvec2& finger_mm) const {

@@ -15,7 +15,7 @@ namespace onggi::app {
 namespace {
 
 constexpr std::string_view kFirstLine = "onggi starts 1";
-constexpr std::size_t kMostBytes = 4096;
+constexpr std::size_t kMostLogBytes = 4096;
 constexpr std::size_t kMostFalls = 20;  // more tell nothing new
 
 std::int64_t wall_clock_s() {
@@ -84,7 +84,7 @@ Result<void> StartKeeper::write() {
 StartReport StartKeeper::begin_now(std::vector<std::string>& remarks) {
     std::error_code error;
     if (std::filesystem::exists(file_, error)) {
-        const auto text = files::read_file(file_, kMostBytes);
+        const auto text = files::read_file(file_, kMostLogBytes);
         auto log = text ? read_start_log(*text, file_.string()) : Result<StartLog>(text.error());
         if (log) {
             log_ = std::move(*log);

@@ -19,11 +19,6 @@ struct Fineness {
 // Both errors grow together.
 constexpr std::array<Fineness, 4> kFinenesses{{{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}}};
 
-// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
-// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
-// stays smooth.
-constexpr double kCreaseCosine = 0.9396926207859084;
-
 std::size_t triangle_count(const Profile& profile, int sectors) {
     // Two a sector in each band between rings, and one a sector in each of the two caps.
     return profile.size() * 2 * static_cast<std::size_t>(sectors);

@@ -7,6 +7,11 @@
 
 namespace onggi::share {
 
+// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
+// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
+// stays smooth.
+constexpr double kCreaseCosine = 0.9396926207859084;
+
 // Phones turn a model of this size smoothly, and it stays below 1 MB on the wire.
 constexpr std::size_t kMaxTriangles = 50000;
 

@@ -16,16 +16,13 @@ namespace {
 
 using clay::studio::Rings;
 
-struct Fineness {
+struct SolidFineness {
     double tolerance_mm;
     int corners;
 };
 // Both errors grow together; the last three are for what a wild hand leaves.
-constexpr std::array<Fineness, 7> kFinenesses{
+constexpr std::array<SolidFineness, 7> kSolidFinenesses{
     {{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}, {0.125, 48}, {0.25, 48}, {0.5, 48}}};
-
-// As in pot_mesh.cpp: cos 20 degrees.
-constexpr double kCreaseCosine = 0.9396926207859084;
 
 // A surface walked row by row such that its outside lies to the right of the walk in the plane of radius and
 // height: up the outside, in over the rim, down the inside. Both ends are closed by discs, the first facing
@@ -81,13 +78,13 @@ std::size_t triangle_count(const std::vector<Walk>& walks, int corners) {
 
 struct Rows {
     std::vector<Walk> walks;
-    Fineness fineness;
+    SolidFineness fineness;
 };
 
 Rows rows_within_budget(const Rings& rings) {
     const bool dented = has_dents(rings);
     const double thinnest = thinnest_wall_mm(rings);
-    for (const Fineness& fineness : kFinenesses) {
+    for (const SolidFineness& fineness : kSolidFinenesses) {
         // Each face may move by the tolerance, and a wall must be left between them.
         if (thinnest > 0.0 && !(4.0 * fineness.tolerance_mm <= thinnest)) break;
         const Corners corners{fineness.corners, dented};
@@ -97,7 +94,7 @@ Rows rows_within_budget(const Rings& rings) {
         if (triangle_count(walks, fineness.corners) <= kMaxTriangles) return {std::move(walks), fineness};
     }
     // Both faces keep rows of the same rings, so that the wall between them stays.
-    const Corners corners{kFinenesses.back().corners, dented};
+    const Corners corners{kSolidFinenesses.back().corners, dented};
     for (std::size_t stride = 2;; stride *= 2) {
         auto walks = walks_over(rings, [&](Which which, int first, int end) {
             const Face face = face_of(rings, which, first, end, corners);
@@ -131,9 +128,9 @@ bool is_edge(const FaceRow& before, const FaceRow& row, const FaceRow& after,
 }
 
 // Vertices in mm with the normals summed so far, triangles as they come.
-class Builder {
+class SolidBuilder {
   public:
-    explicit Builder(int corners) : circle_(unit_circle(corners)) {}
+    explicit SolidBuilder(int corners) : circle_(unit_circle(corners)) {}
 
     std::uint32_t add_row(const FaceRow& row) {
         const auto first = static_cast<std::uint32_t>(positions_mm.size());
@@ -244,7 +241,7 @@ Result<void> check_rings(const Rings& rings) {
 Result<PotSolid> build_pot_solid(const Rings& rings, double shrinkage) {
     if (const Result<void> good = check_rings(rings); !good) return good.error();
     const Rows rows = rows_within_budget(rings);
-    Builder builder(rows.fineness.corners);
+    SolidBuilder builder(rows.fineness.corners);
     for (const Walk& walk : rows.walks)
         builder.add_walk(walk);
 
