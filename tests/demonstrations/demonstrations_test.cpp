@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "game/app/performance.h"
-#include "game/app/replay_command.h"
+#include "game/app/command_line/performance.h"
+#include "game/app/command_line/replay_command.h"
 #include "game/clay/studio/pot.h"
 #include "game/share/pot_mesh.h"
 #include "game/share/studio_export.h"

@@ -16,7 +16,7 @@
 #include <set>
 #include <string>
 
-#include "game/app/start_log.h"
+#include "game/app/system/start_log.h"
 #include "tests/stress/interrupted_wheel.h"
 #include "tests/stress/whole.h"
 #include "tests/support/places.h"

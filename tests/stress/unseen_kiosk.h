@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "game/app/demonstrations.h"
-#include "game/app/kiosk_sound.h"
-#include "game/app/kiosk_staff.h"
-#include "game/app/kiosk_visit.h"
+#include "game/app/kiosk/demonstrations.h"
+#include "game/app/kiosk/kiosk_sound.h"
+#include "game/app/kiosk/kiosk_staff.h"
+#include "game/app/kiosk/kiosk_visit.h"
 
 namespace onggi::app {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "game/app/kiosk_pot.h"
+#include "game/app/kiosk/kiosk_pot.h"
 #include "game/heritage/target.h"
 #include "tests/support/places.h"
 #include "tests/visitors/population.h"

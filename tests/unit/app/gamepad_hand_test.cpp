@@ -1,5 +1,5 @@
 // A gamepad at the wheel: sticks, triggers and buttons.
-#include "game/app/gamepad_hand.h"
+#include "game/app/devices/gamepad_hand.h"
 
 #include <gtest/gtest.h>
 

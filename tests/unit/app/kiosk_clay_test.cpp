@@ -1,5 +1,5 @@
 // Snapshots as the haptic loop would give them: the last visitor's clay for some frames more, then the new.
-#include "game/app/kiosk_clay.h"
+#include "game/app/kiosk/kiosk_clay.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/haptics/simulated_device.h"
-#include "game/app/performance.h"
+#include "game/app/command_line/performance.h"
 #include "game/haptic/job.h"
 #include "tests/support/places.h"
 
