@@ -133,6 +133,10 @@ class UnseenKiosk {
     [[nodiscard]] bool shown_closed() const {
         return visit_->shown() != nullptr && visit_->shown()->view->closed;
     }
+    // What it was made from; null before the first.
+    [[nodiscard]] std::shared_ptr<const screens::View> shown_view() const {
+        return visit_->shown() != nullptr ? visit_->shown()->view : nullptr;
+    }
     // Presses that button of the screen that is shown, as soon as it is there.
     bool press(kiosk::Button button, int value = 0) {
         if (!point_at(button, value)) return false;
