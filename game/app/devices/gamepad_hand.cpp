@@ -10,6 +10,7 @@ using window::Gamepad;
 
 // A trigger at rest seldom says exactly nothing.
 constexpr float kTriggerPulled = 0.1F;
+constexpr std::uint32_t kRingButtons = Gamepad::kLeft | Gamepad::kRight | Gamepad::kX;
 
 // The stick's deflection beyond its dead band, by the third power: a light push moves finely. Round, so that
 // the band has no corners.
@@ -44,7 +45,10 @@ GamepadWish GamepadHand::wish(std::span<const Gamepad> pads, double dt_s) {
         buttons |= pad.buttons;
     }
     const std::uint32_t pressed = buttons & ~last_buttons_;
-    wish.is_used = push != dvec2(0.0) || buttons != last_buttons_ || trigger > kTriggerPulled;
+    const std::uint32_t changed = buttons ^ last_buttons_;
+    const bool moves = push != dvec2(0.0) || trigger > kTriggerPulled;
+    wish.is_used = moves || changed != 0;
+    wish.is_for_clay = moves || (changed & ~kRingButtons) != 0;
     last_buttons_ = buttons;
 
     wish.step_mm = glm::clamp(push, -1.0, 1.0) * (mapping_.fastest_mm_s * dt_s);
@@ -53,9 +57,21 @@ GamepadWish GamepadHand::wish(std::span<const Gamepad> pads, double dt_s) {
     if ((pressed & Gamepad::kLeftBumper) != 0) wish.speed_steps -= 1.0;
     if ((pressed & Gamepad::kUp) != 0) wish.radius_steps += 1.0;
     if ((pressed & Gamepad::kDown) != 0) wish.radius_steps -= 1.0;
-    wish.next_tool = (pressed & Gamepad::kX) != 0;
+    if ((pressed & Gamepad::kRight) != 0) wish.ring_steps += 1;
+    if ((pressed & Gamepad::kLeft) != 0) wish.ring_steps -= 1;
+    wish.takes = (pressed & Gamepad::kX) != 0;
     wish.fresh_lump = (pressed & Gamepad::kStart) != 0;
     return wish;
+}
+
+std::vector<window::KeyEvent> keys_of(const GamepadWish& wish) {
+    using window::Key;
+    std::vector<window::KeyEvent> keys;
+    if (wish.ring_steps != 0)
+        keys.push_back(
+            {.key = wish.ring_steps > 0 ? Key::kRightBracket : Key::kLeftBracket, .pressed = true});
+    if (wish.takes) keys.push_back({.key = Key::kEnter, .pressed = true});
+    return keys;
 }
 
 }  // namespace onggi::app

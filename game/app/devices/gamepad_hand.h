@@ -3,8 +3,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "engine/math/math.h"
+#include "engine/window/events.h"
 #include "engine/window/gamepad.h"
 
 namespace onggi::app {
@@ -23,12 +25,17 @@ struct GamepadMapping {
 struct GamepadWish {
     dvec2 step_mm{0.0};         // of the finger on its plane
     bool is_used = false;       // anything at all
+    bool is_for_clay = false;   // anything but what walks the ring
     bool presses = false;       // the finger is on the clay
     double speed_steps = 0.0;   // a faster or slower wheel
     double radius_steps = 0.0;  // larger or smaller tool
-    bool fresh_lump = false;    // asked once
-    bool next_tool = false;
+    bool fresh_lump = false;    // asked once, as are the two below
+    int ring_steps = 0;         // of the ring that walks the buttons, forwards or back
+    bool takes = false;         // the button with the ring is pressed
 };
+
+// What the pad asks of the ring, as the keys that ask the same.
+[[nodiscard]] std::vector<window::KeyEvent> keys_of(const GamepadWish& wish);
 
 class GamepadHand {
   public:
@@ -36,7 +43,8 @@ class GamepadHand {
 
     // The wish of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
     // same, finely. A or the right trigger presses; bumpers make the wheel slower and faster, the cross up
-    // and down changes the tool's size; X is the next tool; Start is a fresh lump.
+    // and down changes the tool's size; Start is a fresh lump. The cross to the sides walks a ring through
+    // the buttons of the screen, and X takes the one that it is on.
     [[nodiscard]] GamepadWish wish(std::span<const window::Gamepad> pads, double dt_s);
 
   private:

@@ -109,7 +109,7 @@ void KioskHand::show(ShownStep step, const haptic::PotShape& shape, double side)
     take_over();
     shows_ = true;
     ++touches_;
-    touch_.begin(shown_path(step, shape, side));
+    touch_.begin(path_of_step(step, shape, side));
 }
 
 void KioskHand::stop_showing() {

@@ -83,7 +83,7 @@ bool is_solid(const haptic::PotShape& shape) {
     return shape.floor_mm > shape.height_mm - kSolidMm;
 }
 
-TouchPath shown_path(ShownStep step, const haptic::PotShape& shape, double side) {
+TouchPath path_of_step(ShownStep step, const haptic::PotShape& shape, double side) {
     const double scale = scale_of(shape);
     const double low_mm = kLowShare * shape.height_mm;
     const double low_radius_mm = wall_at(shape, low_mm).outer_mm;

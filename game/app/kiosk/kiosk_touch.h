@@ -37,7 +37,7 @@ struct TouchPath {
 };
 
 // What plays a step of the lesson on that clay, on the right (+1) or on the left (-1).
-[[nodiscard]] TouchPath shown_path(ShownStep step, const haptic::PotShape& shape, double side);
+[[nodiscard]] TouchPath path_of_step(ShownStep step, const haptic::PotShape& shape, double side);
 // Moves the wall there by so much: positive to the right, as seen.
 [[nodiscard]] TouchPath sideways_path(const dvec2& place_mm, double step_mm);
 // Takes the wall below the rim and goes past it, so far. Solid clay is opened on the way.

@@ -149,9 +149,15 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
     std::erase_if(pads,
                   [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
     const GamepadWish wish = gamepads_.wish(pads, moment.dt_s);
-    if (wish.is_used) flow_.dispatch({Event::Kind::kInput});
+    const std::vector<window::KeyEvent> keys = keys_of(wish);
+    std::vector<PointerNews> all;
+    for (const window::KeyEvent& key : keys)
+        pointer_.handle(key, moment.now_s, all);
+    for (const PointerNews& news : all)
+        take_news(news, moment.now_s);
+    if (wish.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
     if (!clay_is_open(flow_.state())) return;
-    if (wish.is_used) flow_.dispatch({Event::Kind::kClayTouched});
+    if (wish.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
     hand_.steer(wish.step_mm, wish.presses, *moment.snapshot.shape, side_of(flow_.state()));
     if (wish.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
     if (wish.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
