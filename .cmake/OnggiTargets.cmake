@@ -1,8 +1,60 @@
-# onggi_library(NAME SOURCES ... LINKS ... PRIVATE_LINKS ...): a room of the house.
+# Most of what a small file costs is reading the headers it includes. So several files of a target are compiled as one,
+# and files whose names would collide have better names or stand apart. Off, every file is compiled by itself: which
+# proves that each includes what it needs, and an edit compiles one file (preset dev).
+option(ONGGI_BATCHES "Compile the files of a target in batches" ON)
+set(ONGGI_BATCH_SIZE 8)
+
+# onggi_batches(NAME RESULT SOURCES ... APART ...): the sources as the target NAME compiles them. Those of them that are
+# APART, or have compile options of their own, stay as they are. A batch names its files from the root of the checkout,
+# never by absolute paths, so that ccache finds it again in another checkout.
+function(onggi_batches NAME RESULT)
+    cmake_parse_arguments(ARG "" "" "SOURCES;APART" ${ARGN})
+    set(files)
+    set(others)
+    foreach(file IN LISTS ARG_SOURCES)
+        get_source_file_property(options ${file} COMPILE_OPTIONS)
+        if(options OR file IN_LIST ARG_APART OR NOT file MATCHES "\\.cpp$")
+            list(APPEND others ${file})
+        else()
+            list(APPEND files ${file})
+        endif()
+    endforeach()
+    list(LENGTH files count)
+    if(NOT ONGGI_BATCHES OR count LESS 2)
+        set(${RESULT} ${ARG_SOURCES} PARENT_SCOPE)
+        return()
+    endif()
+    # As many batches as are needed, of the same size as nearly as can be.
+    math(EXPR batches "(${count} + ${ONGGI_BATCH_SIZE} - 1) / ${ONGGI_BATCH_SIZE}")
+    math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
+    set(made)
+    math(EXPR last "${count} - 1")
+    foreach(first RANGE 0 ${last} ${size})
+        list(SUBLIST files ${first} ${size} together)
+        if(NOT together)
+            break()
+        endif()
+        set(text "")
+        foreach(file IN LISTS together)
+            get_filename_component(file ${file} ABSOLUTE)
+            file(RELATIVE_PATH file ${CMAKE_SOURCE_DIR} ${file})
+            string(APPEND text "#include \"${file}\"\n")
+        endforeach()
+        list(LENGTH made number)
+        set(batch ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_batch_${number}.cpp)
+        file(CONFIGURE OUTPUT ${batch} CONTENT "${text}" @ONLY)
+        list(APPEND made ${batch})
+    endforeach()
+    set(${RESULT} ${made} ${others} PARENT_SCOPE)
+endfunction()
+
+# onggi_library(NAME SOURCES ... APART ... LINKS ... PRIVATE_LINKS ...): a room of the house. APART: those of its sources
+# that are never compiled together with others.
 function(onggi_library NAME)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;PRIVATE_LINKS" ${ARGN})
     if(ARG_SOURCES)
-        add_library(${NAME} STATIC ${ARG_SOURCES})
+        onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})
+        add_library(${NAME} STATIC ${sources})
         target_link_libraries(${NAME} PUBLIC onggi_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
     else()
         add_library(${NAME} INTERFACE)
@@ -10,15 +62,19 @@ function(onggi_library NAME)
     endif()
 endfunction()
 
-# onggi_test(NAME SOURCES ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ... SERIAL): one GoogleTest program, one
-# ctest entry; SERIAL: it talks to a device or a service in real time, and wants the machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install, window, tools; and
-# picture for what draws with Vulkan outside golden.
+# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ... SERIAL): one GoogleTest
+# program, one ctest entry. APART: as in onggi_library. SERIAL: it talks to a device or a service in real time, and wants
+# the machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install,
+# window, tools; and picture for what draws with Vulkan outside golden.
 function(onggi_test NAME)
-    cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})
-    add_executable(${NAME} ${ARG_SOURCES})
-    target_link_libraries(${NAME} PRIVATE onggi_program ${ARG_LINKS} GTest::gtest GTest::gtest_main)
-    target_compile_definitions(${NAME} PRIVATE
-        ONGGI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" ONGGI_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
+    onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})
+    add_executable(${NAME} ${sources})
+    target_link_libraries(${NAME} PRIVATE onggi_program onggi_places ${ARG_LINKS} GTest::gtest GTest::gtest_main)
+    # What a test does itself need not be fast, unless speed is what it is about.
+    if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT "bench" IN_LIST ARG_LABELS)
+        target_compile_options(${NAME} PRIVATE -O1)
+    endif()
     set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 120)
@@ -30,6 +86,7 @@ endfunction()
 
 # onggi_vector_loops(FILE...): the loops of these are written to be worked on several elements at once. GCC takes them
 # so only if it neither splits them into paths nor guards against traps that nobody has set; no result depends on either.
+# Called before the target is made.
 function(onggi_vector_loops)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-thread-jumps;-fno-trapping-math")

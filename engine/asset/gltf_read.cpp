@@ -17,7 +17,7 @@
 namespace onggi::asset {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 20;  // of the file and of its first chunk
+constexpr std::size_t kGlbHeaderBytes = 20;  // of the file and of its first chunk
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
     std::uint32_t word = 0;
@@ -50,7 +50,7 @@ Result<void> check_header(std::span<const std::byte> bytes, const GltfLimits& li
     if (bytes.size() > limits.max_bytes) {
         return bad_input(fmt::format("expected at most {} bytes, found {}", limits.max_bytes, bytes.size()));
     }
-    if (bytes.size() < kHeaderBytes || word_at(bytes, 0) != kMagic || word_at(bytes, 4) != 2) {
+    if (bytes.size() < kGlbHeaderBytes || word_at(bytes, 0) != kMagic || word_at(bytes, 4) != 2) {
         return bad_input("expected a binary glTF 2.0, found another kind of file");
     }
     if (word_at(bytes, 8) != bytes.size()) {
@@ -58,10 +58,10 @@ Result<void> check_header(std::span<const std::byte> bytes, const GltfLimits& li
             fmt::format("expected {} bytes as its header says, found {}", word_at(bytes, 8), bytes.size()));
     }
     const std::size_t json_bytes = word_at(bytes, 12);
-    if (json_bytes > bytes.size() - kHeaderBytes) {
+    if (json_bytes > bytes.size() - kGlbHeaderBytes) {
         return bad_input("expected its JSON inside the file, found it reaching past the end");
     }
-    if (nests_deeper_than(bytes.subspan(kHeaderBytes, json_bytes), limits.max_depth)) {
+    if (nests_deeper_than(bytes.subspan(kGlbHeaderBytes, json_bytes), limits.max_depth)) {
         return bad_input(fmt::format("expected JSON of at most {} levels, found more", limits.max_depth));
     }
     return {};

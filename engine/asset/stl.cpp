@@ -14,7 +14,7 @@
 namespace onggi::asset {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 80;
+constexpr std::size_t kStlHeaderBytes = 80;
 constexpr std::size_t kTriangleBytes = 50;  // normal, three corners, 16 bits that stay zero
 constexpr std::string_view kHeaderStart = "Binary STL, mm, Z up: ";
 
@@ -37,7 +37,7 @@ vec3 z_up_mm(const vec3& m) {
 
 // A text that starts with "solid" would be read as the other, written-out form of STL.
 void append_header(std::vector<std::byte>& bytes, std::string_view title) {
-    std::array<char, kHeaderBytes> header{};
+    std::array<char, kStlHeaderBytes> header{};
     const auto end = std::copy(kHeaderStart.begin(), kHeaderStart.end(), header.begin());
     const auto room = static_cast<std::size_t>(header.end() - end);
     title = title.substr(0, room);
@@ -52,7 +52,7 @@ Result<std::vector<std::byte>> encode_stl(const Mesh& mesh, std::string_view tit
     if (const Result<void> good = check_mesh(mesh); !good) return good.error();
 
     std::vector<std::byte> bytes;
-    bytes.reserve(kHeaderBytes + 4 + mesh.triangle_count() * kTriangleBytes);
+    bytes.reserve(kStlHeaderBytes + 4 + mesh.triangle_count() * kTriangleBytes);
     append_header(bytes, title);
     append_word(bytes, static_cast<std::uint32_t>(mesh.triangle_count()));
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

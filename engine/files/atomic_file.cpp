@@ -37,7 +37,7 @@ std::filesystem::path descriptor_path(int descriptor) {
 }
 
 // Makes the rename itself last. Some file systems cannot sync a folder and say EINVAL: nothing to be done.
-int sync_folder(const std::filesystem::path& folder) {
+int sync_new_name(const std::filesystem::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
     const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
@@ -165,7 +165,7 @@ Result<void> AtomicFile::commit() {
     if (::close(std::exchange(descriptor_, -1)) != 0) return lost(errno, "write");
     if (::rename(beside_.c_str(), destination_.c_str()) != 0) return lost(errno, "write");
     beside_.clear();
-    if (const int error = sync_folder(place.folder); error != 0) {
+    if (const int error = sync_new_name(place.folder); error != 0) {
         return error_of_errno(shown_, error, "sync the folder");
     }
     return {};

@@ -30,6 +30,9 @@ class MonotonicClock {
         clock_gettime(CLOCK_MONOTONIC, &now);
         return std::int64_t{now.tv_sec} * kNsPerSecond + now.tv_nsec;
     }
+    [[nodiscard]] static double now_s() noexcept {
+        return static_cast<double>(now_ns()) / static_cast<double>(kNsPerSecond);
+    }
 
     // Returns at the earliest at time_ns: a signal does not end the wait.
     static void sleep_until_ns(std::int64_t time_ns) noexcept {

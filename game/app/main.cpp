@@ -3,13 +3,13 @@
 #include <csignal>
 
 #include "engine/jobs/thread_setup.h"
-#include "game/app/command_line.h"
-#include "game/app/devices_command.h"
-#include "game/app/doctor_command.h"
-#include "game/app/kiosk_command.h"
-#include "game/app/live_command.h"
-#include "game/app/replay_command.h"
-#include "game/app/throw_command.h"
+#include "game/app/command_line/command_line.h"
+#include "game/app/command_line/devices_command.h"
+#include "game/app/command_line/doctor_command.h"
+#include "game/app/command_line/kiosk_command.h"
+#include "game/app/command_line/live_command.h"
+#include "game/app/command_line/replay_command.h"
+#include "game/app/command_line/throw_command.h"
 
 int main(int argc, char** argv) {
     // A file that may not grow further is then a failed write with a message, not a silent end.

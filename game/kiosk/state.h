@@ -52,26 +52,33 @@ enum class FiringStage { kCut, kDry, kFire };
 struct Throwing {
     std::optional<int> target{};  // place among the heritage pots; none: as you like
     int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
-    double progress_s = 0.0;      // when the pot last came on, or the visit began
-    double touched_s = -1.0;      // when the clay was last touched; before the first touch: -1
-    bool held = false;            // a hand works the clay now
     bool looks_in = false;        // the camera, from above into the pot
     // What the wheel's own hands are showing on the visitor's clay: a step, counted from 0.
     std::optional<int> shown{};
-    double shown_s = 0.0;                   // since when
-    double show_over_s = 0.0;               // when they were last done
-    std::optional<int> seen_since_touch{};  // the step last shown, until the visitor touches the clay
     int tool = 2;
     int water = 3;
     int speed = 3;
     Warning warning = Warning::kNone;
-    double warning_s = 0.0;             // when it was given or taken back
     Warning collapse = Warning::kNone;  // what it gave way by, on the failure screen
+
+    friend bool operator==(const Throwing&, const Throwing&) = default;
+};
+
+// When the clay was worked, and by whom: what decides about hints and shows.
+struct Pace {
+    double progress_s = 0.0;                // when the pot last came on, or the visit began
+    double touched_s = -1.0;                // when the clay was last touched; before the first touch: -1
+    bool held = false;                      // a hand works the clay now
+    double shown_s = 0.0;                   // since when the wheel's own hands show a step
+    double show_over_s = 0.0;               // when they were last done
+    std::optional<int> seen_since_touch{};  // the step last shown, until the visitor touches the clay
 };
 
 struct Keeping {
     enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
     int number = 0;  // of the day, when kept
+
+    friend bool operator==(const Keeping&, const Keeping&) = default;
 };
 
 // The pages of the staff's panel.
@@ -88,8 +95,9 @@ struct Staff {
     StaffPage page = StaffPage::kHealth;
     int first_line = 0;  // of the page's list, at the top
     StaffQuestion question = StaffQuestion::kNone;
-    int pot = 0;          // that is asked about
-    double used_s = 0.0;  // locks again a while after
+    int pot = 0;  // that is asked about
+
+    friend bool operator==(const Staff&, const Staff&) = default;
 };
 
 // Whoever tries one PIN after another waits longer each time. It outlives panels and visits.
@@ -98,13 +106,10 @@ struct PinGuard {
     double opens_s = 0.0;  // no digit counts before
 };
 
-struct State {
+// What a screen shows of a visit: no times, so that two that are equal look the same.
+struct ScreenState {
     Screen screen = Screen::kAttract;
-    double screen_s = 0.0;  // since when
     Panel panel = Panel::kNone;
-    double panel_s = 0.0;
-    double input_s = 0.0;  // any device, any sign of life
-    double visit_s = 0.0;  // when this visit began
     Comfort comfort;
     Throwing throwing;
     int shelf_first = 0;  // choose, where only kShelfShown fit: the first of them; 0 is throwing as one likes
@@ -112,14 +117,24 @@ struct State {
     int glaze = 0;
     Keeping keeping;
     Staff staff;
-    PinGuard pin_guard;
     // What every visit begins with: the configuration's, or what the staff set.
-    int house_volume = 3;
     int house_language = 0;
     bool device_lost = false;  // a hand control that was there is gone
-    double device_s = 0.0;
     bool force_rests = false;  // a fault took the hand's force away; the clay goes on
-    bool left_over = false;    // an interrupted pot waits to be offered
+
+    friend bool operator==(const ScreenState&, const ScreenState&) = default;
+};
+
+struct State : ScreenState {
+    double screen_s = 0.0;  // since when
+    double panel_s = 0.0;
+    double input_s = 0.0;       // any device, any sign of life
+    double visit_s = 0.0;       // when this visit began
+    double staff_used_s = 0.0;  // the panel locks again a while after
+    Pace pace;
+    PinGuard pin_guard;
+    int house_volume = 3;    // as house_language
+    bool left_over = false;  // an interrupted pot waits to be offered
 };
 
 // One word for each, for titles and logs: "attract".

@@ -39,9 +39,9 @@ int pin_seconds_left(const State& state, double now_s) {
 bool shows_hint(const State& state, double now_s, const Rules& rules) {
     if (state.screen != Screen::kThrow || state.panel != Panel::kNone) return false;
     const Throwing& throwing = state.throwing;
-    if (throwing.steps_done >= kTeachingSteps || throwing.shown || throwing.held) return false;
-    if (throwing.touched_s < 0.0) return true;
-    return now_s - std::max(throwing.progress_s, throwing.touched_s) >= rules.hint_again_s;
+    if (throwing.steps_done >= kTeachingSteps || throwing.shown || state.pace.held) return false;
+    if (state.pace.touched_s < 0.0) return true;
+    return now_s - std::max(state.pace.progress_s, state.pace.touched_s) >= rules.hint_again_s;
 }
 
 void Turn::show(Screen screen) {
@@ -72,7 +72,8 @@ void Turn::begin_visit(Screen screen) {
 }
 
 void Turn::put_on_clay(std::optional<int> target) {
-    state.throwing = Throwing{.target = target, .progress_s = now_s, .warning_s = now_s};
+    state.throwing = Throwing{.target = target};
+    state.pace = {.progress_s = now_s};
     add(Effect::Kind::kForgetPot);
     add(Effect::Kind::kFreshClay, target ? *target : -1);
 }
@@ -85,7 +86,6 @@ void Turn::end_visit() {
     state = first_state(rules, now_s);
     // What is the kiosk's and not the visitor's.
     state.device_lost = before.device_lost;
-    state.device_s = before.device_s;
     state.pin_guard = before.pin_guard;
     state.comfort.volume = state.house_volume = before.house_volume;
     state.comfort.language = state.house_language = before.house_language;
@@ -107,7 +107,7 @@ void pass_time(Turn& turn) {
             return;
         case Panel::kPin:
         case Panel::kStaff:
-            if (now_s - state.staff.used_s >= turn.rules.staff_locks_s) turn.leave_staff();
+            if (now_s - state.staff_used_s >= turn.rules.staff_locks_s) turn.leave_staff();
             return;
         case Panel::kNone:
         case Panel::kLanguage:
@@ -128,7 +128,7 @@ void pass_time(Turn& turn) {
 void wake(Turn& turn) {
     State& state = turn.state;
     state.input_s = turn.now_s;
-    if (state.panel == Panel::kPin || state.panel == Panel::kStaff) state.staff.used_s = turn.now_s;
+    if (state.panel == Panel::kPin || state.panel == Panel::kStaff) state.staff_used_s = turn.now_s;
     if (state.panel == Panel::kIdle) {
         turn.lay_over(Panel::kNone);
         return;
@@ -150,7 +150,7 @@ void press(Turn& turn, const Event& event) {
             return;
         case Panel::kPin:
         case Panel::kStaff:
-            state.staff.used_s = turn.now_s;
+            state.staff_used_s = turn.now_s;
             press_staff(turn, event);
             return;
         case Panel::kNone:
@@ -179,8 +179,8 @@ void touch_clay(Turn& turn) {
     }
     if (state.screen != Screen::kThrow) return;
     end_show(turn);
-    state.throwing.touched_s = turn.now_s;
-    state.throwing.seen_since_touch.reset();
+    state.pace.touched_s = turn.now_s;
+    state.pace.seen_since_touch.reset();
 }
 
 }  // namespace
@@ -204,8 +204,8 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             break;
         case Event::Kind::kHeld:
             // Who has just let go is not shown anything at once.
-            if (state.throwing.held && event.value != 1) state.throwing.touched_s = now_s;
-            state.throwing.held = event.value == 1;
+            if (state.pace.held && event.value != 1) state.pace.touched_s = now_s;
+            state.pace.held = event.value == 1;
             break;
         case Event::Kind::kShowOver:
             end_show(turn);
@@ -213,7 +213,7 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
         case Event::Kind::kProgress:
             if (state.screen == Screen::kThrow && event.value > state.throwing.steps_done) {
                 state.throwing.steps_done = std::min(event.value, kTeachingSteps);
-                state.throwing.progress_s = now_s;
+                state.pace.progress_s = now_s;
             }
             break;
         case Event::Kind::kWarned:
@@ -221,7 +221,6 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
                 event.value <= static_cast<int>(Warning::kFast) &&
                 state.throwing.warning != static_cast<Warning>(event.value)) {
                 state.throwing.warning = static_cast<Warning>(event.value);
-                state.throwing.warning_s = now_s;
             }
             break;
         case Event::Kind::kCollapsed:
@@ -243,7 +242,6 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
         case Event::Kind::kDeviceLost:
         case Event::Kind::kDeviceBack:
             state.device_lost = event.kind == Event::Kind::kDeviceLost;
-            state.device_s = now_s;
             break;
         case Event::Kind::kForceRests:
         case Event::Kind::kForceBack:
@@ -255,11 +253,13 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
                 const bool is_staffs = state.panel == Panel::kPin || state.panel == Panel::kStaff;
                 const Panel panel = is_staffs ? state.panel : Panel::kNone;
                 const Staff staff = state.staff;
+                const double used_s = state.staff_used_s;
                 turn.end_visit();
                 turn.show(Screen::kFault);
                 if (is_staffs) {
                     turn.lay_over(panel);
                     state.staff = staff;
+                    state.staff_used_s = used_s;
                 }
             }
             break;
@@ -271,7 +271,8 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             break;
         case Event::Kind::kCornerHeld:
             if (rules.pin_digits > 0 && state.panel != Panel::kStaff) {
-                state.staff = {.used_s = now_s};
+                state.staff = {};
+                state.staff_used_s = now_s;
                 state.input_s = now_s;
                 turn.lay_over(Panel::kPin);
             }

@@ -87,7 +87,7 @@ void press_failure(Turn& turn, const Event& event) {
     if (event.button == Button::kBeforeCollapse) {
         Throwing& throwing = turn.state.throwing;
         throwing.warning = Warning::kNone;
-        throwing.progress_s = turn.now_s;
+        turn.state.pace.progress_s = turn.now_s;
         // What was spun apart would be again before anybody had slowed the wheel.
         if (throwing.collapse == Warning::kFast)
             throwing.speed = std::max(1, std::min(throwing.speed - 1, Throwing().speed));
@@ -131,7 +131,8 @@ void press_keep(Turn& turn, const Event& event) {
 void press_resume(Turn& turn, const Event& event) {
     if (event.button == Button::kResumeGo) {
         turn.state.left_over = false;
-        turn.state.throwing = {.progress_s = turn.now_s, .warning_s = turn.now_s};
+        turn.state.throwing = {};
+        turn.state.pace = {.progress_s = turn.now_s};
         turn.add(Effect::Kind::kResume);
         turn.show(Screen::kThrow);
     } else if (event.button == Button::kResumeFresh) {

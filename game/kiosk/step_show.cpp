@@ -10,8 +10,8 @@ void begin_show(Turn& turn) {
     Throwing& throwing = turn.state.throwing;
     const int step = std::min(throwing.steps_done, kTeachingSteps - 1);
     throwing.shown = step;
-    throwing.shown_s = turn.now_s;
-    throwing.seen_since_touch = step;
+    turn.state.pace.shown_s = turn.now_s;
+    turn.state.pace.seen_since_touch = step;
     turn.add(Effect::Kind::kShowStep, step);
 }
 
@@ -19,23 +19,23 @@ void end_show(Turn& turn) {
     Throwing& throwing = turn.state.throwing;
     if (!throwing.shown) return;
     throwing.shown.reset();
-    throwing.show_over_s = turn.now_s;
+    turn.state.pace.show_over_s = turn.now_s;
 }
 
 void pass_show(Turn& turn) {
     const Throwing& throwing = turn.state.throwing;
+    const Pace& pace = turn.state.pace;
     const Rules& rules = turn.rules;
     const double now_s = turn.now_s;
     if (throwing.shown) {
-        if (now_s - throwing.shown_s >= rules.show_most_s) end_show(turn);
+        if (now_s - pace.shown_s >= rules.show_most_s) end_show(turn);
         return;
     }
     // Once a step, and never under a visitor's hand, or on clay that hardly stands.
-    const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !throwing.held &&
-                           throwing.seen_since_touch != throwing.steps_done &&
-                           throwing.warning == Warning::kNone;
-    const double quiet_s = now_s - std::max(throwing.touched_s, throwing.show_over_s);
-    if (is_wanted && now_s - throwing.progress_s >= rules.show_after_s && quiet_s >= rules.show_rests_s)
+    const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
+                           pace.seen_since_touch != throwing.steps_done && throwing.warning == Warning::kNone;
+    const double quiet_s = now_s - std::max(pace.touched_s, pace.show_over_s);
+    if (is_wanted && now_s - pace.progress_s >= rules.show_after_s && quiet_s >= rules.show_rests_s)
         begin_show(turn);
 }
 

@@ -21,14 +21,14 @@ void count_wrong_pin(Turn& turn) {
 
 void press_pin(Turn& turn, const Event& event) {
     Staff& staff = turn.state.staff;
-    if (event.button == Button::kPinClear) staff = {.used_s = turn.now_s};
+    if (event.button == Button::kPinClear) staff = {};
     if (event.button != Button::kDigit || event.value < 0 || event.value > 9) return;
     if (pin_seconds_left(turn.state, turn.now_s) > 0) return;
     staff.typed = staff.typed * 10 + event.value;
     staff.was_wrong = false;
     if (++staff.digits < turn.rules.pin_digits) return;
     const bool right = staff.typed == turn.rules.pin;
-    staff = {.was_wrong = !right, .used_s = turn.now_s};
+    staff = {.was_wrong = !right};
     if (!right) return count_wrong_pin(turn);
     turn.state.pin_guard = {};
     turn.lay_over(Panel::kStaff);

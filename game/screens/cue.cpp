@@ -14,7 +14,7 @@ namespace {
 using ui::Colour;
 using ui::DrawList;
 
-constexpr Colour kPale = ui::hex(0xfff3d9);
+constexpr Colour kCream = ui::hex(0xfff3d9);
 constexpr float kHatchStepU = 13.0F;
 
 std::size_t points_of(const Band& band) {
@@ -53,7 +53,7 @@ void draw_slip(DrawList& list, const Band& belt, float alpha) {
         const float across = (static_cast<float>(i) + 0.5F) / static_cast<float>(count - 1);
         const float inward = std::min(1.0F, std::min(across, 1.0F - across) / 0.3F);
         const std::array corners{belt.upper[i], belt.upper[i + 1], belt.lower[i + 1], belt.lower[i]};
-        list.add_polygon(corners, kPale.with_alpha((0.05F + 0.25F * inward) * alpha));
+        list.add_polygon(corners, kCream.with_alpha((0.05F + 0.25F * inward) * alpha));
     }
 }
 
@@ -92,7 +92,7 @@ void draw_way(DrawList& list, CueWay way, vec2 from, float alpha, float u) {
     const std::array head{tip + u * (-13.0F * along + 13.0F * across), tip,
                           tip + u * (-13.0F * along - 13.0F * across)};
     const Colour dark = design::kNight.with_alpha(0.6F * alpha);
-    const Colour pale = kPale.with_alpha(alpha);
+    const Colour pale = kCream.with_alpha(alpha);
     const auto both = [&](float line_u, const Colour& colour) {
         for (int dot = 0; dot < kDots; ++dot)
             draw_disc(list, from + static_cast<float>(dot) * kPitchU * u * along, 0.5F * line_u * u, colour);

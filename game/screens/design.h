@@ -51,8 +51,6 @@ inline constexpr Colour kViscosity = hex(0x7fbcf5);
 inline constexpr Colour kFriction = hex(0x8fd67a);
 
 inline constexpr float kMargin = 32.0F;
-inline constexpr float kTokenHeight = 66.0F;
-inline constexpr float kStepperWidth = 164.0F;
 inline constexpr float kLeastTextSize = 26.0F;
 inline constexpr float kLeastTarget = 50.0F;  // the ends of a stepper, the staff's keys
 // A 24 inch panel of 1080 lines, on which u was chosen.

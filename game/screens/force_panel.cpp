@@ -202,7 +202,7 @@ void add_forces(Page& page) {
         parts->names[force] = page.loose_words(name, 0.0F, true);
     }
     // On a tall screen a warning, or that the hand control is gone, stands where the panel would.
-    const kiosk::State& state = page.view().state;
+    const kiosk::ScreenState& state = page.view().state;
     const bool has_room = page.shape() != Shape::kTall || (state.throwing.warning == kiosk::Warning::kNone &&
                                                            !state.device_lost && !state.force_rests);
     if (state.comfort.forces && has_room) add_panel(page, *parts);

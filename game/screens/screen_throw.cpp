@@ -51,17 +51,18 @@ void outline(Page& page) {
             low = glm::min(low, point * u);
             high = glm::max(high, point * u);
         }
-        constexpr float kAir = 6.0F;
+        constexpr float kMargin = 6.0F;
         std::string path;
         for (const vec2& point : line) {
-            const vec2 at = point * u - low + kAir;
+            const vec2 at = point * u - low + kMargin;
             path += fmt::format("{}{:.1f} {:.1f} ", path.empty() ? 'M' : 'L', at.x, at.y);
         }
         ui::Sketch sketch;
         sketch.add(ui::Shape{
             .path = path, .stroke = design::kNight.with_alpha(0.55F), .stroke_width = 7.0F, .dash = 13.0F});
         sketch.add(ui::Shape{.path = path, .stroke = design::kOutline, .stroke_width = 4.4F, .dash = 13.0F});
-        page.sprite({low.x - kAir, low.y - kAir, high.x - low.x + 2.0F * kAir, high.y - low.y + 2.0F * kAir},
+        page.sprite({low.x - kMargin, low.y - kMargin, high.x - low.x + 2.0F * kMargin,
+                     high.y - low.y + 2.0F * kMargin},
                     std::move(sketch));
     }
 }

@@ -21,8 +21,8 @@ bool is_still(const Composed& composed) {
 }
 
 bool is_other_screen(const Composed& one, const Composed& other) {
-    const kiosk::State& a = one.view->state;
-    const kiosk::State& b = other.view->state;
+    const kiosk::ScreenState& a = one.view->state;
+    const kiosk::ScreenState& b = other.view->state;
     return a.screen != b.screen || a.panel != b.panel || a.comfort.language != b.comfort.language ||
            one.view->attract_exhibit != other.view->attract_exhibit ||
            one.view->closed != other.view->closed || a.firing != b.firing;

@@ -10,7 +10,7 @@
 namespace onggi::screens {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kHalfTurn = std::numbers::pi_v<float>;
 constexpr int kColumns = 512;  // of the colours, round the pot; a power of two
 constexpr int kRows = 320;     // and up it
 // The colours of a pot that was painted to be seen from one side do not meet at its back: they are mixed over
@@ -80,7 +80,7 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
                 pixel.row =
                     is_foot ? static_cast<float>(kRows)
                             : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
-                pixel.column = (surface.angle + kPi) / (2.0F * kPi) * kColumns;
+                pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * kColumns;
             }
             if (count == 0) continue;
             pixel.factor /= static_cast<float>(count);
@@ -102,11 +102,11 @@ void TurningPot::fill_colours(const PotSection& shape, const finish::GlazeMateri
         at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
         for (int column = 0; column < kColumns; ++column) {
             const float share = (static_cast<float>(column) + 0.5F) / kColumns;
-            at.angle = 2.0F * kPi * share - kPi;
+            at.angle = 2.0F * kHalfTurn * share - kHalfTurn;
             vec3 colour = shading.colour(at);
             if (share < kSeam) {
                 // From what would come next on the far side of the seam.
-                at.angle += 2.0F * kPi;
+                at.angle += 2.0F * kHalfTurn;
                 colour = glm::mix(shading.colour(at), colour, glm::smoothstep(0.0F, kSeam, share));
             }
             colours_[static_cast<std::size_t>(row * kColumns + column)] = colour;

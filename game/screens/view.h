@@ -65,8 +65,10 @@ struct FramePlot {
     friend bool operator==(const FramePlot&, const FramePlot&) = default;
 };
 
+// Two that are equal look the same, and nothing in it changes that is not seen: what asks for a new screen is
+// a View that differs. What turns, blinks or follows the hand is drawn over it, frame by frame.
 struct View {
-    kiosk::State state;
+    kiosk::ScreenState state;
     int width_px = 1280;
     int height_px = 720;
     double px_per_mm = 3.613;    // of the panel
@@ -99,6 +101,8 @@ struct View {
     bool only_forces = false;                // nothing but them, over a picture that plays by itself
     bool closed = false;                     // outside the opening hours: attract is dim
     std::shared_ptr<const PhoneCode> phone;  // the way to take the pot home by phone; null: there is none
+
+    friend bool operator==(const View&, const View&) = default;
 };
 
 }  // namespace onggi::screens

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "tests/cli/run_program.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::test {
 
-inline const std::string kPressAndHold = ONGGI_SOURCE_DIR "/assets/gestures/press-and-hold.csv";
+inline const std::string kPressAndHold = in_checkout("assets/gestures/press-and-hold.csv");
 inline const std::string kGestureHeaderLine = "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n";
 inline const std::string kShortGesture =
     kGestureHeaderLine + "0,90,100,0,1,10\n0.1,69,100,0,1,10\n0.3,69,120,0,1,10\n0.4,90,120,0,0,10\n";

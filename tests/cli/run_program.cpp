@@ -1,4 +1,5 @@
 #include "tests/cli/run_program.h"
+#include "tests/support/places.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -16,7 +17,7 @@ namespace onggi::test {
 namespace {
 
 [[noreturn]] void become_onggi(const std::vector<std::string>& words, const ProgramOptions& options) {
-    const std::string program = ONGGI_BINARY_DIR "/onggi";
+    const std::string program = in_build("onggi");
     std::vector<char*> arguments{const_cast<char*>("onggi")};  // NOLINT: execv takes char*, writes nothing
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <ostream>
 
-#include "game/app/performance.h"
-#include "game/app/replay_command.h"
+#include "game/app/command_line/performance.h"
+#include "game/app/command_line/replay_command.h"
 #include "game/clay/studio/pot.h"
 #include "game/share/pot_solid.h"
 #include "game/share/studio_export.h"
 #include "tests/support/mesh_check.h"
+#include "tests/support/places.h"
 
 namespace onggi {
 namespace {
@@ -36,7 +37,7 @@ class Demonstration : public testing::TestWithParam<Expected> {
     // The session, or a failed test and an empty one.
     [[nodiscard]] static Result<app::LoadedSession> loaded() {
         auto session = app::load_session(
-            fmt::format("{}/assets/demonstrations/{}.onggi", ONGGI_SOURCE_DIR, GetParam().name));
+            test::in_checkout(fmt::format("assets/demonstrations/{}.onggi", GetParam().name)));
         EXPECT_TRUE(session) << (session ? "" : session.error().message);
         return session;
     }
@@ -109,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Bundled, Demonstration,
                          [](const auto& sample) { return std::string(sample.param.name); });
 
 TEST(MoonJar, IsTwoHalvesWithASeamThatIsALittleVisible) {
-    auto jar = app::load_session(ONGGI_SOURCE_DIR "/assets/demonstrations/moon_jar.onggi");
+    auto jar = app::load_session(test::in_checkout("assets/demonstrations/moon_jar.onggi"));
     ASSERT_TRUE(jar) << jar.error().message;
     ASSERT_NE(jar->start.state.studio(), nullptr);
     const clay::StudioClay& joined = *jar->start.state.studio();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/window/window.h"
-#include "game/app/gamepad_hand.h"
+#include "game/app/devices/gamepad_hand.h"
 #include "tests/device/mock_gamepad.h"
 
 namespace onggi {

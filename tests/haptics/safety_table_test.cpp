@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 #include <vector>
+#include "tests/support/places.h"
 
 namespace onggi {
 namespace {
@@ -81,7 +82,7 @@ TEST(SafetyProperties, AreFifteenAndEachIsProvedWhereTheTableSays) {
     std::vector<bool> named(16, false);
     for (const Proof& proof : kProvedElsewhere) {
         named.at(static_cast<std::size_t>(proof.property)) = true;
-        std::ifstream in(std::string(ONGGI_SOURCE_DIR "/tests/") + proof.file);
+        std::ifstream in(test::in_checkout("tests/") + proof.file);
         const std::string text{std::istreambuf_iterator<char>(in), {}};
         EXPECT_NE(text.find(std::string(", ") + proof.test + ")"), std::string::npos)
             << proof.property << ' ' << proof.what << ": " << proof.file << " has no test " << proof.test;

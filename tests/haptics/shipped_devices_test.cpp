@@ -13,13 +13,14 @@
 #include "engine/haptics/stability.h"
 #include "game/haptic/device_force.h"
 #include "game/haptic/tick.h"
+#include "tests/support/places.h"
 
 namespace onggi::haptic {
 namespace {
 
 using haptics::DeviceCapabilities;
 
-const std::string kTable = ONGGI_SOURCE_DIR "/tests/haptics/stability.md";
+const std::string kTable = test::in_checkout("tests/haptics/stability.md");
 constexpr double kRates[] = {500.0, 1000.0, 4000.0};
 
 DeviceCapabilities inverse3() {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/haptics/device_models.h"
+#include "tests/support/places.h"
 
 namespace onggi::haptics {
 namespace {
@@ -24,7 +25,7 @@ using test::omni_like;
 
 constexpr double kRates[] = {500.0, 1000.0, 4000.0, 10000.0};
 constexpr double kMost = 5.8;  // N/mm: beyond what any maker recommends
-const std::string kTable = ONGGI_SOURCE_DIR "/tests/haptics/stability.md";
+const std::string kTable = test::in_checkout("tests/haptics/stability.md");
 
 enum class Between { kNothing, kLimits, kChain };
 constexpr Between kAllBetween[] = {Between::kNothing, Between::kLimits, Between::kChain};

@@ -1,5 +1,6 @@
 // The house's rules, read from the files themselves.
 #include "tests/house/include_rules.h"
+#include "tests/support/places.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ std::string read_text(const fs::path& path) {
 // Every C++ file of the house, by its path from the root.
 std::map<std::string, std::string> sources() {
     std::map<std::string, std::string> found;
-    const fs::path root = ONGGI_SOURCE_DIR;
+    const fs::path root = test::in_checkout();
     for (const char* wing : {"engine", "game", "shaders", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / wing)) {
             const std::string extension = entry.path().extension().string();
@@ -37,8 +38,7 @@ std::map<std::string, std::string> sources() {
 }
 
 IncludeRules house_rules() {
-    auto rules =
-        parse_include_rules(read_text(fs::path(ONGGI_SOURCE_DIR) / "tests/house/allowed_includes.txt"));
+    auto rules = parse_include_rules(read_text(test::in_checkout("tests/house/allowed_includes.txt")));
     EXPECT_TRUE(rules) << (rules ? "" : rules.error().message);
     return rules ? std::move(rules).value() : IncludeRules{};
 }
@@ -72,7 +72,7 @@ TEST(House, NoFileHoldsTwoConcepts) {
 }
 
 TEST(House, EveryRoomHasAReadme) {
-    const fs::path root = ONGGI_SOURCE_DIR;
+    const fs::path root = test::in_checkout();
     for (const char* wing : {"engine", "game"}) {
         for (const auto& room : fs::directory_iterator(root / wing)) {
             if (!room.is_directory()) continue;

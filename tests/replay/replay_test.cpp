@@ -6,10 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "game/app/performance.h"
-#include "game/app/replay_command.h"
-#include "game/app/throw_outputs.h"
+#include "game/app/command_line/performance.h"
+#include "game/app/command_line/replay_command.h"
+#include "game/app/command_line/throw_outputs.h"
 #include "game/haptic/history.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -18,7 +19,7 @@ namespace {
 using test::TemporaryFolder;
 
 std::string stored(const std::string& name) {
-    return ONGGI_SOURCE_DIR "/tests/replay/sessions/" + name;
+    return test::in_checkout("tests/replay/sessions/") + name;
 }
 
 LoadedSession loaded(const std::string& file) {

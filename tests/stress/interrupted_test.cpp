@@ -16,9 +16,10 @@
 #include <set>
 #include <string>
 
-#include "game/app/start_log.h"
+#include "game/app/system/start_log.h"
 #include "tests/stress/interrupted_wheel.h"
 #include "tests/stress/whole.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi {
@@ -38,12 +39,13 @@ std::string live_and_die(const fs::path& gallery, unsigned seed, std::size_t aft
     if (::pipe(ends.data()) != 0) return {};
     const std::string folder = gallery.string();
     const std::string number = std::to_string(seed);
+    const std::string wheel = test::in_build("tests/interrupted_wheel");
     const pid_t child = ::fork();
     if (child == 0) {
         ::dup2(ends[1], STDOUT_FILENO);
         ::close(ends[0]);
         ::close(ends[1]);
-        ::execl(ONGGI_INTERRUPTED_WHEEL, "interrupted_wheel", folder.c_str(), number.c_str(), nullptr);
+        ::execl(wheel.c_str(), "interrupted_wheel", folder.c_str(), number.c_str(), nullptr);
         ::_exit(127);
     }
     ::close(ends[1]);

@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "engine/haptics/simulated_device.h"
-#include "game/app/kiosk_keeper.h"
-#include "game/app/kiosk_pot.h"
-#include "game/app/start_log.h"
+#include "game/app/kiosk/kiosk_keeper.h"
+#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/system/start_log.h"
 #include "tests/stress/interrupted_wheel.h"
 
 namespace onggi {

@@ -18,6 +18,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/stress/keeping_stage.h"
 #include "tests/stress/whole.h"
+#include "tests/support/places.h"
 #include "tests/visitors/judge.h"
 
 namespace onggi {
@@ -95,7 +96,7 @@ class Life {
         static const std::map<std::string, std::pair<int, int>> places = [] {
             std::map<std::string, std::pair<int, int>> found;
             std::istringstream lines(
-                said_by(fmt::format("{} en {} {}", ONGGI_SCREEN_TARGETS, kWidth, kHeight)));
+                said_by(fmt::format("{} en {} {}", test::in_build("tests/screen_targets"), kWidth, kHeight)));
             std::string screen;
             std::string name;
             int value = 0;
@@ -139,8 +140,8 @@ class Life {
         std::string asked;
         for (const dvec2& place_mm : way_mm)
             asked += fmt::format("{} {}\\n", place_mm.x, place_mm.y);
-        std::istringstream lines(
-            said_by(fmt::format("printf '{}' | {} {} {}", asked, ONGGI_CLAY_PLACES, kWidth, kHeight)));
+        std::istringstream lines(said_by(fmt::format("printf '{}' | {} {} {}", asked,
+                                                     test::in_build("tests/clay_places"), kWidth, kHeight)));
         std::vector<dvec2> way_px;
         dvec2 px(0.0);
         while (lines >> px.x >> px.y)

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "game/app/demonstrations.h"
-#include "game/app/kiosk_sound.h"
-#include "game/app/kiosk_staff.h"
-#include "game/app/kiosk_visit.h"
+#include "game/app/kiosk/demonstrations.h"
+#include "game/app/kiosk/kiosk_sound.h"
+#include "game/app/kiosk/kiosk_staff.h"
+#include "game/app/kiosk/kiosk_visit.h"
 
 namespace onggi::app {
 
@@ -132,6 +132,10 @@ class UnseenKiosk {
     }
     [[nodiscard]] bool shown_closed() const {
         return visit_->shown() != nullptr && visit_->shown()->view->closed;
+    }
+    // What it was made from; null before the first.
+    [[nodiscard]] std::shared_ptr<const screens::View> shown_view() const {
+        return visit_->shown() != nullptr ? visit_->shown()->view : nullptr;
     }
     // Presses that button of the screen that is shown, as soon as it is there.
     bool press(kiosk::Button button, int value = 0) {

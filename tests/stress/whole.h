@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/record/session.h"
-#include "game/app/left_over.h"
+#include "game/app/kiosk/left_over.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::stress {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "tests/support/image_compare.h"
+#include "tests/support/places.h"
 
 namespace onggi::support {
 namespace {
@@ -223,15 +224,15 @@ AssertionResult compare(const std::string& name, const Golden& golden, const Ima
 
 GateOptions gate_options_from_environment() {
     GateOptions options;
-    options.golden_folder = path(ONGGI_SOURCE_DIR) / "tests/golden/images/lavapipe-22.3";
-    options.output_folder = path(ONGGI_BINARY_DIR) / "golden";
+    options.golden_folder = test::in_checkout("tests/golden/images/lavapipe-22.3");
+    options.output_folder = test::in_build("golden");
     options.strict = environment("ONGGI_GOLDEN_STRICT") == "1";
     options.in_ci = environment("CI") == "true";
     std::istringstream names(environment("ONGGI_BLESS"));
     for (std::string name; std::getline(names, name, ',');) {
         if (!name.empty()) options.bless.insert(name);
     }
-    options.dirty_paths = [] { return dirty_paths_outside_goldens(ONGGI_SOURCE_DIR); };
+    options.dirty_paths = [] { return dirty_paths_outside_goldens(test::in_checkout()); };
     return options;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/files/read_file.h"
 #include "engine/haptics/gesture.h"
 #include "game/clay/paper_clay.h"
+#include "tests/support/places.h"
 
 namespace onggi::support {
 namespace {
@@ -89,7 +90,7 @@ PotSample pressed_lump(int element_count) {
 
 PotSample thrown_vase() {
     const Result<std::string> text =
-        files::read_file(ONGGI_SOURCE_DIR "/assets/gestures/vase.csv", haptics::kMaxGestureBytes);
+        files::read_file(test::in_checkout("assets/gestures/vase.csv"), haptics::kMaxGestureBytes);
     if (!text) throw std::runtime_error(text.error().message);
     const Result<haptics::Gesture> gesture = haptics::parse_gesture(*text, "vase.csv");
     if (!gesture) throw std::runtime_error(gesture.error().message);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/places.h"
 #include "tests/visitors/population.h"
 
 namespace onggi::visitors {
@@ -39,7 +40,7 @@ TEST(AllVisitors, LeavePotsOneWouldKeep) {
         sheet.push_back(
             std::vector<Left>(all.begin(), all.begin() + std::min<std::ptrdiff_t>(20, std::ssize(all))));
     }
-    write_sheet(ONGGI_BINARY_DIR "/visitors.png", sheet);
+    write_sheet(test::in_build("visitors.png"), sheet);
 }
 
 void expect_pots(double mass_g, const Skill& skill) {

@@ -4,8 +4,9 @@
 
 #include <cmath>
 
-#include "game/app/kiosk_pot.h"
+#include "game/app/kiosk/kiosk_pot.h"
 #include "game/heritage/target.h"
+#include "tests/support/places.h"
 #include "tests/visitors/population.h"
 
 namespace onggi::visitors {
@@ -27,7 +28,7 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
     constexpr int kEach = 6;
     constexpr double kMostSteep = 0.1;
     int followed = 0;
-    const auto targets = heritage::load_targets(ONGGI_SOURCE_DIR "/assets/heritage");
+    const auto targets = heritage::load_targets(test::in_checkout("assets/heritage"));
     ASSERT_TRUE(targets) << targets.error().message;
     std::vector<std::size_t> places;
     const auto exhibits = app::exhibits_of(*targets, places);
@@ -51,7 +52,7 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
         sheet.push_back(all);
     }
     EXPECT_GE(followed, 3) << "a bowl, a vase and a jar";
-    write_sheet(ONGGI_BINARY_DIR "/targets.png", sheet);
+    write_sheet(test::in_build("targets.png"), sheet);
 }
 
 }  // namespace

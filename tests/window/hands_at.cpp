@@ -22,7 +22,7 @@
 #include <thread>
 
 #include "engine/haptics/hid/space_mouse.h"
-#include "game/app/gamepad_hand.h"
+#include "game/app/devices/gamepad_hand.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_gamepad.h"
 

@@ -15,11 +15,11 @@ namespace {
 // long. Its silence until then is a hand that keeps still.
 constexpr std::int64_t kStillNs = 1000 * kMs;
 // Of a stick that was heard to report all the time.
-constexpr std::int64_t kSilenceNs = 100 * kMs;
+constexpr std::int64_t kJoystickSilenceNs = 100 * kMs;
 constexpr int kEffectMs = 500;
 constexpr std::int64_t kRestartNs = 200 * kMs;  // twice within an effect's life
 // hid_write waits for the bus, about 1 ms a report: 250 Hz leaves room for four.
-constexpr std::int64_t kLeastIntervalNs = 4 * kMs;
+constexpr std::int64_t kTellIntervalNs = 4 * kMs;
 constexpr int kLoadTries = 12;
 constexpr int kLoadPauseMs = 5;
 constexpr int kResetPauseMs = 10;
@@ -56,7 +56,7 @@ DeviceCapabilities PidDriver::capabilities() const {
     constexpr double kGripKg = 0.1;
     constexpr double kDampingNSPerMm = 0.0003;
     constexpr double kFrictionN = 0.1;
-    static_assert(kTellsPerS * static_cast<double>(kLeastIntervalNs) == 1e9);
+    static_assert(kTellsPerS * static_cast<double>(kTellIntervalNs) == 1e9);
     return {.name = "force-feedback joystick",
             .force_axes = 2,
             .peak_force_n = mapping_.peak_n,
@@ -187,7 +187,7 @@ void PidDriver::take_report(std::span<const std::uint8_t> report, std::int64_t n
 HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
     HandInput input{.motion = HandInput::Motion::kPlace};
     const bool must_report = habit_.reports_all_the_time();
-    input.is_live = was_heard_ && now_ns - heard_ns_ <= (must_report ? kSilenceNs : kStillNs);
+    input.is_live = was_heard_ && now_ns - heard_ns_ <= (must_report ? kJoystickSilenceNs : kStillNs);
     input.is_fresh = input.is_live && (!must_report || heard_ns_ == now_ns);
     const ToolReach& reach = mapping_.reach;
     const double right = (stick_.deflection.x + 1.0) / 2.0;
@@ -262,7 +262,7 @@ Result<void> PidDriver::tell(HidPort& port, Effect& effect, const ForceOrder& or
 
 Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) {
     habit_.round();
-    if (is_started_ && now_ns - last_told_ns_ < kLeastIntervalNs) return {};
+    if (is_started_ && now_ns - last_told_ns_ < kTellIntervalNs) return {};
     last_told_ns_ = now_ns;
     if (!is_started_) last_start_ns_ = now_ns;
     is_started_ = true;

@@ -8,9 +8,6 @@
 namespace onggi::haptics::hid {
 namespace {
 
-constexpr std::uint16_t kGenericDesktop = 0x01;
-constexpr Usage kX = usage(kGenericDesktop, 0x30);
-constexpr Usage kY = usage(kGenericDesktop, 0x31);
 constexpr std::uint16_t kButtonPage = 0x09;
 constexpr std::uint32_t kMostButtons = 32;
 
@@ -77,7 +74,7 @@ bool PidLayout::has_effect(PidUsage type) const noexcept {
 }
 
 Element PidLayout::axis(Axis axis) const noexcept {
-    return descriptor_.find(ReportKind::kInput, 0, axis == Axis::kX ? kX : kY);
+    return descriptor_.find(ReportKind::kInput, 0, axis == Axis::kX ? kUsageX : kUsageY);
 }
 
 Result<PidLayout> PidLayout::find(ReportDescriptor descriptor) {

@@ -67,6 +67,10 @@ constexpr Usage usage(PidUsage id) {
     return usage(0x0f, static_cast<std::uint16_t>(id));
 }
 
+// Of the page Generic Desktop.
+constexpr Usage kUsageX = usage(0x01, 0x30);
+constexpr Usage kUsageY = usage(0x01, 0x31);
+
 enum class Axis : std::uint8_t { kX, kY };
 constexpr std::array<Axis, 2> kBothAxes{Axis::kX, Axis::kY};
 

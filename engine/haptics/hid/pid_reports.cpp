@@ -6,8 +6,6 @@
 namespace onggi::haptics::hid {
 namespace {
 
-constexpr Usage kX = usage(0x01, 0x30);
-constexpr Usage kY = usage(0x01, 0x31);
 constexpr Usage kFirstOrdinal = usage(0x0a, 1);  // ordinals: the first and second of several like fields
 constexpr Usage kSecondOrdinal = usage(0x0a, 2);
 
@@ -71,7 +69,7 @@ Element member(const PidLayout& layout, PidUsage report, PidUsage collection, Ax
             continue;
         std::uint32_t index = 0;
         for (const UsageRange& range : field.usages) {
-            for (const Usage wanted : {is_x ? kFirstOrdinal : kSecondOrdinal, is_x ? kX : kY}) {
+            for (const Usage wanted : {is_x ? kFirstOrdinal : kSecondOrdinal, is_x ? kUsageX : kUsageY}) {
                 if (wanted < range.first || wanted > range.last) continue;
                 const std::uint32_t at = index + (wanted - range.first);
                 if (at < field.count) return {&field, at};

@@ -9,7 +9,6 @@ namespace {
 constexpr double kAboveMm = 70.0;
 constexpr double kBesideMm = 75.0;
 
-constexpr double kHollowMm = 8.0;        // deeper than this the clay counts as hollow
 constexpr double kOpensWithin = 0.35;    // of the radius, on solid clay
 constexpr double kAsksWithin = 0.62;     // of the radius: opening or a wall, the first way says
 constexpr double kTopZoneMm = 12.0;      // below the top of solid clay

@@ -10,6 +10,8 @@
 
 namespace onggi::clay::studio {
 
+constexpr double kHollowMm = 8.0;  // deeper than this the clay counts as hollow
+
 enum class Grip : std::uint8_t {
     kNone,    // the finger is off the clay
     kAsking,  // on the top of solid clay: the first millimetres say whether it opens or moves the wall

@@ -9,10 +9,6 @@
 namespace onggi::clay::studio {
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 constexpr double kSteepest = 1.4;        // |dR/dy| that the hands leave
 constexpr double kSteepestAtFoot = 0.8;  // up to a little over the floor
 constexpr double kWidestSkirt = 0.1;     // there, the other way: wider below

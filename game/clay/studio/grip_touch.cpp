@@ -19,7 +19,6 @@ constexpr double kSlowest = 0.12;
 constexpr double kStillMmS = 12.0;  // a finger slower than this lies still
 
 constexpr double kNarrowsTo = 0.7;  // of the radius at the beginning of a touch
-constexpr double kHollowMm = 8.0;
 
 double distance(const dvec2& a, const dvec2& b) {
     const dvec2 way = a - b;

@@ -10,10 +10,6 @@
 namespace onggi::clay::studio {
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 // Density times gravity, and density times (rad/s)^2 mm^2, both in kPa: 1e-6 from g/mm^3 mm^2/s^2 to N/mm^2.
 constexpr double kWeightKpaPerMm = kDensityGPerMm3 * kGravityMmS2 * 1e-6 * kKpaPerNMm2;
 constexpr double kSpinKpa = kDensityGPerMm3 * 1e-6 * kKpaPerNMm2;

@@ -9,10 +9,6 @@
 namespace onggi::clay::studio {
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 // The least that is left of the hollow of a ring.
 constexpr double kNarrowestHollowMm = 0.05;
 

@@ -15,10 +15,6 @@ constexpr double kJoinedAtMost = 0.8;     // of the height that would be split a
 constexpr double kSteepestPerWall = 0.2;  // of the wall, by which the halves of a split may differ
 constexpr double kTallestPots = 0.75;     // a pot this many times the nominal rings high still fits
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 double minmod(double a, double b) {
     if (a * b <= 0.0) return 0.0;
     return std::fabs(a) < std::fabs(b) ? a : b;

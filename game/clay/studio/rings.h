@@ -20,6 +20,11 @@ inline double ring_height_mm(double volume_mm3, double outer_mm, double inner_mm
 // Rings share a base height in blocks, so that a change below moves a few bases instead of every ring above.
 constexpr int kBlockRings = 64;
 
+// A number of a ring as an index.
+[[nodiscard]] inline std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
 // The columns of the stack. Ring 0 lies on the wheel head; [0, count) are real.
 struct Rings {
     // Precondition: capacity from 1 to 8000, sectors a power of two.
@@ -97,7 +102,7 @@ struct Rings {
     // Becomes a copy of rings of the same capacity and sectors, at the cost of what they use. No allocation.
     void copy_from(const Rings& other) noexcept;
 
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    static std::size_t at(int i) { return studio::at(i); }
 
   private:
     void shift(int from, int to);

@@ -10,10 +10,6 @@
 namespace onggi::clay::studio {
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 // Of 256; fewer sectors are wider.
 constexpr double kWindowTurns = 16.0 / 256.0;
 

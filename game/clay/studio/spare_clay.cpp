@@ -11,10 +11,6 @@ namespace {
 constexpr double kLargestGive = 0.02;  // of a ring's clay that may come or go in one step
 constexpr double kGiveReachMm = 30.0;
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 }  // namespace
 
 double thinnest_mm(const Rings& rings, double y) noexcept {

@@ -8,10 +8,6 @@
 namespace onggi::clay::studio {
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 constexpr double kSteepest = 3.0;
 constexpr float kSteepestF = 3.0F;
 

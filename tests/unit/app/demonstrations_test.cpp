@@ -1,6 +1,6 @@
 // What the wheel shows by itself: which recordings, what where one is missing, and that the kiosk's loop
 // makes of them the pots that they made when they were recorded.
-#include "game/app/demonstrations.h"
+#include "game/app/kiosk/demonstrations.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "engine/record/session_writer.h"
 #include "game/haptic/job.h"
 #include "game/haptic/start_state.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -18,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRecordings = fs::path(ONGGI_SOURCE_DIR) / "assets/demonstrations";
-const fs::path kGesture = fs::path(ONGGI_SOURCE_DIR) / "assets/gestures/attract.csv";
+const fs::path kRecordings = test::in_checkout("assets/demonstrations");
+const fs::path kGesture = test::in_checkout("assets/gestures/attract.csv");
 
 haptic::HapticState lump() {
     return haptic::HapticState(clay::StudioClay(clay::StudioLump{}));

@@ -1,4 +1,4 @@
-#include "game/app/finding.h"
+#include "game/app/command_line/finding.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
-#include "game/app/device_probes.h"
-#include "game/app/kiosk_settings.h"
-#include "game/app/system_probes.h"
+#include "game/app/command_line/device_probes.h"
+#include "game/app/command_line/system_probes.h"
+#include "game/app/kiosk/kiosk_settings.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {

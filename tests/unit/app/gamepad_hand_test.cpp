@@ -1,7 +1,9 @@
 // A gamepad at the wheel: sticks, triggers and buttons.
-#include "game/app/gamepad_hand.h"
+#include "game/app/devices/gamepad_hand.h"
 
 #include <gtest/gtest.h>
+
+#include "game/app/kiosk/kiosk_pointer.h"
 
 namespace onggi::app {
 namespace {
@@ -80,15 +82,18 @@ TEST(GamepadHand, LetsGoOfAButtonThatIsStuck) {
 
 TEST(GamepadHand, AsksOncePerPressOfAButton) {
     GamepadHand hand;
-    Gamepad pad{.buttons = Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kUp | Gamepad::kX};
+    Gamepad pad{.buttons =
+                    Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kUp | Gamepad::kRight | Gamepad::kX};
     const GamepadWish first = hand.wish(std::span(&pad, 1), kFrame);
     EXPECT_TRUE(first.fresh_lump);
-    EXPECT_TRUE(first.next_tool);
+    EXPECT_EQ(first.ring_steps, 1);
+    EXPECT_TRUE(first.takes);
     EXPECT_EQ(first.radius_steps, 1.0);
     EXPECT_EQ(first.speed_steps, 1.0);
     const GamepadWish held = hand.wish(std::span(&pad, 1), kFrame);
     EXPECT_FALSE(held.fresh_lump);
-    EXPECT_FALSE(held.next_tool);
+    EXPECT_EQ(held.ring_steps, 0);
+    EXPECT_FALSE(held.takes);
     EXPECT_EQ(held.radius_steps, 0.0);
     EXPECT_EQ(held.speed_steps, 0.0);
     pad.buttons = 0;
@@ -97,6 +102,40 @@ TEST(GamepadHand, AsksOncePerPressOfAButton) {
     EXPECT_EQ(hand.wish(std::span(&pad, 1), kFrame).radius_steps, -1.0);
     pad.buttons = Gamepad::kLeftBumper;
     EXPECT_EQ(hand.wish(std::span(&pad, 1), kFrame).speed_steps, -1.0);
+}
+
+TEST(GamepadHand, WalksToEachButtonOfTheScreenAndPressesIt) {
+    screens::Composition composition;
+    for (const kiosk::Button button : {kiosk::Button::kUndo, kiosk::Button::kDone})
+        composition.targets.push_back({.button = button});
+    KioskPointer pointer;
+    pointer.look_at(&composition, 0, false);
+    GamepadHand hand;
+    std::vector<PointerNews> news;
+    const auto presses = [&](std::uint32_t buttons) {
+        for (const std::uint32_t now : {buttons, 0U}) {
+            const Gamepad pad{.buttons = now};
+            for (const window::KeyEvent& key : keys_of(hand.wish(std::span(&pad, 1), kFrame)))
+                pointer.handle(key, 0.0, news);
+        }
+    };
+    const auto pressed = [&] {
+        std::vector<kiosk::Button> all;
+        for (const PointerNews& one : news)
+            if (one.kind == PointerNews::Kind::kPressed) all.push_back(one.button);
+        return all;
+    };
+    presses(Gamepad::kX);
+    EXPECT_TRUE(pressed().empty()) << "nothing has the ring";
+    const GamepadWish wish = wish_of({.buttons = Gamepad::kX});
+    EXPECT_TRUE(wish.is_used);
+    EXPECT_FALSE(wish.is_for_clay) << "who walks the buttons has not touched the clay";
+    presses(Gamepad::kRight);
+    presses(Gamepad::kRight);
+    presses(Gamepad::kX);
+    presses(Gamepad::kLeft);
+    presses(Gamepad::kX);
+    EXPECT_EQ(pressed(), (std::vector{kiosk::Button::kDone, kiosk::Button::kUndo}));
 }
 
 }  // namespace

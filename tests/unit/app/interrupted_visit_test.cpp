@@ -8,9 +8,9 @@
 
 #include "engine/core/list_folder.h"
 #include "engine/record/session.h"
-#include "game/app/kiosk_keeper.h"
-#include "game/app/left_over.h"
-#include "game/app/visit_journal.h"
+#include "game/app/kiosk/kiosk_keeper.h"
+#include "game/app/kiosk/left_over.h"
+#include "game/app/kiosk/visit_journal.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/haptic/studio_hand.h"

@@ -1,5 +1,5 @@
 // Snapshots as the haptic loop would give them: the last visitor's clay for some frames more, then the new.
-#include "game/app/kiosk_clay.h"
+#include "game/app/kiosk/kiosk_clay.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "engine/haptics/simulated_device.h"
-#include "game/app/performance.h"
+#include "game/app/command_line/performance.h"
 #include "game/haptic/job.h"
+#include "tests/support/places.h"
 
 namespace onggi::app {
 namespace {
@@ -103,7 +104,7 @@ TEST(KioskClay, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
 // The real clay in the real loop, on a clock of its own: a wide bowl, softened, and the wheel at the speed
 // that the kiosk's highest step asks for.
 TEST(KioskClay, SeesARealBowlSpinApartWhileItStillStandsHigh) {
-    auto loaded = load_session(ONGGI_SOURCE_DIR "/assets/demonstrations/collapse.onggi");
+    auto loaded = load_session(test::in_checkout("assets/demonstrations/collapse.onggi"));
     ASSERT_TRUE(loaded) << loaded.error().message;
     haptic::HapticState& bowl = loaded->start.state;
     record::SessionCursor hand(loaded->session);

@@ -1,5 +1,5 @@
 // The visitor's hand, before it reaches the haptic loop.
-#include "game/app/kiosk_hand.h"
+#include "game/app/kiosk/kiosk_hand.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "game/app/kiosk_pot.h"
+#include "game/app/kiosk/kiosk_pot.h"
 
 namespace onggi::app {
 namespace {

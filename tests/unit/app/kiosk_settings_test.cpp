@@ -1,5 +1,5 @@
 // What a kiosk starts with: its file, its words, the volume that the staff has set.
-#include "game/app/kiosk_settings.h"
+#include "game/app/kiosk/kiosk_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a service manager hears: on a real datagram socket, at times of a virtual clock.
-#include "game/app/service.h"
+#include "game/app/system/service.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>  // NOLINT: setenv is POSIX

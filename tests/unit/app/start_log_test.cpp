@@ -1,6 +1,6 @@
 // Three falls in ten minutes and the program starts in safe mode, at times of a virtual clock; and a file
 // that is broken costs a line, no more.
-#include "game/app/start_log.h"
+#include "game/app/system/start_log.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/glb_builder.h"
+#include "tests/support/places.h"
 #include "tests/unit/asset/sample_mesh.h"
 
 namespace onggi::asset {
@@ -83,7 +84,7 @@ TEST(GltfRead, GivesBackWhatTheWriterWrote) {
 }
 
 TEST(GltfRead, ReadsTheWorkshop) {
-    std::ifstream file(ONGGI_SOURCE_DIR "/assets/workshop/room.glb", std::ios::binary);
+    std::ifstream file(test::in_checkout("assets/workshop/room.glb"), std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     ASSERT_FALSE(text.empty());
     const auto model = decode_glb(std::as_bytes(std::span(text)), "room.glb");

@@ -6,12 +6,13 @@
 #include <string>
 
 #include "engine/asset/image.h"
+#include "tests/support/places.h"
 
 namespace onggi::asset {
 namespace {
 
 std::string bytes_of(const std::string& path) {
-    std::ifstream file(std::string(ONGGI_SOURCE_DIR) + "/" + path, std::ios::binary);
+    std::ifstream file(test::in_checkout(path), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

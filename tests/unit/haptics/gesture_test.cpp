@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "game/haptic/tools.h"
+#include "tests/support/places.h"
 
 namespace onggi::haptics {
 namespace {
@@ -220,8 +221,7 @@ TEST(GesturePlayer, ReadsTickKAtExactlyKOverTheRate) {
 
 TEST(Gesture, ReadsTheSampleGestures) {
     for (const char* name : {"vase", "touch-still", "press-and-hold"}) {
-        std::ifstream file(std::string(ONGGI_SOURCE_DIR "/assets/gestures/") + name + ".csv",
-                           std::ios::binary);
+        std::ifstream file(test::in_checkout("assets/gestures/") + name + ".csv", std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), {}};
         const auto gesture = parse_gesture(text, name, haptic::kGestureWords);
         EXPECT_TRUE(gesture) << gesture.error().message;

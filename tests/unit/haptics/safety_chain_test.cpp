@@ -1,4 +1,5 @@
 #include "engine/haptics/safety_chain.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ std::string rows_of(std::span<const SafetyStage> stages) {
 }
 
 TEST(SafetyChain, IsWrittenDownInItsOrder) {
-    std::ifstream file(ONGGI_SOURCE_DIR "/engine/haptics/SAFETY.md");
+    std::ifstream file(test::in_checkout("engine/haptics/SAFETY.md"));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_NE(text.find(rows_of(kSafetyChain)), std::string::npos) << rows_of(kSafetyChain);
     EXPECT_NE(text.find(rows_of(kMotorStages)), std::string::npos) << rows_of(kMotorStages);

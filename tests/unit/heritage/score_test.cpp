@@ -1,5 +1,6 @@
 // A score in a museum's units, and the nearest pot whatever its size.
 #include "game/heritage/score.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace onggi::heritage {
 namespace {
 
 std::vector<Target> bundled() {
-    auto targets = load_targets(std::filesystem::path(ONGGI_SOURCE_DIR) / "assets/heritage");
+    auto targets = load_targets(test::in_checkout("assets/heritage"));
     EXPECT_TRUE(targets);
     return targets ? *targets : std::vector<Target>{};
 }

@@ -1,5 +1,6 @@
 // The museum's pots: the bundled ones are sound, and a table that is not is refused with its line.
 #include "game/heritage/target.h"
+#include "tests/support/places.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace onggi::heritage {
 namespace {
 
 std::vector<Target> bundled() {
-    auto targets = load_targets(std::filesystem::path(ONGGI_SOURCE_DIR) / "assets/heritage");
+    auto targets = load_targets(test::in_checkout("assets/heritage"));
     EXPECT_TRUE(targets) << (targets ? "" : targets.error().message);
     return targets ? *targets : std::vector<Target>{};
 }

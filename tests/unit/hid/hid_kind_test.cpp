@@ -8,6 +8,7 @@
 
 #include "tests/support/hex.h"
 #include "tests/support/pid_descriptors.h"
+#include "tests/support/places.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -81,7 +82,7 @@ TEST(HidKind, SaysWhyADeviceIsRefusedAndWhatMendsIt) {
 }
 
 TEST(UdevRules, OpenEveryKnownDeviceAndNoWholeVendor) {
-    std::ifstream file(std::string(ONGGI_SOURCE_DIR) + "/assets/udev/70-onggi.rules");
+    std::ifstream file(test::in_checkout("assets/udev/70-onggi.rules"));
     ASSERT_TRUE(file) << "assets/udev/70-onggi.rules";
     std::vector<std::string> rules;
     for (std::string line; std::getline(file, line);) {

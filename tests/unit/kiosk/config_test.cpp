@@ -1,4 +1,5 @@
 #include "game/kiosk/config.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ TEST(Config, TakesWhatIsWritten) {
 }
 
 TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
-    std::ifstream file(std::string(ONGGI_SOURCE_DIR) + "/assets/kiosk.toml");
+    std::ifstream file(test::in_checkout("assets/kiosk.toml"));
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     ASSERT_FALSE(text.empty());
     const auto config = read_config(text, "assets/kiosk.toml");

@@ -28,7 +28,7 @@ Key key_of(const State& state) {
             state.throwing.target.has_value(),
             state.throwing.warning != Warning::kNone,
             state.throwing.shown.has_value(),
-            state.throwing.held};
+            state.pace.held};
 }
 
 Rules staffed() {

@@ -106,6 +106,20 @@ TEST(Kiosk, ForgetsEveryWishOfTheVisitorBefore) {
     EXPECT_EQ(visitor.all, expected);
 }
 
+TEST(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
+    Visitor visitor({.shows_by_itself = false});
+    visitor.starts_to_throw();
+    const ScreenState seen = visitor.state;
+    visitor.does(Event::Kind::kClayTouched)
+        .does(Event::Kind::kHeld, 1)
+        .waits(3.0)
+        .does(Event::Kind::kHeld, 0);
+    visitor.does(Event::Kind::kInput).waits(3.0);
+    EXPECT_TRUE(seen == visitor.state);
+    visitor.does(Event::Kind::kProgress, 1);
+    EXPECT_FALSE(seen == visitor.state);
+}
+
 TEST(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
     Visitor visitor;
     visitor.starts_to_throw();

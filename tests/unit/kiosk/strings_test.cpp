@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::kiosk {
@@ -37,7 +38,7 @@ TEST(Strings, AreAllShownOrSpokenButThoseThatTheDesignHasNoPlaceFor) {
         "a11y.scan",  // beside the ring stands the name of what it is on; the foot of the shelf is too short
     };
     std::string sources;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(ONGGI_SOURCE_DIR "/game"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test::in_checkout("game")))
         if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h")
             sources += test::content_of(entry.path());
     const auto names = [&](const std::string& key) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "shaders/shaders.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::render {
@@ -14,7 +15,7 @@ namespace {
 class EditedShaders : public testing::Test {
   protected:
     void SetUp() override {
-        for (const auto& entry : std::filesystem::directory_iterator(ONGGI_SOURCE_DIR "/shaders"))
+        for (const auto& entry : std::filesystem::directory_iterator(test::in_checkout("shaders")))
             std::filesystem::copy(entry.path(), folder_.path() / entry.path().filename());
         age(std::chrono::hours(1));
         reload_ = std::make_unique<ShaderReload>(folder_.path());

@@ -55,7 +55,6 @@ TEST(Design, KeepsEveryPairOfColoursApart) {
 }
 
 TEST(Design, HasTargetsOfTwentyMillimetres) {
-    EXPECT_GE(double{kTokenHeight * kMmPerU}, kLeastTargetMm);
     EXPECT_GE(double{kLeastTarget * kMmPerU}, kLeastTargetMm) << "the ends of a stepper";
 }
 

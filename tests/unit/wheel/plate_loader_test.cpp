@@ -8,11 +8,12 @@
 #include <thread>
 
 #include "game/wheel/workshop_scene.h"
+#include "tests/support/places.h"
 
 namespace onggi::wheel {
 namespace {
 
-const std::filesystem::path kOurs = std::filesystem::path(ONGGI_SOURCE_DIR) / "assets/workshop";
+const std::filesystem::path kOurs = test::in_checkout("assets/workshop");
 
 // Nothing while a long time goes by.
 std::optional<PlateLoader::Loaded> waited_for(PlateLoader& loader) {

@@ -7,13 +7,14 @@
 
 #include "engine/asset/gltf.h"
 #include "game/wheel/workshop_scene.h"
+#include "tests/support/places.h"
 
 namespace onggi::wheel {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kOurs = fs::path(ONGGI_SOURCE_DIR) / "assets/workshop";
+const fs::path kOurs = test::in_checkout("assets/workshop");
 
 class ARoomModel : public testing::Test {
   protected:

@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::wheel {
 namespace {
 
 TEST(ToolModels, AreAllThereRightAndLeft) {
-    const auto library = load_tool_models(ONGGI_SOURCE_DIR "/assets/tools");
+    const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
     ASSERT_EQ((*library)->size(), 2 * kToolModels);
     for (const render::MoverModel& model : **library) {
@@ -24,7 +25,7 @@ TEST(ToolModels, AreAllThereRightAndLeft) {
 }
 
 TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
-    const auto library = load_tool_models(ONGGI_SOURCE_DIR "/assets/tools");
+    const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
     for (const ToolModel tool : {ToolModel::kHandOuter, ToolModel::kHandInner, ToolModel::kRib,
                                  ToolModel::kSponge, ToolModel::kTrimmer, ToolModel::kStick}) {
@@ -43,7 +44,7 @@ TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
 }
 
 TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {
-    const auto library = load_tool_models(ONGGI_SOURCE_DIR "/assets/tools");
+    const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
     for (const render::MoverModel& model : **library) {
         for (const render::MoverMesh& mesh : model.meshes) {

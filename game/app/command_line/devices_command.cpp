@@ -1,0 +1,22 @@
+#include "game/app/command_line/devices_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <vector>
+
+#include "game/app/command_line/device_probes.h"
+#include "game/app/command_line/finding.h"
+
+namespace onggi::app {
+
+void add_devices_command(CLI::App& program, int& exit_status) {
+    CLI::App* command =
+        program.add_subcommand("devices", "List what there is to hold and feel the clay with");
+    command->callback([&exit_status] {
+        const std::vector<Finding> findings = probe_haptic_devices();
+        std::fputs(findings_as_text(findings).c_str(), stdout);
+        exit_status = 0;  // it could look; what it found is not its failure
+    });
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,127 @@
+#include "game/app/command_line/doctor_command.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/jobs/thread_setup.h"
+#include "engine/vk/physical_device.h"
+#include "game/app/command_line/device_probes.h"
+#include "game/app/command_line/finding.h"
+#include "game/app/command_line/system_probes.h"
+#include "game/app/system/haptic_core.h"
+#include "game/wheel/live_screen.h"
+
+namespace onggi::app {
+namespace {
+
+using Verdict = Finding::Verdict;
+
+// Where the quality ladder begins on this device, and how far it may go from there.
+Finding probe_quality(const vk::DeviceDescription& device) {
+    const int threads = draw_threads(jobs::choose_haptic_core());
+    const render::QualityRange range = render::quality_range(wheel::device_class(device), threads);
+    return {.subject = "picture",
+            .found = fmt::format("begins as for {}; frame times move it between {} and {}",
+                                 render::quality_name(range.first), render::quality_name(range.lowest),
+                                 render::quality_name(range.highest))};
+}
+
+std::vector<Finding> probe_vulkan() {
+    Finding none{.subject = "vulkan",
+                 .verdict = Verdict::kLacking,
+                 .cost = "no picture: no window and no --screenshot; pots can still be thrown and exported",
+                 .remedy = "apt-get install mesa-vulkan-drivers"};
+    const auto devices = vk::describe_devices();
+    if (!devices || devices->empty()) {
+        none.found = devices ? "no device" : devices.error().message;
+        return {none};
+    }
+    std::vector<Finding> findings;
+    for (const vk::DeviceDescription& device : *devices) {
+        std::string words = fmt::format("device {}: {}, {}, {} {}, Vulkan {}", device.index, device.name,
+                                        vk::type_name(device.type), device.driver, device.driver_info,
+                                        vk::version_name(device.api_version));
+        if (!device.lacks.empty()) words += ", lacks " + device.lacks;
+        if (device.chosen) words += ", chosen";
+        findings.push_back({.subject = "vulkan",
+                            .verdict = device.chosen ? Verdict::kGood : Verdict::kNote,
+                            .found = std::move(words)});
+        if (device.chosen) findings.push_back(probe_quality(device));
+    }
+    if (const auto chosen = vk::choose(*devices, vk::device_wish_of_environment()); !chosen) {
+        none.found = chosen.error().message;
+        if (chosen.error().kind == ErrorKind::kBadInput)
+            none.remedy = "set ONGGI_VULKAN_DEVICE to one of these, or unset it";
+        findings.push_back(std::move(none));
+    }
+    return findings;
+}
+
+std::vector<Finding> probe_haptic_loop() {
+    const jobs::CoreChoice choice = jobs::choose_haptic_core();
+    const jobs::RealTimeReport report = jobs::probe_real_time({.core = choice});
+    std::vector<Finding> findings;
+    if (choice.core >= 0 && !choice.shared()) {
+        findings.push_back({.subject = "cores",
+                            .found = fmt::format("the haptic loop gets core {}, everything else {}",
+                                                 choice.core, fmt::join(choice.others, ", "))});
+    }
+    for (const jobs::RealTimeLack& lack : report.lacks()) {
+        findings.push_back({.subject = "real time",
+                            .verdict = Verdict::kLacking,
+                            .found = lack.what,
+                            .cost = lack.cost,
+                            .remedy = lack.remedy});
+    }
+    if (report.nothing_refused()) {
+        findings.push_back(
+            {.subject = "real time", .found = "SCHED_FIFO, locked memory and a pinned thread"});
+    }
+    return findings;
+}
+
+int examine(const std::string& settings, bool strict) {
+    std::vector<Finding> findings;
+    const auto add = [&](std::vector<Finding> more) {
+        findings.insert(findings.end(), std::make_move_iterator(more.begin()),
+                        std::make_move_iterator(more.end()));
+    };
+    add(probe_vulkan());
+    findings.push_back(probe_display());
+    add(probe_haptic_loop());
+    add(probe_haptic_devices());
+    findings.push_back(probe_stop_keys());
+    findings.push_back(probe_sound());
+    findings.push_back(probe_workshop());
+    findings.push_back(probe_disk(std::filesystem::current_path()));
+    findings.push_back(probe_fonts(font_folders()));
+    add(probe_settings(settings));
+
+    std::fputs(findings_as_text(findings).c_str(), stdout);
+    return strict && any_lacking(findings) ? exit_code(ErrorKind::kSystemLacks) : 0;
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& program, int& exit_status) {
+    CLI::App* command = program.add_subcommand(
+        "doctor",
+        "Say what this machine has and lacks: Vulkan, real time, cores, devices, disk, display, settings");
+    const auto strict = std::make_shared<bool>(false);
+    command->add_flag("--strict", *strict, "exit with 3 where something is lacking");
+    const auto settings = std::make_shared<std::string>();
+    command
+        ->add_option("--config", *settings,
+                     fmt::format("settings of a kiosk to look at; without it those in {}", kUsualSettings))
+        ->type_name("FILE.toml");
+    command->callback([strict, settings, &exit_status] { exit_status = examine(*settings, *strict); });
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,226 @@
+#include "game/app/command_line/kiosk_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/files/asset_folder.h"
+#include "engine/haptics/simulated_device.h"
+#include "engine/jobs/clock.h"
+#include "engine/jobs/frame_pacer.h"
+#include "engine/jobs/thread_setup.h"
+#include "game/app/command_line/live_loop.h"
+#include "game/app/command_line/options.h"
+#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/haptic_guard.h"
+#include "game/app/kiosk/demonstrations.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/kiosk_sound.h"
+#include "game/app/kiosk/kiosk_visit.h"
+#include "game/app/kiosk/kiosk_voice.h"
+#include "game/app/system/end_signal.h"
+#include "game/app/system/haptic_core.h"
+#include "game/app/system/report.h"
+#include "game/app/system/restart.h"
+#include "game/app/system/service.h"
+#include "game/app/system/start_log.h"
+#include "game/haptic/job.h"
+#include "game/kiosk/spoken.h"
+#include "game/screens/legibility.h"
+#include "game/wheel/live_view.h"
+
+namespace onggi::app {
+namespace {
+
+struct KioskOptions {
+    PictureSize size;
+    bool full_screen = false;
+    std::string device = "auto";
+    std::string config;
+    std::string other_config;  // for when it cannot be read
+    std::string gallery;
+    std::optional<double> volume = {};
+};
+
+// Any number that is another one after a tick.
+std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
+    return snapshot.tick + (snapshot.run << 40U) + (snapshot.states_put << 32U);
+}
+
+// Where the recordings of spoken lines are; empty: there are none.
+std::filesystem::path spoken_folder(const kiosk::Config& config) {
+    if (!config.sound.spoken_folder.empty()) return config.sound.spoken_folder;
+    const auto found = files::find_asset("spoken");
+    return found ? *found : std::filesystem::path();
+}
+
+Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
+                        KioskSound& sound) {
+    Service service;
+    KioskVoice voice(spoken_folder(settings.config));
+    if (auto started = voice.start(); !started) remark(started.error().message);
+    jobs::MonotonicClock clock;
+    jobs::FramePacer<> pacer(clock, kFrameRateHz);
+    while (!visit.quits() && !end_was_asked()) {
+        if (job.finished()) return failed("the hand's loop has ended by itself");
+        pacer.wait();
+        const double now_s = jobs::MonotonicClock::now_s();
+        if (auto shown = visit.frame(now_s); !shown) return shown;
+        service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
+        service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
+                                visit.pots_kept()));
+        const auto language = static_cast<std::size_t>(visit.state().comfort.language);
+        voice.ask((*settings.languages)[language].code(),
+                  visit.is_closed() ? std::string_view() : kiosk::spoken_key(visit.state()));
+        sound.say(voice.line());
+        if (const std::string line = voice.news(); !line.empty()) remark("voice: " + line);
+        if (const std::string line = sound.news(); !line.empty()) remark(line);
+        pacer.finish();
+    }
+    service.ends();
+    if (end_was_asked()) remark("ending, as asked");
+    return {};
+}
+
+// How a kiosk ended.
+enum class KioskEnd { kDone, kStartAnew };
+
+Result<KioskEnd> open_kiosk(const KioskOptions& options) {
+    auto settings = load_settings(options.config, options.other_config);
+    if (!settings) return settings.error();
+    note_end_signals(settings->rules.locked);
+    if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
+    take_kept_house(*settings);
+    const jobs::CoreChoice core = leave_haptic_core();
+    StartKeeper starts(std::filesystem::path(settings->config.gallery.folder) / "state");
+    const StartReport start_report = starts.begin_now(settings->remarks);
+    auto view =
+        wheel::LiveView::open({.width = options.size.width,
+                               .height = options.size.height,
+                               .full_screen = options.full_screen || settings->config.screen.full_screen,
+                               .plain = start_report.is_safe_mode,
+                               .draw_threads = draw_threads(core),
+                               .workshop = settings->config.screen.room,
+                               .title = "Onggi"});
+    if (!view) return view.error();
+    leave_haptic_core_wholly(core);
+    for (const std::string& line : settings->remarks)
+        remark(line);
+    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
+    if (const std::string lack = screens::missing_fonts(); !lack.empty()) remark(lack);
+    for (const std::string& lack : panel_lacks(settings->config, (*view)->width(), (*view)->height()))
+        remark(lack);
+
+    const jobs::RealTimeRequest real_time{.core = core};
+    const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
+    const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
+    haptic::HapticParameters parameters;
+    parameters.set_rate_hz(tick_rate_hz(settings->config.haptics.rate_hz, is_real_time));
+    parameters.studio.forgiving = settings->config.visit.forgiving;
+    auto device = std::make_unique<haptics::SimulatedDevice>();
+    haptics::SimulatedDevice& hand = *device;
+    hand.set_target(resting_hand());
+    parameters.safety = haptics::limits_for(device->capabilities());
+    const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
+    std::vector<std::string> show_lacks;
+    const Show show = load_show({start, parameters.studio.forgiving}, show_lacks);
+    for (const std::string& line : show_lacks)
+        remark(line);
+    auto first_hand =
+        std::make_unique<DemonstrationHand>(std::move(device), show.recordings, parameters.rate_hz());
+    auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(first_hand), false);
+    if (!devices) return devices.error();
+    haptic::HapticJobOptions job_options;
+    job_options.real_time = real_time;
+    // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
+    constexpr double kMostLateS = 16.0;
+    job_options.record_capacity = static_cast<std::size_t>(kMostLateS * parameters.rate_hz());
+    haptic::HapticJob job(start, parameters, devices->take(), job_options);
+    KioskKeeper keeper(job, start, parameters, Gallery(settings->config),
+                       statistics_folder(settings->config));
+    if (auto started = job.start(); !started) return started.error();
+    if (auto started = keeper.start(); !started) return started.error();
+    keeper.note_start();
+    const StopGuard stop_guard(job);
+    for (const std::string& line : job.refusals())
+        remark(line);
+    KioskSound sound(options.volume.value_or(settings->config.sound.volume / kLoudestStep),
+                     options.volume.has_value());
+    Result<void> played;
+    KioskEnd end = KioskEnd::kDone;
+    {
+        KioskVisit visit({.view = **view,
+                          .job = job,
+                          .hand = hand,
+                          .devices = *devices,
+                          .keeper = keeper,
+                          .sound = sound,
+                          .settings = *settings,
+                          .show = show,
+                          .start = start_report,
+                          .rate_hz = parameters.rate_hz()});
+        played = visit.start();
+        if (played) played = run_visits(visit, job, *settings, sound);
+        if (visit.restarts()) end = KioskEnd::kStartAnew;
+    }
+    keeper.stop();
+    job.stop();
+    while (const auto answer = keeper.next_answer())
+        if (!answer->words.empty()) remark(answer->words);
+    // An error that ends the program counts as a fall: it is started again, and may fail again.
+    if (played) played = starts.end_now();
+    if (!played) return played.error();
+    return end;
+}
+
+// With the exit code to end with, where the process cannot be taken over.
+int begin_anew() {
+    static_cast<void>(report(start_anew()));
+    return kRestartExitCode;
+}
+
+}  // namespace
+
+void add_kiosk_command(CLI::App& program, int& exit_status) {
+    CLI::App* command =
+        program.add_subcommand("kiosk", "the experience, in a window; also what onggi does alone");
+    const auto options = std::make_shared<KioskOptions>();
+    add_size_option(*command, options->size);
+    command->add_flag("--full-screen", options->full_screen, "fill the primary screen");
+    command
+        ->add_option("--config", options->config, "settings of this kiosk (assets/kiosk.toml shows them all)")
+        ->type_name("FILE.toml");
+    command
+        ->add_option("--or-config", options->other_config,
+                     "settings to go on with where those of --config cannot be read")
+        ->type_name("FILE.toml");
+    command->add_option("--gallery", options->gallery, "where pots are saved, whatever the settings say")
+        ->type_name("FOLDER");
+    add_device_option(*command, options->device);
+    add_volume_option(*command, options->volume);
+    command->footer(
+        "In the window: V shows what the hand feels, F or F11 fills the screen, arrow keys move the hand, "
+        "Tab "
+        "and Enter\nwork the buttons, Space is a single switch, Esc leaves unless the kiosk is locked.");
+    command->callback([options, &exit_status] {
+        const bool lets_devices_push = options->device != "mouse";
+        if (lets_devices_push) {
+            if (const auto end = supervise_devices()) {
+                exit_status = *end == kRestartExitCode ? begin_anew() : *end;
+                return;
+            }
+        }
+        const auto done = open_kiosk(*options);
+        exit_status = done ? 0 : report(done.error());
+        if (!done || *done != KioskEnd::kStartAnew) return;
+        exit_status = lets_devices_push && is_supervised() ? kRestartExitCode : begin_anew();
+    });
+}
+
+}  // namespace onggi::app

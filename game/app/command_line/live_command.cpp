@@ -1,0 +1,201 @@
+#include "game/app/command_line/live_command.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "engine/core/quote.h"
+#include "engine/files/atomic_file.h"
+#include "engine/jobs/clock.h"
+#include "engine/jobs/thread_setup.h"
+#include "game/app/command_line/live_forces.h"
+#include "game/app/command_line/options.h"
+#include "game/app/command_line/performance.h"
+#include "game/app/command_line/progress.h"
+#include "game/app/command_line/stats.h"
+#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/haptic_guard.h"
+#include "game/app/kiosk/kiosk_sound.h"
+#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/system/end_signal.h"
+#include "game/app/system/haptic_core.h"
+#include "game/app/system/report.h"
+#include "game/wheel/live_view.h"
+
+namespace onggi::app {
+namespace {
+
+// A live run may last as long as a museum's season, but no shorter than a frame.
+constexpr double kLeastSeconds = 0.02;
+constexpr double kMostSeconds = 1e7;
+
+struct LiveOptions {
+    InputOptions input;
+    std::optional<double> seconds;
+    std::string wait = "hybrid";
+    std::string device = "gesture";
+    std::optional<double> volume;
+    bool headless = false;
+    bool forces = false;
+    PictureSize size;
+    std::optional<std::string> stats;
+};
+
+// A live run is watched, not played: besides closing, two keys mean something.
+Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const haptic::Snapshot& snapshot) {
+    bool stops = false;
+    for (const window::Event& event : view.poll_events()) {
+        const auto* key = std::get_if<window::KeyEvent>(&event);
+        if (key == nullptr || !key->pressed || key->repeat) continue;
+        if (key->key == window::Key::kV) forces.turn_over();
+        stops = stops || key->key == window::Key::kPause;
+    }
+    if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
+    const wheel::PotView pot = pot_view(snapshot);
+    const double now_s = jobs::MonotonicClock::now_s();
+    const auto drawn = view.draw(pot, 1.0 / kFrameRateHz, forces.look(snapshot, pot, view, now_s));
+    if (!drawn) return drawn.error();
+    if (auto done = view.wait(); !done) return done.error();
+    for (const std::string& line : view.take_remarks())
+        remark(line);
+    if (stops) return FrameOutcome::kStopped;
+    return *drawn ? FrameOutcome::kDrawn : FrameOutcome::kNotShown;
+}
+
+void say_what_is_lacking(const jobs::RealTimeReport& report) {
+    for (const jobs::RealTimeLack& lack : report.lacks()) {
+        remark(fmt::format("real time: {}; {}; to mend it, {}", lack.what, lack.cost, lack.remedy));
+    }
+}
+
+Result<void> play(const LiveOptions& options) {
+    if (options.stats) {
+        if (auto place = files::check_output_place(*options.stats); !place) return place;
+    }
+    auto performance = load_performance(options.input);
+    if (!performance) return performance.error();
+    if (performance->remark) remark(*performance->remark);
+
+    const jobs::CoreChoice core = leave_haptic_core();
+    auto view = wheel::LiveView::open({.width = options.size.width,
+                                       .height = options.size.height,
+                                       .headless = options.headless,
+                                       .paper = performance->start.state.paper() != nullptr,
+                                       .draw_threads = draw_threads(core),
+                                       .title = "Onggi"});
+    if (!view) return view.error();
+    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
+    leave_haptic_core_wholly(core);
+
+    auto devices =
+        HandDevices::make(options.device, std::make_unique<RecordedHand>(std::move(performance->hand)), true);
+    if (!devices) return devices.error();
+    const double rate_hz = performance->start.parameters.rate_hz();
+    const double seconds = options.seconds.value_or(static_cast<double>(performance->tick_count) / rate_hz);
+    Progress progress("playing", static_cast<std::uint64_t>(seconds * kFrameRateHz));
+    std::uint64_t frame = 0;
+    note_end_signals();
+    KioskSound sound(options.volume.value_or(0.0));
+    LiveForces forces(options.forces);
+    if (auto started = forces.start(); !started) return started;
+    const auto report =
+        run_live({.start = std::move(performance->start),
+                  .hand = devices->take(),
+                  .tick_count = performance->tick_count,
+                  .seconds = options.seconds,
+                  .wait = options.wait == "sleep" ? jobs::WaitMode::kSleep : jobs::WaitMode::kHybrid,
+                  .real_time = {.core = core}},
+                 [&](const haptic::Snapshot& snapshot) {
+                     progress.reached_rarely(frame++);
+                     sound.hear(snapshot);
+                     if (const std::string line = sound.news(); !line.empty()) remark(line);
+                     for (const std::string& line : devices->news())
+                         remark(line);
+                     return show(**view, forces, snapshot);
+                 });
+    if (!report) return report.error();
+    say_what_is_lacking(report->real_time);
+    if (!options.stats) return {};
+    return files::write_file_atomically(*options.stats, live_stats(*report).dump(2) + "\n");
+}
+
+std::string check_wait(const std::string& word) {
+    if (word == "hybrid" || word == "sleep") return {};
+    return fmt::format("expected hybrid or sleep, found {}", in_quotes(word));
+}
+
+nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
+    return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+nlohmann::ordered_json live_stats(const LiveReport& report) {
+    constexpr double kNsPerUs = 1e3;
+    constexpr double kNsPerMs = 1e6;
+    const bool pinned = report.real_time.pinning.grant == jobs::Grant::kGranted;
+    nlohmann::ordered_json stats =
+        common_stats(report.ticks.ticks, report.ticks.tick_ns, report.rate_hz, report.state);
+    stats["missed_deadlines"] = report.ticks.missed_deadlines();
+    stats["skipped_periods"] = report.ticks.skipped_periods;
+    stats["wake_latency_us"] = percentiles(report.ticks.wake_latency_ns, kNsPerUs);
+    stats["haptic_core"] = pinned ? report.real_time.core.core : -1;
+    stats["haptic_core_shared"] = report.real_time.core.shared();
+    stats["scheduler"] = report.real_time.scheduler();
+    stats["memory_locked"] = report.real_time.memory_lock.grant == jobs::Grant::kGranted;
+    stats["frames"] = report.frames;
+    stats["first_frame_s"] = number_or_null(report.first_frame_s);
+    stats["resident_mb"] = number_or_null(report.resident_mb);
+    stats["frame_ms"] = percentiles(report.frame_ns, kNsPerMs);
+    stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
+    stats["lumps"] = report.lumps;
+    stats["dropped_records"] = report.dropped_records;
+    stats["safety"] = {
+        {"late_periods", report.safety.late_periods}, {"gain", report.safety.gain},
+        {"faults", report.safety.fault_count},        {"silences", report.safety.silences},
+        {"energy_taken_mj", report.safety.taken_mj},  {"energy_given_mj", report.safety.given_mj},
+        {"mean_force_n", report.safety.mean_force_n}, {"largest_force_n", report.safety.largest_force_n},
+        {"most_force_n", report.most_force_n}};
+    return stats;
+}
+
+void add_live_command(CLI::App& program, int& exit_status) {
+    CLI::App* command =
+        program.add_subcommand("live", "play a gesture or session in real time, with its picture");
+    const auto options = std::make_shared<LiveOptions>();
+    add_input_file(*command, options->input);
+    add_clay_options(*command, options->input);
+    add_rate_option(*command, options->input);
+    add_number_option(*command, "--seconds", options->seconds, kLeastSeconds, kMostSeconds,
+                      "how long; past its end the gesture starts again on a fresh lump");
+    command->add_option("--wait", options->wait, "how the haptic loop waits: hybrid or sleep (hybrid)")
+        ->type_name("hybrid|sleep")
+        ->check(CLI::Validator(check_wait, ""));
+    add_device_option(*command, options->device, "gesture");
+    add_number_option(*command, "--volume", options->volume, 0.0, 1.0,
+                      "how loud the wheel is heard, 0 to 1 (0)");
+    command->add_flag("--headless", options->headless, "draw without a window or display");
+    command->add_flag("--forces", options->forces,
+                      "begin with the forces shown; in the window, V shows and hides them");
+    add_size_option(*command, options->size);
+    command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
+        ->type_name("F.json");
+    command->callback([options, &exit_status] {
+        if (options->device != "gesture") {
+            if (const auto end = supervise_devices()) {
+                exit_status = *end;
+                return;
+            }
+        }
+        const auto done = play(*options);
+        exit_status = done ? 0 : report(done.error());
+    });
+}
+
+}  // namespace onggi::app

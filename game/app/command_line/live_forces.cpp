@@ -1,0 +1,29 @@
+#include "game/app/command_line/live_forces.h"
+
+#include "game/kiosk/strings.h"
+
+namespace onggi::app {
+
+const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::PotView& pot,
+                                        const wheel::LiveView& view, double now_s) {
+    forces_.look(snapshot, now_s);
+    if (!shown_ || view.width() <= 0 || view.height() <= 0) return nullptr;
+    if (!asked_ || asked_->width_px != view.width() || asked_->height_px != view.height()) {
+        screens::View wish;
+        wish.width_px = view.width();
+        wish.height_px = view.height();
+        wish.only_forces = true;
+        wish.state.comfort.forces = true;
+        wish.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
+        asked_ = std::make_shared<const screens::View>(std::move(wish));
+        composer_.ask(asked_);
+    }
+    stage_.take(composer_.latest(), now_s);
+    const screens::ForceFrame frame = forces_.frame(snapshot, pot, sight_of(view), true);
+    overlay_.list = &stage_.draw({.now_s = now_s, .forces = &frame});
+    overlay_.uploads = stage_.uploads();
+    overlay_.atlas_side_px = stage_.atlas_side_px();
+    return &overlay_;
+}
+
+}  // namespace onggi::app

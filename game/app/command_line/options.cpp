@@ -1,0 +1,241 @@
+#include "game/app/command_line/options.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/core/quote.h"
+#include "engine/haptics/gesture.h"
+#include "game/app/devices/hand_devices.h"
+#include "game/clay/paper_clay.h"
+#include "game/clay/studio/lump.h"
+#include "game/share/studio_export.h"
+
+namespace onggi::app {
+namespace {
+
+// The sides a picture may have: below, nothing can be seen; above, no device promises a target.
+constexpr int kMinSide = 16;
+constexpr int kMaxSide = 8192;
+
+template <typename T>
+std::optional<T> number_in(std::string_view text) {
+    T number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+template <typename T>
+CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::optional<T>& number, T least,
+                         T most, const std::string& kind, const std::string& description) {
+    const auto read = [&number, name, least, most](const CLI::results_t& words) {
+        const auto found = number_in<T>(words.at(0));
+        if (!found || !(*found >= least && *found <= most)) {
+            throw CLI::ValidationError(
+                name, fmt::format("expected {} to {}, found {}", least, most, in_quotes(words.at(0))));
+        }
+        number = *found;
+        return true;
+    };
+    return command.add_option(name, read, description)->type_name(kind);
+}
+
+// An option whose value is one of a few words.
+template <typename T>
+CLI::Option* add_choice(CLI::App& command, const std::string& name,
+                        const std::vector<std::pair<std::string, T>>& words, std::function<void(T)> take,
+                        const std::string& description) {
+    std::string kind;
+    for (const auto& [word, value] : words)
+        kind += (kind.empty() ? "" : "|") + word;
+    const auto read = [words, take = std::move(take), name, kind](const CLI::results_t& given) {
+        for (const auto& [word, value] : words) {
+            if (word != given.at(0)) continue;
+            take(value);
+            return true;
+        }
+        throw CLI::ValidationError(name, fmt::format("expected {}, found {}", kind, in_quotes(given.at(0))));
+    };
+    return command.add_option(name, read, description)->type_name(kind);
+}
+
+}  // namespace
+
+std::optional<clay::ClayBody> clay_body_named(std::string_view name) {
+    for (const clay::ClayBody body :
+         {clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware}) {
+        if (share::name_of(body) == name) return body;
+    }
+    return std::nullopt;
+}
+
+CLI::Option* add_number_option(CLI::App& command, const std::string& name, std::optional<double>& number,
+                               double least, double most, const std::string& description) {
+    return add_bounded(command, name, number, least, most, "NUMBER", description);
+}
+
+void add_input_file(CLI::App& command, InputOptions& options) {
+    command.add_option("file", options.file, "a gesture (.csv) or a recorded session (.onggi)")
+        ->type_name("GESTURE.csv|SESSION.onggi")
+        ->required();
+    command.footer(
+        "A gesture is a table with the header line\n"
+        "  t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n"
+        "and rows with t_s rising from 0 to at most 3600. Position (wheel frame, y up from the wheel head, "
+        "within\n"
+        "+-1000) is linear between rows; button (0 the wheel stands, 1 it turns) and tool radius (2 to 40) "
+        "hold from\n"
+        "their row on. More columns may follow to the right; to the studio clay some of them speak. An "
+        "empty\n"
+        "field is as without the column:\n"
+        "  tool             hand, rib, sponge or trimmer\n"
+        "  side             auto, outer, inner or rim: where a hand that comes to the clay means to be\n"
+        "  water            0 dry to 1 dripping: hands that slide, a sponge that gives\n"
+        "  wheel_rev_min    0 to 300: speed while the button is 1 (120)\n"
+        "  assist_gap_mm    0 to 60: least gap to a second hand, which squeezes on the way up; 0 none\n"
+        "  shaft_mm         0 to 40: radius of the arm that holds an inside tool from above\n"
+        "  wire, wire_y_mm  none, rim (cut it level) or off (cut the pot off), and at which height\n"
+        "  hand2_x_mm, hand2_y_mm, hand2_z_mm, and if wanted hand2_radius_mm, hand2_tool: the second hand,\n"
+        "                   absent where its place is empty\n"
+        "  guided           0 or 1: x, y are a finger on the upright plane z = 0 through the axis, and two "
+        "skilled\n"
+        "                   hands follow it; 0 a ball in the clay (0)\n"
+        "  pressing         0 or 1: hands that do not press are not in the clay, wherever they are (1)\n"
+        "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.");
+}
+
+void add_rate_option(CLI::App& command, InputOptions& options) {
+    add_bounded(command, "--rate", options.rate_hz, haptics::kMinRateHz, haptics::kMaxRateHz, "HZ",
+                "ticks a second, 100 to 10000, for a gesture (1000)");
+}
+
+void add_clay_options(CLI::App& command, InputOptions& options) {
+    const auto known = [](const std::string& name) {
+        return name == "paper" || name == "studio"
+                   ? std::string{}
+                   : fmt::format("expected one of the clays there are (studio, paper), found {}",
+                                 in_quotes(name));
+    };
+    command.add_option("--clay", options.clay, "the clay's model, for a gesture: studio or paper (studio)")
+        ->type_name("NAME")
+        ->check(CLI::Validator(known, ""));
+    add_bounded(
+        command, "--elements", options.element_count, clay::kMinElements, clay::kMaxElements, "N",
+        "elements over 200 mm, 100 to 200000, for a gesture (2000); the studio clay takes the nearest "
+        "it can have, 200 to 4000");
+    add_bounded(command, "--clay-mass", options.clay_mass_g, clay::kLeastLumpG, clay::kLargestLumpG, "G",
+                "mass of a studio lump in grams, 100 to 5000, for a gesture (1000)");
+    command
+        .add_option("--body", options.body,
+                    "body of a studio lump, for a gesture: stoneware, porcelain or earthenware (stoneware)")
+        ->type_name("NAME")
+        ->check(CLI::Validator(
+            [](const std::string& name) {
+                return clay_body_named(name) ? std::string{}
+                                             : fmt::format(
+                                                   "expected stoneware, porcelain or earthenware, "
+                                                   "found {}",
+                                                   in_quotes(name));
+            },
+            ""));
+    const auto known_wheel = [](const std::string& name) {
+        return name == "electric" || name == "kick"
+                   ? std::string{}
+                   : fmt::format("expected one of the wheels there are (electric, kick), found {}",
+                                 in_quotes(name));
+    };
+    command.add_option("--wheel", options.wheel, "under the studio clay: electric or kick (electric)")
+        ->type_name("NAME")
+        ->check(CLI::Validator(known_wheel, ""));
+    command.add_flag("--forgiving", options.forgiving,
+                     "the wheel slows by itself before the studio clay gives way");
+}
+
+void add_start_pot_options(CLI::App& command, StartPot& options) {
+    CLI::Option* on =
+        command.add_option("--on", options.on, "throw a gesture on the pot that this session left")
+            ->type_name("SESSION.onggi");
+    CLI::Option* join = command
+                            .add_option("--join", options.joined,
+                                        "turn the pot that this session left upside down and join it to "
+                                        "that one, rim to rim; its floor is cut out")
+                            ->type_name("SESSION.onggi")
+                            ->needs(on);
+    constexpr double kWidestMouthMm = 290.0;
+    add_number_option(command, "--mouth", options.mouth_mm, 1.0, kWidestMouthMm,
+                      "cut the joined pot open this wide inside, mm (as wide as its floor was)")
+        ->needs(join);
+}
+
+void add_firing_option(CLI::App& command, clay::Firing& stage) {
+    std::vector<std::pair<std::string, clay::Firing>> stages;
+    for (const clay::Firing known :
+         {clay::Firing::kWet, clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze})
+        stages.emplace_back(share::name_of(known), known);
+    add_choice<clay::Firing>(
+        command, "--fired", stages, [&stage](clay::Firing chosen) { stage = chosen; },
+        "the stage that --export and --screenshot show: wet, dry, bisque or glaze (wet)");
+}
+
+CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
+    const auto read = [&size](const CLI::results_t& words) {
+        const std::string_view text = words.at(0);
+        const std::size_t cross = std::min(text.find('x'), text.size());
+        const auto width = number_in<int>(text.substr(0, cross));
+        const auto height = number_in<int>(text.substr(std::min(cross + 1, text.size())));
+        const auto fits = [](const std::optional<int>& side) {
+            return side && *side >= kMinSide && *side <= kMaxSide;
+        };
+        if (!fits(width) || !fits(height)) {
+            throw CLI::ValidationError("--size", fmt::format("expected WIDTHxHEIGHT, each {} to {}, found {}",
+                                                             kMinSide, kMaxSide, in_quotes(text)));
+        }
+        size = {*width, *height};
+        return true;
+    };
+    return command.add_option("--size", read, "the picture's size in pixels (1280x720)")->type_name("WxH");
+}
+
+void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* picture) {
+    add_choice<wheel::StillView>(
+        command, "--view",
+        {{"throw", wheel::StillView::kThrowing},
+         {"look-in", wheel::StillView::kLookingIn},
+         {"portrait", wheel::StillView::kPortrait},
+         {"cutaway", wheel::StillView::kCutaway}},
+        [&view](wheel::StillView chosen) { view = chosen; },
+        "what the picture shows: pot and hands, into the pot, the pot alone, its section")
+        ->needs(picture);
+}
+
+void add_volume_option(CLI::App& command, std::optional<double>& volume) {
+    add_number_option(command, "--volume", volume, 0.0, 1.0,
+                      "how loud the wheel is heard, 0 to 1; 0 opens no sound device (0.5)");
+}
+
+CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first) {
+    const auto known = [first](const std::string& given) -> std::string {
+        if (given == first || names_a_device(given)) return {};
+        return fmt::format(
+            "expected auto, {}, spacemouse, dualsense, joystick, inverse3, /dev/hidrawN or VENDOR:PRODUCT, "
+            "found {}",
+            first, in_quotes(given));
+    };
+    return command
+        .add_option(
+            "--device", word,
+            fmt::format("what holds the tool: auto (whatever is plugged in, now or later), {} alone, "
+                        "spacemouse, dualsense, joystick, inverse3, /dev/hidrawN or VENDOR:PRODUCT ({})",
+                        first, word))
+        ->type_name("DEVICE")
+        ->check(CLI::Validator(known, ""));
+}
+
+}  // namespace onggi::app

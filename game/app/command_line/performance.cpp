@@ -1,0 +1,153 @@
+#include "game/app/command_line/performance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/core/quote.h"
+#include "engine/files/read_file.h"
+#include "engine/haptics/gesture.h"
+#include "game/app/command_line/start_pot.h"
+#include "game/haptic/tools.h"
+
+namespace onggi::app {
+namespace {
+
+// Enough of a file to tell its kind, and to refuse one that is neither.
+constexpr std::size_t kStartBytes = haptics::kMaxGestureLineBytes + 2;
+
+Result<void> check_brings_its_own(const InputOptions& options) {
+    const auto refused = [&](std::string_view option) {
+        return bad_input(fmt::format("{}: a session brings its own rate, clay and elements: expected no {}",
+                                     shown_path(options.file), option));
+    };
+    if (options.rate_hz) return refused("--rate");
+    if (options.clay) return refused("--clay");
+    if (options.element_count) return refused("--elements");
+    if (options.clay_mass_g) return refused("--clay-mass");
+    if (options.body) return refused("--body");
+    if (options.start.on) return refused("--on");
+    if (options.wheel) return refused("--wheel");
+    if (options.forgiving) return refused("--forgiving");
+    return {};
+}
+
+std::string clay_of(const record::SessionHeader& header) {
+    return fmt::format("{} clay of {} elements and {} sectors",
+                       header.tool_detail == record::ToolDetail::kPlain ? "paper" : "studio",
+                       header.element_count, header.sector_count);
+}
+
+Result<LoadedSession> session_in_file(const std::string& file) {
+    auto bytes = files::read_file(file, record::kMaxSessionBytes);
+    if (!bytes) return bytes.error();
+    auto session = record::parse_session(std::move(bytes).value(), file);
+    if (!session) return session.error();
+    const record::SessionHeader& header = session->header();
+    auto start = haptic::start_from_bytes(session->start_state(), header.rate_hz);
+    if (!start) {
+        return Error{start.error().kind, fmt::format("{}: {}", shown_path(file), start.error().message)};
+    }
+    record::SessionHeader of_start = haptic::session_header(*start);
+    of_start.start_state_hash = header.start_state_hash;  // a replay compares that one
+    if (of_start != header) {
+        return bad_input(fmt::format("{}: expected {} as the header says, found {} in the start state",
+                                     shown_path(file), clay_of(header), clay_of(of_start)));
+    }
+    return LoadedSession{std::move(session).value(), std::move(start).value()};
+}
+
+Result<Performance> performance_of_session(const InputOptions& options) {
+    if (auto own = check_brings_its_own(options); !own) return own.error();
+    auto loaded = session_in_file(options.file);
+    if (!loaded) return loaded.error();
+    Performance performance;
+    performance.start = std::move(loaded->start);
+    performance.tick_count = loaded->session.tick_count();
+    performance.remark = remark_on_cut(loaded->session, options.file);
+    performance.hand = std::make_unique<record::SessionPlayer>(std::move(loaded->session));
+    return performance;
+}
+
+Result<Performance> performance_of_gesture(const InputOptions& options) {
+    auto text = files::read_file(options.file, haptics::kMaxGestureBytes);
+    if (!text) return text.error();
+    auto gesture = haptics::parse_gesture(*text, options.file, haptic::kGestureWords);
+    if (!gesture) return gesture.error();
+    auto start = fresh_start(options);
+    if (!start) return start.error();
+    Performance performance;
+    performance.start = std::move(start).value();
+    const double rate_hz = performance.start.parameters.rate_hz();
+    performance.tick_count = gesture->tick_count(rate_hz);
+    performance.hand = std::make_unique<haptics::GesturePlayer>(std::move(gesture).value(), rate_hz);
+    return performance;
+}
+
+}  // namespace
+
+Result<haptic::Start> fresh_start(const InputOptions& options) {
+    haptic::Start start;
+    start.parameters.set_rate_hz(options.rate_hz.value_or(start.parameters.rate_hz()));
+    if (options.clay == "paper") {
+        const auto refused = [](std::string_view option) {
+            return bad_input(fmt::format("{}: expected the studio clay, found --clay paper", option));
+        };
+        if (options.clay_mass_g) return refused("--clay-mass");
+        if (options.wheel) return refused("--wheel");
+        if (options.forgiving) return refused("--forgiving");
+        if (options.body) return refused("--body");
+        if (options.start.on) return refused("--on");
+        const clay::PaperLump usual;
+        start.state = haptic::HapticState(
+            clay::PaperClay({.element_count = options.element_count.value_or(usual.element_count)}));
+        return start;
+    }
+    if (options.wheel == "kick") start.parameters.studio.wheel = clay::studio::kick_wheel();
+    start.parameters.studio.forgiving = options.forgiving;
+    if (options.start.on && (options.clay_mass_g || options.body || options.element_count))
+        return bad_input("--on: expected no --clay-mass, --body or --elements: the pot brings its own");
+    auto pot = start_pot(options.start);
+    if (!pot) return pot.error();
+    if (*pot) {
+        start.state = haptic::HapticState(std::move(**pot));
+        return start;
+    }
+    clay::StudioLump lump;
+    lump.mass_g = options.clay_mass_g.value_or(lump.mass_g);
+    if (options.body) lump.body = clay_body_named(*options.body).value_or(lump.body);
+    lump.rings = std::clamp(options.element_count.value_or(lump.rings), clay::kFewestRings, clay::kMostRings);
+    start.state = haptic::HapticState(clay::StudioClay(lump));
+    return start;
+}
+
+Result<Performance> load_performance(const InputOptions& options) {
+    const auto start = files::read_file_start(options.file, kStartBytes);
+    if (!start) return start.error();
+    if (record::opens_a_session(*start)) return performance_of_session(options);
+    // A gigabyte of something else is refused by its first line, unread.
+    if (auto gesture = haptics::check_gesture_start(*start, options.file, haptic::kGestureWords); !gesture)
+        return gesture.error();
+    return performance_of_gesture(options);
+}
+
+Result<LoadedSession> load_session(const std::string& file) {
+    const auto start = files::read_file_start(file, record::kMagic.size());
+    if (!start) return start.error();
+    if (!record::opens_a_session(*start)) {
+        // The parser says it in its own words, and needs no more of the file for it.
+        return record::parse_session(*start, file).error();
+    }
+    return session_in_file(file);
+}
+
+std::optional<std::string> remark_on_cut(const record::Session& session, const std::string& file) {
+    if (session.is_complete()) return std::nullopt;
+    return fmt::format(
+        "{}: cut short: expected the end marker, found the end of the file at byte {}; plays {} "
+        "ticks, up to the last whole block at byte {}",
+        shown_path(file), session.file_bytes(), session.tick_count(), session.usable_bytes());
+}
+
+}  // namespace onggi::app

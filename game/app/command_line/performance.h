@@ -1,0 +1,44 @@
+// A performance: a start, a hand and how long it plays, from a gesture or a session. What `throw`, `live`
+// and `replay` have in common. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/core/result.h"
+#include "engine/haptics/haptic_device.h"
+#include "engine/record/session.h"
+#include "game/app/command_line/options.h"
+#include "game/haptic/start_state.h"
+
+namespace onggi::app {
+
+struct Performance {
+    haptic::Start start;
+    std::uint64_t tick_count = 0;
+    std::unique_ptr<haptics::HapticDevice> hand;
+    std::optional<std::string> remark;  // for the user: that a session was cut short
+};
+
+// The file's performance. Whether it is a gesture or a session is seen by its first bytes, not by its name.
+// Bad input: what the parsers refuse; a rate or a clay given with a session, which brings its own.
+[[nodiscard]] Result<Performance> load_performance(const InputOptions& options);
+
+// The lump and the parameters that these options ask for, whatever their file. Bad input: an option that the
+// clay does not have.
+[[nodiscard]] Result<haptic::Start> fresh_start(const InputOptions& options);
+
+// A session and its start, for a replay that compares.
+struct LoadedSession {
+    record::Session session;
+    haptic::Start start;
+};
+[[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
+
+// "FILE: cut short ..." for a session that does not end with its end marker.
+[[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
+                                                       const std::string& file);
+
+}  // namespace onggi::app

@@ -1,0 +1,89 @@
+#include "game/app/command_line/stats.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <variant>
+
+#include "game/clay/studio/pot.h"
+#include "game/share/studio_export.h"
+
+namespace onggi::app {
+
+nlohmann::ordered_json percentiles(const jobs::Histogram& histogram, double unit) {
+    const auto of = [&](double share) { return static_cast<double>(histogram.percentile(share)) / unit; };
+    return {{"p50", of(0.5)},
+            {"p99", of(0.99)},
+            {"p999", of(0.999)},
+            {"max", static_cast<double>(histogram.max()) / unit}};
+}
+
+namespace {
+
+nlohmann::ordered_json ledger_error(const haptic::HapticState& state) {
+    const clay::StudioClay* studio = state.studio();
+    if (studio == nullptr) return nullptr;
+    return studio->ledger_error_mm3() / studio->ledger().lump_mm3;
+}
+
+std::string_view name_of(clay::studio::Cause cause) {
+    switch (cause) {
+        case clay::studio::Cause::kNone:
+            return "none";
+        case clay::studio::Cause::kWeight:
+            return "weight";
+        case clay::studio::Cause::kSpin:
+            return "spin";
+        case clay::studio::Cause::kOverhang:
+            return "overhang";
+        case clay::studio::Cause::kTwist:
+            return "twist";
+    }
+    return "none";
+}
+
+// The pot's measures at a stage, as an export's extras have them: lengths, capacity, mass, walls, ledger.
+nlohmann::ordered_json pot_json(const clay::StudioClay& clay, clay::Firing stage) {
+    nlohmann::ordered_json pot;
+    // clang 14 takes no structured binding into a lambda.
+    for (const auto& extra : share::pot_extras(clay, stage))
+        std::visit([&](const auto& one) { pot[extra.first] = one; }, extra.second);
+    return pot;
+}
+
+// What the studio's clay knows of itself; the failure is a sentence, or null while it stands.
+void add_studio_stats(nlohmann::ordered_json& stats, const clay::StudioClay& clay) {
+    const auto pot = clay::measure_pot(clay.rings(), clay.lump().body);
+    stats["mass_g"] = pot.mass_g;
+    stats["height_mm"] = pot.height_mm;
+    stats["max_diameter_mm"] = pot.widest_mm;
+    stats["floor_mm"] = pot.floor_mm;
+    stats["thinnest_wall_mm"] = pot.thinnest_wall_mm;
+    stats["thickest_wall_mm"] = pot.thickest_wall_mm;
+    stats["capacity_ml"] = pot.capacity_ml;
+    stats["trimmings_mm3"] = clay.ledger().trimmings_mm3;
+    stats["slip_mm3"] = clay.ledger().slip_mm3;
+    stats["rings"] = clay.ring_count();
+    stats["cut_off"] = clay.is_cut_off();
+    stats["load_index"] = clay.load_index();
+    stats["load_height_mm"] = clay.load_height_mm();
+    stats["load_cause"] = name_of(clay.load_cause());
+    stats["wet"] = pot_json(clay, clay::Firing::kWet);
+    stats["fired"] = pot_json(clay, clay::Firing::kGlaze);
+    stats["failure"] = nullptr;
+    if (clay.failure().cause != clay::studio::Cause::kNone) stats["failure"] = clay::sentence(clay.failure());
+}
+
+}  // namespace
+
+nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& tick_ns, double rate_hz,
+                                    const haptic::HapticState& state) {
+    nlohmann::ordered_json stats{{"ticks", ticks},
+                                 {"tick_ns", percentiles(tick_ns)},
+                                 {"rate_hz", rate_hz},
+                                 {"clay_volume_mm3", state.volume_mm3()},
+                                 {"ledger_error", ledger_error(state)}};
+    if (const clay::StudioClay* studio = state.studio()) add_studio_stats(stats, *studio);
+    return stats;
+}
+
+}  // namespace onggi::app

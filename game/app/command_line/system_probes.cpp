@@ -1,0 +1,191 @@
+#include "game/app/command_line/system_probes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "engine/core/list_folder.h"
+#include "engine/files/asset_folder.h"
+#include "engine/window/window.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/wheel/workshop_files.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Verdict = Finding::Verdict;
+
+constexpr double kBytesPerGb = 1e9;
+constexpr double kMb = 1e6;
+constexpr double kEnoughDiskGb = 2.0;
+
+struct FontFamily {
+    std::string_view name;
+    std::string_view file_prefix;
+    std::string_view package;
+};
+constexpr std::array<FontFamily, 4> kFontFamilies{{
+    {"NanumSquareRound", "NanumSquareRound", "fonts-nanum"},
+    {"NanumMyeongjo", "NanumMyeongjo", "fonts-nanum"},
+    {"Noto Sans Arabic", "NotoSansArabic", "fonts-noto-core"},
+    {"Noto Naskh Arabic", "NotoNaskhArabic", "fonts-noto-core"},
+}};
+
+void add_file_names_below(const fs::path& folder, std::set<std::string>& names) {
+    std::error_code ignored;
+    for (const fs::path& entry : list_folder(folder).entries) {
+        names.insert(entry.filename().string());
+        if (fs::is_directory(fs::symlink_status(entry, ignored))) add_file_names_below(entry, names);
+    }
+}
+
+std::string words_of(const kiosk::Config& config) {
+    std::string words = fmt::format("visits begin in {}, of {}; {} clay", config.languages.first,
+                                    fmt::join(config.languages.order, ", "),
+                                    config.visit.forgiving ? "forgiving" : "unforgiving");
+    words += config.staff.pin.empty() ? "; no staff panel, for want of a PIN" : "; a PIN for the staff";
+    if (config.staff.locked) words += "; locked";
+    if (config.hours.opens_min != config.hours.closes_min)
+        words += fmt::format("; open {:02}:{:02} to {:02}:{:02}", config.hours.opens_min / 60,
+                             config.hours.opens_min % 60, config.hours.closes_min / 60,
+                             config.hours.closes_min % 60);
+    return words;
+}
+
+// A gallery that is not there yet will be made in the folder that is.
+Finding probe_gallery(const kiosk::Config& config) {
+    std::error_code error;
+    fs::path there = fs::absolute(config.gallery.folder, error);
+    while (!fs::exists(there, error) && there.has_relative_path())
+        there = there.parent_path();
+    const fs::space_info space = fs::space(there, error);
+    const double free_mb = error ? 0.0 : static_cast<double>(space.available) / kMb;
+    Finding finding{.subject = "gallery",
+                    .found = fmt::format("{:.0f} MB free for pots in {}", free_mb, config.gallery.folder)};
+    if (free_mb >= config.gallery.least_free_mb) return finding;
+    finding.verdict = Verdict::kLacking;
+    finding.found += fmt::format(", the settings ask for {:.0f}", config.gallery.least_free_mb);
+    finding.cost = "no pot is kept; visitors are told that the shelf is full";
+    finding.remedy = "free some space, or name another gallery.folder in the settings";
+    return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> probe_settings(const std::string& file, const std::string& usual) {
+    std::error_code error;
+    if (file.empty() && !fs::exists(usual, error)) {
+        return {{.subject = "settings",
+                 .verdict = Verdict::kNote,
+                 .found = fmt::format(
+                     "none in {}: the kiosk begins with its own unless --config names others", usual)}};
+    }
+    const std::string& read = file.empty() ? usual : file;
+    const auto settings = load_settings(read);
+    if (!settings) {
+        return {
+            {.subject = "settings",
+             .verdict = Verdict::kLacking,
+             .found = settings.error().message,
+             .cost =
+                 "the kiosk does not start with them; with --or-config it goes on with others and says so",
+             .remedy = "mend what the line names; assets/kiosk.toml shows every setting"}};
+    }
+    std::vector<Finding> findings{
+        {.subject = "settings", .found = fmt::format("{}: {}", read, words_of(settings->config))}};
+    for (const std::string& remark : settings->remarks)
+        findings.push_back({.subject = "settings", .verdict = Verdict::kNote, .found = remark});
+    findings.push_back(probe_gallery(settings->config));
+    return findings;
+}
+
+Finding probe_display() {
+    const std::string obstacle = window::why_no_display();
+    if (obstacle.empty()) return {.subject = "display", .found = "a window can be opened"};
+    return {.subject = "display",
+            .verdict = Verdict::kLacking,
+            .found = obstacle,
+            .cost = "no window: pots are thrown from gestures only (onggi throw)",
+            .remedy = "start from a desktop session, or set DISPLAY to a running X server"};
+}
+
+Finding probe_workshop() {
+    const Finding lacking{
+        .subject = "workshop",
+        .verdict = Verdict::kLacking,
+        .cost = "the wheel stands before a plain wall instead of in its workshop",
+        .remedy = "install the program with its share/onggi folder, or name one by ONGGI_ASSETS"};
+    const auto without = [&](const std::string& why) {
+        Finding finding = lacking;
+        finding.found = why;
+        return finding;
+    };
+    const auto folder = files::find_asset("workshop");
+    if (!folder) return without(folder.error().message);
+    const auto workshop = wheel::load_workshop(*folder);
+    if (!workshop) return without(workshop.error().message);
+    for (const wheel::PlateCamera& camera : workshop->cameras) {
+        const auto plate = wheel::load_plate(*workshop, camera);
+        if (!plate) return without(plate.error().message);
+    }
+    return {.subject = "workshop",
+            .found = fmt::format("{} cameras with their plates in {}", workshop->cameras.size(),
+                                 folder->string())};
+}
+
+Finding probe_disk(const fs::path& folder) {
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    if (error) {
+        return {.subject = "disk",
+                .verdict = Verdict::kLacking,
+                .found = fmt::format("{}: {}", folder.string(), error.message()),
+                .cost = "pots and sessions cannot be kept there",
+                .remedy = "start onggi in a folder that can be written"};
+    }
+    const double free_gb = static_cast<double>(space.available) / kBytesPerGb;
+    const std::string found = fmt::format("{:.1f} GB free in {}", free_gb, folder.string());
+    if (free_gb >= kEnoughDiskGb) return {.subject = "disk", .found = found};
+    return {.subject = "disk",
+            .verdict = Verdict::kLacking,
+            .found = found,
+            .cost = fmt::format(
+                "below {:.0f} GB a day's sessions may not fit; exports then fail with exit code 3",
+                kEnoughDiskGb),
+            .remedy = "free some space, or start onggi in a folder on a larger disk"};
+}
+
+std::vector<fs::path> font_folders() {
+    std::vector<fs::path> folders{"/usr/share/fonts", "/usr/local/share/fonts"};
+    if (const char* home = std::getenv("HOME")) folders.push_back(fs::path(home) / ".local/share/fonts");
+    return folders;
+}
+
+Finding probe_fonts(const std::vector<fs::path>& folders) {
+    std::set<std::string> names;
+    for (const fs::path& folder : folders)
+        add_file_names_below(folder, names);
+    std::set<std::string> missing;
+    std::set<std::string> packages;
+    for (const FontFamily& family : kFontFamilies) {
+        const auto first = names.lower_bound(std::string(family.file_prefix));
+        if (first != names.end() && first->starts_with(family.file_prefix)) continue;
+        missing.insert(std::string(family.name));
+        packages.insert(std::string(family.package));
+    }
+    if (missing.empty()) return {.subject = "fonts", .found = "all families of the visitor's screens"};
+    return {
+        .subject = "fonts",
+        .verdict = Verdict::kLacking,
+        .found = fmt::format("without {}", fmt::join(missing, ", ")),
+        .cost = "the kiosk's words are set in other fonts, or are empty boxes where none has their letters",
+        .remedy = fmt::format("apt-get install {}", fmt::join(packages, " "))};
+}
+
+}  // namespace onggi::app

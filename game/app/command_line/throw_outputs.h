@@ -1,0 +1,76 @@
+// What `onggi throw` leaves behind: each file whole or not at all, and none if any of them fails.
+// Main thread; blocks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/files/atomic_file.h"
+#include "engine/jobs/histogram.h"
+#include "engine/record/session_writer.h"
+#include "game/app/command_line/options.h"
+#include "game/app/command_line/target_choice.h"
+#include "game/clay/studio/pot.h"
+#include "game/haptic/start_state.h"
+#include "game/share/export.h"
+
+namespace onggi::app {
+
+struct ThrowOutputs {
+    std::optional<std::string> profile;     // .csv
+    std::optional<std::string> forces;      // .csv
+    std::optional<std::string> model;       // .glb, .stl
+    std::optional<std::string> screenshot;  // .png
+    std::optional<std::string> session;     // .onggi
+    std::optional<std::string> stats;       // .json
+    PictureSize size;
+    wheel::StillView view = wheel::StillView::kThrowing;  // that the screenshot shows
+    bool beauty = false;                                  // the screenshot as the mean of many
+    clay::Firing stage = clay::Firing::kWet;              // that model and screenshot show
+    std::optional<TargetChoice> target;                   // to score the pot beside
+};
+
+// Before the work: whether every output has an ending that can be written and a place of its own where it can
+// be written.
+[[nodiscard]] Result<void> check_outputs(const ThrowOutputs& outputs);
+
+// The pot on the wheel as a file of that kind, whichever clay it is of; the stage is the studio clay's.
+[[nodiscard]] Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state,
+                                                         share::ExportKind kind,
+                                                         clay::Firing stage = clay::Firing::kWet);
+
+// Takes the ticks as they come, and writes everything at the end.
+class OutputWriter {
+  public:
+    // Opens what is written while the pot is thrown.
+    [[nodiscard]] static Result<OutputWriter> create(const ThrowOutputs& outputs, const haptic::Start& start);
+
+    // `state` is the one after the tick.
+    Result<void> add_tick(const haptic::HapticState& state, const haptic::TickResult& result);
+    // Everything is made and synced before the first file takes its place. Gives what is to be said of the
+    // pot: its score, where a target was chosen.
+    Result<std::string> finish(const haptic::HapticState& state, const haptic::TickResult& last,
+                               const jobs::Histogram& tick_ns);
+
+  private:
+    OutputWriter(const ThrowOutputs& outputs, const haptic::HapticParameters& parameters)
+        : outputs_(outputs),
+          parameters_(parameters) {}
+    Result<void> prepare(const std::string& place, Result<std::vector<std::byte>> bytes);
+    Result<void> prepare_text(const std::string& place, std::string_view text);
+
+    ThrowOutputs outputs_;
+    haptic::HapticParameters parameters_;
+    std::uint64_t tick_ = 0;
+    std::string row_;
+    std::optional<files::AtomicFile> forces_;
+    std::optional<record::SessionWriter> session_;
+    std::vector<files::AtomicFile> prepared_;
+};
+
+}  // namespace onggi::app

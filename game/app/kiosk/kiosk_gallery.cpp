@@ -1,0 +1,171 @@
+#include "game/app/kiosk/kiosk_gallery.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <utility>
+
+#include "engine/asset/image.h"
+#include "engine/core/list_folder.h"
+#include "engine/files/atomic_file.h"
+#include "engine/files/atomic_folder.h"
+#include "game/share/studio_export.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBytesPerMb = 1e6;
+
+// The number in "pot-014"; 0 for any other name.
+int number_of(const std::string& name) {
+    constexpr std::string_view kPrefix = "pot-";
+    int number = 0;
+    if (!name.starts_with(kPrefix)) return 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + kPrefix.size(), end, number);
+    return read.ec == std::errc() && read.ptr == end ? number : 0;
+}
+
+asset::Material gltf_material(const finish::GlazeMaterial& glaze) {
+    return {.name = std::string(glaze.id),
+            .base_colour_linear = dvec3(glaze.colour),
+            .roughness = double{glaze.roughness},
+            .metallic = 0.0,
+            .clearcoat = {.factor = double{glaze.clear_coat}, .roughness = double{glaze.coat_roughness}}};
+}
+
+asset::Image straight(ui::Painting painting) {
+    asset::Image image{.width = painting.width, .height = painting.height, .rgba = std::move(painting.rgba)};
+    for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+        const unsigned alpha = image.rgba[at + 3];
+        for (std::size_t channel = 0; alpha > 0 && channel < 3; ++channel) {
+            const unsigned value = image.rgba[at + channel] * 255U / alpha;
+            image.rgba[at + channel] = static_cast<std::uint8_t>(std::min(255U, value));
+        }
+    }
+    return image;
+}
+
+}  // namespace
+
+std::string today() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
+}
+
+Gallery::Gallery(const kiosk::Config& config)
+    : folder_(config.gallery.folder),
+      most_pots_(config.gallery.most_pots),
+      least_free_mb_(config.gallery.least_free_mb) {
+    files::clear_parts(folder_);
+}
+
+double Gallery::free_mb() const {
+    std::error_code error;
+    const fs::space_info space = fs::space(fs::exists(folder_, error) ? folder_ : fs::path("."), error);
+    return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
+}
+
+std::vector<KeptPot> Gallery::pots(std::string* trouble) const {
+    std::vector<KeptPot> found;
+    const auto entries_of = [&](const fs::path& folder) {
+        FolderListing listing = list_folder(folder);
+        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(folder, listing);
+        return std::move(listing.entries);
+    };
+    std::error_code ignored;
+    for (const fs::path& day : entries_of(folder_)) {
+        if (!fs::is_directory(day, ignored)) continue;
+        for (const fs::path& pot : entries_of(day)) {
+            if (number_of(pot.filename().string()) == 0) continue;
+            found.push_back({pot, (day.filename() / pot.filename()).string()});
+        }
+    }
+    // By day, then by number: the thousandth pot of a day comes after the last with three digits.
+    const auto age = [](const KeptPot& pot) {
+        return std::pair(pot.folder.parent_path().filename().string(),
+                         number_of(pot.folder.filename().string()));
+    };
+    std::sort(found.begin(), found.end(),
+              [&](const KeptPot& a, const KeptPot& b) { return age(a) > age(b); });
+    return found;
+}
+
+Result<void> Gallery::remove(const KeptPot& pot) {
+    // Out of the gallery first and at once: a power cut in between must not leave half a pot.
+    fs::path part = pot.folder;
+    part += ".part";
+    std::error_code error;
+    fs::rename(pot.folder, part, error);
+    if (!error) fs::remove_all(part, error);
+    if (error)
+        return system_lacks(
+            fmt::format("{}: expected to remove it, found {}", pot.folder.string(), error.message()));
+    return {};
+}
+
+// The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
+void Gallery::make_room(const fs::path& newcomer) {
+    std::string trouble;
+    std::vector<KeptPot> all = pots(&trouble);
+    if (!trouble.empty()) return;  // nobody knows which are the oldest
+    std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
+    while (all.size() >= static_cast<std::size_t>(most_pots_)) {
+        static_cast<void>(remove(all.back()));
+        all.pop_back();
+    }
+}
+
+Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
+    std::error_code error;
+    fs::create_directories(folder_ / today, error);
+    if (error)
+        return system_lacks(fmt::format("{}: expected a folder to save in, found none: {}",
+                                        (folder_ / today).string(), error.message()));
+    if (const double free = free_mb(); free < least_free_mb_) {
+        return system_lacks(
+            fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
+    }
+    int number = 1;
+    for (const fs::path& entry : list_folder(folder_ / today).entries)
+        number = std::max(number, number_of(entry.filename().string()) + 1);
+    const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
+    // A disk that fails may not have told of them all.
+    while (fs::exists(place_of(), error))
+        ++number;
+
+    const fs::path place = place_of();
+    auto folder = files::AtomicFolder::create(place);
+    if (!folder) return folder.error();
+    const fs::path session = folder->inside() / "pot.onggi";
+    const auto saved =
+        pot.history->is_whole() ? pot.history->save(session) : pot.history->save_outcome(session);
+    if (!saved) return saved.error();
+    const auto write = [&](const char* name, const Result<std::vector<std::byte>>& bytes) -> Result<void> {
+        if (!bytes) return bytes.error();
+        return files::write_file_atomically(folder->inside() / name, *bytes);
+    };
+    // First, so that its pixels are gone before the solids are made.
+    if (auto written = write("pot.png", asset::encode_png(straight(std::move(pot.portrait)))); !written)
+        return written.error();
+    const asset::Material material = gltf_material(*pot.glaze);
+    if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,
+                                                          share::ExportKind::kGlb, &material));
+        !written)
+        return written.error();
+    if (auto written =
+            write("pot.stl", share::export_pot(*pot.clay, clay::Firing::kGlaze, share::ExportKind::kStl));
+        !written)
+        return written.error();
+    if (auto done = folder->commit(); !done) return done.error();
+    make_room(place);  // not before: a pot that cannot be kept costs no other its place
+    return number;
+}
+
+}  // namespace onggi::app

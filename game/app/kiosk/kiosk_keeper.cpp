@@ -1,0 +1,289 @@
+#include "game/app/kiosk/kiosk_keeper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/jobs/thread_setup.h"
+#include "game/app/kiosk/kiosk_health.h"
+#include "game/app/kiosk/kiosk_pot.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr std::int64_t kLookEveryNs = 4'000'000;
+constexpr double kBeforeCollapseS = 2.0;
+constexpr int kMostRecordsARound = 4000;
+constexpr int kPortraitPx = 1024;
+// A few ms of an interrupted visit, so that the one that goes on is followed too.
+constexpr int kLeftOverTicksARound = 2000;
+
+// A visit goes from one thing to another, and what the one took is not needed for the other.
+void give_back_memory() {
+    jobs::give_back_freed_memory();
+    jobs::give_back_code();
+}
+
+}  // namespace
+
+KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
+                         const haptic::HapticParameters& parameters, Gallery gallery,
+                         std::filesystem::path statistics)
+    : job_(job),
+      history_(start, parameters, {.aside = gallery.folder() / "state"}),
+      faults_(gallery.folder() / "faults"),
+      start_(start),
+      parameters_(parameters),
+      visits_(gallery.folder() / "state"),
+      journal_(visits_),
+      gallery_(std::move(gallery)),
+      statistics_(std::move(statistics)) {}
+
+Result<void> KioskKeeper::start() {
+    return thread_.start(*this, "keeper");
+}
+
+void KioskKeeper::save(std::shared_ptr<const screens::PotSection> shape, int glaze) {
+    ask({Wish::Kind::kSave, 0, glaze, std::move(shape)});
+}
+
+std::shared_ptr<const KeeperAnswer> KioskKeeper::next_answer() {
+    std::shared_ptr<const KeeperAnswer> next;
+    return answers_.try_pop(next) ? next : nullptr;
+}
+
+void KioskKeeper::answer(KeeperAnswer answer) {
+    static_cast<void>(answers_.try_push(std::make_shared<const KeeperAnswer>(std::move(answer))));
+}
+
+std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
+    const bool more = follow();
+    Wish wish;
+    while (wishes_.try_pop(wish))
+        obey(wish);
+    const bool works = work_out_left_over();
+    write_journal(now_ns);
+    return more || works ? 0 : kLookEveryNs;
+}
+
+void KioskKeeper::finish() noexcept {
+    // What the visitor did last is still in the ring.
+    while (follow()) {
+    }
+    write_journal(0);
+    if (const auto left = journal_.leave(); !left)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = left.error().message});
+}
+
+// True when more records wait.
+bool KioskKeeper::follow() {
+    haptic::BlockHash hash;
+    while (job_.take_hash(hash)) {
+    }
+    haptic::TickRecord record;
+    for (int count = 0; count < kMostRecordsARound; ++count) {
+        if (!job_.take_record(record)) return false;
+        run_ = record.run;
+        const bool is_resumed = is_put_ && (record.flags & haptic::TickRecord::kStatePut) != 0 &&
+                                record.tick == left_over_->history().ticks();
+        if (is_resumed) {
+            history_ = std::move(left_over_->history());
+            left_over_.reset();
+            is_put_ = false;
+        }
+        history_.add(record);
+        // What cannot be kept is no reason to stop the wheel.
+        const auto report = faults_.look(record, history_);
+        if (report && *report)
+            answer({.kind = KeeperAnswer::Kind::kRemark,
+                    .words = fmt::format("fault: kept as {}, which onggi replay works out again",
+                                         (*report)->string())});
+    }
+    return true;
+}
+
+// True while there is more of it.
+bool KioskKeeper::work_out_left_over() {
+    if (!has_looked_) {
+        has_looked_ = true;
+        std::vector<std::string> remarks;
+        left_over_ = LeftOver::find(visits_, start_, parameters_, remarks);
+        for (std::string& line : remarks)
+            answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line)});
+    }
+    if (!left_over_ || is_worked_out_) return false;
+    const auto more = left_over_->work(kLeftOverTicksARound);
+    if (more && *more) return true;
+    is_worked_out_ = true;
+    if (more && left_over_->is_worth_it()) {
+        answer({.kind = KeeperAnswer::Kind::kLeftOver,
+                .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                                     left_over_->seconds())});
+        return false;
+    }
+    if (!more) answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message});
+    left_over_.reset();
+    LeftOver::remove(visits_);
+    return false;
+}
+
+void KioskKeeper::write_journal(std::int64_t now_ns) {
+    if (!journalled_run_ || run_ != *journalled_run_ || is_put_) return;
+    if (const auto written = journal_.follow(history_, now_ns); !written)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = written.error().message});
+    // Its visit goes on in the journal now.
+    if (was_resumed_ && journal_.has_caught_up()) {
+        was_resumed_ = false;
+        LeftOver::remove(visits_);
+    }
+}
+
+// The pot is on the shelf, or its visitor has gone.
+void KioskKeeper::end_journal() {
+    journalled_run_.reset();
+    journal_.drop();
+    if (!std::exchange(was_resumed_, false)) return;
+    is_put_ = false;
+    left_over_.reset();
+    LeftOver::remove(visits_);
+}
+
+void KioskKeeper::resume_now(std::uint64_t run) {
+    if (!left_over_ || !is_worked_out_ ||
+        !job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()), run)) {
+        answer({.kind = KeeperAnswer::Kind::kNotPut});
+        return;
+    }
+    is_put_ = true;
+    was_resumed_ = true;
+    journal_.drop();
+    journalled_run_ = run;
+}
+
+void KioskKeeper::put_state_at(std::uint64_t tick) {
+    if (!history_.is_whole()) {
+        answer({.kind = KeeperAnswer::Kind::kNotPut,
+                .words = "undo: a tick's record was lost; new clay is needed"});
+        return;
+    }
+    auto state = history_.state_at(tick);
+    if (!state || !job_.put(std::make_unique<haptic::HapticState>(std::move(*state)), run_))
+        answer({.kind = KeeperAnswer::Kind::kNotPut, .words = state ? "" : state.error().message});
+}
+
+void KioskKeeper::obey(const Wish& wish) {
+    // What was done up to now has to be known before it is taken back.
+    while (follow()) {
+    }
+    switch (wish.kind) {
+        case Wish::Kind::kUndo:
+            if (const auto tick = history_.before_last_move()) put_state_at(*tick);
+            break;
+        case Wish::Kind::kBefore: {
+            const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
+            const std::uint64_t until = std::min(wish.number, history_.ticks());
+            put_state_at(until > back ? until - back : 0);
+            break;
+        }
+        case Wish::Kind::kCutOff:
+            give_back_memory();  // of throwing, and of a look into the pot
+            if (const clay::StudioClay* clay = history_.state().studio()) {
+                cut_ = std::make_shared<const clay::StudioClay>(*clay);
+                answer({.kind = KeeperAnswer::Kind::kCutOff, .clay = cut_});
+            }
+            break;
+        case Wish::Kind::kSave:
+            save_now(wish);
+            give_back_memory();  // of what was made for the files
+            break;
+        case Wish::Kind::kForget:
+            cut_.reset();
+            end_journal();
+            give_back_memory();  // of a visit
+            break;
+        case Wish::Kind::kJournal:
+            is_put_ = false;  // if it still is on its way, the new lump was before it
+            journalled_run_ = wish.number;
+            give_back_memory();  // of the screens before
+            break;
+        case Wish::Kind::kResume:
+            resume_now(wish.number);
+            break;
+        case Wish::Kind::kDropLeftOver:
+            is_put_ = false;
+            left_over_.reset();
+            LeftOver::remove(visits_);
+            break;
+        case Wish::Kind::kSurvey:
+            survey_now();
+            break;
+        case Wish::Kind::kRemove:
+            remove_now(*wish.pot);
+            break;
+        case Wish::Kind::kNote:
+            complain(note_visit(statistics_, wish.visit));
+            break;
+        case Wish::Kind::kNoteBreak:
+            complain(app::note_attract_break(statistics_));
+            break;
+        case Wish::Kind::kNoteStart:
+            complain(app::note_start(statistics_));
+            break;
+        case Wish::Kind::kKeepHouse:
+            complain(keep_house(statistics_, *wish.house));
+            break;
+    }
+}
+
+// What could not be written down is said, and no more.
+void KioskKeeper::complain(const Result<void>& done) {
+    if (!done) answer({.kind = KeeperAnswer::Kind::kRemark, .words = done.error().message});
+}
+
+void KioskKeeper::survey_now() {
+    KeeperAnswer found{.kind = KeeperAnswer::Kind::kSurvey,
+                       .free_mb = gallery_.free_mb(),
+                       .celsius = hottest_celsius(),
+                       .use = use_of(statistics_, today())};
+    std::string trouble;
+    for (const KeptPot& pot : gallery_.pots(&trouble))
+        found.pots.push_back(pot.name);
+    // Once, not with every look at the panel.
+    if (trouble != gallery_trouble_ && !trouble.empty())
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble});
+    gallery_trouble_ = std::move(trouble);
+    answer(std::move(found));
+}
+
+void KioskKeeper::remove_now(const std::string& name) {
+    for (const KeptPot& pot : gallery_.pots()) {
+        if (pot.name != name) continue;
+        const auto removed = gallery_.remove(pot);
+        answer({.kind = KeeperAnswer::Kind::kRemark,
+                .words = removed ? "removed " + name : removed.error().message});
+    }
+    survey_now();
+}
+
+void KioskKeeper::save_now(const Wish& wish) {
+    if (!cut_ || !wish.shape) return;
+    history_.let_go_of_states();  // a pot that is fired is no clay again
+    give_back_memory();
+    PotToKeep pot{.history = &history_,
+                  .clay = cut_.get(),
+                  .glaze = &finish::glaze_at(wish.glaze),
+                  .portrait = portrait(*wish.shape, wish.glaze, kPortraitPx)};
+    const auto number = gallery_.keep(std::move(pot), today());
+    if (number) {
+        end_journal();
+        answer({.kind = KeeperAnswer::Kind::kSaved,
+                .number = *number,
+                .words = fmt::format(
+                    "kept {}", (gallery_.folder() / today() / fmt::format("pot-{:03}", *number)).string())});
+    } else {
+        answer({.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message});
+    }
+}
+
+}  // namespace onggi::app

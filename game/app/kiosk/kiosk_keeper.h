@@ -1,0 +1,145 @@
+// Keeps what the visitor does, and puts pots on the disk, beside the frame: it follows the haptic loop by its
+// records, takes moves back, saves, journals the visit and goes on with one that was interrupted. Asked and
+// answered by the main thread through rings; the work is done on a thread of its own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/jobs/io_thread.h"
+#include "engine/jobs/spsc_ring.h"
+#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/kiosk_statistics.h"
+#include "game/app/kiosk/left_over.h"
+#include "game/app/kiosk/visit_journal.h"
+#include "game/haptic/fault_report.h"
+#include "game/haptic/history.h"
+#include "game/haptic/job.h"
+#include "game/screens/pot_picture.h"
+
+namespace onggi::app {
+
+struct KeeperAnswer {
+    enum class Kind { kCutOff, kSaved, kSaveFailed, kSurvey, kLeftOver, kNotPut, kRemark };
+    Kind kind = Kind::kRemark;
+    std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
+    int number = 0;                                  // of a saved one, of the day
+    std::string words{};                             // for the log
+    std::vector<std::string> pots{};                 // of a survey: newest first
+    double free_mb = 0.0;                            // of a survey, as all below
+    std::optional<double> celsius{};
+    UseOfDay use{};
+};
+
+class KioskKeeper final : private jobs::IoWork {
+  public:
+    // The job's state at its start, which every fresh lump is.
+    KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
+                const haptic::HapticParameters& parameters, Gallery gallery,
+                std::filesystem::path statistics);
+    ~KioskKeeper() override { stop(); }
+
+    Result<void> start();
+    void stop() noexcept { thread_.stop(); }
+
+    // Main thread, wait-free.
+    void undo() { ask({Wish::Kind::kUndo}); }
+    // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
+    void go_before(std::uint64_t tick) { ask({Wish::Kind::kBefore, tick}); }
+    void cut_off() { ask({Wish::Kind::kCutOff}); }
+    void save(std::shared_ptr<const screens::PotSection> shape, int glaze);
+    void forget() { ask({Wish::Kind::kForget}); }
+    // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
+    // its pot is saved.
+    void journal(std::uint64_t run) { ask({Wish::Kind::kJournal, run}); }
+    // Puts the pot of the interrupted visit on the wheel (after kLeftOver was answered) and goes on with its
+    // journal.
+    void resume(std::uint64_t run) { ask({Wish::Kind::kResume, run}); }
+    void drop_left_over() { ask({Wish::Kind::kDropLeftOver}); }
+    // Answered by kSurvey: what the gallery holds, what the disk has left, how warm it is, the day's use.
+    void survey() { ask({Wish::Kind::kSurvey}); }
+    void remove(std::string pot) {
+        ask({.kind = Wish::Kind::kRemove, .pot = std::make_shared<const std::string>(std::move(pot))});
+    }
+    void note(const VisitNote& visit) { ask({.kind = Wish::Kind::kNote, .visit = visit}); }
+    void note_attract_break() { ask({Wish::Kind::kNoteBreak}); }
+    void note_start() { ask({Wish::Kind::kNoteStart}); }
+    // What the staff has set, for the next start.
+    void keep(HouseWish house) {
+        ask({.kind = Wish::Kind::kKeepHouse, .house = std::make_shared<const HouseWish>(std::move(house))});
+    }
+    [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer();
+
+  private:
+    struct Wish {
+        enum class Kind {
+            kUndo,
+            kBefore,
+            kCutOff,
+            kSave,
+            kForget,
+            kJournal,
+            kResume,
+            kDropLeftOver,
+            kSurvey,
+            kRemove,
+            kNote,
+            kNoteBreak,
+            kNoteStart,
+            kKeepHouse
+        };
+        Kind kind = Kind::kUndo;
+        std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run
+        int glaze = 0;
+        std::shared_ptr<const screens::PotSection> shape{};
+        std::shared_ptr<const std::string> pot{};
+        VisitNote visit{};
+        std::shared_ptr<const HouseWish> house{};
+    };
+    void ask(const Wish& wish) { static_cast<void>(wishes_.try_push(wish)); }
+
+    // The keeper's thread.
+    [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
+    void finish() noexcept override;
+    bool follow();
+    bool work_out_left_over();
+    void write_journal(std::int64_t now_ns);
+    void resume_now(std::uint64_t run);
+    void end_journal();
+    void obey(const Wish& wish);
+    void put_state_at(std::uint64_t tick);
+    void save_now(const Wish& wish);
+    void survey_now();
+    void remove_now(const std::string& name);
+    void answer(KeeperAnswer answer);
+    void complain(const Result<void>& done);
+
+    haptic::HapticJob& job_;
+    haptic::History history_;
+    haptic::FaultReport faults_;
+    haptic::HapticState start_;
+    haptic::HapticParameters parameters_;
+    std::filesystem::path visits_;  // where journals are
+    VisitJournal journal_;
+    std::optional<std::uint64_t> journalled_run_;
+    std::uint64_t run_ = 0;                // of the last record
+    std::unique_ptr<LeftOver> left_over_;  // until it is on the wheel
+    bool has_looked_ = false;
+    bool is_worked_out_ = false;
+    bool is_put_ = false;       // its state is on the way to the wheel
+    bool was_resumed_ = false;  // and is not in the new journal yet
+    Gallery gallery_;
+    std::string gallery_trouble_;  // as it was told last
+    std::filesystem::path statistics_;
+    std::shared_ptr<const clay::StudioClay> cut_;
+    jobs::SpscRing<Wish> wishes_{64};
+    jobs::SpscRing<std::shared_ptr<const KeeperAnswer>> answers_{64};
+    jobs::IoThread thread_;
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,140 @@
+#include "game/app/kiosk/kiosk_visit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/system/report.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Event;
+using kiosk::Panel;
+using kiosk::Screen;
+
+int screen_key(const kiosk::ScreenState& state) {
+    return static_cast<int>(state.screen) * kiosk::kPanelCount + static_cast<int>(state.panel);
+}
+
+}  // namespace
+
+KioskVisit::KioskVisit(const VisitParts& parts)
+    : parts_(parts),
+      state_(kiosk::first_state(parts.settings.rules, 0.0)),
+      desk_({.view = parts.view,
+             .job = parts.job,
+             .devices = parts.devices,
+             .keeper = parts.keeper,
+             .sound = parts.sound,
+             .config = parts.settings.config,
+             .start = parts.start,
+             .rate_hz = parts.rate_hz}),
+      wheel_(parts_, *this),
+      input_(parts_, wheel_.hand(), *this),
+      effects_(parts_, wheel_, input_, desk_, *this),
+      scene_(parts_, wheel_, input_),
+      screens_(parts_, effects_, input_.pointer(), desk_) {}
+
+KioskVisit::~KioskVisit() {
+    screens_.stop();
+}
+
+void KioskVisit::say(const std::string& line) {
+    if (const auto words = log_.say(line, now_s_)) remark(*words);
+}
+
+void KioskVisit::dispatch(const Event& event) {
+    const Screen before = state_.screen;
+    for (const kiosk::Effect& effect : kiosk::step(state_, event, now_s_, parts_.settings.rules))
+        effects_.apply(effect, *moment_, before);
+    const bool is_idle = state_.screen == Screen::kAttract;
+    if (is_idle == (before == Screen::kAttract)) return;
+    static_cast<void>(parts_.job.send(is_idle ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
+    if (is_idle) input_.pointer().forget();
+}
+
+Result<void> KioskVisit::frame(double now_s) {
+    constexpr double kMsPerS = 1e3;
+    constexpr double kLongestFrameS = 0.1;
+    const double since_last_s = std::exchange(now_s_, now_s);
+    const double frame_s = now_s - since_last_s;
+    if (!std::exchange(has_begun_, true)) state_ = kiosk::first_state(parts_.settings.rules, now_s);
+    const VisitMoment moment{.now_s = now_s,
+                             .dt_s = std::clamp(frame_s, 0.0, kLongestFrameS),
+                             .snapshot = parts_.job.newest_snapshot()};
+    moment_ = &moment;
+    desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
+    dispatch({Event::Kind::kTick});
+    input_.take(moment);
+    wheel_.take_clay(moment.snapshot);
+    wheel_.take_fault(moment);
+    effects_.take_answers();
+    wheel_.move_hand(moment);
+    parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
+    scene_.aim_camera(state_, moment.snapshot, screens_.asked(), stage_.covers());
+    screens_.update(state_, moment, scene_.edges());
+    const Result<void> drawn = draw(moment);
+    moment_ = nullptr;
+    return drawn;
+}
+
+Result<void> KioskVisit::draw(const VisitMoment& moment) {
+    screens::Composer& composer = screens_.composer();
+    stage_.take(composer.latest(), now_s_);
+    composer.hold(input_.pointer().rests_on_scene());
+    stage_.turn(composer.turned());
+    wheel::PotView pot = pot_view(moment.snapshot);
+    const SceneMarks marks = scene_.marks(state_, moment, pot, stage_);
+    const screens::StageFrame stage_frame{.now_s = now_s_,
+                                          .pressed = input_.pointer().pressed(),
+                                          .band = marks.band ? &*marks.band : nullptr,
+                                          .cue = marks.cue ? &*marks.cue : nullptr,
+                                          .forces = marks.forces ? &*marks.forces : nullptr};
+    const ui::DrawList& list = stage_.draw(stage_frame);
+    const render::Overlay overlay{.list = &list,
+                                  .uploads = stage_.uploads(),
+                                  .atlas_side_px = stage_.atlas_side_px(),
+                                  .scene_rests = stage_.scene_rests(),
+                                  .covers = stage_.covers()};
+    if (!wheel_.shows() && !clay_is_open(state_)) pot.hand.shown = pot.second_hand.shown = false;
+    auto drawn = parts_.view.draw(pot, moment.dt_s, &overlay);
+    if (!drawn) return drawn.error();
+    if (*drawn) ++frames_shown_;
+    for (const std::string& line : parts_.view.take_remarks())
+        say(line);
+    look_at_shown(moment.snapshot);
+    return {};
+}
+
+// What a finger or a key means from here on is what it means on the screen that is seen.
+void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
+    const screens::Composed* shown = stage_.shown();
+    if (shown == nullptr) return;
+    const kiosk::ScreenState& state = shown->view->state;
+    name_window(state, snapshot.shape->height_mm);
+    const auto language = static_cast<std::size_t>(state.comfort.language);
+    const bool right_to_left = (*shown->view->languages)[language].right_to_left();
+    input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left);
+}
+
+// Nobody sees the title of a full screen; scripts that play a visitor read it, who have no eyes for the clay.
+void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
+    std::string title = "Onggi - " + std::string(kiosk::name_of(shown.screen));
+    if (shown.panel != Panel::kNone) title += " - " + std::string(kiosk::name_of(shown.panel));
+    if (shown.panel == Panel::kLanguage) {
+        title += " " + (*parts_.settings.languages)[static_cast<std::size_t>(shown.comfort.language)].code();
+        if (shown.comfort.reach) title += " low";
+    }
+    if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} of {}, {:.0f} mm{}", shown.throwing.steps_done, kiosk::kTeachingSteps,
+                             clay_mm, shown.throwing.shown ? ", shown" : "");
+    if (input_.pointer().focus() >= 0) title += " [" + std::to_string(input_.pointer().focus()) + "]";
+    if (title == title_) return;
+    title_ = title;
+    parts_.view.set_title(title);
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,140 @@
+#include "game/app/kiosk/staff_desk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "game/screens/legibility.h"
+
+namespace onggi::app {
+
+void StaffDesk::see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot) {
+    now_s_ = now_s;
+    if (!started_s_) {
+        started_s_ = now_s;
+        return;  // no frame before it
+    }
+    meter_.see(now_s, frame_ms, parts_.view.frame_stats().device_ms, snapshot.periods);
+}
+
+int StaffDesk::number_of(const std::string& pot) {
+    const auto found = std::find(pots_.begin(), pots_.end(), pot);
+    if (found != pots_.end()) return static_cast<int>(found - pots_.begin());
+    pots_.push_back(pot);
+    return static_cast<int>(pots_.size()) - 1;
+}
+
+void StaffDesk::take(const KeeperAnswer& answer) {
+    survey_ = answer;
+    page_.reset();  // it is news
+}
+
+void StaffDesk::test_force() {
+    test_ = Test::kForce;
+    static_cast<void>(parts_.job.send(haptic::Command::kTestForce));
+}
+
+void StaffDesk::test_sound() {
+    test_ = Test::kSound;
+    parts_.sound.test();
+}
+
+void StaffDesk::delete_pot(int number) {
+    if (number < 0 || static_cast<std::size_t>(number) >= pots_.size()) return;
+    parts_.keeper.remove(pots_[static_cast<std::size_t>(number)]);
+}
+
+void StaffDesk::leave() {
+    if (!is_open_) return;
+    is_open_ = false;
+    surveyed_s_ = -1e9;
+    page_.reset();
+    lines_.clear();
+    plot_ = {};
+    survey_.reset();
+    test_ = Test::kNone;
+    parts_.view.measure_parts(false);
+}
+
+Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snapshot) const {
+    const render::FrameStats& stats = parts_.view.frame_stats();
+    const bool has_fault = snapshot.fault != haptics::Fault::kNone;
+    Health health{.asked_hz = parts_.rate_hz,
+                  .achieved_hz = meter_.achieved_hz(),
+                  .skipped_periods = snapshot.skipped_periods,
+                  .late_periods = snapshot.safety.late_periods,
+                  .fault = has_fault ? haptics::words_for(snapshot.fault) : std::string_view(),
+                  .frame_ms = meter_.mean_frame_ms(),
+                  .worst_frame_ms = meter_.worst_frame_ms(),
+                  .device_ms = stats.device_ms,
+                  .parts = stats.parts,
+                  .quality = parts_.view.quality(),
+                  .celsius = {},
+                  .free_mb = 0.0,
+                  .least_free_mb = parts_.config.gallery.least_free_mb,
+                  .falls = parts_.start.falls,
+                  .is_safe_mode = parts_.start.is_safe_mode,
+                  .running_s = now_s_ - started_s_.value_or(now_s_),
+                  .text_degrees = screens::smallest_text_degrees(view.width_px, view.height_px,
+                                                                 view.px_per_mm, view.distance_mm),
+                  .distance_mm = view.distance_mm,
+                  .sound = parts_.sound.device(),
+                  .sound_lack = parts_.sound.lack(),
+                  .devices = parts_.devices.seen(),
+                  .holder = parts_.devices.holder(),
+                  .use = {},
+                  .pots = {}};
+    return health;
+}
+
+std::string StaffDesk::notice(const haptic::Snapshot& snapshot) const {
+    switch (test_) {
+        case Test::kNone:
+            return {};
+        case Test::kForce: {
+            const std::string holder = parts_.devices.holder();
+            return force_test_words(snapshot.force_test, holder.empty() ? "touch and mouse" : holder);
+        }
+        case Test::kSound:
+            break;
+    }
+    if (parts_.sound.device().empty()) return "Sound: none; " + parts_.sound.lack();
+    if (!parts_.sound.is_audible()) return "Sound: the volume is 0";
+    return "Sound: left, right, both, by " + parts_.sound.device();
+}
+
+void StaffDesk::add_to(screens::View& view, const haptic::Snapshot& snapshot) {
+    constexpr double kEveryS = 1.0;
+    const kiosk::StaffPage page = view.state.staff.page;
+    view.staff_title = parts_.config.staff.name;
+    view.staff_notice = notice(snapshot);
+    is_open_ = true;
+    const bool is_due = now_s_ - surveyed_s_ >= kEveryS;
+    if (page_ != page || is_due) {
+        parts_.view.measure_parts(page == kiosk::StaffPage::kHealth);
+        Health now = health(view, snapshot);
+        if (survey_) {
+            now.celsius = survey_->celsius;
+            now.free_mb = survey_->free_mb;
+            now.use = survey_->use;
+            for (const std::string& pot : survey_->pots)
+                now.pots.emplace_back(number_of(pot), pot);
+        }
+        // Nothing is said of what has not been looked at yet.
+        lines_ = survey_ || page == kiosk::StaffPage::kDevices ? staff_lines(now, page)
+                                                               : std::vector<screens::StaffLine>{};
+        plot_ = page == kiosk::StaffPage::kHealth ? meter_.plot() : screens::FramePlot{};
+        page_ = page;
+    }
+    if (is_due) {
+        surveyed_s_ = now_s_;
+        parts_.keeper.survey();
+    }
+    view.staff_lines = lines_;
+    view.staff_plot = plot_;
+    const int pot = view.state.staff.pot;
+    if (pot >= 0 && static_cast<std::size_t>(pot) < pots_.size())
+        view.staff_pot = pots_[static_cast<std::size_t>(pot)];
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,142 @@
+#include "game/app/kiosk/visit_effects.h"
+
+#include <utility>
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Effect;
+using kiosk::Event;
+
+constexpr std::size_t kMostOnShelf = 6;
+
+}  // namespace
+
+void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk::Screen left) {
+    switch (effect.kind) {
+        case Effect::Kind::kStartDemo:
+            wheel_.begin_show(moment.now_s);
+            break;
+        case Effect::Kind::kFreshClay:
+            wheel_.end_shows();
+            thrown_ = true;
+            wheel_.put_fresh_clay();
+            wheel_.rearm_force();
+            parts_.keeper.journal(wheel_.run());
+            break;
+        case Effect::Kind::kUndo:
+            parts_.keeper.undo();
+            break;
+        case Effect::Kind::kBeforeCollapse: {
+            const std::uint64_t tick = wheel_.clay().began_to_fail_tick();
+            wheel_.clay().expect_state(moment.snapshot);  // first: it may be there in no time
+            parts_.keeper.go_before(tick);
+            break;
+        }
+        case Effect::Kind::kMoveHand:
+            input_.nudge(static_cast<Button>(effect.value));
+            break;
+        case Effect::Kind::kShowStep:
+            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.shape,
+                               side_of(flow_.state()));
+            break;
+        case Effect::Kind::kStopShow:
+            wheel_.hand().stop_showing();
+            break;
+        case Effect::Kind::kCutOff:
+            wheel_.hand().release();
+            parts_.keeper.cut_off();
+            break;
+        case Effect::Kind::kSave:
+            save();
+            break;
+        case Effect::Kind::kForgetPot:
+            pot_.reset();
+            parts_.keeper.forget();
+            break;
+        case Effect::Kind::kRestart:
+        case Effect::Kind::kQuit:
+            quits_ = true;
+            restarts_ = effect.kind == Effect::Kind::kRestart;
+            break;
+        case Effect::Kind::kResume:
+            wheel_.end_shows();
+            thrown_ = true;
+            wheel_.rearm_force();
+            wheel_.clay().expect_state(moment.snapshot);
+            parts_.keeper.resume(wheel_.run());
+            break;
+        case Effect::Kind::kDropLeftOver:
+            parts_.keeper.drop_left_over();
+            break;
+        case Effect::Kind::kSetVolume:
+            parts_.sound.set_volume(effect.value / kLoudestStep);
+            break;
+        case Effect::Kind::kKeepHouse:
+            keep_house();
+            break;
+        case Effect::Kind::kVisitBegan:
+            thrown_ = false;
+            kept_ = 0;
+            parts_.keeper.note_attract_break();
+            break;
+        case Effect::Kind::kVisitEnded:
+            parts_.keeper.note({.dwell_s = effect.value, .last = left, .thrown = thrown_, .kept = kept_});
+            break;
+        case Effect::Kind::kDeletePot:
+            desk_.delete_pot(effect.value);
+            break;
+        case Effect::Kind::kTestForce:
+            desk_.test_force();
+            break;
+        case Effect::Kind::kTestSound:
+            desk_.test_sound();
+            break;
+    }
+}
+
+void VisitEffects::save() {
+    if (!pot_) return flow_.dispatch({Event::Kind::kSaveFailed});
+    parts_.keeper.save(std::shared_ptr<const screens::PotSection>(pot_, &pot_->shape), flow_.state().glaze);
+}
+
+void VisitEffects::keep_house() {
+    const auto language = static_cast<std::size_t>(flow_.state().house_language);
+    parts_.keeper.keep(HouseWish{flow_.state().house_volume, (*parts_.settings.languages)[language].code()});
+}
+
+void VisitEffects::take_answers() {
+    while (const auto answer = parts_.keeper.next_answer()) {
+        if (!answer->words.empty()) flow_.say(answer->words);
+        switch (answer->kind) {
+            case KeeperAnswer::Kind::kCutOff:
+                pot_ = std::make_shared<const screens::FiredPot>(
+                    fired_pot(*answer->clay, parts_.settings.targets, parts_.settings.relatives));
+                break;
+            case KeeperAnswer::Kind::kSaved:
+                if (pot_) day_.insert(day_.begin(), {pot_->shape, flow_.state().glaze});
+                if (day_.size() > kMostOnShelf) day_.pop_back();
+                ++kept_;
+                ++pots_kept_;
+                flow_.dispatch({Event::Kind::kSaved, Button::kNone, answer->number});
+                break;
+            case KeeperAnswer::Kind::kSaveFailed:
+                flow_.dispatch({Event::Kind::kSaveFailed});
+                break;
+            case KeeperAnswer::Kind::kSurvey:
+                desk_.take(*answer);
+                break;
+            case KeeperAnswer::Kind::kLeftOver:
+                flow_.dispatch({Event::Kind::kLeftOver});
+                break;
+            case KeeperAnswer::Kind::kNotPut:
+                wheel_.clay().expect_nothing();
+                break;
+            case KeeperAnswer::Kind::kRemark:
+                break;
+        }
+    }
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,59 @@
+// The effects of a visit's steps, applied: to the wheel, to the keeper's disk, to the staff's desk; and the
+// pots that come of it. Main thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "game/app/kiosk/staff_desk.h"
+#include "game/app/kiosk/visit_input.h"
+#include "game/app/kiosk/visit_parts.h"
+#include "game/app/kiosk/visit_wheel.h"
+#include "game/screens/view.h"
+
+namespace onggi::app {
+
+class VisitEffects {
+  public:
+    // All outlive it.
+    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, StaffDesk& desk,
+                 VisitFlow& flow)
+        : parts_(parts),
+          wheel_(wheel),
+          input_(input),
+          desk_(desk),
+          flow_(flow) {}
+
+    // left: the screen before the step that asks for it.
+    void apply(const kiosk::Effect& effect, const VisitMoment& moment, kiosk::Screen left);
+    // What the keeper has done meanwhile. Once a frame.
+    void take_answers();
+
+    // The visitor's pot, fired; null before.
+    [[nodiscard]] const std::shared_ptr<const screens::FiredPot>& pot() const { return pot_; }
+    // The last few pots that were kept, the newest first.
+    [[nodiscard]] const std::vector<screens::ShelfPot>& day() const { return day_; }
+    [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
+    [[nodiscard]] bool quits() const { return quits_; }
+    [[nodiscard]] bool restarts() const { return restarts_; }
+
+  private:
+    void save();
+    void keep_house();
+
+    const VisitParts& parts_;
+    VisitWheel& wheel_;
+    VisitInput& input_;
+    StaffDesk& desk_;
+    VisitFlow& flow_;
+    std::shared_ptr<const screens::FiredPot> pot_;
+    std::vector<screens::ShelfPot> day_;
+    bool thrown_ = false;  // clay was put on in this visit
+    int kept_ = 0;         // pots of it
+    std::uint64_t pots_kept_ = 0;
+    bool quits_ = false;
+    bool restarts_ = false;
+};
+
+}  // namespace onggi::app

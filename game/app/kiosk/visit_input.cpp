@@ -1,0 +1,169 @@
+#include "game/app/kiosk/visit_input.h"
+
+#include <cmath>
+#include <vector>
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Event;
+using kiosk::Panel;
+using kiosk::Screen;
+
+HandKey hand_key(Button button) {
+    switch (button) {
+        case Button::kHandUp:
+            return HandKey::kUp;
+        case Button::kHandDown:
+            return HandKey::kDown;
+        case Button::kHandLeft:
+            return HandKey::kLeft;
+        default:
+            return HandKey::kRight;
+    }
+}
+
+}  // namespace
+
+std::optional<dvec2> place_at(const wheel::LiveView& view, vec2 px) {
+    const auto place = view.tool_target_mm(double{px.x}, double{px.y});
+    if (!place) return std::nullopt;
+    return dvec2(std::copysign(std::hypot(place->x, place->z), place->x), place->y);
+}
+
+bool VisitInput::hovers(double now_s) const {
+    constexpr double kHoversS = 4.0;  // a mouse at rest for longer wants nothing
+    return now_s - hovered_s_ < kHoversS;
+}
+
+void VisitInput::nudge(Button button) {
+    keys_lead_ = true;
+    hand_.button(hand_key(button), side_of(flow_.state()));
+}
+
+void VisitInput::help_along() {
+    const std::optional<int> target =
+        parts_.settings.config.visit.forgiving && flow_.state().screen == Screen::kThrow
+            ? flow_.state().throwing.target
+            : std::nullopt;
+    const int steps_done = flow_.state().throwing.steps_done;
+    if (target == helped_ && steps_done == helped_steps_) return;
+    helped_ = target;
+    helped_steps_ = steps_done;
+    if (!target) {
+        hand_.set_outline({}, 0.0);
+        return;
+    }
+    const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*target)];
+    hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
+}
+
+void VisitInput::take_news(const PointerNews& news, double now_s) {
+    const bool scene_is_open =
+        flow_.state().panel == Panel::kNone &&
+        (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kChoose);
+    switch (news.kind) {
+        case PointerNews::Kind::kNone:
+            break;
+        case PointerNews::Kind::kLife:
+            flow_.dispatch({Event::Kind::kInput, Button::kNone, news.value});
+            break;
+        case PointerNews::Kind::kPressed:
+            flow_.dispatch(Event::pressed(news.button, news.value));
+            break;
+        case PointerNews::Kind::kHandDown:
+            if (clay_is_open(flow_.state())) {
+                keys_lead_ = false;
+                flow_.dispatch({Event::Kind::kClayTouched});
+                if (const auto place = place_at(parts_.view, news.at_px)) hand_.press(*place);
+            } else {
+                flow_.dispatch({Event::Kind::kInput});
+            }
+            break;
+        case PointerNews::Kind::kHandMoved:
+            if (!scene_is_open) break;
+            flow_.dispatch({Event::Kind::kInput});
+            if (const auto place = place_at(parts_.view, news.at_px)) hand_.drag(*place);
+            break;
+        case PointerNews::Kind::kHandUp:
+            hand_.release();
+            break;
+        case PointerNews::Kind::kHovered:
+            hovered_s_ = now_s;
+            keys_lead_ = false;
+            if (const auto place = place_at(parts_.view, news.at_px)) hand_.hover(*place);
+            break;
+        case PointerNews::Kind::kNudged:
+            if (!clay_is_open(flow_.state())) break;
+            flow_.dispatch({Event::Kind::kClayTouched});
+            keys_lead_ = true;
+            hand_.key(hand_key(news.button), side_of(flow_.state()));
+            break;
+        case PointerNews::Kind::kCornerHeld:
+            flow_.dispatch({Event::Kind::kCornerHeld});
+            break;
+        case PointerNews::Kind::kCloseAsked:
+            flow_.dispatch({Event::Kind::kCloseAsked});
+            break;
+        case PointerNews::Kind::kStopForce:
+            parts_.job.stop_force();
+            break;
+        case PointerNews::Kind::kFullScreen:
+            if (parts_.settings.rules.locked) break;
+            full_screen_ = !full_screen_;
+            parts_.view.set_full_screen(full_screen_);
+            break;
+    }
+}
+
+void VisitInput::take(const VisitMoment& moment) {
+    std::vector<PointerNews> all;
+    for (const window::Event& event : parts_.view.poll_events())
+        pointer_.handle(event, moment.now_s, all);
+    pointer_.pass_time(moment.now_s, all);
+    for (const PointerNews& news : all)
+        take_news(news, moment.now_s);
+    take_devices();
+    take_gamepads(moment);
+    help_along();
+    if (!clay_is_open(flow_.state())) hand_.release();
+}
+
+void VisitInput::take_devices() {
+    for (const std::string& line : parts_.devices.news())
+        flow_.say(line);
+    const bool has_device = parts_.devices.has_hand();
+    if (has_device != had_device_)
+        flow_.dispatch({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
+    had_device_ = has_device;
+    // Another hand has the tool now: what the finger does from here on is another touch.
+    const std::string holder = parts_.devices.holder();
+    if (!holder.empty() && holder != holder_) hand_.release();
+    holder_ = holder;
+    if (parts_.devices.somebody_moved()) flow_.dispatch({Event::Kind::kInput});
+}
+
+void VisitInput::take_gamepads(const VisitMoment& moment) {
+    std::vector<window::Gamepad> pads = parts_.view.gamepads();
+    std::erase_if(pads,
+                  [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
+    const GamepadWish wish = gamepads_.wish(pads, moment.dt_s);
+    const std::vector<window::KeyEvent> keys = keys_of(wish);
+    std::vector<PointerNews> all;
+    for (const window::KeyEvent& key : keys)
+        pointer_.handle(key, moment.now_s, all);
+    for (const PointerNews& news : all)
+        take_news(news, moment.now_s);
+    if (wish.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
+    if (!clay_is_open(flow_.state())) return;
+    if (wish.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
+    hand_.steer(wish.step_mm, wish.presses, *moment.snapshot.shape, side_of(flow_.state()));
+    if (wish.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
+    if (wish.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
+    if (wish.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));
+    if (wish.speed_steps < -0.5) flow_.dispatch(Event::pressed(Button::kSpeedLess));
+    if (wish.fresh_lump) flow_.dispatch(Event::pressed(Button::kNewClay));
+}
+
+}  // namespace onggi::app

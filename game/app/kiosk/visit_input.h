@@ -1,0 +1,58 @@
+// What a visitor does - by pointer, keys, one switch, devices and gamepads - as events of the visit and as
+// the finger on the clay. Main thread.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "game/app/devices/gamepad_hand.h"
+#include "game/app/kiosk/kiosk_hand.h"
+#include "game/app/kiosk/kiosk_pointer.h"
+#include "game/app/kiosk/visit_parts.h"
+
+namespace onggi::app {
+
+// On the upright plane through the axis that faces the camera: how far to the right, and how high, mm.
+[[nodiscard]] std::optional<dvec2> place_at(const wheel::LiveView& view, vec2 px);
+
+class VisitInput {
+  public:
+    // All outlive it.
+    VisitInput(const VisitParts& parts, KioskHand& hand, VisitFlow& flow)
+        : parts_(parts),
+          hand_(hand),
+          flow_(flow) {}
+
+    // Once a frame.
+    void take(const VisitMoment& moment);
+    // One press of the pad's buttons on the screen.
+    void nudge(kiosk::Button button);
+
+    [[nodiscard]] KioskPointer& pointer() { return pointer_; }
+    [[nodiscard]] const KioskPointer& pointer() const { return pointer_; }
+    // No pointer has been moved since a key or a button of the pad was pressed.
+    [[nodiscard]] bool keys_lead() const { return keys_lead_; }
+    // A mouse with no button held wants something there: it has moved a moment ago.
+    [[nodiscard]] bool hovers(double now_s) const;
+
+  private:
+    void take_news(const PointerNews& news, double now_s);
+    void take_devices();
+    void take_gamepads(const VisitMoment& moment);
+    void help_along();  // draws a finger to the outline that is shown
+
+    const VisitParts& parts_;
+    KioskHand& hand_;
+    VisitFlow& flow_;
+    KioskPointer pointer_;
+    GamepadHand gamepads_;
+    double hovered_s_ = -1e9;  // when a mouse last moved with no button held
+    bool keys_lead_ = false;
+    bool had_device_ = false;
+    std::string holder_;         // the device that has the tool
+    std::optional<int> helped_;  // along the outline of which target, and how far the lesson had come
+    int helped_steps_ = 0;
+    bool full_screen_ = false;
+};
+
+}  // namespace onggi::app

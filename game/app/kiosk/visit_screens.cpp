@@ -1,0 +1,157 @@
+#include "game/app/kiosk/visit_screens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "game/screens/legibility.h"
+
+namespace onggi::app {
+namespace {
+
+// Attract: the throwing, then one pot of a museum, and so on.
+constexpr double kAttractThrowsS = 25.0;
+constexpr double kAttractPotS = 20.0;
+constexpr float kNearPx = 0.5F;  // an outline that has moved by less has not moved
+
+bool are_near(const std::vector<std::vector<vec2>>& x, const std::vector<std::vector<vec2>>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& a, const auto& b) {
+        return a.size() == b.size() && (a.empty() || glm::length(a.back() - b.back()) <= kNearPx);
+    });
+}
+
+}  // namespace
+
+bool kiln_burns(const kiosk::State& state) {
+    return state.screen == kiosk::Screen::kFiring && state.firing == kiosk::FiringStage::kFire &&
+           state.panel == kiosk::Panel::kNone;
+}
+
+bool VisitScreens::is_closed(const kiosk::State& state) const {
+    return state.screen == kiosk::Screen::kAttract && state.panel == kiosk::Panel::kNone &&
+           !kiosk::is_open(parts_.settings.config, parts_.minute_of_day());
+}
+
+void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges) {
+    screens::View view;
+    view.state = state;
+    view.width_px = parts_.view.width();
+    view.height_px = parts_.view.height();
+    if (view.width_px <= 0 || view.height_px <= 0) return;
+    const kiosk::Config& config = parts_.settings.config;
+    view.px_per_mm = screens::px_per_mm(view.width_px, view.height_px, config.screen.diagonal_inch);
+    view.distance_mm = config.screen.distance_mm;
+    view.own_digits = config.languages.own_digits;
+    view.seconds_left = state.panel == kiosk::Panel::kIdle
+                            ? kiosk::seconds_left(state, parts_.settings.rules.countdown_s, moment.now_s)
+                        : state.panel == kiosk::Panel::kPin ? kiosk::pin_seconds_left(state, moment.now_s)
+                                                            : 0;
+    view.countdown_s = parts_.settings.rules.countdown_s;
+    view.languages = parts_.settings.languages;
+    view.exhibits = parts_.settings.exhibits;
+    view.pot = effects_.pot();
+    add_shelf(view, state);
+    view.focus = pointer_.focus();
+    view.scans = pointer_.scans();
+    if (config.sound.captions && state.screen == kiosk::Screen::kThrow) view.heard = caption(moment);
+    if (config.sound.captions && kiln_burns(state)) view.heard = "cap.kiln";
+    add_attract(view, state, moment.now_s);
+    view.can_look_in = parts_.view.project_framed(wheel::View::kLookingIn, {}, dvec3(0.0)).has_value();
+    view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
+    add_scene(view, state, moment.snapshot);
+    if (state.panel == kiosk::Panel::kStaff) {
+        desk_.add_to(view, moment.snapshot);
+    } else {
+        desk_.leave();
+    }
+    view.closed = is_closed(state);
+    if (is_asked(view)) return;
+    asked_ = std::make_shared<const screens::View>(std::move(view));
+    composer_.ask(asked_);
+}
+
+void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, double now_s) const {
+    if (state.screen != kiosk::Screen::kAttract || view.exhibits->empty()) return;
+    // The throwing, then one of the pots, and again with the next.
+    const double in_turn = std::max(0.0, now_s - state.screen_s);
+    const double turn_s = kAttractThrowsS + kAttractPotS;
+    const auto turn = static_cast<std::size_t>(in_turn / turn_s);
+    const bool pot_now = std::fmod(in_turn, turn_s) >= kAttractThrowsS;
+    view.attract_turn = static_cast<int>(turn);
+    if (pot_now) view.attract_exhibit = static_cast<int>(turn % view.exhibits->size());
+}
+
+// The newest stands in the middle already while its maker looks at it.
+void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
+    const bool without_newest = view.pot && state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
+    if (!shelf_ || shelf_kept_ != effects_.pots_kept() || shelf_without_newest_ != without_newest) {
+        shelf_kept_ = effects_.pots_kept();
+        shelf_without_newest_ = without_newest;
+        std::vector<screens::ShelfPot> others = effects_.day();
+        if (without_newest && !others.empty()) others.erase(others.begin());
+        shelf_ = std::make_shared<const std::vector<screens::ShelfPot>>(std::move(others));
+    }
+    view.shelf = shelf_;
+}
+
+bool VisitScreens::is_asked(screens::View& view) const {
+    constexpr float kWarningPx = 6.0F;
+    if (!asked_) return false;
+    // Compared as if they had not moved; asked for as they are.
+    std::vector<std::vector<vec2>> outline_px = view.outline_px;
+    const std::optional<vec2> warning_at_px = view.warning_at_px;
+    if (are_near(asked_->outline_px, outline_px)) view.outline_px = asked_->outline_px;
+    if (asked_->warning_at_px && warning_at_px &&
+        glm::length(*asked_->warning_at_px - *warning_at_px) < kWarningPx)
+        view.warning_at_px = asked_->warning_at_px;
+    const bool is_same = *asked_ == view;
+    view.outline_px = std::move(outline_px);
+    view.warning_at_px = warning_at_px;
+    return is_same;
+}
+
+void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
+                             const haptic::Snapshot& snapshot) const {
+    if (state.screen != kiosk::Screen::kThrow) return;
+    const auto seen = [&](const dvec3& place_mm) {
+        const auto px = parts_.view.project(place_mm);
+        return px ? vec2(*px) : vec2(0.0F);
+    };
+    const haptic::PotShape& shape = *snapshot.shape;
+    if (state.throwing.warning != kiosk::Warning::kNone) {
+        view.thinnest_mm =
+            0.1 * static_cast<double>(std::lround(10.0 * thinnest_wall_mm(shape)));  // as it is said
+        const bool rtl = (*view.languages)[static_cast<std::size_t>(state.comfort.language)].right_to_left();
+        const double radius_mm = wall_at(shape, snapshot.load.height_mm).outer_mm;
+        view.warning_at_px = seen({(rtl ? -radius_mm : radius_mm), snapshot.load.height_mm, 0.0});
+    }
+    if (!state.throwing.target) return;
+    const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*state.throwing.target)];
+    const std::vector<vec2> outline = wet_outline(parts_.settings.targets[place]);
+    std::vector<vec2> left;
+    std::vector<vec2> right;
+    for (const vec2& point : outline) {
+        left.push_back(seen({-double{point.x}, double{point.y}, 0.0}));
+        right.push_back(seen({double{point.x}, double{point.y}, 0.0}));
+    }
+    std::vector<vec2> rim;
+    constexpr int kPoints = 48;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kPoints;
+        rim.push_back(seen({double{outline.back().x} * std::cos(angle), double{outline.back().y},
+                            double{outline.back().x} * std::sin(angle)}));
+    }
+    view.outline_px = {std::move(left), std::move(right), std::move(rim)};
+}
+
+// Long enough to be read, however the hand comes and goes.
+const std::string& VisitScreens::caption(const VisitMoment& moment) {
+    constexpr double kReadS = 1.5;
+    const std::string_view heard = caption_key(scene_of(moment.snapshot, 1.0));
+    if (heard == caption_ || moment.now_s - caption_s_ < kReadS) return caption_;
+    caption_s_ = moment.now_s;
+    return caption_ = heard;
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,38 @@
+#include "game/app/system/end_signal.h"
+
+#include <signal.h>  // NOLINT: sigaction is POSIX
+
+#include <atomic>
+
+namespace onggi::app {
+namespace {
+
+// A handler may touch nothing else.
+std::atomic<bool> asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void note(int /*signal*/) {
+    asked.store(true, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+void note_end_signals(bool locked) {
+    struct sigaction action {};
+    action.sa_handler = &note;
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGTERM, SIGHUP})
+        sigaction(signal, &action, nullptr);
+    action.sa_flags |= static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    if (!locked) return;
+    // A visitor's keyboard is no way out; the system's own request (SIGTERM) stays one.
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGINT, &action, nullptr);
+}
+
+bool end_was_asked() {
+    return asked.load(std::memory_order_relaxed);
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,39 @@
+#include "game/app/system/process_use.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+namespace onggi::app {
+
+std::optional<double> since_start_s() {
+    // proc(5): the program's name stands in brackets and may hold anything; the start is the 20th word after.
+    std::ifstream file("/proc/self/stat");
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t name_end = text.rfind(')');
+    if (name_end == std::string::npos) return std::nullopt;
+    std::istringstream words(text.substr(name_end + 1));
+    constexpr int kBeforeStart = 19;
+    std::string word;
+    for (int i = 0; i < kBeforeStart; ++i)
+        words >> word;
+    double start_ticks = 0.0;
+    if (!(words >> start_ticks)) return std::nullopt;
+    double now_s = 0.0;
+    if (!(std::ifstream("/proc/uptime") >> now_s)) return std::nullopt;
+    return now_s - start_ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+std::optional<double> resident_mb() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        double kib = 0.0;
+        if (word == "VmRSS:" && status >> kib) return kib * 1024.0 / 1e6;
+    }
+    return std::nullopt;
+}
+
+}  // namespace onggi::app

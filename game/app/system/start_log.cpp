@@ -1,0 +1,113 @@
+#include "game/app/system/start_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <system_error>
+
+#include "engine/core/quote.h"
+#include "engine/files/atomic_file.h"
+#include "engine/files/read_file.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr std::string_view kFirstLine = "onggi starts 1";
+constexpr std::size_t kMostLogBytes = 4096;
+constexpr std::size_t kMostFalls = 20;  // more tell nothing new
+
+std::int64_t wall_clock_s() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::seconds>(now).count();
+}
+
+}  // namespace
+
+StartReport begin(StartLog& log, std::int64_t now_s) {
+    if (log.is_running) log.falls_s.push_back(now_s);
+    // A clock that was put back makes falls of the future: they tell nothing.
+    std::erase_if(log.falls_s,
+                  [&](std::int64_t fall_s) { return fall_s > now_s || now_s - fall_s >= kFallsCountForS; });
+    if (log.falls_s.size() > kMostFalls)
+        log.falls_s.erase(log.falls_s.begin(), log.falls_s.end() - static_cast<std::ptrdiff_t>(kMostFalls));
+    log.is_running = true;
+    const int falls = static_cast<int>(log.falls_s.size());
+    return {.is_safe_mode = falls >= kFallsToSafeMode, .falls = falls};
+}
+
+std::string text_of(const StartLog& log) {
+    std::string text = fmt::format("{}\n{}\n", kFirstLine, log.is_running ? "running" : "ended");
+    for (const std::int64_t fall_s : log.falls_s)
+        text += fmt::format("fell {}\n", fall_s);
+    return text;
+}
+
+Result<StartLog> read_start_log(std::string_view text, const std::string& file) {
+    StartLog log;
+    const auto wrong = [&](int line, std::string_view expected, std::string_view found) {
+        return bad_input(
+            fmt::format("{}, line {}: expected {}, found {}", file, line, expected, in_quotes(found)));
+    };
+    int number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++number;
+        if (number == 1) {
+            if (line != kFirstLine) return wrong(number, in_quotes(kFirstLine), line);
+        } else if (number == 2) {
+            if (line != "running" && line != "ended") return wrong(number, "'running' or 'ended'", line);
+            log.is_running = line == "running";
+        } else {
+            constexpr std::string_view kFell = "fell ";
+            std::int64_t fall_s = 0;
+            const std::string_view digits = line.substr(std::min(kFell.size(), line.size()));
+            const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), fall_s);
+            const bool is_whole = read.ec == std::errc() && read.ptr == digits.data() + digits.size();
+            if (!line.starts_with(kFell) || !is_whole) return wrong(number, "'fell' and a time", line);
+            log.falls_s.push_back(fall_s);
+        }
+    }
+    if (number < 2) return wrong(number + 1, "'running' or 'ended'", "");
+    return log;
+}
+
+Result<void> StartKeeper::write() {
+    std::error_code error;
+    std::filesystem::create_directories(file_.parent_path(), error);
+    return files::write_file_atomically(file_, text_of(log_));
+}
+
+StartReport StartKeeper::begin_now(std::vector<std::string>& remarks) {
+    std::error_code error;
+    if (std::filesystem::exists(file_, error)) {
+        const auto text = files::read_file(file_, kMostLogBytes);
+        auto log = text ? read_start_log(*text, file_.string()) : Result<StartLog>(text.error());
+        if (log) {
+            log_ = std::move(*log);
+        } else {
+            remarks.push_back(log.error().message + "; the falls before are forgotten");
+        }
+    }
+    const StartReport report = begin(log_, wall_clock_s());
+    if (const auto written = write(); !written) remarks.push_back(written.error().message);
+    if (report.is_safe_mode) {
+        remarks.push_back(
+            fmt::format("safe mode: the program fell {} times within {} minutes; no devices, a plain picture",
+                        report.falls, kFallsCountForS / 60));
+    } else if (report.falls > 0) {
+        remarks.push_back(fmt::format("started again after a fall, the {}. within {} minutes", report.falls,
+                                      kFallsCountForS / 60));
+    }
+    return report;
+}
+
+Result<void> StartKeeper::end_now() {
+    end(log_);
+    return write();
+}
+
+}  // namespace onggi::app

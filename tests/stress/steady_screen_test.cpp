@@ -1,0 +1,52 @@
+// A screen is made anew where something that is seen has changed, and at no other time: composing costs tens
+// of milliseconds. By a clock of the test's own.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+
+#include "tests/stress/unseen_kiosk.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Screen;
+
+class SteadyScreen : public testing::Test {
+  protected:
+    // How many screens are shown in so many seconds, the one at their beginning among them.
+    std::size_t screens_in(double seconds) {
+        std::set<std::shared_ptr<const screens::View>> shown;
+        for (const double end_s = kiosk.now_s() + seconds; kiosk.now_s() < end_s;) {
+            kiosk.frame();
+            shown.insert(kiosk.shown_view());
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return shown.size();
+    }
+    void settle(Screen screen) {
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == screen; }));
+        screens_in(3.0);
+    }
+
+    test::TemporaryFolder gallery;
+    UnseenKiosk kiosk{gallery.path()};
+};
+
+TEST_F(SteadyScreen, StaysWhileNothingThatIsSeenChanges) {
+    kiosk.touch();
+    settle(Screen::kChoose);
+    EXPECT_EQ(screens_in(2.0), 1U) << "choose";
+    ASSERT_TRUE(kiosk.press(Button::kTarget, 0));
+    settle(Screen::kThrow);
+    EXPECT_EQ(screens_in(2.0), 1U) << "throw, with an outline over the clay";
+    const auto before = kiosk.shown_view();
+    ASSERT_TRUE(kiosk.press(Button::kWaterMore));
+    EXPECT_TRUE(kiosk.until([&] { return kiosk.shown_view() != before; }));
+    EXPECT_EQ(kiosk.shown_view()->state.throwing.water, before->state.throwing.water + 1);
+}
+
+}  // namespace
+}  // namespace onggi::app
