@@ -25,7 +25,7 @@ ONGGI_CONST int kShadowSteps = 32;      // of a ray past the lathe to the ground
 ONGGI_CONST int kMaskTexels = 96;       // the shadow mask, each way
 ONGGI_CONST int kKeyMapTexels = 512;    // the still life's shadow map, each way
 
-// Bindings of the one descriptor set; the first two are all that cached layers need.
+// Bindings of the one descriptor set, and how many the layers of a room that is kept need of them.
 ONGGI_CONST int kBindFrame = 0;
 ONGGI_CONST int kBindKeyMap = 1;
 ONGGI_CONST int kBindOutline = 2;
@@ -40,7 +40,8 @@ ONGGI_CONST int kBindNextAmbient = 10;
 ONGGI_CONST int kBindFromDepth = 11;
 ONGGI_CONST int kBindToDepth = 12;
 ONGGI_CONST int kBindVertices = 13;
-ONGGI_CONST int kBindSlip = 14;
+ONGGI_CONST int kBindings = 14;
+ONGGI_CONST int kBindingsOfLayers = 2;
 
 struct FrameData {
     mat4 view_projection;

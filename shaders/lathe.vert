@@ -3,8 +3,8 @@
 // A pot's vertices, placed on the processor; here the light that changes slowly over them: llvmpipe pays for
 // pixels, not for a few thousand vertices.
 #include "frame.glsl"
+#include "clay.h"
 #include "sky.glsl"
-#include "surface.glsl"
 #include "spheres.glsl"
 
 layout(std430, set = 0, binding = kBindRows) readonly buffer RowBlock {
@@ -36,7 +36,6 @@ layout(location = 11) flat out vec4 out_spheres[kSpheres];
 #ifdef ONGGI_LOAD
 layout(location = 15) out vec2 out_load;  // y: along the hatch, mm
 #endif
-layout(location = 16) noperspective out float out_slip_up;  // as out_detail.y
 
 void main() {
     int in_row = int(draw.turn.y);
@@ -49,32 +48,25 @@ void main() {
     vec2 profile = row.light.xy;
     vec3 n =
         normalize(vec3(profile.x * outward.x, profile.y - profile.x * vertex.lean.y, profile.x * outward.y));
-    float open = row.light.z;
     float inside = row.light.w;
-    // Close to what it stands on, a wall sees less of the sky.
-    open *= 1.0 - 0.55 * exp(-row.place.y * 0.07) * (1.0 - n.y) * (1.0 - inside);
-    open *= sky_past_spheres(position, n);
-    // Deep inside, what light there is comes down through the mouth, whichever way the wall looks.
-    vec3 from = normalize(mix(n, vec3(0.0, 1.0, 0.0), inside * 0.75 * (1.0 - open)));
+    float open = clay_open(row.light.z, row.place.y, n.y, inside) * sky_past_spheres(position, n);
+    vec3 from = normalize(mix(n, vec3(0.0, 1.0, 0.0), clay_from_mouth(inside, open)));
     vec3 albedo = mix(draw.dry.rgb, draw.wet.rgb, row.water.x);
     out_to_eye = frame.eye.xyz - position;
     float nearness = inversesqrt(dot(out_to_eye, out_to_eye));
     vec3 v = out_to_eye * nearness;
     float l_v = dot(frame.key_direction.xyz, v);
-    out_slow = vec2(nearness, inversesqrt(max(2.0 + 2.0 * l_v, 1e-4)));
-    float rough = 0.85 - 0.5 * row.water.x;
+    out_slow = vec2(nearness, half_of(l_v));
+    float rough = clay_rough(row.water.x);
     out_ambient = vec4(sky_diffuse(from) * open_sky_colour(open, albedo),
-                       mix(draw.gloss.x, draw.gloss.y, row.water.x));
-    out_mirrored = vec4(sky_radiance(reflect(-v, n), mix(0.30, 0.20, draw.gloss.w)) * open, rough);
-    out_albedo = vec4(albedo, 1.0 / (1.0 + 0.288 * rough));
+                       clay_roughness(draw.gloss.x, draw.gloss.y, row.water.x));
+    out_mirrored = vec4(sky_radiance(reflect(-v, n), clay_sky_roughness(draw.gloss.w)) * open, rough);
+    out_albedo = vec4(albedo, clay_left(rough));
     out_outline = vec4(outward, row.place.z, vertex.place.w);
-    // Two of the texture go round. Up the pot it goes by length along the outline, over the rim and down
-    // inside.
-    vec2 detail_at = vec2(2.0 * vertex.lean.w, row.place.w / 67.0);
-    out_slip_up = detail_at.y;
+    vec2 detail_at = vec2(2.0 * vertex.lean.w, row.place.w / kSlipMm);
     out_detail = vec4(detail_at.x + draw.turn.x, detail_at.y, row.water.y, vertex.lean.y);
 #ifdef ONGGI_LOAD
-    out_load = vec2(row.water.z, detail_at.x * 120.0 + detail_at.y * 67.0);
+    out_load = vec2(row.water.z, detail_at.x * kSlipRoundMm + detail_at.y * kSlipMm);
 #endif
     out_light_from = vec4(frame.key_direction.xyz, draw.wet.w);
     out_radiance = vec4(frame.key_radiance.rgb, draw.turn.w);

@@ -1,4 +1,5 @@
-// The lathe between a point outside it and the key light.
+// The lathe between a point outside it and the key light, see shadow.h.
+#include "shadow.h"
 
 layout(std430, set = 0, binding = kBindOutline) readonly buffer OutlineBlock {
     float outline[];
@@ -12,8 +13,8 @@ float past_lathe_to_light(vec3 p) {
     if (height <= 0.0) return 1.0;
     vec3 l = frame.key_direction.xyz;
     float rise = max(l.y, 0.05);
-    float from = max(0.0, -p.y / rise);
-    float to = (height - p.y) / rise;
+    float from = slab_from(p.y, rise);
+    float to = slab_to(p.y, rise, height);
     if (to <= from) return 1.0;
     float least = 1e3;
     const int kSteps = 16;
@@ -21,9 +22,8 @@ float past_lathe_to_light(vec3 p) {
         float t = mix(from, to, (float(i) + 0.5) / float(kSteps));
         vec3 at = p + l * t;
         float sample_number = clamp(at.y * frame.lathe.y, 0.0, frame.lathe.z - 1.0);
-        float gap = length(at.xz - frame.lathe_foot.xy) - outline[int(sample_number)];
-        least = min(least, gap / max(t, 4.0));
+        vec2 from_axis = at.xz - frame.lathe_foot.xy;
+        least = min(least, past_outline(from_axis.x, from_axis.y, outline[int(sample_number)], t));
     }
-    float width = max(frame.key_direction.w, 0.02);
-    return smoothstep(-width, width, least);
+    return past_least(least, frame.key_direction.w);
 }

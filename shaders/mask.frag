@@ -1,19 +1,16 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The shadow that the moving things cast on y = 0, seen along the light: r how much of the key light gets
-// there, g how much of the sky. Drawn only when the outline or a tool has changed. At the border nothing is
-// in shade, so that a lookup outside finds the border and is right.
+// there, g how much of the sky. Drawn only when the outline or a tool has changed.
 #include "frame.glsl"
-#include "surface.glsl"
+#include "shadow.h"
 #include "spheres.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 0) out vec2 out_seen;
 
 float gap_at(int i, vec2 q) {
-    vec4 at = frame.shadow_steps[i];
-    vec2 from_axis = q + at.xy;
-    return (sqrt(dot(from_axis, from_axis)) - at.z) * at.w;
+    return ground_gap(frame.shadow_steps[i], q.x, q.y);
 }
 
 float past_lathe(vec2 q) {
@@ -23,7 +20,7 @@ float past_lathe(vec2 q) {
         vec2 pairs = min(gaps.xy, gaps.zw);
         least = min(least, min(pairs.x, pairs.y));
     }
-    return smoothstep(-1.0, 1.0, least);
+    return ground_lit(least);
 }
 
 void main() {
@@ -34,10 +31,7 @@ void main() {
     if (frame.lathe.x > 0.0) {
         seen *= past_lathe(q.xz);
         float from_foot = max(length(q.xz - frame.lathe_foot.xy) - frame.lathe.w, 0.0);
-        float shade = 0.55 * exp(-from_foot * 0.09) + 0.27 * exp(-from_foot * 0.024);
-        open *= 1.0 - shade * smoothstep(62.0, 18.0, from_foot);
+        open *= ground_open(from_foot);
     }
-    vec2 from_border = min(position, 1.0 - position) * 8.0;
-    float inside = smoothstep(0.1, 1.0, min(from_border.x, from_border.y));
-    out_seen = mix(vec2(1.0), vec2(seen, open), inside);
+    out_seen = mix(vec2(1.0), vec2(seen, open), inside_mask(position.x, position.y));
 }

@@ -6,7 +6,7 @@
 #include "noise.glsl"
 #include "packed.glsl"
 #include "sky.glsl"
-#include "surface.glsl"
+#include "surface.h"
 #include "tone.glsl"
 
 #ifndef ONGGI_LAYERS
@@ -103,7 +103,7 @@ void main() {
     }
     gloss *= seen;
     vec3 key_light = frame.key_radiance.rgb * (body * lit + f0 * gloss * 3.14159265);
-    vec3 mirror = f0 + (max(vec3(1.0 - roughness), f0) - f0) * pow(1.0 - n_v, 5.0);
+    vec3 mirror = f0 + (max(vec3(1.0 - roughness), f0) - f0) * grazing(n_v);
     vec3 shade = open_sky_colour(open_sky, albedo);
     vec3 ambient = body * sky_diffuse(leaning) * shade + mirror * reflected * open_sky;
 

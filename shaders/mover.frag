@@ -1,14 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A hand or a tool. Its triangles are a few pixels large, so that on one software core its vertices are lit
-// instead (ONGGI_VERTEX_LIT), and what they look like is only spread between them. Where the processor draws them
-// itself it does the same (mover_light.cpp), and tests hold it to this.
-#ifdef ONGGI_VERTEX_LIT
-layout(location = 0) in vec3 encoded;
-#else
-#include "surface.glsl"
+// A hand or a tool. Where the processor draws them it lights their corners alike (mover_light.cpp).
 #include "tone.glsl"
-#include "mover.glsl"
+#include "hand.h"
 
 layout(location = 0) in vec3 view;
 layout(location = 1) in vec3 normal;
@@ -17,15 +11,12 @@ layout(location = 3) in vec3 ambient;
 layout(location = 4) in vec3 key;
 layout(location = 5) in vec3 mirror;
 layout(location = 6) flat in vec3 light_from;
-#endif
 layout(location = 0) out vec4 out_colour;
 
 void main() {
-#ifdef ONGGI_VERTEX_LIT
-    out_colour = vec4(encoded, 1.0);
-#else
-    vec3 light =
-        mover_light(normalize(normal), view, light_from, albedo.rgb, albedo.w, ambient, key, mirror);
+    vec3 n = normalize(normal);
+    float n_l = dot(n, light_from);
+    float gleam = hand_gleam(n_l, dot(n, view), dot(view, light_from), albedo.w);
+    vec3 light = ambient + key * (albedo.rgb * hand_lit(n_l) + mirror * gleam);
     out_colour = vec4(encode(light), 1.0);
-#endif
 }

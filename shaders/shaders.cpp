@@ -19,8 +19,6 @@
 #include "mesh_layers_frag.h"
 #include "mesh_vert.h"
 #include "mover_frag.h"
-#include "mover_lit_frag.h"
-#include "mover_lit_vert.h"
 #include "mover_vert.h"
 #include "places_frag.h"
 #include "plate_frag.h"
@@ -44,8 +42,6 @@ const Spirv kLatheVert = lathe_vert;
 const Spirv kLatheFrag = lathe_frag;
 const Spirv kMoverVert = mover_vert;
 const Spirv kMoverFrag = mover_frag;
-const Spirv kMoverLitVert = mover_lit_vert;
-const Spirv kMoverLitFrag = mover_lit_frag;
 const Spirv kMaskFrag = mask_frag;
 const Spirv kLatheLoadVert = lathe_load_vert;
 const Spirv kLatheLoadFrag = lathe_load_frag;

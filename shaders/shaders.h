@@ -27,8 +27,6 @@ extern const Spirv kLatheVert;
 extern const Spirv kLatheFrag;
 extern const Spirv kMoverVert;
 extern const Spirv kMoverFrag;
-extern const Spirv kMoverLitVert;
-extern const Spirv kMoverLitFrag;
 extern const Spirv kMaskFrag;
 extern const Spirv kLatheLoadVert;
 extern const Spirv kLatheLoadFrag;

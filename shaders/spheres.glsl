@@ -1,6 +1,7 @@
 // All of the moving spheres, always, unrolled: those that are not there lie far below everything, and are next
 // to nothing. A loop up to their count would cost more: llvmpipe takes an index for one that differs from pixel
-// to pixel, and fetches what lies there pixel by pixel. Needs frame.glsl and surface.glsl.
+// to pixel, and fetches what lies there pixel by pixel. Needs frame.glsl.
+#include "surface.h"
 
 // How much of the key light passes them on its way to p, 0 to 1.
 float past_spheres(vec3 p) {

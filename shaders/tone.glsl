@@ -1,4 +1,6 @@
-// Light to eight bits: a rational curve that never clips, then the transfer function of the screen.
+// Light to eight bits: the picture's curve, then the transfer function of the screen.
+#include "curve.h"
+
 layout(constant_id = 0) const uint kTransfer = 0;  // 0 exact sRGB (IEC 61966-2-1), 1 square root
 
 // The three fractions n / d with one division.
@@ -19,15 +21,10 @@ vec3 untransferred(vec3 v) {
 
 vec3 encode(vec3 light) {
     vec3 c = max(light, vec3(0.0));
-    return transferred(divided(c, c * 0.8 + 0.35));
-}
-
-// The curve backwards; white, where it is steepest, is light of 1.75.
-vec3 light_of(vec3 c) {
-    return 0.35 * c / (1.0 - 0.8 * c);
+    return transferred(divided(c, curve_under(c)));
 }
 
 // encode() backwards.
 vec3 decode(vec3 v) {
-    return light_of(untransferred(v));
+    return curve_light(untransferred(v));
 }

@@ -12,6 +12,25 @@ constexpr double kEasy = 0.45;     // time to spare for the next step, which cos
 constexpr double kTriedS = 20.0;   // a step up that lasted so long was right
 constexpr double kMostPatienceS = 600.0;
 
+// What a GPU draws that a still has more of.
+struct GpuSteps {
+    int samples = 4;
+    float scale = 1.0F;
+    int sectors = 0;
+    int max_rings = kMaxRings;
+    float ring_error_px = 0.0F;
+};
+
+RendererDesc gpu_desc(VkFormat colour_format, const GpuSteps& steps) {
+    RendererDesc desc = still_desc(colour_format);
+    desc.samples = steps.samples;
+    desc.scale = steps.scale;
+    desc.sectors = steps.sectors;
+    desc.max_rings = steps.max_rings;
+    desc.ring_error_px = steps.ring_error_px;
+    return desc;
+}
+
 constexpr int index_of(QualityStep step) {
     return static_cast<int>(step);
 }
@@ -26,6 +45,10 @@ std::string_view quality_name(QualityStep step) {
             return "one software core";
         case QualityStep::kTwoCores:
             return "two software cores";
+        case QualityStep::kSlowestGpu:
+            return "slowest GPU";
+        case QualityStep::kSlowGpu:
+            return "slow GPU";
         case QualityStep::kIntegratedGpu:
             return "integrated GPU";
         case QualityStep::kDiscreteGpu:
@@ -51,12 +74,17 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
             software.ring_error_px *= 0.6F;
             software.sector_error_px *= 0.6F;
             return software;
-        case QualityStep::kIntegratedGpu: {
-            RendererDesc desc = still_desc(colour_format);
-            desc.sectors = 128;
-            desc.ring_error_px = 0.1F;
-            return desc;
-        }
+        case QualityStep::kSlowestGpu:
+            return gpu_desc(colour_format, {.samples = 1,
+                                            .scale = 2.0F / 3.0F,
+                                            .sectors = 72,
+                                            .max_rings = 128,
+                                            .ring_error_px = 0.25F});
+        case QualityStep::kSlowGpu:
+            return gpu_desc(colour_format,
+                            {.samples = 1, .sectors = 96, .max_rings = 128, .ring_error_px = 0.25F});
+        case QualityStep::kIntegratedGpu:
+            return gpu_desc(colour_format, {.sectors = 128, .ring_error_px = 0.1F});
         case QualityStep::kDiscreteGpu:
             break;
     }
@@ -66,9 +94,9 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
 QualityRange quality_range(DeviceClass device, int threads) {
     switch (device) {
         case DeviceClass::kIntegratedGpu:
-            return {QualityStep::kIntegratedGpu, QualityStep::kTwoCores, QualityStep::kDiscreteGpu};
+            return {QualityStep::kIntegratedGpu, QualityStep::kSlowestGpu, QualityStep::kDiscreteGpu};
         case DeviceClass::kDiscreteGpu:
-            return {QualityStep::kDiscreteGpu, QualityStep::kTwoCores, QualityStep::kDiscreteGpu};
+            return {QualityStep::kDiscreteGpu, QualityStep::kSlowestGpu, QualityStep::kDiscreteGpu};
         case DeviceClass::kSoftware:
             break;
     }

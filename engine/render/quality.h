@@ -10,11 +10,14 @@
 
 namespace onggi::render {
 
+// Two ladders, one above the other: what the processor draws, and what a GPU does. No device leaves its own.
 enum class QualityStep {
     kSpare,          // a software core that is too slow or too short of memory for the next
     kOneCore,        // one software core, 60 frames a second at 1280x720
     kTwoCores,       // finer outlines, for a processor that has time left
-    kIntegratedGpu,  // everything every frame, four samples a pixel
+    kSlowestGpu,     // one sample a pixel, of a picture of two thirds the size
+    kSlowGpu,        // one sample a pixel
+    kIntegratedGpu,  // four
     kDiscreteGpu,    // the same with as many rings and sectors as a still
 };
 [[nodiscard]] std::string_view quality_name(QualityStep step);  // "one software core"
@@ -22,7 +25,7 @@ enum class QualityStep {
 // Whether a camera on its way is drawn as quickly as one at rest: a software core keeps the room as one
 // camera sees it.
 [[nodiscard]] constexpr bool has_time_for_moving_camera(QualityStep step) {
-    return step >= QualityStep::kIntegratedGpu;
+    return step >= QualityStep::kSlowestGpu;
 }
 
 // What a step asks of the renderer, for a picture of this height.

@@ -11,8 +11,10 @@
 #include <memory>
 #include <span>
 
+#include "engine/render/renderer_desc.h"
 #include "engine/vk/device.h"
 #include "engine/vk/instance.h"
+#include "engine/vk/offscreen.h"
 
 namespace onggi::golden {
 
@@ -45,6 +47,17 @@ constexpr int kOnEdges = 12;
 // either, which differ by little.
 constexpr int kOnTexels = 64;
 constexpr int kTexelsApart = 16;  // levels, at most
+
+// What either backend draws alike to the pixel but for rounding: one sample, the same outlines, no smoothing
+// of them, and slip of one texel, for how texels are read is the one thing in which they are meant to differ;
+// hands too, which the processor lights at their corners.
+inline render::RendererDesc strictly_alike(render::Backend backend, int height_px) {
+    render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, height_px);
+    desc.backend = backend;
+    desc.smooths_outlines = false;
+    desc.slip_across = desc.slip_up = 1;
+    return desc;
+}
 
 class DrawingTest : public testing::Test {
   protected:

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
@@ -29,8 +30,8 @@ class Glides : public DrawingTest {
         shown_ = scene_named("pulling");
         shown_.width = 1280;  // as the photographs are
         shown_.height = 720;
-        render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, shown_.height);
-        desc.cached = false;
+        const render::RendererDesc desc =
+            render::quality_desc(render::QualityStep::kSlowGpu, vk::Offscreen::kFormat, shown_.height);
         renderer_ = render::Renderer::create(*device_, desc).value();
         target_ = vk::Offscreen::create(*device_, {1280, 720}).value();
         opened_ = wheel::open_scene({}, shown_.width, shown_.height);

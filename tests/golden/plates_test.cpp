@@ -39,12 +39,13 @@ class Plates : public DrawingTest {
   protected:
     void SetUp() override {
         DrawingTest::SetUp();
-        make_renderer(true);
+        make_renderer(render::Backend::kCpu);
         target_ = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
     }
-    void make_renderer(bool cached) {
-        render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
-        desc.cached = cached;
+    void make_renderer(render::Backend backend) {
+        const render::RendererDesc desc = backend == render::Backend::kCpu
+                                              ? render::live_desc(vk::Offscreen::kFormat, true, kHeight)
+                                              : render::still_desc(vk::Offscreen::kFormat);
         renderer_ = render::Renderer::create(*device_, desc).value();
     }
     // The level in the picture's middle of a camera that stands at one plate, or is on its way to another.
@@ -75,7 +76,7 @@ class Plates : public DrawingTest {
 };
 
 TEST_F(Plates, AreShownAgainAfterTheyWereDropped) {
-    make_renderer(false);
+    make_renderer(render::Backend::kVulkan);
     const auto here = grey_plate(60);
     const auto there = grey_plate(200);
     const int first = drawn(here, there);

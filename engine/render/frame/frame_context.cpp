@@ -1,8 +1,111 @@
 #include "engine/render/frame/frame_context.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "engine/render/frame/pipelines.h"
 #include "engine/vk/check.h"
 
 namespace onggi::render {
+namespace {
+
+constexpr VkShaderStageFlags kBoth = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+constexpr VkDescriptorType kSampledImage = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+
+constexpr vk::Binding kImage{kSampledImage, VK_SHADER_STAGE_FRAGMENT_BIT};
+constexpr vk::Binding kTexels{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT};
+constexpr vk::Binding kVertexData{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT};
+
+// In the order of the kBind... constants.
+constexpr std::array kBindings{vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kBoth},
+                               kImage,
+                               vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBoth},
+                               kVertexData,
+                               kTexels,
+                               kImage,
+                               vk::Binding{kSampledImage, kBoth},
+                               kImage,
+                               kImage,
+                               kImage,
+                               kImage,
+                               vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
+                               vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
+                               kVertexData};
+static_assert(kBindings.size() == shaders::kBindings);
+
+// Vulkan does not promise it everywhere; every desktop driver we know has it.
+Result<void> check_depth_format(const vk::Device& device) {
+    constexpr VkFormatFeatureFlags kFeatures =
+        VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(device.physical(), kDepthFormat, &properties);
+    if ((properties.optimalTilingFeatures & kFeatures) == kFeatures) return {};
+    return system_lacks(fmt::format("Vulkan device {}: expected reading of D32_SFLOAT images, found none",
+                                    device.description().name));
+}
+
+Result<void> create_scene_set(FrameContext& frame, std::size_t bindings) {
+    auto set = vk::create_set(frame.device, std::span(kBindings).first(bindings), "scene");
+    if (!set) return set.error();
+    frame.scene_set = std::move(*set);
+    constexpr auto kPushBytes = static_cast<std::uint32_t>(
+        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::MoverDraw)}));
+    static_assert(kPushBytes <= 128);  // what every device has
+    auto layout = vk::create_pipeline_layout(frame.device, frame.scene_set.layout.get(), kPushBytes, "scene");
+    if (!layout) return layout.error();
+    frame.layout = std::move(*layout);
+    return {};
+}
+
+Result<void> create_key_map(FrameContext& frame) {
+    auto sampler = vk::create_sampler(frame.device,
+                                      {.filter = VK_FILTER_NEAREST,
+                                       .address_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+                                       .address_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+                                       .compares = true},
+                                      "compared");
+    if (!sampler) return sampler.error();
+    frame.compared = std::move(*sampler);
+    auto map = vk::Image::create(
+        frame.device, {.name = "still life's shadow map",
+                       .format = kDepthFormat,
+                       .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
+                       .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                       .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
+    if (!map) return map.error();
+    frame.key_map = std::move(*map);
+    vk::write_image(frame.device, frame.set(), shaders::kBindKeyMap, frame.key_map.view(),
+                    frame.compared.get());
+    // What is bound must be laid out, though not every scene has it drawn or read.
+    return frame.device.run_once([&](VkCommandBuffer once) {
+        vk::barrier(once, frame.key_map, vk::state::kUndefined, vk::state::kSampled);
+    });
+}
+
+}  // namespace
+
+Result<void> FrameContext::create(std::size_t bindings) {
+    if (auto there = check_depth_format(device); !there) return there;
+    if (auto made = create_scene_set(*this, bindings); !made) return made;
+    if (auto made = create_key_map(*this); !made) return made;
+    auto allocated = device.allocate_commands("frame");
+    if (!allocated) return allocated.error();
+    commands = *allocated;
+    auto buffer = vk::Buffer::create(
+        device,
+        {.name = "frame", .size = sizeof(shaders::FrameData), .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
+    if (!buffer) return buffer.error();
+    uniforms = std::move(*buffer);
+    vk::write_buffer(device, set(), shaders::kBindFrame, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                     uniforms.handle());
+    auto made_clock = PassClock::create(device, desc);
+    if (!made_clock) return made_clock.error();
+    clock = std::move(*made_clock);
+    return {};
+}
 
 Result<void> FrameContext::begin() {
     VkCommandBufferBeginInfo info{};

@@ -1,32 +1,41 @@
-// What the passes of one frame share: the device's objects, what the scene became, and the commands they
-// record into. Main thread. Pixels.
+// What every frame of either backend is made with: the device's objects that both need, what the scene
+// became, and the commands that are recorded. Main thread. Pixels.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
-#include "engine/render/frame/frame_images.h"
 #include "engine/render/frame/pass.h"
-#include "engine/render/frame/pipelines.h"
 #include "engine/render/frame_stats.h"
 #include "engine/render/pass_clock.h"
 #include "engine/render/shapes/frame_build.h"
 #include "engine/vk/buffer.h"
 #include "engine/vk/frame_target.h"
+#include "engine/vk/image.h"
+#include "engine/vk/pipeline.h"
 
 namespace onggi::render {
 
 struct FrameContext {
     vk::Device& device;
     RendererDesc desc;
-    Pipelines pipelines{};
-    FrameImages images{};
+    vk::BoundSet scene_set{};
+    vk::PipelineLayout layout{};
+    // The still life's shadow map and what reads it; the pipeline where a scene has needed it.
+    vk::Image key_map{};
+    vk::Sampler compared{};
+    vk::Pipeline key_map_pipeline{};
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    VkExtent2D extent{};
+    VkExtent2D extent{};  // of the scene's picture
     BuiltFrame built{};
     FrameStats stats{};
     PassClock clock{};
     vk::Buffer uniforms{};
 
+    // Makes what is here but the shadow map's pipeline, with the first so many bindings of
+    // shaders/frame_data.h: a software device reads what is in a slot whether a shader does or not. Errors:
+    // the device's, or that it lacks a format.
+    Result<void> create(std::size_t bindings);
     // The command buffer; end() leaves the target, which is laid out as colour, as whoever shows it wants it.
     Result<void> begin();
     Result<void> end(const vk::TargetImage& target);
@@ -42,11 +51,11 @@ struct FrameContext {
         uniforms.write(std::as_bytes(std::span(&data, 1)));
     }
 
-    [[nodiscard]] VkDescriptorSet set() const { return pipelines.set.set; }
+    [[nodiscard]] VkDescriptorSet set() const { return scene_set.set; }
     void bind_set() const {
         const VkDescriptorSet own = set();
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout.get(), 0, 1, &own,
-                                0, nullptr);
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout.get(), 0, 1, &own, 0,
+                                nullptr);
     }
     // `record` into commands of their own, which are done when this returns.
     template <typename Record>
@@ -63,9 +72,8 @@ struct FrameContext {
     }
     template <typename Constants>
     void push(const Constants& constants) const {
-        vkCmdPushConstants(commands, pipelines.layout.get(),
-                           VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
-                           &constants);
+        vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+                           0, sizeof constants, &constants);
     }
     // One triangle over the whole target.
     void draw_screen(const vk::Pipeline& pipeline) const {

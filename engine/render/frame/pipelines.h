@@ -1,58 +1,45 @@
-// Everything the renderer makes once from its description: the set's layout, the samplers, the pipelines.
-// Main thread.
+// How both backends make their pipelines: what is alike in all of them, and the making itself. Main thread.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "engine/core/result.h"
-#include "engine/render/renderer_desc.h"
+#include "engine/render/frame/frame_context.h"
 #include "engine/render/scene.h"
 #include "engine/vk/pipeline.h"
 
 namespace onggi::render {
 
-constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
-constexpr VkFormat kMaskFormat = VK_FORMAT_R8G8_UNORM;
-// Two numbers of sixteen bits each, as two bytes each: see shaders/packed.glsl.
-constexpr VkFormat kPackedFormat = VK_FORMAT_R8G8B8A8_UNORM;
-constexpr VkFormat kDetailFormat = VK_FORMAT_R8G8B8A8_UNORM;
+inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 
-// What a glide needs: one plate, two, or two in the evening.
-constexpr std::size_t kGlideAlone = 0;
-constexpr std::size_t kGlideMixed = 1;
-constexpr std::size_t kGlideDimmed = 2;
-constexpr std::size_t kGlideNeeds = 3;
+inline constexpr std::array kMeshAttributes{
+    VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, position_mm)},
+    VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, normal)},
+    VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32_SFLOAT, offsetof(Mesh::Vertex, open_sky)}};
 
-struct Pipelines {
-    vk::BoundSet set;
-    vk::PipelineLayout layout;
-    vk::Sampler clamped;
-    vk::Sampler repeated;
-    vk::Sampler exact;
-    vk::Sampler compared;
-    vk::Pipeline
-        backdrop;         // into layers when cached, else into the picture; this and the next without a plate
-    vk::Pipeline still;   // likewise
-    vk::Pipeline places;  // cached, of a photographed room
-    vk::Pipeline plate;   // not cached: instead of the backdrop, and of the still life's colours
-    vk::Pipeline plate_surface;
-    // Instead of these two while the camera moves, by what it needs; never into layers.
-    std::array<vk::Pipeline, kGlideNeeds> glide;
-    std::array<vk::Pipeline, kGlideNeeds> glide_surface;
-    vk::Pipeline key_map;  // of a room in its own colours
-    vk::Pipeline mask;     // not cached
-    // None of the lathe's when cached: then the processor draws it.
-    vk::Pipeline lathe;               // where no moving sphere's shadow falls
-    vk::Pipeline lathe_near_spheres;  // where one may
-    vk::Pipeline lathe_load;          // the same with its load shown
-    vk::Pipeline lathe_section;       // the faces of a cut, where there is one
+// Without constants and colour formats, which the caller adds: a triangle over the whole picture that is seen
+// where nothing is, and meshes that stand still.
+[[nodiscard]] vk::PipelineDesc screen_pipeline(const FrameContext& frame, std::string_view name,
+                                               std::span<const std::uint32_t> fragment_spirv);
+[[nodiscard]] vk::PipelineDesc mesh_pipeline(const FrameContext& frame, std::string_view name,
+                                             std::span<const std::uint32_t> fragment_spirv);
+
+// Makes pipelines until one fails; the first failure is kept.
+class PipelineMaker {
+  public:
+    explicit PipelineMaker(const vk::Device& device) : device_(device) {}
+
+    // Where there is none yet: a pipeline takes 2 MB of a software driver's memory.
+    void make(vk::Pipeline& into, const vk::PipelineDesc& desc);
+    [[nodiscard]] Result<void> outcome() const { return error_; }
+
+  private:
+    const vk::Device& device_;
+    Result<void> error_;
 };
-
-// All but those that not every scene needs: a pipeline takes 2 MB of a software driver's memory.
-Result<Pipelines> create_pipelines(const vk::Device& device, const RendererDesc& desc);
-// Those that this scene needs besides, once.
-Result<void> fit_pipelines(const vk::Device& device, const RendererDesc& desc, const Scene& scene,
-                           Pipelines& pipelines);
 
 }  // namespace onggi::render

@@ -33,9 +33,7 @@ constexpr std::size_t kDepth = 23;     // as the device has it
 constexpr std::size_t kCount = 24;
 }  // namespace lathe_value
 
-// The slip's texture repeats. Up the pot: mm of the outline to one height of it; round the pot: two widths go
-// once round, and some more are added so that no place in it is below 0.
-constexpr float kSlipMm = 67.0F;
+// The slip's texture repeats; some of its widths are added so that no place in it is below 0.
 constexpr float kSlipWidthsMore = 4.0F;
 
 using LatheCorner = PictureCorner<lathe_value::kCount>;

@@ -6,22 +6,16 @@
 #include <cstring>
 
 #include "engine/render/pixels/lathe_shade.h"
-#include "engine/render/pixels/pixel_blocks.h"
 #include "engine/render/pixels/wide_vectors.h"
 
-// No vector leaves this file by value, see pixel_blocks.h.
+// No vector leaves this file by value, see float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace onggi::render {
 namespace {
 
-using blocks::any;
-using blocks::Block;
-using blocks::floats;
-using blocks::Ints;
-using blocks::kBlock;
-using blocks::kNumbers;
-using blocks::magnitude;
+using float8::any;
+using float8::floats;
 using shading::Pot;
 using shading::Queue;
 using shading::shade;
@@ -31,8 +25,8 @@ using shapes::Reach;
 using shapes::Shape;
 
 // What grows evenly over a triangle, as vectors of values: at its first corner, and from pixel to pixel.
-constexpr std::size_t kValueBlocks = value::kCount / kBlock;
-using Values = std::array<Block, kValueBlocks>;
+constexpr std::size_t kValueVectors = value::kCount / kFloat8;
+using Values = std::array<Float8, kValueVectors>;
 
 [[gnu::always_inline]] inline Values values_of(const LatheCorner& corner) {
     Values values;
@@ -41,8 +35,7 @@ using Values = std::array<Block, kValueBlocks>;
     return values;
 }
 
-// Which level of the slip a triangle shows: the one with a texel a pixel or two. slip_at() of
-// shaders/lathe.frag.
+// Which level of the slip a triangle shows: the one with a texel a pixel or two.
 [[gnu::always_inline]] inline int slip_level(const Shape<value::kCount>& shape, float area) {
     const LatheCorner& first = *shape.corners[0];
     const auto texels_up = [](const LatheCorner& corner) {
@@ -65,7 +58,7 @@ struct Growth {
     Values base;  // there
     Values across;
     Values down;
-    alignas(32) std::array<Block, value::kCount> along;  // a row's first eight pixels
+    alignas(32) std::array<Float8, value::kCount> along;  // a row's first eight pixels
 
     [[gnu::always_inline]] Growth(const Shape<value::kCount>& shape, float area)
         : from(shape.corners[0]->at_px),
@@ -75,22 +68,22 @@ struct Growth {
         const vec2 to_2 = (shape.corners[2]->at_px - from) / area;
         const Values of_1 = values_of(*shape.corners[1]);
         const Values of_2 = values_of(*shape.corners[2]);
-        for (std::size_t i = 0; i < kValueBlocks; ++i) {
-            const Block grown_1 = of_1[i] - base[i];
-            const Block grown_2 = of_2[i] - base[i];
+        for (std::size_t i = 0; i < kValueVectors; ++i) {
+            const Float8 grown_1 = of_1[i] - base[i];
+            const Float8 grown_2 = of_2[i] - base[i];
             across[i] = grown_1 * to_2.y - grown_2 * to_1.y;
             down[i] = grown_2 * to_1.x - grown_1 * to_2.x;
         }
         for (std::size_t i = 0; i < value::kCount; ++i)
-            along[i] = across[i / kBlock][i % kBlock] * floats(kNumbers);
+            along[i] = across[i / kFloat8][i % kFloat8] * floats(kFirst8);
     }
     // At a pixel.
     [[gnu::always_inline]] void find(int x, int y, std::array<float, value::kCount>& found) const {
         const float right_by = static_cast<float>(x) + 0.5F - from.x;
         const float down_by = static_cast<float>(y) + 0.5F - from.y;
-        for (std::size_t i = 0; i < kValueBlocks; ++i) {
-            const Block values = base[i] + across[i] * right_by + down[i] * down_by;
-            std::memcpy(found.data() + i * kBlock, &values, sizeof values);
+        for (std::size_t i = 0; i < kValueVectors; ++i) {
+            const Float8 values = base[i] + across[i] * right_by + down[i] * down_by;
+            std::memcpy(found.data() + i * kFloat8, &values, sizeof values);
         }
     }
 };
@@ -101,21 +94,21 @@ struct Growth {
                                               const LatheLook& look, Queue& queue, std::size_t at) {
     const shading::HatchPerTexel hatch(look.slip_size);
     const auto of = [](const Values& grown, std::size_t number) {
-        return grown[number / kBlock][number % kBlock];
+        return grown[number / kFloat8][number % kFloat8];
     };
     const auto along = [&](const Values& grown) {
         return of(grown, value::kSlip) * hatch.round_mm + of(grown, value::kSlip + 1) * hatch.up_mm;
     };
-    const Block near = first[value::kNear] + growth.along[value::kNear];
-    const Block place = ((first[value::kSlip] + growth.along[value::kSlip]) * hatch.round_mm +
-                         (first[value::kSlip + 1] + growth.along[value::kSlip + 1]) * hatch.up_mm) /
-                        near;
-    const Block width = (magnitude(along(growth.across) - place * of(growth.across, value::kNear)) +
-                         magnitude(along(growth.down) - place * of(growth.down, value::kNear))) /
-                        near;
+    const Float8 near = first[value::kNear] + growth.along[value::kNear];
+    const Float8 place = ((first[value::kSlip] + growth.along[value::kSlip]) * hatch.round_mm +
+                          (first[value::kSlip + 1] + growth.along[value::kSlip + 1]) * hatch.up_mm) /
+                         near;
+    const Float8 width = (float8::abs(along(growth.across) - place * of(growth.across, value::kNear)) +
+                          float8::abs(along(growth.down) - place * of(growth.down, value::kNear))) /
+                         near;
     std::memcpy(queue.values[shading::kHatchWidth].data() + at, &width, sizeof width);
-    const Block load_width =
-        Block{} + (std::abs(of(growth.across, value::kLoad)) + std::abs(of(growth.down, value::kLoad)));
+    const Float8 load_width =
+        Float8{} + (std::abs(of(growth.across, value::kLoad)) + std::abs(of(growth.down, value::kLoad)));
     std::memcpy(queue.values[shading::kLoadWidth].data() + at, &load_width, sizeof load_width);
 }
 
@@ -125,25 +118,25 @@ template <Pot kPot>
                                        const PictureCanvas& canvas, Queue& queue) {
     const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(y) * canvas.size.width + x;
     const std::ptrdiff_t at =
-        std::min(wanted, static_cast<std::ptrdiff_t>(canvas.pixels.size()) - std::ptrdiff_t{kBlock});
+        std::min(wanted, static_cast<std::ptrdiff_t>(canvas.pixels.size()) - std::ptrdiff_t{kFloat8});
     const int early = static_cast<int>(wanted - at);  // pixels of the block before the part
-    const int count = std::min(end - x + early, kBlock);
+    const int count = std::min(end - x + early, kFloat8);
     alignas(32) std::array<float, value::kCount> first;
     growth.find(x - early, y, first);
-    const Block here = first[value::kDepth] + growth.along[value::kDepth];
-    Block depth;
+    const Float8 here = first[value::kDepth] + growth.along[value::kDepth];
+    Float8 depth;
     std::memcpy(&depth, canvas.depth.data() + at, sizeof depth);
-    const Ints is_drawn = (here <= depth) & (kNumbers >= early) & (kNumbers < count);
+    const Int8 is_drawn = (here <= depth) & (kFirst8 >= early) & (kFirst8 < count);
     if (!any(is_drawn)) return;
     depth = is_drawn ? here : depth;
     std::memcpy(canvas.depth.data() + at, &depth, sizeof depth);
     const std::size_t before = queue.count;
-    const Ints places = is_drawn ? kNumbers + (static_cast<int>(at) | growth.level) : Ints{} - 1;
+    const Int8 places = is_drawn ? kFirst8 + (static_cast<int>(at) | growth.level) : Int8{} - 1;
     std::memcpy(queue.at.data() + before, &places, sizeof places);
     constexpr std::size_t kValues = kPot == Pot::kPlain ? value::kPlain : value::kDepth;
 #pragma GCC unroll 24
     for (std::size_t i = 0; i < kValues; ++i) {
-        const Block values = first[i] + growth.along[i];
+        const Float8 values = first[i] + growth.along[i];
         std::memcpy(queue.values[i].data() + before, &values, sizeof values);
     }
     if constexpr (kPot == Pot::kWithLoad) add_widths(growth, first, look, queue, before);
@@ -162,7 +155,7 @@ template <Pot kPot>
         const int end = reach.right[static_cast<std::size_t>(y)];
         if (end <= left) continue;
         shapes::fetch_ahead(canvas, left, y);
-        for (int x = left; x < end; x += kBlock) {
+        for (int x = left; x < end; x += kFloat8) {
             add<kPot>(growth, x, end, y, look, canvas, queue);
             if (queue.is_full()) shade<kPot>(queue, look, canvas);
         }
@@ -191,7 +184,7 @@ template <Pot kPot>
 [[gnu::always_inline]] inline void draw_all(std::span<const LatheCorner> corners,
                                             std::span<const std::uint16_t> indices, std::size_t plain,
                                             const LatheLook& look, const PictureCanvas& canvas) {
-    if (canvas.pixels.size() < kBlock) return;
+    if (canvas.pixels.size() < kFloat8) return;
     Reach reach(canvas.size);
     if (look.shows_load) {
         draw_some<Pot::kWithLoad>(corners, indices, look, reach, canvas);

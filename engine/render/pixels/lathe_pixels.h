@@ -1,4 +1,4 @@
-// The clay's pixels by the processor, where that is the device: what shaders/lathe.frag does, eight at a
+// The clay's pixels by the processor, where that is the device: as shaders/clay.h says, eight at a
 // time. lavapipe shades a triangle by the 4 x 4 blocks it touches, three times as many pixels as are seen.
 // Any thread; one user of a canvas at a time. Pixels, mm.
 #pragma once

@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstring>
 
-#include "engine/render/pixels/pixel_blocks.h"
+#include "engine/render/pixels/encode8.h"
 #include "engine/render/pixels/wide_vectors.h"
+
+// No vector leaves this file by value, see float8.h.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace onggi::render {
 namespace {
@@ -16,40 +19,32 @@ using shapes::Reach;
 using shapes::Shape;
 using shapes::Slope;
 
-using blocks::Block;
-using blocks::Ints;
-using blocks::kBlock;
-using blocks::kNumbers;
-using blocks::kOpaque;
-
 // Adds one channel of a block at its place in the pixels.
-[[gnu::always_inline]] inline void add_channel(const Slope& slope, const Block& numbers, int shift,
-                                               Ints& pixels) {
+[[gnu::always_inline]] inline void add_channel(const Slope& slope, const Float8& numbers, int shift,
+                                               Int8& pixels) {
     constexpr float kMost = 255.0F;
     // A sliver's values may leave its corners' by rounding.
-    Block value = (slope.first + 0.5F) + slope.step * numbers;
-    value = value > Block{} ? value : Block{};
-    value = value < kMost ? value : Block{} + kMost;
-    pixels |= __builtin_convertvector(value, Ints) << shift;
+    const Float8 value = float8::clamp((slope.first + 0.5F) + slope.step * numbers, 0.0F, kMost);
+    pixels |= float8::ints(value) << shift;
 }
 
 // A row of a shape from `first` on, which is a pixel of the canvas. What lies beside the row inside a block
 // is written as it was.
 [[gnu::always_inline]] inline void draw_row(const std::array<Slope, 4>& slopes, std::ptrdiff_t first,
                                             int count, const PictureCanvas& canvas) {
-    const auto last = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kBlock;
-    for (std::ptrdiff_t block = first; block < first + count; block += kBlock) {
+    const auto last = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kFloat8;
+    for (std::ptrdiff_t block = first; block < first + count; block += kFloat8) {
         const std::ptrdiff_t at = std::min(block, last);
-        const Ints numbers = kNumbers + static_cast<int>(at - first);
-        const Block in_row = __builtin_convertvector(numbers, Block);
-        const Block here = slopes[3].first + slopes[3].step * in_row;
-        Block depth;
-        Ints pixels;
+        const Int8 numbers = kFirst8 + static_cast<int>(at - first);
+        const Float8 in_row = float8::floats(numbers);
+        const Float8 here = slopes[3].first + slopes[3].step * in_row;
+        Float8 depth;
+        Int8 pixels;
         std::memcpy(&depth, canvas.depth.data() + at, sizeof depth);
         std::memcpy(&pixels, canvas.pixels.data() + at, sizeof pixels);
-        const Ints is_drawn = (here < depth) & (numbers >= 0) & (numbers < count);
+        const Int8 is_drawn = (here < depth) & (numbers >= 0) & (numbers < count);
         depth = is_drawn ? here : depth;
-        Ints drawn = Ints{} + kOpaque;
+        Int8 drawn = Int8{} + kOpaque;
         add_channel(slopes[0], in_row, 0, drawn);
         add_channel(slopes[1], in_row, 8, drawn);
         add_channel(slopes[2], in_row, 16, drawn);
@@ -85,7 +80,7 @@ std::array<const MoverCorner*, 3> triangle(std::span<const MoverCorner> corners,
 [[gnu::always_inline]] inline void draw_all(std::span<const MoverCorner> corners,
                                             std::span<const std::uint32_t> indices,
                                             const PictureCanvas& canvas) {
-    if (canvas.pixels.size() < kBlock) return;
+    if (canvas.pixels.size() < kFloat8) return;
     Reach reach(canvas.size);
     Shape<3> shape;
     for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {

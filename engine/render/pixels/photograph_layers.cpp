@@ -8,6 +8,7 @@
 #include "engine/render/pixels/mix_words.h"
 #include "engine/render/pixels/picture_shapes.h"
 #include "engine/render/pixels/wide_vectors.h"
+#include "shaders/plate_edge.h"
 
 namespace onggi::render {
 namespace {
@@ -32,19 +33,16 @@ std::uint32_t part_of(int place) {
 }
 
 // Where a place lies along a photograph's width or height, sixteen bits behind the point: beside it as
-// mirrored() of shaders/plate_edge.glsl says, and how far outside by its left_beside(), squared.
+// shaders/plate_edge.h says, and how far outside.
 struct Along {
     int at = 0;
     float out = 0.0F;
 };
 [[gnu::always_inline]] inline Along along(float texel, int texels) {
-    constexpr float kPerWidth = 1.0F / 0.06F;
     const auto size = static_cast<float>(texels);
     if (texel >= 0.0F && texel <= size - 1.0F) return {fixed(texel), 0.0F};
     const float at = std::clamp((texel + 0.5F) / size, -1.0F, 2.0F);
-    const float out = std::max(std::abs(at - 0.5F) - 0.5F, 0.0F) * kPerWidth;
-    const float mirrored = 1.0F - std::abs(1.0F - std::abs(at));
-    return {fixed(std::clamp(mirrored * size - 0.5F, 0.0F, size - 1.0F)), out * out};
+    return {fixed(std::clamp(shaders::mirrored(at) * size - 0.5F, 0.0F, size - 1.0F)), shaders::beside(at)};
 }
 
 // A row of a photograph, a texel a pixel from this place on.
@@ -69,7 +67,7 @@ struct Along {
         const Along place = along(u.at(static_cast<int>(i)), across);
         const std::uint32_t texel =
             mix_words(texels[place.at >> 16], texels[(place.at >> 16) + 1], part_of(place.at));
-        const float left = 1.0F / (1.0F + place.out + out);
+        const float left = shaders::left_beside(place.out, out);
         pixels[i] = mix_words(0U, texel, static_cast<std::uint32_t>(left * 256.0F + 0.5F)) | 0xFF000000U;
     }
 }

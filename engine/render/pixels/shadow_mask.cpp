@@ -1,125 +1,71 @@
 #include "engine/render/pixels/shadow_mask.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstring>
 
+#include "engine/math/float8.h"
 #include "engine/render/pixels/wide_vectors.h"
+#include "shaders/shadow.h"
+#include "shaders/surface.h"
+
+// No vector leaves this file by value, see float8.h.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace onggi::render {
 namespace {
 
 constexpr std::size_t kAcross = shaders::kMaskTexels;
-using Row = std::array<float, kAcross>;
+static_assert(kAcross % kFloat8 == 0);
 
-// A row of texels, where they lie on the ground; every loop over it is one the compiler makes vectors of.
-struct Ground {
-    Row x_mm;
-    Row z_mm;
+// Texels side by side, where they lie on the ground.
+struct Ground8 {
+    Float8 x;
+    Float8 z;
+    float y = 0.0F;
+};
+struct Up {
+    float x = 0.0F;
+    float y = 1.0F;
+    float z = 0.0F;
 };
 
-[[gnu::always_inline]] inline float smooth(float share) {
-    const float s = std::clamp(share, 0.0F, 1.0F);
-    return s * s * (3.0F - 2.0F * s);
+[[gnu::always_inline]] inline Int8 eight_bits(const Float8& share) {
+    return float8::ints(float8::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
-// past_lathe() of the shader.
-[[gnu::always_inline]] inline void shade_by_lathe(const shaders::FrameData& frame, const Ground& at,
-                                                  Row& seen) {
-    Row least;
-    least.fill(1e3F);
-    for (const vec4& step : frame.shadow_steps) {
-        for (std::size_t i = 0; i < kAcross; ++i) {
-            const float x = at.x_mm[i] + step.x;
-            const float z = at.z_mm[i] + step.y;
-            const float gap = (std::sqrt(x * x + z * z) - step.z) * step.w;
-            least[i] = gap < least[i] ? gap : least[i];
-        }
+// shaders/mask.frag.
+[[gnu::always_inline]] inline Int8 texels(const shaders::FrameData& frame, const Float8& u, float v) {
+    const vec4& origin = frame.mask_origin;
+    const vec4& axes = frame.mask_axes;
+    const Ground8 at{.x = origin.x + u * axes.x + v * axes.z, .z = origin.y + u * axes.y + v * axes.w};
+    Float8 seen = Float8{} + 1.0F;
+    Float8 open = seen;
+    for (const vec4& sphere : frame.spheres) {
+        seen *= shaders::past_sphere(sphere, frame.key_direction, frame.key_direction.w, at);
+        open *= shaders::sky_past_sphere(sphere, at, Up{});
     }
-    for (std::size_t i = 0; i < kAcross; ++i)
-        seen[i] *= smooth(0.5F * least[i] + 0.5F);
-}
-
-// past_sphere() and sky_past_sphere() of the shader, for a ground that looks up.
-[[gnu::always_inline]] inline void shade_by_sphere(const shaders::FrameData& frame, const vec4& sphere,
-                                                   const Ground& at, Row& seen, Row& open) {
-    const vec4 light = frame.key_direction;  // w: tangent of half its width
-    const float square = sphere.w * sphere.w;
-    for (std::size_t i = 0; i < kAcross; ++i) {
-        const float x = sphere.x - at.x_mm[i];
-        const float y = sphere.y;
-        const float z = sphere.z - at.z_mm[i];
-        const float distance2 = x * x + y * y + z * z;
-        const float along = x * light.x + y * light.y + z * light.z;
-        const float gap = std::sqrt(std::max(distance2 - along * along, 0.0F)) - sphere.w;
-        const float width = std::max(along * light.w, 0.5F);
-        const float past = smooth((gap + width) / (2.0F * width));
-        seen[i] *= along > 0.0F ? past : 1.0F;
-        const float nearness = 1.0F / std::sqrt(std::max(distance2, square));
-        open[i] *= 1.0F - std::clamp(y * nearness, 0.0F, 1.0F) * square * nearness * nearness;
+    if (frame.lathe.x > 0.0F) {
+        Float8 least = Float8{} + 1e3F;
+        for (const vec4& step : frame.shadow_steps)
+            least = float8::min(least, shaders::ground_gap(step, at.x, at.z));
+        seen *= shaders::ground_lit(least);
+        const Float8 x = at.x - frame.lathe_foot.x;
+        const Float8 z = at.z - frame.lathe_foot.y;
+        open *= shaders::ground_open(float8::max(float8::sqrt(x * x + z * z) - frame.lathe.w, 0.0F));
     }
-}
-
-// The shade about a foot, by how far from it.
-float shade_of_foot(float from_foot_mm) {
-    constexpr float kEndMm = 62.0F;
-    constexpr float kFadeMm = 44.0F;
-    if (from_foot_mm >= kEndMm) return 1.0F;
-    const float shade = 0.55F * std::exp(-from_foot_mm * 0.09F) + 0.27F * std::exp(-from_foot_mm * 0.024F);
-    return 1.0F - shade * smooth((kEndMm - from_foot_mm) / kFadeMm);
-}
-
-// Where the middles of a row's texels lie, from 0 to 1.
-constexpr Row middles() {
-    Row at{};
-    for (std::size_t i = 0; i < kAcross; ++i)
-        at[i] = (static_cast<float>(i) + 0.5F) / static_cast<float>(kAcross);
-    return at;
-}
-constexpr Row kMiddles = middles();
-
-// 0 at the mask's border, 1 a little inside.
-[[gnu::always_inline]] inline float from_border(float at) {
-    return std::min(at, 1.0F - at) * 8.0F;
-}
-
-[[gnu::always_inline]] inline std::uint32_t eight_bits(float share) {
-    return static_cast<std::uint32_t>(static_cast<int>(std::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F));
+    const Float8 inside = shaders::inside_mask(u, v);
+    return eight_bits(float8::mix(1.0F, seen, inside)) | eight_bits(float8::mix(1.0F, open, inside)) << 16;
 }
 
 [[gnu::always_inline]] inline void fill(const shaders::FrameData& frame, ShadowMask& mask) {
-    const vec4 origin = frame.mask_origin;
-    const vec4 axes = frame.mask_axes;
-    const bool has_lathe = frame.lathe.x > 0.0F;
+    constexpr auto kSide = static_cast<float>(kAcross);
     for (std::size_t row = 0; row < kAcross; ++row) {
-        const float v = kMiddles[row];
-        Ground at;
-        for (std::size_t i = 0; i < kAcross; ++i) {
-            const float u = kMiddles[i];
-            at.x_mm[i] = origin.x + u * axes.x + v * axes.z;
-            at.z_mm[i] = origin.y + u * axes.y + v * axes.w;
-        }
-        Row seen;
-        Row open;
-        seen.fill(1.0F);
-        open.fill(1.0F);
-        for (const vec4& sphere : frame.spheres)
-            shade_by_sphere(frame, sphere, at, seen, open);
-        if (has_lathe) {
-            shade_by_lathe(frame, at, seen);
-            Row from_foot_mm;
-            for (std::size_t i = 0; i < kAcross; ++i) {
-                const float x = at.x_mm[i] - frame.lathe_foot.x;
-                const float z = at.z_mm[i] - frame.lathe_foot.y;
-                from_foot_mm[i] = std::max(std::sqrt(x * x + z * z) - frame.lathe.w, 0.0F);
-            }
-            for (std::size_t i = 0; i < kAcross; ++i)
-                open[i] *= shade_of_foot(from_foot_mm[i]);
-        }
-        for (std::size_t i = 0; i < kAcross; ++i) {
-            const float inside = smooth((std::min(from_border(kMiddles[i]), from_border(v)) - 0.1F) / 0.9F);
-            mask[row * kAcross + i] = eight_bits(1.0F + (seen[i] - 1.0F) * inside) |
-                                      (eight_bits(1.0F + (open[i] - 1.0F) * inside) << 16U);
+        const float v = (static_cast<float>(row) + 0.5F) / kSide;
+        for (std::size_t i = 0; i < kAcross; i += kFloat8) {
+            const Float8 u = (float8::floats(kFirst8 + static_cast<int>(i)) + 0.5F) / kSide;
+            const Int8 found = texels(frame, u, v);
+            std::memcpy(&mask[row * kAcross + i], &found, sizeof found);
         }
     }
 }

@@ -151,7 +151,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     constexpr float kFootprintPx =
         1.2F;  // a normal a pixel, so grooves of two pixels must have begun to fade
     profile_normals(built.profile, kFootprintPx / px_per_mm, built.normals);
-    if (desc.cached && desc.smooths_outlines)
+    if (desc.smooths_outlines)
         add_grid_edges(std::span(built.vertices).first(built.section_first), built.sectors,
                        lathe.cut.has_value(), view, built.edges);
 

@@ -26,7 +26,7 @@ struct BuiltFrame {
     std::vector<shaders::RowData> rows;
     int sectors = 0;  // a row has one vertex more
     std::vector<shaders::VertexData> vertices;
-    std::vector<OutlinePiece> edges;  // outlines of what moves; cached only
+    std::vector<OutlinePiece> edges;  // outlines of what moves, where they are smoothed
     NormalTexels normals{};
     shaders::LatheDraw section{};
     std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
@@ -34,8 +34,8 @@ struct BuiltFrame {
     bool shows_load = false;
     LatheFaces faces;  // none: no lathe
     PixelRect moving;  // where anything that moves can be seen
-    // Cached only: which tiles that is in (kMoves and its like), and which of them hands and tools are in;
-    // one entry a tile.
+    // For the processor: which tiles that is in (kMoves and its like), and which of them hands and tools are
+    // in; one entry a tile.
     std::vector<std::uint8_t> moving_tiles;
     std::vector<std::uint8_t> mover_tiles;
     float ring_error_px = 0.0F;
@@ -60,8 +60,8 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
 
-// Of everything the cached layers depend on (the levels of the light do not count), and of everything the
-// shadow mask does.
+// Of everything the layers of what stands still depend on (the levels of the light do not count), and of
+// everything the shadow mask does.
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
 [[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
 

@@ -26,8 +26,7 @@ void MoverModels::choose(const Scene& scene, const RendererDesc& desc, const Edg
     learn(scene.mover_library);
     chosen_.clear();
     chosen_indices_.clear();
-    const bool smooths = desc.cached && desc.smooths_outlines;
-    if (!desc.chooses_mover_faces && !smooths) return;
+    if (desc.draws_hidden_faces && !desc.smooths_outlines) return;
     std::optional<InsidePot> inside;
     if (scene.lathe) inside.emplace(*scene.lathe, built.samples, scene.camera.eye_mm);
     const InsidePot* const pot = inside ? &*inside : nullptr;
@@ -36,8 +35,9 @@ void MoverModels::choose(const Scene& scene, const RendererDesc& desc, const Edg
         for (std::size_t mesh = 0; mesh < known.size(); ++mesh) {
             const PlacedMesh placed{(*library_)[mover.model].meshes[mesh], known[mesh].planes, mover.place};
             const std::vector<std::uint8_t> towards_eye = faces_towards(placed, scene.camera.eye_mm);
-            if (smooths) add_mover_edges(placed, towards_eye, known[mesh].edges, pot, view, built.edges);
-            if (!desc.chooses_mover_faces) continue;
+            if (desc.smooths_outlines)
+                add_mover_edges(placed, towards_eye, known[mesh].edges, pot, view, built.edges);
+            if (desc.draws_hidden_faces) continue;
             const std::size_t first = chosen_indices_.size();
             choose_mover_faces(placed, towards_eye, pot, chosen_indices_);
             chosen_.push_back({first, chosen_indices_.size() - first});

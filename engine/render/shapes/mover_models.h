@@ -1,5 +1,5 @@
-// What of hands and tools is drawn in a frame: those of their faces that can be seen, and their outlines.
-// Main thread.
+// What of hands and tools the processor draws in a frame: those of their faces that can be seen, which a GPU
+// finds by itself, and their outlines. Main thread.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace onggi::render {
 
 class MoverModels {
   public:
-    // Chooses faces, where that is asked for, and appends outlines, where they are smoothed, to the frame's.
-    // `built` must be this frame's. The first time with a library takes some ms.
+    // Chooses faces, unless hidden ones are asked for, and appends outlines, where they are smoothed, to the
+    // frame's. `built` must be this frame's. The first time with a library takes some ms.
     void choose(const Scene& scene, const RendererDesc& desc, const EdgeView& view, BuiltFrame& built);
 
     // Of all movers, one after another; empty where none are chosen.

@@ -1,4 +1,4 @@
-#include "engine/render/cached/held_tiles.h"
+#include "engine/render/cpu/held_tiles.h"
 
 #include <gtest/gtest.h>
 

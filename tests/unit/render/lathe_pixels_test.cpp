@@ -1,4 +1,4 @@
-// The shader that does the same is drawn beside it by tests/golden/paths_agree_test.cpp; here, which pixels
+// The shader that draws the same is beside it in tests/golden/backends_agree_test.cpp; here, which pixels
 // are drawn, and light whose answer is known.
 #include "engine/render/pixels/lathe_pixels.h"
 

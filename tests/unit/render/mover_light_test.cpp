@@ -1,4 +1,4 @@
-// The shader that does the same is drawn beside it by tests/golden/paths_agree_test.cpp; here, light whose
+// The shader that does the same is drawn beside it by tests/golden/backends_agree_test.cpp; here, light whose
 // answer is known.
 #include "engine/render/pixels/mover_light.h"
 

@@ -76,6 +76,37 @@ TEST(QualityLadder, StepsDownAtOnceForWantOfMemory) {
     EXPECT_EQ(ladder.step(), QualityStep::kIntegratedGpu);
 }
 
+// A GPU never falls to what is made for a processor that reads and writes pixels itself.
+TEST(QualityLadder, NeverTakesAGpuToTheProcessorsBackend) {
+    for (const DeviceClass device : {DeviceClass::kIntegratedGpu, DeviceClass::kDiscreteGpu}) {
+        QualityLadder ladder(quality_range(device, 1));
+        int steps = 0;
+        do {
+            const RendererDesc desc = quality_desc(ladder.step(), VK_FORMAT_R8G8B8A8_UNORM, 720);
+            EXPECT_EQ(desc.backend, Backend::kVulkan) << quality_name(ladder.step());
+            ++steps;
+        } while (ladder.step_down());
+        EXPECT_GE(steps, 3) << "it has somewhere to go";
+    }
+    QualityLadder software(quality_range(DeviceClass::kSoftware, 8));
+    run(software, 60.0, 1.0);
+    EXPECT_EQ(quality_desc(software.step(), VK_FORMAT_R8G8B8A8_UNORM, 720).backend, Backend::kCpu);
+}
+
+TEST(QualityLadder, GivesUpSamplesAndThenSizeOnAGpu) {
+    QualityLadder ladder(quality_range(DeviceClass::kIntegratedGpu, 1));
+    const auto desc = [&] { return quality_desc(ladder.step(), VK_FORMAT_R8G8B8A8_UNORM, 720); };
+    EXPECT_EQ(desc().samples, 4);
+    EXPECT_EQ(run(ladder, 2.0, 20.0), 1);
+    EXPECT_EQ(desc().samples, 1);
+    EXPECT_EQ(desc().scale, 1.0F);
+    EXPECT_EQ(run(ladder, 2.0, 20.0), 1);
+    EXPECT_LT(desc().scale, 1.0F);
+    EXPECT_EQ(run(ladder, 20.0, 100.0), 0);
+    EXPECT_EQ(ladder.step(), QualityStep::kSlowestGpu);
+    EXPECT_TRUE(has_time_for_moving_camera(ladder.step()));
+}
+
 TEST(Quality, NamesEveryStepDifferentlyAndAsksMoreOfEach) {
     std::set<std::string_view> names;
     int sectors = 0;
@@ -83,12 +114,27 @@ TEST(Quality, NamesEveryStepDifferentlyAndAsksMoreOfEach) {
         const auto quality = static_cast<QualityStep>(step);
         names.insert(quality_name(quality));
         const RendererDesc desc = quality_desc(quality, VK_FORMAT_R8G8B8A8_UNORM, 720);
+        if (quality == QualityStep::kSlowestGpu) sectors = 0;  // another ladder
         EXPECT_GT(desc.sectors, sectors) << quality_name(quality);
         EXPECT_LE(desc.max_rings, kMaxRings);
-        EXPECT_TRUE(!desc.cached || desc.samples == 1) << "what the renderer refuses";
+        EXPECT_TRUE(check_desc(desc)) << quality_name(quality);
         sectors = desc.sectors;
     }
-    EXPECT_EQ(names.size(), 5U);
+    EXPECT_EQ(names.size(), 7U);
+}
+
+TEST(Quality, RefusesWhatNoBackendDraws) {
+    RendererDesc processor = live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, 720);
+    ASSERT_TRUE(check_desc(processor));
+    processor.samples = 4;
+    EXPECT_FALSE(check_desc(processor));
+    RendererDesc device = still_desc(VK_FORMAT_R8G8B8A8_UNORM);
+    ASSERT_TRUE(check_desc(device));
+    device.scale = 0.0F;
+    EXPECT_FALSE(check_desc(device));
+    device.scale = 1.0F;
+    device.smooths_outlines = true;
+    EXPECT_FALSE(check_desc(device));
 }
 
 }  // namespace

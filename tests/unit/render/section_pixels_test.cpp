@@ -1,5 +1,5 @@
-// The shader that does the same is drawn beside it by tests/golden/paths_agree_test.cpp; here, what a drawing
-// of a cut has where.
+// The shader that does the same is drawn beside it by tests/golden/backends_agree_test.cpp; here, what a
+// drawing of a cut has where.
 #include "engine/render/pixels/section_pixels.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,52 @@
+#include "engine/render/cpu/host_plates.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/render/frame/plate_pair.h"
+
+namespace onggi::render {
+namespace {
+
+HostPhotograph host_photograph(const FrameContext& frame, const asset::Image& picture) {
+    const std::array<std::uint8_t, 256> table = transfer_table(frame.desc.transfer);
+    std::vector<std::uint8_t> shown(picture.rgba.size());
+    std::transform(picture.rgba.begin(), picture.rgba.end(), shown.begin(),
+                   [&](std::uint8_t value) { return table[value]; });
+    return {picture.width, picture.height, shown, byte_order(frame.desc.colour_format)};
+}
+
+std::vector<std::shared_ptr<const Plate>> plates_of(const Scene& scene) {
+    std::vector<std::shared_ptr<const Plate>> plates = scene.plates_at_hand;
+    if (scene.plate) plates.push_back(scene.plate);
+    if (scene.next_view && scene.next_view->plate) plates.push_back(scene.next_view->plate);
+    return plates;
+}
+
+}  // namespace
+
+Result<void> HostPlates::fit(const FrameContext& frame, const Scene& scene) {
+    const std::vector<std::shared_ptr<const Plate>> wanted = plates_of(scene);
+    const auto is_wanted = [&](const std::unique_ptr<Resident>& resident) {
+        return std::find(wanted.begin(), wanted.end(), resident->plate) != wanted.end();
+    };
+    residents_.erase(std::partition(residents_.begin(), residents_.end(), is_wanted), residents_.end());
+    for (const std::shared_ptr<const Plate>& plate : wanted) {
+        if (find(plate)) continue;
+        const auto pair = whole_pair(*plate);
+        if (!pair) return pair.error();
+        residents_.push_back(std::make_unique<Resident>(Resident{
+            plate, {host_photograph(frame, (*pair)->key), host_photograph(frame, (*pair)->ambient)}}));
+        plate->photographs->let_go();
+    }
+    return {};
+}
+
+Result<const HostPlate*> HostPlates::find(const std::shared_ptr<const Plate>& plate) const {
+    for (const auto& resident : residents_) {
+        if (resident->plate == plate) return &std::as_const(resident->photographs);
+    }
+    return failed("plate: expected one of the scene's, found another");
+}
+
+}  // namespace onggi::render

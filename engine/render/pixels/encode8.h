@@ -1,0 +1,34 @@
+// Light to pixels, eight side by side: encode() of shaders/tone.glsl with the square root. Inline, so that it
+// becomes a part of whatever instructions its user is compiled for. Any thread; pure.
+#pragma once
+
+#include "engine/math/float8.h"
+#include "engine/render/byte_order.h"
+#include "shaders/curve.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace onggi::render {
+
+constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
+
+// Light that is not below 0; with one division for its three fractions.
+[[gnu::always_inline]] inline Int8 encoded(const Float8x3& light, ByteOrder order) {
+    const Float8x3 under{shaders::curve_under(light.x), shaders::curve_under(light.y),
+                         shaders::curve_under(light.z)};
+    const Float8 share = 1.0F / (under.x * under.y * under.z);
+    const auto shown = [&](const Float8& own, const Float8& a, const Float8& b)
+        __attribute__((always_inline)) {
+        return float8::ints(float8::sqrt(float8::min(own * a * b * share, 1.0F)) * 255.0F + 0.5F);
+    };
+    const Int8 red = shown(light.x, under.y, under.z);
+    const Int8 green = shown(light.y, under.z, under.x);
+    const Int8 blue = shown(light.z, under.x, under.y);
+    return order == ByteOrder::kRedFirst ? kOpaque | blue << 16 | green << 8 | red
+                                         : kOpaque | red << 16 | green << 8 | blue;
+}
+
+}  // namespace onggi::render
+
+#pragma GCC diagnostic pop

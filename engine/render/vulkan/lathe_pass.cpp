@@ -1,0 +1,117 @@
+#include "engine/render/vulkan/lathe_pass.h"
+
+#include <vector>
+
+#include "engine/render/shapes/detail_texture.h"
+#include "engine/render/shapes/lathe_section.h"
+
+namespace onggi::render {
+
+Result<void> LathePass::create(const VulkanFrame& frame) {
+    const std::size_t most_indices =
+        std::size_t{6} * (kMaxRings - 1) * static_cast<std::size_t>(frame.desc.sectors);
+    struct Wish {
+        vk::Buffer& into;
+        vk::BufferDesc desc;
+    };
+    for (const Wish& wish : {Wish{rows_,
+                                  {.name = "lathe rows",
+                                  .size = sizeof(shaders::RowData) * kMaxRings,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+                             Wish{vertices_,
+                                  {.name = "lathe vertices",
+                                  .size = sizeof(shaders::VertexData) * kMaxRings *
+                                              static_cast<std::size_t>(frame.desc.sectors + 1) +
+                                          sizeof(shaders::VertexData) * kMaxSectionVertices,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+                             Wish{outline_,
+                                  {.name = "lathe outline",
+                                  .size = sizeof(float) * shaders::kOutlineSamples,
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+                             Wish{normals_,
+                                  {.name = "outline normals",
+                                  .size = sizeof(NormalTexels),
+                                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}},
+                             Wish{indices_,
+                                  {.name = "lathe indices",
+                                  .size = most_indices * sizeof(std::uint16_t),
+                                  .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT}}}) {
+        auto buffer = vk::Buffer::create(frame.device, wish.desc);
+        if (!buffer) return buffer.error();
+        wish.into = std::move(*buffer);
+    }
+
+    const VulkanPipelines& pipelines = frame.pipelines;
+    const VulkanImages& images = frame.images;
+    struct Place {
+        int binding;
+        const vk::Buffer& buffer;
+    };
+    for (const Place& place : {Place{shaders::kBindOutline, outline_}, Place{shaders::kBindRows, rows_},
+                               Place{shaders::kBindVertices, vertices_}}) {
+        vk::write_buffer(frame.device, frame.set(), static_cast<std::uint32_t>(place.binding),
+                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place.buffer.handle());
+    }
+    auto normals = vk::create_texels(frame.device, normals_.handle(), VK_FORMAT_R32_UINT, "outline normals");
+    if (!normals) return normals.error();
+    normal_texels_ = std::move(*normals);
+    vk::write_texels(frame.device, frame.set(), shaders::kBindNormals, normal_texels_.get());
+    vk::write_image(frame.device, frame.set(), shaders::kBindDetail, images.detail.view(),
+                    pipelines.repeated.get());
+    return upload_slip(frame);
+}
+
+Result<void> LathePass::upload_slip(const VulkanFrame& frame) {
+    const vk::Image& detail = frame.images.detail;
+    const int across = frame.desc.slip_across;
+    const int up = frame.desc.slip_up;
+    const std::vector<std::uint8_t> texels = coarser_detail(detail_texture(), across, up);
+    auto staging = vk::Buffer::create(
+        frame.device,
+        {.name = "slip upload", .size = texels.size(), .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    if (!staging) return staging.error();
+    staging->write(std::as_bytes(std::span(texels)));
+    return frame.device.run_once([&](VkCommandBuffer once) {
+        vk::barrier(once, detail, vk::state::kUndefined, vk::state::kCopyTarget);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {detail.extent().width, detail.extent().height, 1};
+        vkCmdCopyBufferToImage(once, staging->handle(), detail.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               1, &region);
+        vk::barrier(once, detail, vk::state::kCopyTarget, vk::state::kSampled);
+    });
+}
+
+void LathePass::upload(const BuiltFrame& built) const {
+    if (built.faces.indices.empty()) return;
+    outline_.write(std::as_bytes(std::span(built.samples.outer_mm)));
+    rows_.write(std::as_bytes(std::span(built.rows)));
+    vertices_.write(std::as_bytes(std::span(built.vertices)));
+    normals_.write(std::as_bytes(std::span(built.normals)));
+    indices_.write(std::as_bytes(std::span(built.faces.indices)));
+}
+
+void LathePass::draw(const VulkanFrame& frame) const {
+    if (frame.built.faces.indices.empty()) return;
+    const LatheFaces& faces = frame.built.faces;
+    const auto all = static_cast<std::uint32_t>(faces.indices.size());
+    const auto draw_faces = [&](const vk::Pipeline& pipeline, std::uint32_t first, std::uint32_t count) {
+        if (count == 0) return;
+        frame.bind(pipeline);
+        vkCmdDrawIndexed(frame.commands, count, 1, first, 0, 0);
+    };
+    vkCmdBindIndexBuffer(frame.commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT16);
+    frame.push(frame.built.lathe);
+    if (frame.built.shows_load) {
+        draw_faces(frame.pipelines.lathe_load, 0, all);
+    } else {
+        draw_faces(frame.pipelines.lathe, 0, faces.plain);
+        draw_faces(frame.pipelines.lathe_near_spheres, faces.plain, all - faces.plain);
+    }
+    if (frame.built.section_count == 0) return;
+    frame.bind(frame.pipelines.lathe_section);
+    frame.push(frame.built.section);
+    vkCmdDraw(frame.commands, frame.built.section_count, 1, frame.built.section_first, 0);
+}
+
+}  // namespace onggi::render

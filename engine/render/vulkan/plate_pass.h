@@ -1,0 +1,50 @@
+// The photographs of the room on the device, those that are shown and those that may be next. Main thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/render/vulkan/vulkan_frame.h"
+
+namespace onggi::render {
+
+// Where in the frame's set a plate is bound.
+struct PlateSlots {
+    int key;
+    int ambient;
+    int depth;
+};
+
+class PlatePass {
+  public:
+    // Binds something to every slot that a shader might read before there is a plate.
+    static void bind_placeholders(const VulkanFrame& frame);
+
+    // The scene's plates to where they are used, unless they are there. The device is idle.
+    Result<void> fit(const VulkanFrame& frame, const Scene& scene);
+
+    // The relief of the plate that is nearer to the gliding camera, inside the caller's pass.
+    void draw_relief(const VulkanFrame& frame, const Glide& glide) const;
+
+  private:
+    struct Resident {
+        std::shared_ptr<const Plate> plate;  // held, so that no other can have its address
+        vk::Image key{};
+        vk::Image ambient{};
+        vk::Image depth{};  // of the relief's corners, mm
+        vk::Buffer relief_positions{};
+        vk::Buffer relief_indices{};
+        std::uint32_t relief_index_count = 0;
+    };
+    static Result<Resident> upload(const VulkanFrame& frame, std::shared_ptr<const Plate> plate);
+    Result<const Resident*> resident(const VulkanFrame& frame, const std::shared_ptr<const Plate>& plate);
+    void let_go(const VulkanFrame& frame, const PlateSlots& slots, std::shared_ptr<const Plate>& bound) const;
+    [[nodiscard]] const Resident* find(const std::shared_ptr<const Plate>& plate) const;
+
+    std::vector<std::unique_ptr<Resident>> residents_;
+    std::shared_ptr<const Plate> from_;  // as bound
+    std::shared_ptr<const Plate> to_;
+};
+
+}  // namespace onggi::render

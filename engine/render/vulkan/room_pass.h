@@ -1,0 +1,34 @@
+// The background: what stands still, drawn into every frame. Main thread.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/core/result.h"
+#include "engine/render/frame/still_meshes.h"
+#include "engine/render/vulkan/plate_pass.h"
+#include "engine/render/vulkan/vulkan_frame.h"
+
+namespace onggi::render {
+
+class RoomPass {
+  public:
+    // Once, with the pipelines and images of fixed size there.
+    static void create(const VulkanFrame& frame) { PlatePass::bind_placeholders(frame); }
+    // The still life of the scene and its plates onto the device, if they are others. The device is idle.
+    Result<void> fit(const VulkanFrame& frame, const Scene& scene);
+
+    // The still life's shadow map.
+    void record(const VulkanFrame& frame, const Scene& scene) const;
+    // Meshes and backdrop inside the caller's pass; front to back, so after what stands before them.
+    void draw(const VulkanFrame& frame, const Scene& scene) const;
+
+    [[nodiscard]] const StillBounds& bounds() const { return still_.bounds(); }
+
+  private:
+    void draw_gliding(const VulkanFrame& frame, const Scene& scene) const;
+
+    PlatePass plate_;
+    StillMeshes still_;
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,39 @@
+// The picture as GPUs draw it, and as screenshots are drawn everywhere: everything by the device in every
+// frame. Main thread.
+#pragma once
+
+#include "engine/render/frame/render_backend.h"
+#include "engine/render/vulkan/lathe_pass.h"
+#include "engine/render/vulkan/mover_pass.h"
+#include "engine/render/vulkan/overlay_pass.h"
+#include "engine/render/vulkan/room_pass.h"
+#include "engine/render/vulkan/shadow_pass.h"
+
+namespace onggi::render {
+
+class VulkanBackend : public RenderBackend {
+  public:
+    VulkanBackend(vk::Device& device, const RendererDesc& desc) : frame_{{.device = device, .desc = desc}} {}
+
+    Result<void> create() override;
+    Result<void> fit(const Scene& scene, VkExtent2D target) override;
+    Result<bool> draw(const Scene& scene, const vk::TargetImage& target, const Overlay* overlay) override;
+    [[nodiscard]] FrameContext& frame() override { return frame_; }
+
+  private:
+    Result<void> fit_size(VkExtent2D target);
+    Result<void> upload(const Scene& scene);
+    void record(const Scene& scene, const vk::TargetImage& target);
+    // Where the scene's picture is drawn: the target, or the smaller image that is stretched over it.
+    [[nodiscard]] bool is_smaller() const { return frame_.desc.scale < 1.0F; }
+    void stretch_over(const vk::TargetImage& target) const;
+
+    VulkanFrame frame_;
+    RoomPass room_;
+    ShadowPass shadow_;
+    LathePass lathe_;
+    MoverPass movers_;
+    OverlayPass overlay_;
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,155 @@
+#include "engine/render/vulkan/vulkan_pipelines.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/render/frame/pipelines.h"
+#include "engine/render/vulkan/vulkan_images.h"
+#include "shaders/shaders.h"
+
+namespace onggi::render {
+namespace {
+
+Result<void> create_samplers(const vk::Device& device, VulkanPipelines& pipelines) {
+    struct Wish {
+        vk::Sampler& into;
+        vk::SamplerDesc desc;
+        const char* name;
+    };
+    for (const Wish& wish :
+         {Wish{pipelines.clamped, {}, "clamped"},
+          Wish{pipelines.repeated,
+               {.address_u = VK_SAMPLER_ADDRESS_MODE_REPEAT, .address_v = VK_SAMPLER_ADDRESS_MODE_REPEAT},
+               "repeated"},
+          Wish{pipelines.exact, {.filter = VK_FILTER_NEAREST}, "exact"}}) {
+        auto sampler = vk::create_sampler(device, wish.desc, wish.name);
+        if (!sampler) return sampler.error();
+        wish.into = std::move(*sampler);
+    }
+    return {};
+}
+
+// From the one that puts a plate on a mesh.
+void make_glide_pipelines(PipelineMaker& maker, const vk::PipelineDesc& plate_surface,
+                          std::span<const VkFormat> picture_formats, std::uint32_t transfer,
+                          VulkanPipelines& pipelines) {
+    for (std::size_t need = 0; need < pipelines.glide.size(); ++need) {
+        const std::array constants{transfer, need == kGlideAlone ? 0U : 1U, need == kGlideDimmed ? 1U : 0U};
+        vk::PipelineDesc surface = plate_surface;
+        surface.name = "plates on the still life, moving";
+        surface.vertex_spirv = shaders::kGlideSurfaceVert;
+        surface.fragment_spirv = shaders::kGlideSurfaceFrag;
+        surface.constants = constants;
+        surface.colour_formats = picture_formats;
+        maker.make(pipelines.glide_surface[need], surface);
+        vk::PipelineDesc relief = surface;
+        relief.name = "plates on their relief, moving";
+        relief.vertex_spirv = shaders::kGlideVert;
+        relief.fragment_spirv = shaders::kGlideFrag;
+        relief.attributes = std::span(kMeshAttributes).first(1);
+        relief.vertex_stride = sizeof(vec3);
+        relief.cull = VK_CULL_MODE_NONE;
+        maker.make(pipelines.glide[need], relief);
+    }
+}
+
+// The clay. From one that draws into the picture.
+void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool needs_section,
+                          const vk::PipelineDesc& into_picture, VulkanPipelines& pipelines) {
+    const auto transfer = static_cast<std::uint32_t>(desc.transfer);
+    constexpr std::uint32_t kNoSphereIsNear = 0;
+    constexpr std::uint32_t kOneMayBe = 1;
+    const std::array plain_constants{transfer, kNoSphereIsNear};
+    const std::array constants{transfer, kOneMayBe};
+
+    vk::PipelineDesc lathe = into_picture;
+    lathe.name = "lathe";
+    lathe.vertex_spirv = shaders::kLatheVert;
+    lathe.fragment_spirv = shaders::kLatheFrag;
+    lathe.attributes = {};
+    lathe.vertex_stride = 0;
+    lathe.constants = constants;
+    if (desc.inside_out) lathe.cull = VK_CULL_MODE_FRONT_BIT;
+    maker.make(pipelines.lathe_near_spheres, lathe);
+    vk::PipelineDesc plain = lathe;
+    plain.constants = plain_constants;
+    maker.make(pipelines.lathe, plain);
+
+    vk::PipelineDesc load = lathe;
+    load.name = "lathe with its load";
+    load.vertex_spirv = shaders::kLatheLoadVert;
+    load.fragment_spirv = shaders::kLatheLoadFrag;
+    maker.make(pipelines.lathe_load, load);
+
+    vk::PipelineDesc section = lathe;
+    section.name = "section of the lathe";
+    section.vertex_spirv = shaders::kLatheSectionVert;
+    section.fragment_spirv = shaders::kLatheSectionFrag;
+    section.cull = VK_CULL_MODE_NONE;
+    if (needs_section) maker.make(pipelines.lathe_section, section);
+}
+
+// What not every scene shows.
+struct Needs {
+    bool own_colours = false;  // of the still life: there is no plate
+    bool section = false;
+};
+
+// Those that every scene may show, and those that are needed, where they are not there yet.
+Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, VulkanPipelines& pipelines) {
+    const RendererDesc& desc = frame.desc;
+    const auto transfer = static_cast<std::uint32_t>(desc.transfer);
+    const std::array constants{transfer};
+    const std::array picture_formats{desc.colour_format};
+    const std::array mask_formats{kMaskFormat};
+    const auto into_picture = [&](vk::PipelineDesc made) {
+        made.constants = constants;
+        made.colour_formats = picture_formats;
+        return made;
+    };
+    PipelineMaker maker(frame.device);
+    const vk::PipelineDesc still = into_picture(mesh_pipeline(frame, "still life", shaders::kMeshFrag));
+    if (needs.own_colours) {
+        maker.make(pipelines.backdrop,
+                   into_picture(screen_pipeline(frame, "backdrop", shaders::kBackdropFrag)));
+        maker.make(pipelines.still, still);
+    }
+    maker.make(pipelines.plate, into_picture(screen_pipeline(frame, "plate", shaders::kPlateFrag)));
+    vk::PipelineDesc plate_surface =
+        into_picture(mesh_pipeline(frame, "plate on the still life", shaders::kPlateSurfaceFrag));
+    plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
+    plate_surface.attributes = std::span(kMeshAttributes).first(2);
+    maker.make(pipelines.plate_surface, plate_surface);
+    make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
+    make_lathe_pipelines(maker, desc, needs.section, still, pipelines);
+
+    vk::PipelineDesc mask = screen_pipeline(frame, "shadow mask", shaders::kMaskFrag);
+    mask.colour_formats = mask_formats;
+    mask.depth_format = VK_FORMAT_UNDEFINED;
+    mask.samples = VK_SAMPLE_COUNT_1_BIT;
+    mask.depth_test = false;
+    maker.make(pipelines.mask, mask);
+    return maker.outcome();
+}
+
+}  // namespace
+
+Result<void> create_pipelines(const FrameContext& frame, VulkanPipelines& pipelines) {
+    if (auto samplers = create_samplers(frame.device, pipelines); !samplers) return samplers;
+    return make_pipelines(frame, {}, pipelines);
+}
+
+Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, VulkanPipelines& pipelines) {
+    const Needs needs{.own_colours = scene.plate == nullptr, .section = scene.lathe && scene.lathe->cut};
+    const auto is_missing = [](bool is_needed, const vk::Pipeline& pipeline) {
+        return is_needed && pipeline.get() == VK_NULL_HANDLE;
+    };
+    if (!is_missing(needs.own_colours, pipelines.still) &&
+        !is_missing(needs.section, pipelines.lathe_section)) {
+        return {};
+    }
+    return make_pipelines(frame, needs, pipelines);
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,42 @@
+// The pipelines and samplers that the Vulkan backend makes once from its description. Main thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/core/result.h"
+#include "engine/render/frame/frame_context.h"
+#include "engine/render/scene.h"
+
+namespace onggi::render {
+
+// What a glide needs: one plate, two, or two in the evening.
+constexpr std::size_t kGlideAlone = 0;
+constexpr std::size_t kGlideMixed = 1;
+constexpr std::size_t kGlideDimmed = 2;
+constexpr std::size_t kGlideNeeds = 3;
+
+struct VulkanPipelines {
+    vk::Sampler clamped;
+    vk::Sampler repeated;
+    vk::Sampler exact;
+    vk::Pipeline backdrop;  // this and the next without a plate
+    vk::Pipeline still;
+    vk::Pipeline plate;  // instead of the backdrop, and of the still life's colours
+    vk::Pipeline plate_surface;
+    // Instead of these two while the camera moves, by what it needs.
+    std::array<vk::Pipeline, kGlideNeeds> glide;
+    std::array<vk::Pipeline, kGlideNeeds> glide_surface;
+    vk::Pipeline mask;
+    vk::Pipeline lathe;               // where no moving sphere's shadow falls
+    vk::Pipeline lathe_near_spheres;  // where one may
+    vk::Pipeline lathe_load;          // the same with its load shown
+    vk::Pipeline lathe_section;       // the faces of a cut, where there is one
+};
+
+// All but those that not every scene needs: a pipeline takes 2 MB of a software driver's memory.
+Result<void> create_pipelines(const FrameContext& frame, VulkanPipelines& pipelines);
+// Those that this scene needs besides, once.
+Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, VulkanPipelines& pipelines);
+
+}  // namespace onggi::render

@@ -1,0 +1,35 @@
+// What makes one text of a formula both GLSL and C++. A REAL is a number: of a pixel there, here of one or of
+// eight (Float8). A COLOUR is all three channels there and one of them here, so it knows no .rgb; a VEC
+// anything with such members. Numbers are written 1.0F.
+#ifndef ONGGI_SHADERS_FORMULA_H
+#define ONGGI_SHADERS_FORMULA_H
+
+#ifdef __cplusplus
+#include "engine/math/float8.h"
+#include "engine/math/math.h"
+#define FORMULA [[gnu::always_inline]] inline
+#define CONSTANT inline constexpr
+#define REAL auto
+#define COLOUR auto
+#define VEC3 const auto&
+#define VEC4 const auto&
+#pragma GCC diagnostic ignored "-Wpsabi"  // no vector is passed by value: all of it is inlined
+namespace onggi::shaders {
+using namespace float8;
+}
+#else
+#define FORMULA
+#define CONSTANT const
+#define REAL float
+#define COLOUR vec3
+#define VEC3 vec3
+#define VEC4 vec4
+float select(bool is_so, float a, float b) {
+    return is_so ? a : b;
+}
+float exp_below_0(float number) {
+    return exp(number);
+}
+#endif
+
+#endif
