@@ -10,35 +10,36 @@ namespace onggi::render {
 Result<void> LathePass::create(const VulkanFrame& frame) {
     const std::size_t most_indices =
         std::size_t{6} * (kMaxRings - 1) * static_cast<std::size_t>(frame.desc.sectors);
-    struct Wish {
+    struct BufferRequest {
         vk::Buffer& into;
         vk::BufferDesc desc;
     };
-    for (const Wish& wish : {Wish{rows_,
-                                  {.name = "lathe rows",
-                                  .size = sizeof(shaders::RowData) * kMaxRings,
-                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
-                             Wish{vertices_,
-                                  {.name = "lathe vertices",
-                                  .size = sizeof(shaders::VertexData) * kMaxRings *
-                                              static_cast<std::size_t>(frame.desc.sectors + 1) +
-                                          sizeof(shaders::VertexData) * kMaxSectionVertices,
-                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
-                             Wish{outline_,
-                                  {.name = "lathe outline",
-                                  .size = sizeof(float) * shaders::kOutlineSamples,
-                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
-                             Wish{normals_,
-                                  {.name = "outline normals",
-                                  .size = sizeof(NormalTexels),
-                                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}},
-                             Wish{indices_,
-                                  {.name = "lathe indices",
-                                  .size = most_indices * sizeof(std::uint16_t),
-                                  .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT}}}) {
-        auto buffer = vk::Buffer::create(frame.device, wish.desc);
+    for (const BufferRequest& request :
+         {BufferRequest{rows_,
+                        {.name = "lathe rows",
+                        .size = sizeof(shaders::RowData) * kMaxRings,
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+          BufferRequest{vertices_,
+                        {.name = "lathe vertices",
+                        .size = sizeof(shaders::VertexData) * kMaxRings *
+                                    static_cast<std::size_t>(frame.desc.sectors + 1) +
+                                sizeof(shaders::VertexData) * kMaxSectionVertices,
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+          BufferRequest{outline_,
+                        {.name = "lathe outline",
+                        .size = sizeof(float) * shaders::kOutlineSamples,
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}},
+          BufferRequest{normals_,
+                        {.name = "outline normals",
+                        .size = sizeof(NormalTexels),
+                        .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}},
+          BufferRequest{indices_,
+                        {.name = "lathe indices",
+                        .size = most_indices * sizeof(std::uint16_t),
+                        .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT}}}) {
+        auto buffer = vk::Buffer::create(frame.device, request.desc);
         if (!buffer) return buffer.error();
-        wish.into = std::move(*buffer);
+        request.into = std::move(*buffer);
     }
 
     const VulkanPipelines& pipelines = frame.pipelines;

@@ -9,16 +9,16 @@
 namespace onggi::render {
 namespace {
 
-struct Wish {
+struct ImageRequest {
     vk::Image& into;
     vk::ImageDesc desc;
 };
 
-Result<void> create_all(const vk::Device& device, std::initializer_list<Wish> wishes) {
-    for (const Wish& wish : wishes) {
-        auto image = vk::Image::create(device, wish.desc);
+Result<void> create_all(const vk::Device& device, std::initializer_list<ImageRequest> requests) {
+    for (const ImageRequest& request : requests) {
+        auto image = vk::Image::create(device, request.desc);
         if (!image) return image.error();
-        wish.into = std::move(*image);
+        request.into = std::move(*image);
     }
     return {};
 }

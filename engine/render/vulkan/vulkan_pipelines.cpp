@@ -12,20 +12,21 @@ namespace onggi::render {
 namespace {
 
 Result<void> create_samplers(const vk::Device& device, VulkanPipelines& pipelines) {
-    struct Wish {
+    struct SamplerRequest {
         vk::Sampler& into;
         vk::SamplerDesc desc;
         const char* name;
     };
-    for (const Wish& wish :
-         {Wish{pipelines.clamped, {}, "clamped"},
-          Wish{pipelines.repeated,
-               {.address_u = VK_SAMPLER_ADDRESS_MODE_REPEAT, .address_v = VK_SAMPLER_ADDRESS_MODE_REPEAT},
-               "repeated"},
-          Wish{pipelines.exact, {.filter = VK_FILTER_NEAREST}, "exact"}}) {
-        auto sampler = vk::create_sampler(device, wish.desc, wish.name);
+    for (const SamplerRequest& request :
+         {SamplerRequest{pipelines.clamped, {}, "clamped"},
+          SamplerRequest{
+              pipelines.repeated,
+              {.address_u = VK_SAMPLER_ADDRESS_MODE_REPEAT, .address_v = VK_SAMPLER_ADDRESS_MODE_REPEAT},
+              "repeated"},
+          SamplerRequest{pipelines.exact, {.filter = VK_FILTER_NEAREST}, "exact"}}) {
+        auto sampler = vk::create_sampler(device, request.desc, request.name);
         if (!sampler) return sampler.error();
-        wish.into = std::move(*sampler);
+        request.into = std::move(*sampler);
     }
     return {};
 }
