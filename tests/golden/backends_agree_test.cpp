@@ -50,6 +50,8 @@ double mean_apart(std::span<const std::uint8_t> a, std::span<const std::uint8_t>
     return sum / static_cast<double>(a.size());
 }
 
+constexpr double kMostOfStretching = 2.0;
+
 // A picture in square roots as the other transfer has it.
 asset::Image in_exact_srgb(asset::Image picture) {
     for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
@@ -161,6 +163,21 @@ TEST_P(Backends, AgreeAsTheyShipWithinSixTenthsOfALevelInTheMean) {
         EXPECT_LE(mean, kMostInTheMean) << render::quality_name(step);
         EXPECT_LE(beyond, GetParam().width * GetParam().height / kOneInPixels) << render::quality_name(step);
     }
+}
+
+// The lowest step of a GPU draws two thirds of the pixels each way and stretches them: softer, and in its
+// place.
+TEST_P(Backends, AgreeWithAPictureOfTwoThirdsTheSizeInTheMean) {
+    wheel::OpenedScene opened = wheel::open_scene({}, GetParam().width, GetParam().height);
+    ASSERT_EQ(opened.lack, "");
+    const auto as_shipped = [&](render::QualityStep step) {
+        return draw(*opened.scene, GetParam(),
+                    render::quality_desc(step, vk::Offscreen::kFormat, GetParam().height), 1, {});
+    };
+    const asset::Image whole = as_shipped(render::QualityStep::kDiscreteGpu);
+    const asset::Image stretched = as_shipped(render::QualityStep::kSlowestGpu);
+    EXPECT_LE(mean_apart(whole.rgba, stretched.rgba), kMostOfStretching);
+    EXPECT_GT(mean_apart(whole.rgba, stretched.rgba), 0.2) << "it is smaller";
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThePot, Backends, testing::ValuesIn(scenes_of_both_backends()),

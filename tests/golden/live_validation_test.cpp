@@ -1,4 +1,4 @@
-// The moving picture of every scene, cached layers and all, under the validation layer with synchronization
+// The moving picture of every scene, kept layers and all, under the validation layer with synchronization
 // validation: sizes that change with every frame, a camera on its way, an evening that falls, an overlay, and
 // devices that are lost. Not a word is heard.
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The cached still life with the shade on it, in the light of the hour: kept by the processor where that is
+// The kept still life with the shade on it, in the light of the hour: kept by the processor where that is
 // the device, and shaded again where the shade or the light has changed. Main thread.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The shade over the cached still life, and the light of the hour, by the processor: a shader would pay fifty
+// The shade over the kept still life, and the light of the hour, by the processor: a shader would pay fifty
 // nanoseconds a pixel for its four textures where the device is the processor itself. Any thread; pure.
 #pragma once
 

@@ -1,16 +1,15 @@
 #include "engine/render/shapes/sky_light.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "shaders/sky.h"
 
 namespace onggi::render {
 
 vec3 sky_radiance(const Environment& environment, vec3 direction) {
-    const float height = std::clamp(std::abs(direction.y), 0.0F, 1.0F);
-    const float share = height * height * (3.0F - 2.0F * height);
-    vec3 radiance =
-        glm::mix(environment.horizon, direction.y > 0.0F ? environment.zenith : environment.nadir, share);
+    vec3 radiance = glm::mix(environment.horizon, direction.y > 0.0F ? environment.zenith : environment.nadir,
+                             shaders::sky_height(direction.y));
     for (const Environment::Panel& panel : environment.panels)
         radiance +=
             panel.radiance * std::exp(panel.sharpness * (glm::dot(panel.direction, direction) - 1.0F));

@@ -1,0 +1,60 @@
+// A formula of light is one text for a number and for eight of them: both must find the same.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/math/float8.h"
+#include "engine/math/math.h"
+#include "shaders/clay.h"
+#include "shaders/hand.h"
+#include "shaders/shadow.h"
+
+namespace onggi {
+namespace {
+
+constexpr Float8 kCosines{-1.0F, -0.4F, -0.05F, 0.0F, 0.2F, 0.5F, 0.9F, 1.0F};
+
+// `of` of eight at once and of each alone; into where it is wanted, since no vector is passed by value.
+template <typename Formula>
+void expect_the_same(const Float8& numbers, Formula of) {
+    Float8 wide;
+    of(numbers, wide);
+    for (int i = 0; i < kFloat8; ++i) {
+        const float number = numbers[i];
+        float alone = 0.0F;
+        of(number, alone);
+        EXPECT_EQ(wide[i], alone) << number;
+    }
+}
+
+TEST(Formula, FindsTheSameOfANumberAndOfEight) {
+    expect_the_same(kCosines,
+                    [](const auto& n_l, auto& into) { into = shaders::soft_cosine(n_l, 0.3F, 1.0F / 0.3F); });
+    expect_the_same(kCosines,
+                    [](const auto& n_l, auto& into) { into = shaders::hand_gleam(n_l, 0.7F, 0.2F, 0.4F); });
+    expect_the_same(kCosines, [](const auto& y, auto& into) { into = shaders::sky_height(y); });
+    expect_the_same(kCosines, [](const auto& s, auto& into) { into = shaders::fujii_t(s, 0.3F, 0.6F); });
+    expect_the_same(200.0F * (kCosines + 1.0F),
+                    [](const auto& mm, auto& into) { into = shaders::ground_open(mm); });
+}
+
+TEST(Formula, OfAPowerOfEIsWrongByLittle) {
+    for (float number = 0.0F; number > -20.0F; number -= 0.37F) {
+        const float exact = std::exp(number);
+        EXPECT_NEAR(float8::exp_below_0(number), exact, 2e-5F * exact) << number;
+    }
+    EXPECT_EQ(float8::exp_below_0(-1000.0F), float8::exp_below_0(-87.0F)) << "no lower than a float goes";
+}
+
+TEST(Formula, OfASphereHidesWhatIsBehindItAndNothingElse) {
+    const vec4 sphere(0.0F, 50.0F, 0.0F, 10.0F);
+    const vec3 up(0.0F, 1.0F, 0.0F);
+    EXPECT_EQ(shaders::past_sphere(sphere, up, 0.05F, vec3(0.0F)), 0.0F);
+    EXPECT_EQ(shaders::past_sphere(sphere, up, 0.05F, vec3(40.0F, 0.0F, 0.0F)), 1.0F);
+    EXPECT_EQ(shaders::past_sphere(sphere, up, 0.05F, vec3(0.0F, 100.0F, 0.0F)), 1.0F) << "above it";
+    EXPECT_NEAR(shaders::sky_past_sphere(sphere, vec3(0.0F), up), 1.0F - 100.0F / 2500.0F, 1e-6F);
+    EXPECT_EQ(shaders::sky_past_sphere(sphere, vec3(0.0F), -up), 1.0F) << "it looks away";
+}
+
+}  // namespace
+}  // namespace onggi
