@@ -107,7 +107,7 @@ TEST(GamepadHand, AsksOncePerPressOfAButton) {
 TEST(GamepadHand, WalksToEachButtonOfTheScreenAndPressesIt) {
     screens::Composition composition;
     for (const kiosk::Button button : {kiosk::Button::kUndo, kiosk::Button::kDone})
-        composition.targets.push_back({.button = button});
+        composition.targets.emplace_back().button = button;
     KioskPointer pointer;
     pointer.look_at(&composition, 0, false);
     GamepadHand hand;
