@@ -103,7 +103,7 @@ class Visitors {
             pass(1, 3);
         if (!cut_) return;
         const auto pot = std::make_shared<const screens::FiredPot>(app::fired_pot(*cut_, {}, {}));
-        keeper_->save(std::shared_ptr<const screens::PotShape>(pot, &pot->shape),
+        keeper_->save(std::shared_ptr<const screens::PotSection>(pot, &pot->shape),
                       static_cast<int>(any_below(6)));
         say(stress::kSaves);
         is_saved_ = false;

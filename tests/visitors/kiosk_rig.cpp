@@ -5,7 +5,6 @@
 namespace onggi::visitors {
 namespace {
 
-constexpr double kFrameS = 1.0 / 60.0;
 constexpr double kRateHz = 1000.0;
 constexpr double kPxPerMm = 10.0 / 4.8;
 constexpr dvec2 kAxisFootPx{640.0, 450.0};

@@ -8,8 +8,6 @@
 namespace onggi::visitors {
 namespace {
 
-constexpr double kFrameS = 1.0 / 60.0;
-
 class Person {
   public:
     Person(std::uint64_t seed, const Skill& skill, WheelRig& rig, double side)

@@ -14,7 +14,7 @@
 namespace onggi::visitors {
 namespace {
 
-constexpr double kPxPerMm = 0.7;
+constexpr double kSheetPxPerMm = 0.7;
 constexpr int kCellWidthPx = 180;
 constexpr int kCellHeightPx = 170;
 
@@ -48,7 +48,7 @@ void put(asset::Image& image, int x, int y, const Colour& colour) {
 }
 
 int px_of(double mm) {
-    return static_cast<int>(std::lround(mm * kPxPerMm));
+    return static_cast<int>(std::lround(mm * kSheetPxPerMm));
 }
 
 void draw_pot(asset::Image& image, const Left& left, int axis_px, int foot_px) {

@@ -6,11 +6,13 @@
 
 namespace onggi::visitors {
 
+constexpr double kFrameS = 1.0 / 60.0;  // of the display
+
 class WheelRig {
   public:
     virtual ~WheelRig() = default;
 
-    // One frame of the display, a sixtieth of a second, in which the pointer is there.
+    // One frame of the display, in which the pointer is there.
     virtual void frame(const dvec2& pointer_mm, bool pressed) = 0;
 
     // What is seen of the clay.

@@ -8,12 +8,10 @@
 #include <thread>
 
 #include "game/wheel/workshop_scene.h"
-#include "tests/support/places.h"
+#include "tests/unit/wheel/our_workshop.h"
 
 namespace onggi::wheel {
 namespace {
-
-const std::filesystem::path kOurs = test::in_checkout("assets/workshop");
 
 // Nothing while a long time goes by.
 std::optional<PlateLoader::Loaded> waited_for(PlateLoader& loader) {

@@ -7,14 +7,12 @@
 
 #include "engine/asset/gltf.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/support/places.h"
+#include "tests/unit/wheel/our_workshop.h"
 
 namespace onggi::wheel {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kOurs = test::in_checkout("assets/workshop");
 
 class ARoomModel : public testing::Test {
   protected:

@@ -95,12 +95,12 @@ TEST_F(TheWheelScene, ShowsNothingForAPotWithoutElements) {
 }
 
 TEST_F(TheWheelScene, FramesPotAndToolInEveryShapeOfPicture) {
-    struct Shape {
+    struct Size {
         int width;
         int height;
     };
-    for (const Shape shape :
-         {Shape{1280, 720}, Shape{1920, 1080}, Shape{720, 1280}, Shape{1024, 768}, Shape{640, 640}}) {
+    for (const Size shape :
+         {Size{1280, 720}, Size{1920, 1080}, Size{720, 1280}, Size{1024, 768}, Size{640, 640}}) {
         const render::Camera camera = show(pot_, shape.width, shape.height).camera;
         for (const dvec3 corner :
              {dvec3(-60, 0, 0), dvec3(60, 0, 0), dvec3(-60, 200, 0), dvec3(60, 200, 60), dvec3(60, 200, -60),

@@ -9,14 +9,12 @@
 #include <iterator>
 
 #include "game/wheel/workshop_scene.h"
-#include "tests/support/places.h"
+#include "tests/unit/wheel/our_workshop.h"
 
 namespace onggi::wheel {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kOurs = test::in_checkout("assets/workshop");
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
