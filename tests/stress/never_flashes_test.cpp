@@ -37,7 +37,8 @@ class NeverFlashes : public testing::Test {
             meter.see(kiosk.now_s(), kiosk.picture());
         }
     }
-    // Screens are composed beside the frame, in real time: on a busy machine a look comes before they are ready.
+    // Screens are composed beside the frame, in real time: on a busy machine a look comes before they are
+    // ready.
     template <typename Condition>
     [[nodiscard]] bool watch_until(const Condition& is_shown) {
         for (int look = 0; look < 600 && !is_shown(); ++look) {

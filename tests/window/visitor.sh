@@ -104,6 +104,7 @@ press() {
     esac
 }
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
+is_elsewhere() { [[ "$(title)" != *"[$1]" ]]; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
     local before after
@@ -121,6 +122,8 @@ take() {
         xdotool key Return
     else
         for _ in $(seq 5); do
+            # As it comes: of one that is about to go on, a busy machine would take the next.
+            wait_for "the ring elsewhere than on target $1" is_elsewhere "$1"
             wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
             before=$(title)
             xdotool key space
