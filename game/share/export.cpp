@@ -63,8 +63,9 @@ Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind
 }
 
 Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind) {
-    if (const Result<void> good = check_rings(rings); !good) return good.error();
-    const double widest_mm = 2.0 * *std::max_element(rings.outer_mm.begin(), rings.outer_mm.end());
+    double widest_mm = 0.0;
+    for (const double radius_mm : rings.outer_mm)
+        widest_mm = std::max(widest_mm, 2.0 * radius_mm);
     return export_pot(rings, kind,
                       {.title = fmt::format("Onggi pot, {:.1f} mm high", rings.height_mm()),
                        .material = stoneware(),

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace onggi::testing {
 
 struct MockHid {
@@ -76,7 +78,7 @@ class MockBus {
 
   private:
     UMockdevTestbed* testbed_;
-    std::filesystem::path folder_;  // of the scripts
+    test::TemporaryFolder folder_;  // of the scripts
 };
 
 }  // namespace onggi::testing

@@ -1,9 +1,10 @@
 #include "engine/files/asset_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
+
+#include "tests/support/temporary_folder.h"
 
 namespace onggi::files {
 namespace {
@@ -12,15 +13,10 @@ namespace fs = std::filesystem;
 
 class AssetFolder : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "onggi-assets-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        root_ = name;
-    }
-    void TearDown() override { fs::remove_all(root_); }
     void make(const fs::path& folder) { fs::create_directories(root_ / folder); }
 
-    fs::path root_;
+    const test::TemporaryFolder folder_;
+    const fs::path& root_ = folder_.path();
 };
 
 TEST_F(AssetFolder, OfAnInstalledProgramIsBesideItsBin) {

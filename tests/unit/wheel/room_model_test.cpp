@@ -1,12 +1,12 @@
 #include "game/wheel/room_model.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "engine/asset/gltf.h"
 #include "game/wheel/workshop_scene.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/wheel/our_workshop.h"
 
 namespace onggi::wheel {
@@ -16,13 +16,6 @@ namespace fs = std::filesystem;
 
 class ARoomModel : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "onggi-room-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     // One upright sheet, `metres` each way.
     fs::path sheet(const char* node, float metres) {
         asset::Mesh mesh;
@@ -42,7 +35,7 @@ class ARoomModel : public testing::Test {
         return file;
     }
 
-    fs::path folder_;
+    const test::TemporaryFolder folder_;
 };
 
 TEST_F(ARoomModel, OfOurWorkshopHasItsWheelAndItsThings) {

@@ -1,7 +1,6 @@
 #include "game/wheel/workshop_files.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include <iterator>
 
 #include "game/wheel/workshop_scene.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/wheel/our_workshop.h"
 
 namespace onggi::wheel {
@@ -16,42 +16,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // A copy of the workshop's JSON files in which one thing can be spoiled.
 class WorkshopFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "onggi-workshop-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
+    void SetUp() override { restore(); }
+    // Both files as they were.
+    void restore() {
         for (const char* file : {"cameras.json", "light.json"})
-            fs::copy_file(kOurs / file, folder_ / file);
+            fs::copy_file(kOurs / file, folder_ / file, fs::copy_options::overwrite_existing);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void put(const char* file, const std::string& text) {
         std::ofstream(folder_ / file, std::ios::binary) << text;
     }
     // The first `before` of the file becomes `after`.
     void spoil(const char* file, const std::string& before, const std::string& after) {
-        std::string text = text_of(folder_ / file);
+        std::string text = test::content_of(folder_ / file);
         const std::size_t at = text.find(before);
         ASSERT_NE(at, std::string::npos) << before;
         put(file, text.replace(at, before.size(), after));
     }
     void expect_refused(const std::string& words) {
-        const auto workshop = load_workshop(folder_);
+        const auto workshop = load_workshop(folder_.path());
         ASSERT_FALSE(workshop) << words;
         EXPECT_EQ(workshop.error().kind, ErrorKind::kBadInput);
         EXPECT_NE(workshop.error().message.find(words), std::string::npos) << workshop.error().message;
         EXPECT_EQ(workshop.error().message.find('\n'), std::string::npos);
     }
 
-    fs::path folder_;
+    const test::TemporaryFolder folder_;
 };
 
 TEST_F(WorkshopFiles, SayWhereTheCamerasStandAndWhatLightThereIs) {
@@ -131,12 +124,11 @@ TEST_F(WorkshopFiles, RejectsAMissingOrWrongFieldByItsName) {
 
 TEST_F(WorkshopFiles, RejectsSizesThatNoPlateHas) {
     for (const char* size : {"[1280]", "[0, 720]", "[1e9, 720]", "[1280.5, 720]", "\"big\""}) {
-        SetUp();
+        restore();
         spoil("cameras.json", "[1280, 720]", size);
         expect_refused("cameras.throw_16x9.size: expected");
-        TearDown();
     }
-    SetUp();
+    restore();
 }
 
 TEST_F(WorkshopFiles, RejectsACameraThatSeesNothing) {
@@ -168,7 +160,7 @@ TEST_F(WorkshopFiles, RejectsLightThatIsNone) {
 }
 
 TEST_F(WorkshopFiles, RejectsPlatesThatAreMissingDamagedOrOfAnotherSize) {
-    const auto workshop = load_workshop(folder_);
+    const auto workshop = load_workshop(folder_.path());
     ASSERT_TRUE(workshop);
     const PlateCamera& camera = *workshop->camera_for(View::kThrowing, 1280, 720);
     const auto refusal = [&] {
@@ -187,7 +179,7 @@ TEST_F(WorkshopFiles, RejectsPlatesThatAreMissingDamagedOrOfAnotherSize) {
 
 TEST_F(WorkshopFiles, ThatAreSpoiledGiveWayToTheProgramsOwnRoomAndLeaveAReason) {
     put("cameras.json", "{");
-    OpenedScene opened = open_scene(folder_, 640, 480);
+    OpenedScene opened = open_scene(folder_.path(), 640, 480);
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
     const std::vector<float> radii(100, 50.0F);
     EXPECT_NE(opened.scene->apply({.radii_mm = radii}, 640, 480).plate, nullptr);
@@ -195,8 +187,8 @@ TEST_F(WorkshopFiles, ThatAreSpoiledGiveWayToTheProgramsOwnRoomAndLeaveAReason) 
 
 TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLifeAndAReason) {
     put("cameras.json", "{");
-    setenv("ONGGI_ASSETS", folder_.c_str(), 1);  // which has none in it
-    OpenedScene opened = open_scene(folder_, 640, 480);
+    setenv("ONGGI_ASSETS", folder_.path().c_str(), 1);  // which has none in it
+    OpenedScene opened = open_scene(folder_.path(), 640, 480);
     unsetenv("ONGGI_ASSETS");
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
     const std::vector<float> radii(100, 50.0F);
