@@ -32,9 +32,10 @@ struct PotSolid {
 
 // The finest of seven settings that stays within kMaxTriangles and cannot push one face of a wall through the
 // other: from 0.008 mm and 128 corners, which smooth pots get, to 0.5 mm and 48. What is too rough for all
-// (thousands of ledges, as no hand makes them) is blurred: its rings are merged, each keeping its clay, until
-// it fits. shrinkage: what every length is times (pot.h). kBadInput if check_rings() or no merging helps. The
-// same clay gives the same bits on every machine: no libm trigonometry.
+// (thousands of ledges, as no hand makes them) has rings left out evenly while the rest hold the same clay
+// within a hundredth, or else merged, each keeping its clay, until it fits. shrinkage: what every length is
+// times (pot.h). kBadInput if check_rings() or if nothing of this helps. The same clay gives the same bits on
+// every machine: no libm trigonometry.
 Result<PotSolid> build_pot_solid(const PotRings& rings, double shrinkage = 1.0);
 
 }  // namespace onggi::share
