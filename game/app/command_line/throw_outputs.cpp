@@ -41,14 +41,12 @@ Result<std::vector<std::byte>> model_for(const std::string& place, const haptic:
 Result<std::vector<std::byte>> picture_bytes(const ThrowOutputs& outputs, const haptic::HapticState& state,
                                              const haptic::TickResult& last,
                                              const haptic::HapticParameters& parameters,
-                                             const haptic::PotShape& shape) {
+                                             const pot::Pot& pot) {
     haptic::Snapshot snapshot;
     haptic::fill_snapshot(snapshot, state, last, parameters);
-    const haptic::PotShape fired = shrunk(shape, clay::shrunk_scale(snapshot.body, outputs.stage));
-    snapshot.shape = &fired;
-    wheel::PotView pot = pot_view(snapshot);
-    pot.stage = outputs.stage;
-    const auto image = wheel::render_still(pot, outputs.size.width, outputs.size.height,
+    const pot::Pot fired = pot::fired(pot, outputs.stage);
+    snapshot.pot = &fired;
+    const auto image = wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
                                            {.view = outputs.view, .beauty = outputs.beauty});
     if (!image) return image.error();
     return asset::encode_png(*image);
@@ -129,10 +127,10 @@ Result<void> OutputWriter::prepare_text(const std::string& place, std::string_vi
 Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const haptic::TickResult& last,
                                          const jobs::Histogram& tick_ns) {
     Result<void> done;
-    const haptic::PotShape shape = haptic::first_shape(state);
+    const pot::Pot pot = haptic::pot_of(state);
     // The picture first: it is what may be missing its device.
     if (outputs_.screenshot)
-        done = prepare(*outputs_.screenshot, picture_bytes(outputs_, state, last, parameters_, shape));
+        done = prepare(*outputs_.screenshot, picture_bytes(outputs_, state, last, parameters_, pot));
     if (done && outputs_.model)
         done = prepare(*outputs_.model, model_for(*outputs_.model, state, outputs_.stage));
     if (done && outputs_.profile) done = prepare_text(*outputs_.profile, profile_table(state));
