@@ -98,16 +98,7 @@ std::vector<KeptPot> Gallery::pots(std::string* trouble) const {
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {
-    // Out of the gallery first and at once: a power cut in between must not leave half a pot.
-    fs::path part = pot.folder;
-    part += ".part";
-    std::error_code error;
-    fs::rename(pot.folder, part, error);
-    if (!error) fs::remove_all(part, error);
-    if (error)
-        return system_lacks(
-            fmt::format("{}: expected to remove it, found {}", pot.folder.string(), error.message()));
-    return {};
+    return files::take_away_folder(pot.folder);
 }
 
 // The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
