@@ -31,13 +31,13 @@ vec3 room(vec3 r, float blur) {
   vec2 w = vec2(atan(r.x, r.z) + 0.75, asin(clamp(r.y, -1.0, 1.0)) - 0.62);
   vec2 pane = smoothstep(vec2(0.42, 0.34) + blur, vec2(0.34, 0.26) - blur, abs(w));
   float bar = 0.35 + 0.65 * smoothstep(0.012, 0.03 + blur, abs(w.x)) * smoothstep(0.012, 0.03 + blur, abs(w.y));
-  return c + vec3(1.5, 1.42, 1.3) * pane.x * pane.y * mix(bar, 1.0, min(1.0, blur * 4.0));
+  return c + vec3(4.6, 4.4, 4.1) * pane.x * pane.y * mix(bar, 1.0, min(1.0, blur * 4.0));
 }
 void main() {
   vec3 n = normalize(across), v = normalize(eye - at);
   bool inside = on.z > 0.5;
   vec3 sun = normalize(SUN);
-  vec3 base = linear(colour);
+  vec3 base = colour;
   if (wrapped && !inside) base = linear(texture(surface, on.xy).rgb);
   else {  // the glaze runs a little thinner at rim and ridges
     float ridge = sin(at.y * 0.9 + on.x * 6.2832) * 0.5 + sin(at.y * 0.37) * 0.5;
@@ -53,7 +53,7 @@ void main() {
     open = 1.0 / (1.0 + 1.4 * pow(deep / rim.x, 2.0));
   } else open = 0.6 + 0.4 * smoothstep(0.0, 0.2 * rim.y, at.y);
   vec3 sky = mix(vec3(0.13, 0.09, 0.06), vec3(0.30, 0.29, 0.28), n.y * 0.5 + 0.5) + vec3(0.05, 0.045, 0.04) * n.x;
-  vec3 c = base * (sky * open * 1.5 + vec3(1.65, 1.5, 1.25) * lit);
+  vec3 c = base * (sky * open * 1.1 + vec3(1.12, 1.02, 0.86) * lit);
   float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(n, v), 0.0), 5.0);
   float mirror = fresnel * gloss * (inside ? 0.35 * open : open);
   c = c * (1.0 - mirror * 0.5) + room(reflect(-v, n), 0.25 * (1.0 - gloss)) * mirror * 1.6;

@@ -28,8 +28,11 @@ std::string html(std::string_view text) {
                 safe += "&#39;";
                 break;
             default: {
-                const bool is_no_break_space = text.starts_with("\u00a0");  // nor any other of its block
-                length = is_no_break_space ? 2 : shown_character_length(text);
+                // U+00A0 to U+00BF: no control characters, though they begin with the same byte.
+                const bool is_latin = text.size() > 1 && text[0] == '\xc2' &&
+                                      static_cast<unsigned char>(text[1]) >= 0xa0 &&
+                                      static_cast<unsigned char>(text[1]) <= 0xbf;
+                length = is_latin ? 2 : shown_character_length(text);
                 safe += length > 0 ? text.substr(0, length) : std::string_view("\ufffd");
                 if (length == 0) length = 1;
             }

@@ -72,7 +72,7 @@ class Page {
 
     [[nodiscard]] std::string stage() const {
         const PageLinks& links = facts_.links;
-        const auto& colour = pot_.colour_srgb;
+        const auto& colour = pot_.colour_linear;
         std::string shape;
         if (pot_.outside.size() > 1) {
             shape = fmt::format(
@@ -96,10 +96,16 @@ class Page {
     [[nodiscard]] std::string save_link(std::string_view name, std::string_view label, std::string_view kind,
                                         std::string_view look = "") const {
         const std::string_view ending = name.substr(name.rfind('.'));
+        const std::string_view arrow =
+            look.empty()
+                ? std::string_view()
+                : "<svg viewBox=\"0 0 64 64\" aria-hidden=\"true\"><path d=\"M32 8v32M18 28l14 14 14-14M10 "
+                  "56h44\"/></svg>";
         const std::string small =
             kind.empty() ? "" : fmt::format(" <small dir=\"ltr\">{}</small>", html(kind));
-        return fmt::format("<a class=\"token{}\" href=\"{}\" download=\"onggi-{}{}\"><span>{}{}</span></a>\n",
-                           look, name, facts_.code.text(), ending, label, small);
+        return fmt::format(
+            "<a class=\"token{}\" href=\"{}\" download=\"onggi-{}{}\">{}<span>{}{}</span></a>\n", look, name,
+            facts_.code.text(), ending, arrow, label, small);
     }
 
     [[nodiscard]] std::string files() const {

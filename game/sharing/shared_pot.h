@@ -47,7 +47,7 @@ struct SharedPot {
     // Wrapped round the outside: its columns go round, its rows from the rim down to the foot in equal steps
     // along the outline. Where there is none, the colour.
     FileContent surface{};
-    std::array<double, 3> colour_srgb{0.62, 0.49, 0.38};  // 0 to 1
+    std::array<double, 3> colour_linear{0.34, 0.2, 0.12};  // linear light, 0 to 1
     double gloss = 0.5;                                   // 0 matt to 1 glass
 
     // Of 0: left out.

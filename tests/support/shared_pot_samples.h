@@ -53,7 +53,7 @@ inline sharing::SharedPot full_pot(const std::string& mark) {
     pot.film_s = 8.0;
     pot.outside = jar_outside();
     pot.inside = jar_inside();
-    pot.colour_srgb = {0.49, 0.6, 0.49};
+    pot.colour_linear = {0.2, 0.32, 0.2};
     pot.gloss = 0.9;
     pot.height_mm = 160.2;
     pot.width_mm = 159.8;

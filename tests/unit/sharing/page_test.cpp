@@ -94,7 +94,7 @@ TEST(PhonePage, TakesWordsAsWords) {
     EXPECT_FALSE(has(page, "<script>alert"));
     EXPECT_FALSE(has(page, "\" onload"));
     EXPECT_TRUE(has(page, "a &amp; b\ufffd\ufffd it&#39;s"));
-    EXPECT_EQ(html("\u00a0한\u00e9"), "\u00a0한\u00e9");
+    EXPECT_EQ(html("\u00a0한\u00e9 · \u0085"), "\u00a0한\u00e9 · \ufffd\ufffd");
     EXPECT_EQ(html(std::string_view("a\0b", 3)), "a\ufffdb");
 }
 
