@@ -54,17 +54,20 @@ std::string words_of_errno() {
 
 Result<std::string> address_of(const std::string& address_or_interface) {
     if (numeric(address_or_interface, 0)) return address_or_interface;
-    ifreq request{};
-    if (address_or_interface.empty() || address_or_interface.size() >= sizeof request.ifr_name ||
-        ::if_nametoindex(address_or_interface.c_str()) == 0) {
+    const auto unknown = [&] {
         return bad_input(fmt::format("sharing: expected an address or an interface of this machine, found {}",
                                      in_quotes(address_or_interface)));
-    }
+    };
+    ifreq request{};
+    if (address_or_interface.empty() || address_or_interface.size() >= sizeof request.ifr_name)
+        return unknown();
     std::copy(address_or_interface.begin(), address_or_interface.end(), std::begin(request.ifr_name));
+    // By a socket of the internet, because the service may have no other.
     const int probe = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    const bool has = probe >= 0 && ::ioctl(probe, SIOCGIFADDR, &request) == 0;
+    const int refused = probe >= 0 && ::ioctl(probe, SIOCGIFADDR, &request) == 0 ? 0 : errno;
     if (probe >= 0) ::close(probe);
-    if (!has) {
+    if (refused == ENODEV) return unknown();
+    if (refused != 0) {
         return system_lacks(fmt::format("sharing: expected an address on the interface {}, found none",
                                         address_or_interface));
     }
