@@ -1,5 +1,6 @@
 #include "game/app/command_line/system_probes.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -84,7 +85,8 @@ std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     const auto& sharing = config.sharing;
     std::vector<Finding> findings;
     if (!kiosk::shares(config)) return findings;
-    const bool writable = ::access(sharing.outbox.c_str(), W_OK | X_OK) == 0 || !fs::exists(sharing.outbox);
+    const bool writable = ::faccessat(AT_FDCWD, sharing.outbox.c_str(), W_OK | X_OK, AT_EACCESS) == 0 ||
+                          !fs::exists(sharing.outbox);
     if (!writable) {
         findings.push_back(
             {.subject = "sharing",
