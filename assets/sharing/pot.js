@@ -4,7 +4,7 @@
 
 const SEGMENTS = 128;
 const TURN_MS = 9000;
-const CAMERA = { far: 9, up: 0.16 };  // so many times the pot's size away; radians above its middle
+const CAMERA = { far: 30, up: 0.16 };  // so many times the pot's size away; radians above its middle
 
 const VERTEX = `#version 300 es
 in vec3 place; in vec3 normal; in vec3 skin;  // skin: around, down the wall, 1 inside
@@ -53,7 +53,7 @@ void main() {
     open = 1.0 / (1.0 + 1.4 * pow(deep / rim.x, 2.0));
   } else open = 0.6 + 0.4 * smoothstep(0.0, 0.2 * rim.y, at.y);
   vec3 sky = mix(vec3(0.13, 0.09, 0.06), vec3(0.30, 0.29, 0.28), n.y * 0.5 + 0.5) + vec3(0.05, 0.045, 0.04) * n.x;
-  vec3 c = base * (sky * open * 1.1 + vec3(1.12, 1.02, 0.86) * lit);
+  vec3 c = base * (sky * open + vec3(0.98, 0.9, 0.76) * lit);
   float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(n, v), 0.0), 5.0);
   float mirror = fresnel * gloss * (inside ? 0.35 * open : open);
   c = c * (1.0 - mirror * 0.5) + room(reflect(-v, n), 0.25 * (1.0 - gloss)) * mirror * 1.6;
@@ -114,7 +114,7 @@ function viewOf(radius, height, aspect, board) {
   const [sin, cos] = [Math.sin(CAMERA.up), Math.cos(CAMERA.up)];
   // Half of what is seen, mm: across, and up between the foot's and the mouth's nearest and farthest points.
   const tall = (height * cos + 2 * radius * sin) / 2;
-  const half = Math.max(tall * 1.06 / (1 - board), radius * 1.08 / aspect);
+  const half = Math.max(tall * 1.06 / (1 - board), radius * 1.16 / aspect);
   const far = CAMERA.far * half;
   const eye = [0, height / 2 + far * sin, far * cos];
   const [near, beyond] = [far - 3 * half, far + 3 * half];

@@ -24,6 +24,9 @@ std::string html(std::string_view text) {
             case '"':
                 safe += "&quot;";
                 break;
+            case '\n':
+                safe += '\n';
+                break;
             case '\'':
                 safe += "&#39;";
                 break;

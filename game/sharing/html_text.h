@@ -6,8 +6,8 @@
 
 namespace onggi::sharing {
 
-// Whatever it is, it opens no tag, ends no attribute and is UTF-8: what is not, and control characters,
-// become U+FFFD.
+// Whatever it is, it opens no tag, ends no attribute and is UTF-8: what is not, and control characters but
+// the end of a line, become U+FFFD.
 [[nodiscard]] std::string html(std::string_view text);
 
 // lang="ko" dir="ltr"

@@ -26,7 +26,7 @@ struct OutlinePoint {
 struct PotWords {
     std::string glaze{};         // "Celadon", below the title
     std::string nearest_name{};  // the museum's pot that it is closest to: "Moon jar"
-    std::string nearest_line{};  // "Joseon, 18th c., National Museum of Korea"
+    std::string nearest_line{};  // "Joseon, 18th c.\nNational Museum of Korea"
 };
 
 struct SharedPot {
@@ -48,7 +48,7 @@ struct SharedPot {
     // along the outline. Where there is none, the colour.
     FileContent surface{};
     std::array<double, 3> colour_linear{0.34, 0.2, 0.12};  // linear light, 0 to 1
-    double gloss = 0.5;                                   // 0 matt to 1 glass
+    double gloss = 0.5;                                    // 0 matt to 1 glass
 
     // Of 0: left out.
     double height_mm = 0.0;

@@ -37,7 +37,7 @@ sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeM
          {language.shown(relative->date_key), language.shown(relative->museum_key),
           (own_digits && language.is_arabic() ? kiosk::in_arabic_digits(height) : height) + "\u00a0" +
               language.shown("unit.mm")}) {
-        if (!part.empty()) words.nearest_line += (words.nearest_line.empty() ? "" : " · ") + part;
+        if (!part.empty()) words.nearest_line += (words.nearest_line.empty() ? "" : "\n") + part;
     }
     return words;
 }
@@ -70,7 +70,7 @@ asset::Image share_poster(const screens::PotSection& shape, int glaze, int side_
     // As in assets/sharing/pot.js: the eye's height, room above the pot and beside it, the board below.
     constexpr float kElevationRad = 0.16F;
     constexpr float kAbove = 1.06F;
-    constexpr float kBeside = 1.08F;
+    constexpr float kBeside = 1.16F;
     constexpr float kBoard = 0.039F;
     const auto side = static_cast<float>(side_px);
     const float across = shape.radius_mm() * std::sin(kElevationRad);

@@ -44,7 +44,7 @@ TEST(KioskShare, HandsThePotOverAsThePageWantsIt) {
     ASSERT_TRUE(fired.relative);
     EXPECT_EQ(pot.words[1].nearest_name, (*settings->languages)[1].shown(fired.relative->name_key));
     EXPECT_TRUE(pot.words[1].nearest_line.ends_with("\u00a0mm")) << pot.words[1].nearest_line;
-    EXPECT_EQ(pot.words[1].nearest_line.find("·  "), std::string::npos) << "nothing is named by nothing";
+    EXPECT_EQ(pot.words[1].nearest_line.find("\n\n"), std::string::npos) << "nothing is named by nothing";
     EXPECT_NE(pot.words[2].nearest_line.find("ملم"), std::string::npos);
     EXPECT_FALSE(pot.nearest_outside.empty());
     EXPECT_FALSE(pot.model_glb.is_given()) << "files are the caller's";
