@@ -148,6 +148,18 @@ TEST(HostileClients, ThatAskTooOftenAreToldToWait) {
     expect_honest(served, code);
 }
 
+// Each from an address of its own, so that no limit of an address holds them: more than the server takes.
+TEST(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    std::vector<HttpClient> crowd;
+    for (std::uint32_t i = 0; i < 700; ++i)
+        crowd.emplace_back(served.port(), 100, 0x7f010101 + i * 256);
+    const double begun = now_s();
+    expect_honest(served, code);
+    EXPECT_LT(now_s() - begun, 5.0) << "ten seconds of silence are for who has room";
+}
+
 // As many as the system lets one process open; the report of the suite says how many that were.
 TEST(HostileClients, ThatComeInThousandsTakeLittleMemoryAndGoAgain) {
     ServedOutbox served;

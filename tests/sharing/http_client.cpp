@@ -11,7 +11,8 @@
 
 namespace onggi::test {
 
-HttpClient::HttpClient(int port, int wait_ms) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+HttpClient::HttpClient(int port, int wait_ms, std::uint32_t from)
+    : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in place{.sin_family = AF_INET,
                       .sin_port = htons(static_cast<std::uint16_t>(port)),
                       .sin_addr = {htonl(INADDR_LOOPBACK)},
@@ -19,6 +20,8 @@ HttpClient::HttpClient(int port, int wait_ms) : socket_(::socket(AF_INET, SOCK_S
     const timeval wait{.tv_sec = wait_ms / 1000, .tv_usec = (wait_ms % 1000) * 1000};
     ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
     ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &wait, sizeof wait);
+    const sockaddr_in own{.sin_family = AF_INET, .sin_port = 0, .sin_addr = {htonl(from)}, .sin_zero = {}};
+    ::bind(socket_, reinterpret_cast<const sockaddr*>(&own), sizeof own);
     if (::connect(socket_, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0) return;
     ::close(socket_);
     socket_ = -1;

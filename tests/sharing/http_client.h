@@ -2,6 +2,7 @@
 // limits.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,10 +15,11 @@ struct HttpAnswer {
     std::string body;
 };
 
-// A connection to 127.0.0.1, closed with it.
+// A connection to 127.0.0.1, closed with it; from another address of this machine where that is said, such as
+// 0x7f010203 for 127.1.2.3.
 class HttpClient {
   public:
-    explicit HttpClient(int port, int wait_ms = 5000);
+    explicit HttpClient(int port, int wait_ms = 5000, std::uint32_t from = 0x7f000001);
     HttpClient(HttpClient&& other) noexcept;
     HttpClient(const HttpClient&) = delete;
     HttpClient& operator=(const HttpClient&) = delete;

@@ -36,5 +36,16 @@ TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
     EXPECT_EQ(cut_at(deadlines, 55.8), std::vector<int>{3});
 }
 
+TEST(Deadlines, HaveLessPatienceInACrowd) {
+    Deadlines deadlines({.head_s = 10.0, .crowded_head_s = 1.0, .crowd = 3});
+    static_cast<void>(deadlines.add(3, 0.0));
+    const auto served = deadlines.add(4, 0.0);
+    deadlines.answers(served, 0.5, 1000);
+    EXPECT_TRUE(cut_at(deadlines, 5.0).empty());
+    static_cast<void>(deadlines.add(5, 5.0));
+    EXPECT_EQ(cut_at(deadlines, 5.5), std::vector<int>{3}) << "the silent one is in the way of others";
+    EXPECT_EQ(cut_at(deadlines, 6.0), std::vector<int>{5}) << "whose answer is on its way is not";
+}
+
 }  // namespace
 }  // namespace onggi::app
