@@ -50,10 +50,11 @@ install(FILES assets/install/sysusers.conf DESTINATION lib/sysusers.d RENAME ong
 install(CODE [[
     set(made ${build}/install)
     configure_file(${source}/assets/install/onggi-kiosk.service.in ${made}/onggi-kiosk.service @ONLY)
+    configure_file(${source}/assets/install/onggi-share.service.in ${made}/onggi-share.service @ONLY)
     configure_file(${source}/assets/install/tmpfiles.conf.in ${made}/onggi.conf @ONLY)
     configure_file(${source}/assets/install/kiosk.in ${made}/kiosk @ONLY)
     configure_file(${source}/assets/install/limits.conf ${made}/70-onggi.conf COPYONLY)
-    file(INSTALL ${made}/onggi-kiosk.service DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/systemd/system)
+    file(INSTALL ${made}/onggi-kiosk.service ${made}/onggi-share.service DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/systemd/system)
     file(INSTALL ${made}/onggi.conf DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/tmpfiles.d)
     file(INSTALL ${made}/kiosk DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/onggi
         PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

@@ -68,6 +68,19 @@ Result<void> AtomicFolder::commit() {
     return sync_folder(destination_.has_parent_path() ? destination_.parent_path() : fs::path("."));
 }
 
+Result<void> take_away_folder(const fs::path& folder) {
+    fs::path part = folder;
+    part += ".part";
+    std::error_code error;
+    fs::remove_all(part, error);  // what a killed program left
+    fs::rename(folder, part, error);
+    if (error == std::errc::no_such_file_or_directory)
+        return bad_input(fmt::format("{}: expected a folder, found none", shown_path(folder.string())));
+    if (!error) fs::remove_all(part, error);
+    if (error) return lost(folder, "to remove it", error);
+    return {};
+}
+
 void clear_parts(const fs::path& around) {
     std::error_code ignored;
     for (const fs::path& entry : list_folder(around).entries) {

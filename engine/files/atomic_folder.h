@@ -32,6 +32,11 @@ class AtomicFolder {
     std::filesystem::path part_;  // empty once committed
 };
 
+// Takes a folder away with all that is in it: out of its place first and at once, so that a power cut in
+// between leaves NAME.part and never half a folder. System lacks: it cannot be; one that is not there is bad
+// input.
+Result<void> take_away_folder(const std::filesystem::path& folder);
+
 // Takes away every NAME.part folder in `around` and in its folders.
 void clear_parts(const std::filesystem::path& around);
 

@@ -70,6 +70,27 @@ bool is_pin(const std::string& pin) {
     return digits && (pin.empty() || (pin.size() >= 4 && pin.size() <= 8));
 }
 
+// "10.0.0.5", "fd00::5", "wlan0"; what it really is the machine will tell.
+bool is_address_or_interface(const std::string& text) {
+    return text.size() <= 45 && std::all_of(text.begin(), text.end(), [](char letter) {
+               return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+                      (letter >= '0' && letter <= '9') ||
+                      std::string_view(".:-_@").find(letter) != std::string_view::npos;
+           });
+}
+
+// Letters that stand for themselves in an address (RFC 3986), behind http:// or https:// and a host.
+bool is_web_address(const std::string& text) {
+    if (text.empty()) return true;
+    const std::size_t host = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : text.size();
+    return host < text.size() && text[host] != '/' && text.size() <= 200 &&
+           std::all_of(text.begin(), text.end(), [](char letter) {
+               return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+                      (letter >= '0' && letter <= '9') ||
+                      std::string_view(":/.-_~[]").find(letter) != std::string_view::npos;
+           });
+}
+
 Setting codes(std::vector<std::string>& into) {
     return {"1 to 8 language codes such as [\"ko\", \"en\"], each once", [&into](const toml::node& node) {
                 const toml::array* array = node.as_array();
@@ -134,6 +155,23 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"sound.spoken_folder", words(config.sound.spoken_folder, "a folder", anything)},
         {"hours.opens", time_of_day(config.hours.opens_min)},
         {"hours.closes", time_of_day(config.hours.closes_min)},
+        {"sharing.listen",
+         words(config.sharing.listen, "an address such as \"10.0.0.5\" or an interface such as \"wlan0\"",
+               is_address_or_interface)},
+        {"sharing.port", whole(config.sharing.port, 1, 65535, "a whole number, 1 to 65535")},
+        {"sharing.public_url",
+         words(config.sharing.public_url, "an address such as \"https://museum.org/pots\"", is_web_address)},
+        {"sharing.outbox", words(config.sharing.outbox, "a folder", something)},
+        {"sharing.wifi_name", words(config.sharing.wifi_name, "a name of 32 letters at most",
+                                    [](const std::string& text) { return text.size() <= 32; })},
+        {"sharing.wifi_key", words(config.sharing.wifi_key, "8 to 63 letters between quotes, or nothing",
+                                   [](const std::string& text) {
+                                       return text.empty() || (text.size() >= 8 && text.size() <= 63);
+                                   })},
+        {"sharing.hours", whole(config.sharing.hours, 0, 168, "a whole number, 0 to 168")},
+        {"sharing.most_pots", whole(config.sharing.most_pots, 1, 10000, "a whole number, 1 to 10000")},
+        {"sharing.most_mb", number(config.sharing.most_mb, 10.0, 1e6, "10 to 1000000")},
+        {"sharing.counter", words(config.sharing.counter, "a file", anything)},
         {"staff.pin", words(config.staff.pin, "4 to 8 digits between quotes, or nothing", is_pin)},
         {"staff.locked", yes_or_no(config.staff.locked)},
         {"staff.closes_after_s", number(config.staff.closes_after_s, 10.0, 600.0, "10 to 600")},
@@ -218,7 +256,7 @@ Result<Config> read_config(std::string_view toml_text, const std::string& file) 
         if (table == nullptr || known.empty()) {
             return at(file, section.source(),
                       fmt::format("expected a section [screen], [languages], [visit], [haptics], [gallery], "
-                                  "[sound], [hours] or [staff], found {}",
+                                  "[sound], [hours], [sharing] or [staff], found {}",
                                   in_quotes(section_name)));
         }
         for (const auto& [key, value] : *table) {
@@ -245,6 +283,14 @@ Result<Config> read_config(std::string_view toml_text, const std::string& file) 
         }
         config.languages.first = order.front();
     }
+    const auto& sharing = config.sharing;
+    const bool listens_everywhere = sharing.listen == "0.0.0.0" || sharing.listen == "::";
+    if (listens_everywhere && sharing.public_url.empty()) {
+        return at(
+            file, parsed.table().at_path("sharing.listen").node()->source(),
+            fmt::format("expected public_url beside {} for listen, so that phones learn where, found none",
+                        in_quotes(sharing.listen)));
+    }
     return config;
 }
 
@@ -254,6 +300,10 @@ bool is_open(const Config& config, int minute_of_day) {
     if (opens == closes) return true;
     if (opens < closes) return minute_of_day >= opens && minute_of_day < closes;
     return minute_of_day >= opens || minute_of_day < closes;
+}
+
+bool shares(const Config& config) {
+    return !config.sharing.listen.empty() || !config.sharing.public_url.empty();
 }
 
 Rules rules_of(const Config& config) {

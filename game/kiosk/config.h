@@ -50,6 +50,18 @@ struct Config {
         int closes_min = 0;
     } hours;
     struct {
+        std::string listen;             // address or interface of the server; empty: none runs
+        int port = 8080;                //
+        std::string public_url;         // where phones find the outbox; empty: the server
+        std::string outbox = "outbox";  // the folder that is served
+        std::string wifi_name;          // to join before; empty: no first code
+        std::string wifi_key;           //
+        int hours = 0;                  // that a pot stays; 0: until the end of the day
+        int most_pots = 200;            // the oldest leave first
+        double most_mb = 1000.0;        // of all together
+        std::string counter;            // the pipe that says how often pages are opened; empty: none
+    } sharing;
+    struct {
         std::string pin;  // 4 to 8 digits; empty: no staff panel
         bool locked = false;
         double closes_after_s = 120.0;  // without a touch
@@ -64,6 +76,9 @@ Result<Config> read_config(std::string_view toml, const std::string& file);
 
 // Whether the museum is open then; hours may pass midnight.
 [[nodiscard]] bool is_open(const Config& config, int minute_of_day);
+
+// Whether pots are taken home by phone at all: over the server, or over the house's own.
+[[nodiscard]] bool shares(const Config& config);
 
 // The rules of the flow that follow from it. language_count and default_language are the program's to set:
 // they depend on what could be read.

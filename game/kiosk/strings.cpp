@@ -132,6 +132,21 @@ bool Language::right_to_left() const {
     return std::find(kRightToLeft.begin(), kRightToLeft.end(), primary_code()) != kRightToLeft.end();
 }
 
+std::string in_arabic_digits(std::string_view number) {
+    std::string own;
+    for (const char letter : number) {
+        if (letter >= '0' && letter <= '9') {
+            own += '\xd9';
+            own += static_cast<char>('\xa0' + (letter - '0'));
+        } else if (letter == '.') {
+            own += "\xd9\xab";
+        } else {
+            own += letter;
+        }
+    }
+    return own;
+}
+
 const std::vector<Language>& built_in_languages() {
     static const std::vector<Language> languages = [] {
         std::vector<Language> read;

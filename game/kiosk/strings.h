@@ -51,6 +51,9 @@ class Language {
     std::map<std::string, Words, std::less<>> fallback_;
 };
 
+// A number with the digits and the decimal point that Arabic has of its own: U+0660 on, and U+066B.
+[[nodiscard]] std::string in_arabic_digits(std::string_view number);
+
 // The three that are built in, English first: `en`, `ko`, `ar`. They come from assets/languages.
 [[nodiscard]] const std::vector<Language>& built_in_languages();
 

@@ -49,18 +49,7 @@ const kiosk::Language& Page::language(int place) const {
 
 std::string Page::digits(std::string_view number, int place) const {
     if (!view_.own_digits || !language(place).is_arabic()) return std::string(number);
-    std::string own;
-    for (const char letter : number) {
-        if (letter >= '0' && letter <= '9') {
-            own += '\xd9';
-            own += static_cast<char>('\xa0' + (letter - '0'));  // U+0660 on
-        } else if (letter == '.') {
-            own += "\xd9\xab";  // U+066B
-        } else {
-            own += letter;
-        }
-    }
-    return own;
+    return kiosk::in_arabic_digits(number);
 }
 
 std::string Page::measure(std::string_view number, std::string_view unit_key, int place) const {

@@ -28,6 +28,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     within(config->gallery.least_free_mb, 1.0, 1e6);
     within(config->sound.volume, 0, kiosk::kMostVolume);
     within(config->staff.closes_after_s, 10.0, 600.0);
+    within(config->sharing.port, 1, 65535);
+    within(config->sharing.hours, 0, 168);
+    within(config->sharing.most_pots, 1, 10000);
+    fuzz::expect(config->sharing.public_url.find_first_of("\"'<> \n") == std::string::npos);
     fuzz::expect(config->haptics.rate_hz == 0.0 || config->haptics.rate_hz >= 100.0);
     const auto& order = config->languages.order;
     fuzz::expect(!order.empty() && order.size() <= 8);

@@ -217,7 +217,7 @@ TEST_F(HeldPicture, SaysWhatTheHostAndTheDeviceTook) {
             sum += part.name == name && part.is_on_host == on_host ? part.ms : 0.0;
         return sum;
     };
-    for (const char* name : {"shapes", "room", "hands and clay"})
+    for (const char* name : {"shapes", "room", "hands and lathe"})
         EXPECT_EQ(ms_of(name, true), 3.0) << name;
     EXPECT_GT(ms_of("copies", false), 0.0);
     EXPECT_EQ(parts.size(), 4U);

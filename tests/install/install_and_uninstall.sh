@@ -20,7 +20,8 @@ cmake --install "$build" --prefix /usr >"$folder/log"
 cmake --install "$build" --prefix /usr >>"$folder/log"
 unset DESTDIR
 root=$folder/root
-for file in usr/bin/onggi usr/lib/onggi/kiosk usr/lib/systemd/system/onggi-kiosk.service usr/lib/sysusers.d/onggi.conf \
+for file in usr/bin/onggi usr/lib/onggi/kiosk usr/lib/systemd/system/onggi-kiosk.service \
+    usr/lib/systemd/system/onggi-share.service usr/lib/sysusers.d/onggi.conf \
     usr/lib/tmpfiles.d/onggi.conf usr/lib/udev/rules.d/70-onggi.rules usr/lib/udev/rules.d/71-onggi-kiosk.rules \
     usr/share/onggi/kiosk.toml usr/share/onggi/heritage/targets.csv usr/share/onggi/gestures/attract.csv \
     usr/share/onggi/tools/stick.glb usr/share/onggi/workshop/room.glb etc/security/limits.d/70-onggi.conf; do

@@ -16,10 +16,18 @@ grep -q '^onggi:.*:/var/lib/onggi:' "$root/etc/passwd" || { echo "expected a use
 for group in audio input plugdev render video; do
     grep -q "^$group:.*\bonggi\b" "$root/etc/group" || { echo "expected onggi in the group $group"; exit 1; }
 done
-tmpfiles() { systemd-tmpfiles --root="$root" --create --prefix=/var/lib/onggi --prefix=/etc/onggi; }
+grep -q '^onggi-share:' "$root/etc/passwd" || { echo "expected a user onggi-share"; exit 1; }
+if grep -q '^[^:]*:[^:]*:[^:]*:.*\bonggi-share\b' "$root/etc/group"; then echo "expected onggi-share in no other group"; exit 1; fi
+tmpfiles() {
+    systemd-tmpfiles --root="$root" --create --prefix=/var/lib/onggi --prefix=/var/lib/onggi-outbox --prefix=/etc/onggi \
+        --prefix=/run/onggi-counter
+}
 tmpfiles
 user=$(sed -n 's/^onggi:[^:]*:\([0-9]*\):.*/\1/p' "$root/etc/passwd")
 [ "$(stat -c %u "$root/var/lib/onggi")" = "$user" ] || { echo "expected the pots' folder to be onggi's"; exit 1; }
+group=$(sed -n 's/^onggi-share:[^:]*:\([0-9]*\):.*/\1/p' "$root/etc/group")
+[ "$(stat -c '%u %g %a' "$root/var/lib/onggi-outbox")" = "$user $group 2750" ] || { echo "expected the outbox to be onggi's, for onggi-share to read"; exit 1; }
+[ "$(stat -c '%u %g %a %F' "$root/run/onggi-counter")" = "$user $group 620 fifo" ] || { echo "expected a pipe that onggi-share may only write"; exit 1; }
 cmp assets/install/kiosk.toml "$root/etc/onggi/kiosk.toml"
 # What the museum has set stays, whenever it is run again.
 echo 'name = "by the window"' >>"$root/etc/onggi/kiosk.toml"

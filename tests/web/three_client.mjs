@@ -2,20 +2,14 @@
 // visitor's phone would, and compares what arrived with what was thrown. Writes a screenshot a pot.
 import { mkdir } from 'node:fs/promises';
 import path from 'node:path';
-import { chromium } from 'playwright-core';
+import { expect, launch, watch } from './browser.mjs';
 import { checkAll, listPots } from './pots.mjs';
 import { serve } from './server.mjs';
 
-const BROWSER = process.env.ONGGI_CHROMIUM ?? '/usr/bin/chromium';
-const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
-    '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 const PAGE_TIMEOUT_MS = 60_000;
 const SIZE_TOLERANCE_M = 0.0001;  // a tenth of a millimetre
 const CLAY = [0.36, 0.29, 0.215];
 
-function expect(holds, words) {
-    if (!holds) throw new Error(words);
-}
 const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
 
 /** Everything that arrived, against the list that make_pots wrote. */
@@ -45,15 +39,7 @@ function compare(found, pot) {
 /** One page load; fails on any console error, failed request, or request to another host. */
 async function open(browser, origin, pot, screenshots) {
     const page = await browser.newPage({ viewport: { width: 480, height: 480 } });
-    const complaints = [];
-    page.on('console', (message) => { if (message.type() === 'error') complaints.push(`console: ${message.text()}`); });
-    page.on('pageerror', (problem) => complaints.push(`page: ${problem.message}`));
-    page.on('requestfailed', (request) => complaints.push(`request: ${request.url()} ${request.failure()?.errorText}`));
-    page.on('request', (request) => {
-        if (!/^(data|blob):/.test(request.url()) && new URL(request.url()).origin !== origin) {
-            complaints.push(`off-site: ${request.url()}`);
-        }
-    });
+    const complaints = watch(page, origin);
     try {
         await page.goto(`${origin}/index.html?pot=${pot.name}`);
         await page.waitForFunction('window.found !== undefined', null, { timeout: PAGE_TIMEOUT_MS });
@@ -75,7 +61,7 @@ if (!folder) {
 if (screenshots) await mkdir(screenshots, { recursive: true });
 const pots = (await listPots(folder)).filter((pot) => pot.hand_made);
 const server = await serve(folder);
-const browser = await chromium.launch({ executablePath: BROWSER, args: FLAGS });
+const browser = await launch();
 try {
     console.log(`Chromium ${browser.version()}`);
     await checkAll(pots, async (pot) => {

@@ -1,6 +1,8 @@
 #include "game/app/command_line/system_probes.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -8,11 +10,13 @@
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/list_folder.h"
 #include "engine/files/asset_folder.h"
 #include "engine/window/window.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/sharing/listen_place.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::app {
@@ -76,6 +80,45 @@ Finding probe_gallery(const kiosk::Config& config) {
     return finding;
 }
 
+// Of sharing that is on: can pots be put, and does somebody serve them.
+std::vector<Finding> probe_sharing(const kiosk::Config& config) {
+    const auto& sharing = config.sharing;
+    std::vector<Finding> findings;
+    if (!kiosk::shares(config)) return findings;
+    const bool writable = ::faccessat(AT_FDCWD, sharing.outbox.c_str(), W_OK | X_OK, AT_EACCESS) == 0 ||
+                          !fs::exists(sharing.outbox);
+    if (!writable) {
+        findings.push_back(
+            {.subject = "sharing",
+             .verdict = Verdict::kLacking,
+             .found = fmt::format("{}: expected an outbox that can be written, found none", sharing.outbox),
+             .cost = "no pot is taken home by phone",
+             .remedy = "give the folder to the kiosk's user, or name another sharing.outbox"});
+    }
+    if (sharing.listen.empty()) {
+        findings.push_back({.subject = "sharing",
+                            .found = fmt::format("pots lie in {} for the web server of {}", sharing.outbox,
+                                                 sharing.public_url)});
+        return findings;
+    }
+    const auto address = address_of(sharing.listen);
+    constexpr int kMostMs = 500;
+    if (address && answers_at(*address, sharing.port, kMostMs)) {
+        findings.push_back({.subject = "sharing",
+                            .found = fmt::format("pots lie in {}, and {}, port {}, answers", sharing.outbox,
+                                                 *address, sharing.port)});
+        return findings;
+    }
+    findings.push_back(
+        {.subject = "sharing",
+         .verdict = Verdict::kLacking,
+         .found = address ? fmt::format("nobody answers at {}, port {}", *address, sharing.port)
+                          : address.error().message,
+         .cost = "phones find no pot",
+         .remedy = "systemctl enable --now onggi-share (or run onggi share), and look at sharing.listen"});
+    return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> probe_settings(const std::string& file, const std::string& usual) {
@@ -102,6 +145,8 @@ std::vector<Finding> probe_settings(const std::string& file, const std::string& 
     for (const std::string& remark : settings->remarks)
         findings.push_back({.subject = "settings", .verdict = Verdict::kNote, .found = remark});
     findings.push_back(probe_gallery(settings->config));
+    for (Finding& finding : probe_sharing(settings->config))
+        findings.push_back(std::move(finding));
     return findings;
 }
 

@@ -40,7 +40,9 @@ asset::Material gltf_material(const finish::GlazeMaterial& glaze) {
             .clearcoat = {.factor = double{glaze.clear_coat}, .roughness = double{glaze.coat_roughness}}};
 }
 
-asset::Image straight(ui::Painting painting) {
+}  // namespace
+
+asset::Image straight_picture(ui::Painting painting) {
     asset::Image image{.width = painting.width, .height = painting.height, .rgba = std::move(painting.rgba)};
     for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
         const unsigned alpha = image.rgba[at + 3];
@@ -51,8 +53,6 @@ asset::Image straight(ui::Painting painting) {
     }
     return image;
 }
-
-}  // namespace
 
 std::string today() {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -98,16 +98,7 @@ std::vector<KeptPot> Gallery::pots(std::string* trouble) const {
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {
-    // Out of the gallery first and at once: a power cut in between must not leave half a pot.
-    fs::path part = pot.folder;
-    part += ".part";
-    std::error_code error;
-    fs::rename(pot.folder, part, error);
-    if (!error) fs::remove_all(part, error);
-    if (error)
-        return system_lacks(
-            fmt::format("{}: expected to remove it, found {}", pot.folder.string(), error.message()));
-    return {};
+    return files::take_away_folder(pot.folder);
 }
 
 // The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
@@ -152,7 +143,8 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         return files::write_file_atomically(folder->inside() / name, *bytes);
     };
     // First, so that its pixels are gone before the solids are made.
-    if (auto written = write("pot.png", asset::encode_png(straight(std::move(pot.portrait)))); !written)
+    if (auto written = write("pot.png", asset::encode_png(straight_picture(std::move(pot.portrait))));
+        !written)
         return written.error();
     const asset::Material material = gltf_material(*pot.glaze);
     if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,

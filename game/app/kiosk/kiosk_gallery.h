@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/asset/image.h"
 #include "engine/core/result.h"
 #include "engine/ui/painting.h"
 #include "game/clay/studio/studio_clay.h"
@@ -53,6 +54,9 @@ class Gallery {
     int most_pots_;
     double least_free_mb_;
 };
+
+// A painting, whose colours are dimmed by what is seen through them, as files have them.
+[[nodiscard]] asset::Image straight_picture(ui::Painting painting);
 
 // Of the machine's clock, where it stands: "2026-11-21".
 [[nodiscard]] std::string today();

@@ -10,6 +10,7 @@
 #include "game/app/kiosk/kiosk_keeper.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_sound.h"
+#include "game/app/kiosk/kiosk_staff.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/job.h"
 #include "game/kiosk/step.h"

@@ -1,6 +1,7 @@
 #include "game/app/command_line/finding.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -9,6 +10,8 @@
 #include "game/app/command_line/device_probes.h"
 #include "game/app/command_line/system_probes.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/sharing/listen_place.h"
+#include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -103,6 +106,42 @@ TEST(SystemProbes, SayWhatIsWrongWithTheKiosksSettings) {
     EXPECT_EQ(full.back().subject, "gallery");
     EXPECT_EQ(full.back().verdict, is_full ? Verdict::kLacking : Verdict::kGood);
     EXPECT_EQ(full.back().found.ends_with(", the settings ask for 1000000"), is_full) << full.back().found;
+}
+
+TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "kiosk.toml";
+    const auto sharing = [&](const std::string& lines) {
+        test::put_file(file, "[gallery]\nleast_free_mb = 1\n[sharing]\noutbox = \"" + folder.path().string() +
+                                 "\"\n" + lines);
+        return probe_settings(file);
+    };
+    EXPECT_EQ(sharing("").back().subject, "gallery") << "off: nothing to say";
+    const Finding house = sharing("public_url = \"https://museum.org/pots\"\n").back();
+    EXPECT_EQ(house.verdict, Verdict::kGood) << house.found;
+    EXPECT_NE(house.found.find("https://museum.org/pots"), std::string::npos);
+
+    const auto listening = listen_at("127.0.0.1", 0);
+    ASSERT_TRUE(listening) << listening.error().message;
+    const std::string port = std::to_string(port_of(*listening));
+    const Finding good = sharing("listen = \"lo\"\nport = " + port + "\n").back();
+    EXPECT_EQ(good.verdict, Verdict::kGood) << good.found;
+    EXPECT_TRUE(good.found.ends_with("127.0.0.1, port " + port + ", answers")) << good.found;
+    ::close(*listening);
+    const Finding silent = sharing("listen = \"127.0.0.1\"\nport = " + port + "\n").back();
+    EXPECT_EQ(silent.verdict, Verdict::kLacking);
+    EXPECT_EQ(silent.found, "nobody answers at 127.0.0.1, port " + port);
+    EXPECT_NE(silent.remedy.find("onggi-share"), std::string::npos);
+    const Finding unknown = sharing("listen = \"wlan77\"\n").back();
+    EXPECT_EQ(unknown.verdict, Verdict::kLacking);
+    EXPECT_NE(unknown.found.find("'wlan77'"), std::string::npos) << unknown.found;
+
+    std::filesystem::permissions(folder.path(),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    const test::WithoutRootRights bound;
+    const std::vector<Finding> locked = probe_settings(file);
+    EXPECT_EQ(locked[locked.size() - 2].verdict, Verdict::kLacking);
+    EXPECT_NE(locked[locked.size() - 2].found.find("an outbox that can be written"), std::string::npos);
 }
 
 TEST(Findings, SayWhoHearsTheStopKey) {

@@ -39,6 +39,19 @@ TEST(Config, TakesWhatIsWritten) {
     EXPECT_TRUE(rules.locked);
 }
 
+TEST(Config, SharesOverAnAddressOfItsOwnOrOverTheHousesServer) {
+    const auto own = read_config("[sharing]\nlisten = \"wlan0\"\nport = 80\nhours = 3\n", "kiosk.toml");
+    ASSERT_TRUE(own) << own.error().message;
+    EXPECT_TRUE(shares(*own));
+    EXPECT_EQ(own->sharing.port, 80);
+    EXPECT_EQ(own->sharing.hours, 3);
+    const auto house = read_config("[sharing]\npublic_url = \"https://museum.org/pots\"\n", "kiosk.toml");
+    ASSERT_TRUE(house) << house.error().message;
+    EXPECT_TRUE(shares(*house));
+    EXPECT_TRUE(
+        read_config("[sharing]\nlisten = \"::\"\npublic_url = \"http://pots.local\"\n", "kiosk.toml"));
+}
+
 TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
     std::ifstream file(test::in_checkout("assets/kiosk.toml"));
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -54,6 +67,13 @@ TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
     EXPECT_EQ(config->screen.room, plain.screen.room);
     EXPECT_EQ(config->staff.pin, plain.staff.pin);
     EXPECT_EQ(config->sound.volume, plain.sound.volume);
+    EXPECT_EQ(config->sharing.listen, plain.sharing.listen);
+    EXPECT_EQ(config->sharing.port, plain.sharing.port);
+    EXPECT_EQ(config->sharing.outbox, plain.sharing.outbox);
+    EXPECT_EQ(config->sharing.hours, plain.sharing.hours);
+    EXPECT_EQ(config->sharing.most_pots, plain.sharing.most_pots);
+    EXPECT_EQ(config->sharing.most_mb, plain.sharing.most_mb);
+    EXPECT_FALSE(shares(*config)) << "off unless somebody says so";
 }
 
 TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
@@ -77,11 +97,11 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[vist]\nidle_s = 60\n",
          "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
          "[sound], "
-         "[hours] or [staff], found 'vist'"},
+         "[hours], [sharing] or [staff], found 'vist'"},
         {"visit = 3\n",
          "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
          "[sound], "
-         "[hours] or [staff], found 'visit'"},
+         "[hours], [sharing] or [staff], found 'visit'"},
         {"[sound]\nvolume = 2.5\n",
          "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 2.5"},
         {"[staff]\npin = \"12\"\n",
@@ -117,6 +137,39 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[gallery]\nmost_pots = 0\n",
          "kiosk.toml, line 2: expected a whole number, 1 to 100000 for most_pots, found 0"},
         {"[gallery]\nfolder = [\"out\"]\n", "kiosk.toml, line 2: expected a folder for folder, found a list"},
+        {"[sharing]\nlisten = \"10.0.0.5 or so\"\n",
+         "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\" for "
+         "listen, found '10.0.0.5 or so'"},
+        {"[sharing]\nport = 0\n",
+         "kiosk.toml, line 2: expected a whole number, 1 to 65535 for port, found 0"},
+        {"[sharing]\npublic_url = \"museum.org/pots\"\n",
+         "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
+         "'museum.org/pots'"},
+        {"[sharing]\npublic_url = \"https://museum.org/\\\"onload=\"\n",
+         "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
+         "'https://museum.org/\"onload='"},
+        {"[sharing]\npublic_url = \"https:///pots\"\n",
+         "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
+         "'https:///pots'"},
+        {"[sharing]\n\nlisten = \"0.0.0.0\"\n",
+         "kiosk.toml, line 3: expected public_url beside '0.0.0.0' for listen, so that phones learn where, "
+         "found "
+         "none"},
+        {"[sharing]\noutbox = \"\"\n", "kiosk.toml, line 2: expected a folder for outbox, found ''"},
+        {"[sharing]\nwifi_key = \"short\"\n",
+         "kiosk.toml, line 2: expected 8 to 63 letters between quotes, or nothing for wifi_key, found "
+         "'short'"},
+        {"[sharing]\nwifi_name = \"123456789012345678901234567890123\"\n",
+         "kiosk.toml, line 2: expected a name of 32 letters at most for wifi_name, found "
+         "'123456789012345678901234567890123'"},
+        {"[sharing]\nhours = 169\n",
+         "kiosk.toml, line 2: expected a whole number, 0 to 168 for hours, found 169"},
+        {"[sharing]\nmost_pots = 0\n",
+         "kiosk.toml, line 2: expected a whole number, 1 to 10000 for most_pots, found 0"},
+        {"[sharing]\nmost_mb = 1\n", "kiosk.toml, line 2: expected 10 to 1000000 for most_mb, found 1"},
+        {"[sharing]\nadress = \"\"\n",
+         "kiosk.toml, line 2: expected one of counter, hours, listen, most_mb, most_pots, outbox, port, "
+         "public_url, wifi_key, wifi_name in [sharing], found 'adress'"},
         {"[hours]\nopens = 09:30:00\n",
          "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found a date or a time"},
         {"[haptics]\nrate_hz = 20000\n",

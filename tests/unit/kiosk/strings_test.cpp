@@ -53,6 +53,12 @@ TEST(Strings, AreAllShownOrSpokenButThoseThatTheDesignHasNoPlaceFor) {
     EXPECT_EQ(unused, placeless);
 }
 
+TEST(Strings, WriteNumbersWithTheDigitsOfArabic) {
+    EXPECT_EQ(in_arabic_digits("18:05"), "١٨:٠٥");
+    EXPECT_EQ(in_arabic_digits("0.75 x"), "٠٫٧٥ x");
+    EXPECT_EQ(in_arabic_digits(""), "");
+}
+
 TEST(Strings, NameEachLanguageByItself) {
     EXPECT_EQ(built_in_languages()[0].shown("name"), "English");
     EXPECT_EQ(built_in_languages()[1].shown("name"), "한국어");

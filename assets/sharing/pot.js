@@ -1,0 +1,285 @@
+// The pot of the page, turning: a surface of revolution from its outline, one picture wrapped round it, WebGL 2.
+// The page is whole without: it shows the poster, and goes on doing so where the phone saves data or cannot draw.
+'use strict';
+
+const SEGMENTS = 128;
+const TURN_MS = 9000;
+const CAMERA = { far: 30, up: 0.16 };  // so many times the pot's size away; radians above its middle
+
+const VERTEX = `#version 300 es
+in vec3 place; in vec3 normal; in vec3 skin;  // skin: around, down the wall, 1 inside
+uniform mat4 view; uniform float turn;
+out vec3 at; out vec3 across; out vec3 on;
+vec3 turned(vec3 p) { float c = cos(turn), s = sin(turn); return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x); }
+void main() {
+  at = turned(place); across = turned(normal); on = skin;
+  gl_Position = view * vec4(at, 1.0);
+}`;
+
+const FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 at; in vec3 across; in vec3 on;
+uniform sampler2D surface; uniform bool wrapped;
+uniform vec3 colour; uniform vec3 eye; uniform float gloss; uniform vec2 rim;  // rim: radius, height
+out vec4 light;
+const vec3 SUN = vec3(-0.56, 0.62, 0.55);
+vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
+vec3 shown(vec3 c) { c = c / (0.82 * c + 0.36); return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+// What is mirrored: a warm room, a window before and to the left of the pot, a lighter floor.
+vec3 room(vec3 r, float blur) {
+  vec3 c = mix(vec3(0.15, 0.11, 0.07), vec3(0.05, 0.04, 0.03), smoothstep(0.0, 0.9, abs(r.y)));
+  vec2 w = vec2(atan(r.x, r.z) + 0.75, asin(clamp(r.y, -1.0, 1.0)) - 0.62);
+  vec2 pane = smoothstep(vec2(0.42, 0.34) + blur, vec2(0.34, 0.26) - blur, abs(w));
+  float bar = 0.35 + 0.65 * smoothstep(0.012, 0.03 + blur, abs(w.x)) * smoothstep(0.012, 0.03 + blur, abs(w.y));
+  return c + vec3(4.6, 4.4, 4.1) * pane.x * pane.y * mix(bar, 1.0, min(1.0, blur * 4.0));
+}
+void main() {
+  vec3 n = normalize(across), v = normalize(eye - at);
+  bool inside = on.z > 0.5;
+  vec3 sun = normalize(SUN);
+  vec3 base = colour;
+  if (wrapped && !inside) base = linear(texture(surface, on.xy).rgb);
+  else {  // the glaze runs a little thinner at rim and ridges
+    float ridge = sin(at.y * 0.9 + on.x * 6.2832) * 0.5 + sin(at.y * 0.37) * 0.5;
+    base *= 1.0 + 0.05 * ridge;
+    base = mix(base, base * 1.3 + 0.02, smoothstep(5.0, 0.0, rim.y - at.y) * 0.5);
+    n = normalize(n + vec3(0.0, 0.035 * cos(at.y * 0.9 + on.x * 6.2832), 0.0));
+  }
+  float lit = pow(clamp((dot(n, sun) + 0.35) / 1.35, 0.0, 1.0), 1.5), open = 1.0;
+  if (inside) {
+    float deep = max(rim.y - at.y, 0.0);
+    vec3 out_of = at + sun * (deep / sun.y);
+    lit *= 1.0 - smoothstep(rim.x * 0.86, rim.x * 1.02, length(out_of.xz));
+    open = 1.0 / (1.0 + 1.4 * pow(deep / rim.x, 2.0));
+  } else open = 0.6 + 0.4 * smoothstep(0.0, 0.2 * rim.y, at.y);
+  vec3 sky = mix(vec3(0.13, 0.09, 0.06), vec3(0.30, 0.29, 0.28), n.y * 0.5 + 0.5) + vec3(0.05, 0.045, 0.04) * n.x;
+  vec3 c = base * (sky * open + vec3(0.98, 0.9, 0.76) * lit);
+  float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(n, v), 0.0), 5.0);
+  float mirror = fresnel * gloss * (inside ? 0.35 * open : open);
+  c = c * (1.0 - mirror * 0.5) + room(reflect(-v, n), 0.25 * (1.0 - gloss)) * mirror * 1.6;
+  light = vec4(shown(c), 1.0);
+}`;
+
+/** "50,0 54.2,5" as [[50, 0], [54.2, 5]]. */
+const points = (text) => text.split(' ').filter(Boolean).map((pair) => pair.split(',').map(Number));
+
+/** Rings from under the foot up the outside, over the rim, down the inside: radius, height, down the wall 0 to 1, inside. */
+function ringsOf(outside, inside) {
+  const rings = [[0.01, outside[0][1] + 2, 1, 0], [outside[0][0] * 0.78, outside[0][1] + 2, 1, 0],
+    [outside[0][0] * 0.86, outside[0][1], 1, 0]];
+  const along = [0];
+  for (let i = 1; i < outside.length; i += 1) {
+    along.push(along[i - 1] + Math.hypot(outside[i][0] - outside[i - 1][0], outside[i][1] - outside[i - 1][1]));
+  }
+  const length = along[along.length - 1] || 1;
+  outside.forEach(([radius, height], i) => rings.push([radius, height, 1 - along[i] / length, 0]));
+  const top = outside[outside.length - 1];
+  const down = inside.length > 1 ? inside : [[Math.max(0.01, top[0] - 5), top[1]], [0.01, top[1]]];
+  // The lip, round between the walls.
+  const lip = (top[0] - down[0][0]) / 2;
+  for (let k = 1; lip > 0 && k < 6; k += 1) {
+    const angle = (k / 6) * Math.PI;
+    rings.push([top[0] - lip + lip * Math.cos(angle), top[1] + (down[0][1] - top[1]) * (k / 6) + lip * 0.7 * Math.sin(angle), 0, 0]);
+  }
+  down.forEach(([radius, height]) => rings.push([Math.max(radius, 0.01), height, 0, 1]));
+  const last = down[down.length - 1];
+  if (last[0] > 0.5) rings.push([0.01, last[1], 0, 1]);
+  return rings;
+}
+
+/** Nine numbers a corner - place, normal, skin - and the triangles between. */
+function meshOf(rings) {
+  const corners = [];
+  const triangles = [];
+  rings.forEach(([radius, height, down, within], i) => {
+    const before = rings[Math.max(0, i - 1)];
+    const after = rings[Math.min(rings.length - 1, i + 1)];
+    const [dr, dy] = [after[0] - before[0], after[1] - before[1]];
+    const size = Math.hypot(dr, dy) || 1;
+    for (let k = 0; k <= SEGMENTS; k += 1) {
+      const angle = (k / SEGMENTS) * 2 * Math.PI;
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
+      corners.push(radius * c, height, -radius * s, (dy / size) * c, -dr / size, (-dy / size) * s, k / SEGMENTS, down, within);
+      if (i + 1 === rings.length || k === SEGMENTS) continue;
+      const a = i * (SEGMENTS + 1) + k;
+      const b = a + SEGMENTS + 1;
+      triangles.push(a, a + 1, b, b, a + 1, b + 1);
+    }
+  });
+  return { corners: new Float32Array(corners), triangles: new Uint32Array(triangles) };
+}
+
+/** The view of a pot that fills a canvas so shaped, its foot on the board; columns first. */
+function viewOf(radius, height, aspect, board) {
+  const [sin, cos] = [Math.sin(CAMERA.up), Math.cos(CAMERA.up)];
+  // Half of what is seen, mm: across, and up between the foot's and the mouth's nearest and farthest points.
+  const tall = (height * cos + 2 * radius * sin) / 2;
+  const half = Math.max(tall * 1.06 / (1 - board), radius * 1.16 / aspect);
+  const far = CAMERA.far * half;
+  const eye = [0, height / 2 + far * sin, far * cos];
+  const [near, beyond] = [far - 3 * half, far + 3 * half];
+  const scale = far / half;
+  // The foot's near edge comes to stand a little above the canvas's lower edge.
+  const shift = -1 + 2 * board + tall / half;
+  const a = (beyond + near) / (near - beyond);
+  const b = (2 * beyond * near) / (near - beyond);
+  // Rows of the looking matrix: right, up, back.
+  const up = [0, cos, -sin];
+  const back = [0, sin, cos];
+  const to = (axis) => -(axis[1] * eye[1] + axis[2] * eye[2]);
+  const column = (x, y, z, w) => [x * scale / aspect, y * scale - shift * z, a * z + b * w, -z];
+  const columns = [column(1, 0, 0, 0), column(0, up[1], back[1], 0), column(0, up[2], back[2], 0),
+    column(0, to(up), to(back), 1)];
+  return { eye, matrix: new Float32Array(columns.flat()) };
+}
+
+function programOf(gl) {
+  const program = gl.createProgram();
+  for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  ['place', 'normal', 'skin'].forEach((name, i) => gl.bindAttribLocation(program, i, name));
+  gl.linkProgram(program);
+  return gl.getProgramParameter(program, gl.LINK_STATUS) ? program : null;
+}
+
+/** Gives a function that draws the pot at an angle; null where the phone cannot. */
+function painterOf(canvas, stage, picture) {
+  const gl = canvas.getContext('webgl2', { alpha: true, antialias: true });
+  const program = gl && programOf(gl);
+  if (!program) return null;
+  const outside = points(stage.dataset.outside);
+  const mesh = meshOf(ringsOf(outside, points(stage.dataset.inside)));
+  const radius = Math.max(...outside.map((point) => point[0]));
+  const top = outside[outside.length - 1];
+  gl.useProgram(program);
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, mesh.corners, gl.STATIC_DRAW);
+  [0, 1, 2].forEach((i) => {
+    gl.enableVertexAttribArray(i);
+    gl.vertexAttribPointer(i, 3, gl.FLOAT, false, 36, 12 * i);
+  });
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, mesh.triangles, gl.STATIC_DRAW);
+  const uniform = (name) => gl.getUniformLocation(program, name);
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  if (picture) {
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+    gl.generateMipmap(gl.TEXTURE_2D);
+  } else {
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+  }
+  gl.uniform1i(uniform('wrapped'), picture ? 1 : 0);
+  gl.uniform3fv(uniform('colour'), stage.dataset.colour.split(' ').map(Number));
+  gl.uniform1f(uniform('gloss'), Number(stage.dataset.gloss));
+  gl.uniform2f(uniform('rim'), top[0], top[1]);
+  gl.enable(gl.DEPTH_TEST);
+  return (angle) => {
+    const dense = Math.min(2, devicePixelRatio || 1);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((px) => Math.round(px * dense));
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    const view = viewOf(radius, top[1], width / height, 14 / canvas.clientHeight);
+    gl.viewport(0, 0, width, height);
+    gl.uniformMatrix4fv(uniform('view'), false, view.matrix);
+    gl.uniform3fv(uniform('eye'), view.eye);
+    gl.uniform1f(uniform('turn'), angle);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.drawElements(gl.TRIANGLES, mesh.triangles.length, gl.UNSIGNED_INT, 0);
+  };
+}
+
+/** A button that stops the turning and lets it go on. */
+function turnButton(stage, turning, set) {
+  const button = document.createElement('button');
+  const show = () => {
+    button.setAttribute('aria-label', turning() ? stage.dataset.stop : stage.dataset.go);
+    button.innerHTML = turning() ? '<svg viewBox="0 0 24 24"><path d="M5 4h5v16H5zM14 4h5v16h-5z"/></svg>'
+      : '<svg viewBox="0 0 24 24"><path d="M12 4V0l6 6-6 6V7a6 6 0 1 0 6 6h3a9 9 0 1 1-9-9z"/></svg>';
+  };
+  button.type = 'button';
+  button.onclick = () => { set(!turning()); show(); };
+  show();
+  return button;
+}
+
+function start(stage, picture) {
+  const canvas = document.createElement('canvas');
+  stage.append(canvas);
+  const draw = painterOf(canvas, stage, picture);
+  if (!draw) return canvas.remove();
+  canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', stage.dataset.say);
+  canvas.tabIndex = 0;
+  let angle = 0.35;
+  let turns = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+  let seen = true;
+  let held = null;
+  let before = 0;
+  let asked = false;
+  const ask = () => {
+    if (!asked) requestAnimationFrame(frame);
+    asked = true;
+  };
+  function frame(now) {
+    asked = false;
+    const goes = turns && held === null;
+    if (goes && before) angle += (Math.min(now - before, 100) / TURN_MS) * 2 * Math.PI;
+    before = goes ? now : 0;
+    draw(angle);
+    stage.classList.add('drawn');
+    if (goes && seen && !document.hidden) ask();
+    else before = 0;
+  }
+  canvas.onpointerdown = (event) => { held = event.clientX; canvas.setPointerCapture(event.pointerId); };
+  canvas.onpointermove = (event) => {
+    if (held === null) return;
+    angle += (event.clientX - held) / 110;
+    held = event.clientX;
+    ask();
+  };
+  canvas.onpointerup = canvas.onpointercancel = () => { held = null; ask(); };
+  canvas.onkeydown = (event) => {
+    const step = { ArrowLeft: -0.2, ArrowRight: 0.2 }[event.key];
+    if (!step) return;
+    angle += step;
+    event.preventDefault();
+    ask();
+  };
+  canvas.addEventListener('webglcontextlost', () => { canvas.remove(); stage.classList.remove('drawn'); });
+  document.addEventListener('visibilitychange', ask);
+  addEventListener('resize', ask);
+  new IntersectionObserver((entries) => { seen = entries[entries.length - 1].isIntersecting; ask(); }).observe(stage);
+  stage.append(turnButton(stage, () => turns, (on) => { turns = on; ask(); }));
+  ask();
+}
+
+/** The film in its place, once; then its still again. */
+function playFilm(link) {
+  const film = new Image();
+  film.alt = '';
+  film.src = link.href;
+  film.onload = () => setTimeout(() => { film.remove(); link.classList.remove('playing'); }, Number(link.dataset.seconds) * 1000);
+  film.onerror = () => { film.remove(); link.classList.remove('playing'); };
+  link.classList.add('playing');
+  link.append(film);
+}
+
+addEventListener('load', () => {
+  const film = document.getElementById('film');
+  if (film) film.onclick = (event) => { event.preventDefault(); if (!film.classList.contains('playing')) playFilm(film); };
+  const room = document.getElementById('ar');
+  if (room && /Android/.test(navigator.userAgent)) room.hidden = false;
+
+  const stage = document.getElementById('stage');
+  const link = navigator.connection || {};
+  if (!stage.dataset.outside || link.saveData || /2g/.test(link.effectiveType || '')) return;
+  if (!stage.dataset.surface) return start(stage, null);
+  const picture = new Image();
+  picture.onload = () => start(stage, picture);
+  picture.onerror = () => start(stage, null);
+  picture.src = stage.dataset.surface;
+});

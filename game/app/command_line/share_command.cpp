@@ -1,0 +1,137 @@
+#include "game/app/command_line/share_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/quote.h"
+#include "engine/files/read_file.h"
+#include "engine/jobs/clock.h"
+#include "game/app/sharing/confinement.h"
+#include "game/app/sharing/listen_place.h"
+#include "game/app/sharing/share_server.h"
+#include "game/app/system/end_signal.h"
+#include "game/app/system/report.h"
+#include "game/kiosk/config.h"
+
+namespace onggi::app {
+namespace {
+
+struct ShareOptions {
+    std::string config;
+    std::string outbox;
+    std::string listen;
+    int port = 8080;
+    std::string counter;
+};
+
+constexpr int kRoundMs = 500;  // between two looks at whether to end
+
+// Takes the process over with nothing but what the server needs, so that no word of the settings - the
+// staff's PIN is one - is left in the memory that answers strangers. Returns only where it cannot.
+Result<void> start_over(const kiosk::Config& config) {
+    std::vector<std::string> words{"onggi",    "share",
+                                   "--outbox", config.sharing.outbox,
+                                   "--listen", config.sharing.listen,
+                                   "--port",   std::to_string(config.sharing.port)};
+    if (!config.sharing.counter.empty()) {
+        words.emplace_back("--counter");
+        words.push_back(config.sharing.counter);
+    }
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::execv("/proc/self/exe", arguments.data());
+    return failed("sharing: expected to start over without the settings, found: the program cannot be run");
+}
+
+Result<void> read_settings_and_start_over(const std::string& file) {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+    const auto text = files::read_file(file, kMostBytes);
+    if (!text) return text.error();
+    const auto config = kiosk::read_config(*text, file);
+    if (!config) return config.error();
+    if (config->sharing.listen.empty()) {
+        remark(fmt::format("sharing is off: {} names no address to listen at", shown_path(file)));
+        return {};
+    }
+    return start_over(*config);
+}
+
+std::int64_t wall_clock_s() {
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::seconds>(since).count();
+}
+
+Result<void> serve(const ShareOptions& options) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(options.outbox, error)) {
+        return bad_input(
+            fmt::format("{}: expected a folder of shared pots, found none", shown_path(options.outbox)));
+    }
+    std::signal(SIGPIPE, SIG_IGN);  // a phone that goes away in the middle is nothing special
+    note_end_signals();
+    const auto listening = listen_at(options.listen, options.port);
+    if (!listening) return listening.error();
+    const bool counts = !options.counter.empty() && std::filesystem::exists(options.counter, error);
+    const auto confined = confine_to(options.outbox, counts ? options.counter : std::string());
+    if (!confined) return confined.error();
+    auto server = ShareServer::start({.listening_socket = *listening,
+                                      .outbox = options.outbox,
+                                      .counter = counts ? options.counter : std::string(),
+                                      .now_s = jobs::MonotonicClock::now_s,
+                                      .wall_s = wall_clock_s});
+    if (!server) return server.error();
+    remark(fmt::format("sharing at {}, port {}{}", options.listen, port_of(*listening),
+                       *confined ? "" : "; this kernel has no Landlock"));
+    if (!options.counter.empty() && !counts)
+        remark(
+            fmt::format("sharing: {}: expected a pipe to count in, found none", shown_path(options.counter)));
+    while (!end_was_asked())
+        (*server)->run(kRoundMs);
+    return {};
+}
+
+}  // namespace
+
+void add_share_command(CLI::App& program, int& exit_status) {
+    CLI::App* command = program.add_subcommand(
+        "share", "Serve the pots that visitors take home by phone, in a process that can do nothing else");
+    const auto options = std::make_shared<ShareOptions>();
+    auto* config = command->add_option("--config", options->config,
+                                       "settings of the kiosk, whose [sharing] says all the rest");
+    config->type_name("FILE.toml");
+    auto* outbox = command->add_option("--outbox", options->outbox, "the folder with a page a pot");
+    outbox->type_name("FOLDER")->excludes(config);
+    auto* listen = command->add_option("--listen", options->listen,
+                                       "address or interface of this machine, such as 10.0.0.5 or wlan0");
+    listen->type_name("ADDRESS")->excludes(config)->needs(outbox);
+    outbox->needs(listen);
+    command->add_option("--port", options->port, "0: any that is free")
+        ->check(CLI::Range(0, 65535))
+        ->excludes(config)
+        ->capture_default_str();
+    command->add_option("--counter", options->counter, "a pipe that is told how often pages are opened")
+        ->type_name("PIPE")
+        ->excludes(config);
+    command->callback([options, &exit_status] {
+        if (options->config.empty() && options->outbox.empty()) {
+            exit_status =
+                report(bad_input("onggi share: expected --config, or --outbox and --listen, found neither"));
+            return;
+        }
+        const auto done =
+            options->config.empty() ? serve(*options) : read_settings_and_start_over(options->config);
+        exit_status = done ? 0 : report(done.error());
+    });
+}
+
+}  // namespace onggi::app

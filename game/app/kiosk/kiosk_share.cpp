@@ -1,0 +1,118 @@
+#include "game/app/kiosk/kiosk_share.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <utility>
+
+#include "engine/ui/painter.h"
+#include "engine/ui/sketch.h"
+#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/sharing/listen_place.h"
+#include "game/finish/glaze.h"
+#include "game/screens/pot_picture.h"
+#include "game/sharing/share_link.h"
+
+namespace onggi::app {
+namespace {
+
+std::vector<sharing::OutlinePoint> outline_of(const std::vector<vec2>& points) {
+    std::vector<sharing::OutlinePoint> outline;
+    for (const vec2& point : points)
+        outline.push_back({double{point.x}, double{point.y}});
+    return outline;
+}
+
+sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeMaterial& glaze,
+                           const screens::Exhibit* relative, bool own_digits) {
+    sharing::PotWords words{.glaze = language.shown(glaze.name_key)};
+    if (relative == nullptr) return words;
+    const std::string height = fmt::format("{:.0f}", relative->height_mm);
+    words.nearest_name = language.shown(relative->name_key);
+    for (const std::string& part :
+         {language.shown(relative->date_key), language.shown(relative->museum_key),
+          (own_digits && language.is_arabic() ? kiosk::in_arabic_digits(height) : height) + "\u00a0" +
+              language.shown("unit.mm")}) {
+        if (!part.empty()) words.nearest_line += (words.nearest_line.empty() ? "" : "\n") + part;
+    }
+    return words;
+}
+
+}  // namespace
+
+sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const KioskSettings& settings,
+                              int language) {
+    constexpr double kMlPerLitre = 1000.0;
+    const finish::GlazeMaterial& material = finish::glaze_at(glaze);
+    sharing::SharedPot shared;
+    shared.outside = outline_of(pot.shape.outside);
+    shared.inside = outline_of(pot.shape.inside);
+    shared.colour_linear = {double{material.colour.x}, double{material.colour.y}, double{material.colour.z}};
+    shared.gloss = double{material.clear_coat} * (1.0 - double{material.coat_roughness});
+    shared.height_mm = pot.height_mm;
+    shared.width_mm = pot.width_mm;
+    shared.mass_g = pot.weight_g;
+    shared.capacity_ml = pot.capacity_l * kMlPerLitre;
+    if (pot.relative) shared.nearest_outside = outline_of(pot.relative->shape.outside);
+    for (const kiosk::Language& one : *settings.languages) {
+        shared.words.push_back(
+            words_of(one, material, pot.relative.get(), settings.config.languages.own_digits));
+    }
+    shared.first_language = static_cast<std::size_t>(language < 0 ? 0 : language);
+    return shared;
+}
+
+asset::Image share_poster(const pot::Section& shape, int glaze, int side_px) {
+    // As in assets/sharing/pot.js: the eye's height, room above the pot and beside it, the board below.
+    constexpr float kElevationRad = 0.16F;
+    constexpr float kAbove = 1.06F;
+    constexpr float kBeside = 1.16F;
+    constexpr float kBoard = 0.039F;
+    const auto side = static_cast<float>(side_px);
+    const float across = shape.radius_mm() * std::sin(kElevationRad);
+    const float tall_mm = 0.5F * shape.height_mm() * std::cos(kElevationRad) + across;
+    const float half_mm = std::max({tall_mm * kAbove / (1.0F - kBoard), shape.radius_mm() * kBeside, 1.0F});
+    const float scale = 0.5F * side / half_mm;
+    screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, kElevationRad);
+    const vec2 foot(0.5F * side, side * (1.0F - kBoard) - across * scale);
+    ui::Picture picture;
+    picture.hash = shape.hash();
+    picture.rect = {foot.x - pot.foot_px.x, foot.y - pot.foot_px.y, static_cast<float>(pot.painting.width),
+                    static_cast<float>(pot.painting.height)};
+    picture.painting = std::make_shared<const ui::Painting>(std::move(pot.painting));
+    ui::Sketch sketch;
+    sketch.size = vec2(side);
+    sketch.add(picture);
+    return straight_picture(ui::Painter().paint(sketch));
+}
+
+sharing::OutboxOptions outbox_options(const KioskSettings& settings) {
+    constexpr double kBytesPerMb = 1e6;
+    const auto& wanted = settings.config.sharing;
+    return {.folder = wanted.outbox,
+            .most_pots = static_cast<std::size_t>(wanted.most_pots),
+            .most_bytes = static_cast<std::uint64_t>(wanted.most_mb * kBytesPerMb),
+            .languages = settings.languages,
+            .own_digits = settings.config.languages.own_digits,
+            .public_url = wanted.public_url};
+}
+
+Result<std::string> share_base_url(const kiosk::Config& config) {
+    if (!config.sharing.public_url.empty()) return config.sharing.public_url;
+    const auto address = address_of(config.sharing.listen);
+    if (!address) return address.error();
+    return sharing::base_url(*address, config.sharing.port);
+}
+
+sharing::ShareTime share_time_now(const kiosk::Config& config) {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm local{};
+    localtime_r(&now, &local);
+    return sharing::share_time(config, now, local.tm_gmtoff);
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,54 @@
+// The outbox as the server sees it: files to be read, nothing else. Any one thread; blocks as a disk does.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "game/sharing/share_code.h"
+
+namespace onggi::app {
+
+// A file that is open for reading; what is in it stays so long, also when the pot is withdrawn meanwhile.
+class OpenFile {
+  public:
+    OpenFile() = default;
+    OpenFile(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+    OpenFile(OpenFile&& other) noexcept
+        : descriptor_(std::exchange(other.descriptor_, -1)),
+          size_(other.size_) {}
+    OpenFile& operator=(OpenFile&& other) noexcept {
+        std::swap(descriptor_, other.descriptor_);
+        size_ = other.size_;
+        return *this;
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile();
+
+    explicit operator bool() const { return descriptor_ >= 0; }
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+    // Whoever takes it closes it.
+    [[nodiscard]] int release() { return std::exchange(descriptor_, -1); }
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+  private:
+    int descriptor_ = -1;
+    std::uint64_t size_ = 0;
+};
+
+class PageStore {
+  public:
+    explicit PageStore(std::filesystem::path outbox) : outbox_(std::move(outbox)) {}
+
+    // A file of that code's folder. Nothing where there is no such folder or file, where its time is over at
+    // `wall_s` (seconds since 1970), or where what stands there is no plain file: no link is followed.
+    [[nodiscard]] OpenFile open(const sharing::ShareCode& code, std::string_view name,
+                                std::int64_t wall_s) const;
+
+  private:
+    std::filesystem::path outbox_;
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,218 @@
+#include "game/app/sharing/share_server.h"
+
+#include <fmt/format.h>
+#include <microhttpd.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "game/app/sharing/page_store.h"
+#include "game/app/sharing/responses.h"
+#include "game/sharing/open_counter.h"
+#include "game/sharing/share_request.h"
+
+namespace onggi::app {
+namespace {
+
+using sharing::ShareAnswer;
+
+// Of one connection: the words of a request and its answer's head have to fit in here.
+constexpr std::size_t kConnectionBytes = 8192;
+constexpr unsigned kSilentS = 15;  // the deadlines are sharper; this holds where they do not see
+constexpr double kSweepS = 0.25;
+
+std::string_view view_of(const char* text) {
+    return text == nullptr ? std::string_view() : std::string_view(text);
+}
+
+std::string_view header(MHD_Connection* connection, const char* name) {
+    return view_of(MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name));
+}
+
+// As many files may be open as that many connections need, each with one to send.
+unsigned granted_connections(unsigned wanted) {
+    constexpr rlim_t kOthers = 32;
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return wanted;
+    const rlim_t needed = 2 * rlim_t{wanted} + kOthers;
+    if (limit.rlim_cur < needed) {
+        limit.rlim_cur = std::min(needed, limit.rlim_max);
+        ::setrlimit(RLIMIT_NOFILE, &limit);
+        ::getrlimit(RLIMIT_NOFILE, &limit);
+    }
+    const rlim_t room = limit.rlim_cur > kOthers ? (limit.rlim_cur - kOthers) / 2 : 1;
+    return static_cast<unsigned>(std::min(rlim_t{wanted}, room));
+}
+
+class MicroServer final : public ShareServer {
+  public:
+    explicit MicroServer(const ShareServerOptions& options)
+        : options_(options),
+          store_(options.outbox),
+          counter_(options.counter),
+          limits_(options.rate),
+          deadlines_(options.deadlines) {}
+    ~MicroServer() override {
+        if (daemon_ != nullptr) MHD_stop_daemon(daemon_);
+    }
+
+    bool start() {
+        daemon_ = MHD_start_daemon(
+            MHD_USE_EPOLL, 0, nullptr, nullptr, &MicroServer::answer_to, this, MHD_OPTION_LISTEN_SOCKET,
+            options_.listening_socket, MHD_OPTION_CONNECTION_LIMIT,
+            granted_connections(options_.most_connections), MHD_OPTION_PER_IP_CONNECTION_LIMIT,
+            options_.most_connections_an_address, MHD_OPTION_CONNECTION_TIMEOUT, kSilentS,
+            MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes, MHD_OPTION_STRICT_FOR_CLIENT, 1,
+            MHD_OPTION_UNESCAPE_CALLBACK, &MicroServer::leave_as_it_is, nullptr, MHD_OPTION_URI_LOG_CALLBACK,
+            &MicroServer::note_target, this, MHD_OPTION_NOTIFY_CONNECTION, &MicroServer::connection_changed,
+            this, MHD_OPTION_NOTIFY_COMPLETED, &MicroServer::request_done, this, MHD_OPTION_END);
+        return daemon_ != nullptr;
+    }
+
+    void run(int most_ms) override {
+        MHD_run_wait(daemon_, most_ms);
+        const double now_s = options_.now_s();
+        if (now_s < next_sweep_s_) return;
+        next_sweep_s_ = now_s + kSweepS;
+        deadlines_.sweep(now_s, [](int socket) { ::shutdown(socket, SHUT_RDWR); });
+    }
+
+    [[nodiscard]] std::size_t connections() const override { return deadlines_.size(); }
+
+  private:
+    struct Request {
+        std::string target;  // as it came
+        bool is_known = false;
+    };
+
+    static std::size_t leave_as_it_is(void*, MHD_Connection*, char* text) { return std::strlen(text); }
+
+    static void* note_target(void*, const char* target, MHD_Connection*) {
+        return new Request{.target = target};  // NOLINT: request_done() takes it
+    }
+
+    static void request_done(void* self, MHD_Connection* connection, void** context,
+                             MHD_RequestTerminationCode) {
+        delete static_cast<Request*>(*context);  // NOLINT
+        *context = nullptr;
+        auto& server = *static_cast<MicroServer*>(self);
+        if (auto* const handle = handle_of(connection))
+            server.deadlines_.has_answered(*handle, server.options_.now_s());
+    }
+
+    static void connection_changed(void* self, MHD_Connection* connection, void** context,
+                                   MHD_ConnectionNotificationCode what) {
+        auto& deadlines = static_cast<MicroServer*>(self)->deadlines_;
+        if (what == MHD_CONNECTION_NOTIFY_STARTED) {
+            const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+            const double now_s = static_cast<MicroServer*>(self)->options_.now_s();
+            *context = new Deadlines::Handle(deadlines.add(info->connect_fd, now_s));  // NOLINT
+        } else if (*context != nullptr) {
+            auto* const handle = static_cast<Deadlines::Handle*>(*context);
+            deadlines.remove(*handle);
+            delete handle;  // NOLINT
+            *context = nullptr;
+        }
+    }
+
+    static Deadlines::Handle* handle_of(MHD_Connection* connection) {
+        const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
+        return info == nullptr ? nullptr : static_cast<Deadlines::Handle*>(info->socket_context);
+    }
+
+    static sharing::AddressKey address_of(MHD_Connection* connection) {
+        const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
+        std::uint8_t ipv4[4]{};
+        std::uint8_t ipv6[16]{};
+        if (info == nullptr || info->client_addr == nullptr) return sharing::key_of_ipv4(ipv4);
+        if (info->client_addr->sa_family == AF_INET6) {
+            const auto* const address = reinterpret_cast<const sockaddr_in6*>(info->client_addr);
+            std::memcpy(ipv6, &address->sin6_addr, sizeof ipv6);
+            return sharing::key_of_ipv6(ipv6);
+        }
+        const auto* const address = reinterpret_cast<const sockaddr_in*>(info->client_addr);
+        std::memcpy(ipv4, &address->sin_addr, sizeof ipv4);
+        return sharing::key_of_ipv4(ipv4);
+    }
+
+    static MHD_Result answer_to(void* self, MHD_Connection* connection, const char*, const char* method,
+                                const char*, const char*, std::size_t* upload_size, void** context) {
+        *upload_size = 0;  // nothing that is sent here is read
+        auto* const request = static_cast<Request*>(*context);
+        if (request == nullptr) return MHD_NO;
+        // An answer to the first call ends the connection: good for who sends more than a question.
+        const bool has_body = !header(connection, MHD_HTTP_HEADER_CONTENT_LENGTH).empty() ||
+                              !header(connection, MHD_HTTP_HEADER_TRANSFER_ENCODING).empty();
+        if (!std::exchange(request->is_known, true) && !has_body) return MHD_YES;
+        return static_cast<MicroServer*>(self)->answer(connection, method, request->target);
+    }
+
+    MHD_Result answer(MHD_Connection* connection, std::string_view method, std::string_view target) {
+        const double now_s = options_.now_s();
+        const sharing::AddressKey address = address_of(connection);
+        if (!limits_.allows(address, now_s)) return send(connection, responses_.too_many());
+        const std::string_view language = header(connection, MHD_HTTP_HEADER_ACCEPT_LANGUAGE);
+        const ShareAnswer answer =
+            sharing::answer_to({.method = method,
+                                .target = target,
+                                .range = header(connection, MHD_HTTP_HEADER_RANGE),
+                                .if_range = header(connection, MHD_HTTP_HEADER_IF_RANGE),
+                                .accept_encoding = header(connection, MHD_HTTP_HEADER_ACCEPT_ENCODING),
+                                .accept_language = language});
+        if (answer.kind != ShareAnswer::Kind::kFile) {
+            if (answer.kind == ShareAnswer::Kind::kNotFound) limits_.missed(address, now_s);
+            return send(connection, responses_.without_a_file(answer, language));
+        }
+        Response file = file_answer(answer);
+        if (!file) {
+            limits_.missed(address, now_s);
+            return send(connection, responses_.lost(language));
+        }
+        if (method == "GET" && answer.file.counted != '\0')
+            counter_.count(static_cast<sharing::ShareEvent>(answer.file.counted));
+        return send(connection, file);
+    }
+
+    Response file_answer(const ShareAnswer& answer) {
+        const std::int64_t wall_s = options_.wall_s();
+        if (answer.takes_gzip) {
+            const std::string twin = std::string(answer.file.name) + std::string(sharing::kTwinEnding);
+            if (OpenFile packed = store_.open(*answer.code, twin, wall_s))
+                return Responses::of_file(std::move(packed), answer.file, {}, true);
+        }
+        OpenFile plain = store_.open(*answer.code, answer.file.name, wall_s);
+        if (!plain) return {};
+        return Responses::of_file(std::move(plain), answer.file, answer.range, false);
+    }
+
+    MHD_Result send(MHD_Connection* connection, const Response& response) {
+        if (!response) return MHD_NO;
+        if (auto* const handle = handle_of(connection))
+            deadlines_.answers(*handle, options_.now_s(), response.bytes());
+        return MHD_queue_response(connection, response.status(), response.get());
+    }
+
+    ShareServerOptions options_;
+    PageStore store_;
+    sharing::CounterWriter counter_;
+    sharing::ShareLimits limits_;
+    Deadlines deadlines_;
+    Responses responses_;
+    MHD_Daemon* daemon_ = nullptr;
+    double next_sweep_s_ = 0.0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<ShareServer>> ShareServer::start(const ShareServerOptions& options) {
+    auto server = std::make_unique<MicroServer>(options);
+    if (!server->start()) return system_lacks("sharing: the server cannot begin: not enough memory or files");
+    return std::unique_ptr<ShareServer>(std::move(server));
+}
+
+}  // namespace onggi::app

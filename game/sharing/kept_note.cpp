@@ -1,0 +1,46 @@
+#include "game/sharing/kept_note.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace onggi::sharing {
+namespace {
+
+// The rest of the next line, which begins with that word; none where it does not.
+std::optional<std::string_view> take_line(std::string_view& text, std::string_view word) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos || !text.starts_with(word)) return std::nullopt;
+    const std::string_view rest = text.substr(word.size(), end - word.size());
+    text.remove_prefix(end + 1);
+    return rest;
+}
+
+std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
+    std::int64_t value = 0;
+    if (!text) return std::nullopt;
+    const char* const end = text->data() + text->size();
+    const auto read = std::from_chars(text->data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::string written(const KeptNote& note) {
+    std::string name = note.gallery_name.substr(0, kMostNoteBytes / 2);
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    return fmt::format("made {}\nexpires {}\nname {}\n", note.made_s, note.expires_s, name);
+}
+
+std::optional<KeptNote> read_note(std::string_view text) {
+    if (text.size() > kMostNoteBytes) return std::nullopt;
+    const auto made = seconds(take_line(text, "made "));
+    const auto expires = seconds(take_line(text, "expires "));
+    const auto name = take_line(text, "name ");
+    if (!made || !expires || !name || !text.empty()) return std::nullopt;
+    return KeptNote{*made, *expires, std::string(*name)};
+}
+
+}  // namespace onggi::sharing

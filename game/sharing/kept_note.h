@@ -1,0 +1,23 @@
+// The note in a shared pot's folder: when it came, when it goes. Three lines of plain text. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace onggi::sharing {
+
+struct KeptNote {
+    std::int64_t made_s = 0;     // seconds since 1970, UTC
+    std::int64_t expires_s = 0;  // gone from then on
+    std::string gallery_name;    // of the pot in the kiosk's gallery; may be empty
+};
+
+constexpr std::size_t kMostNoteBytes = 512;
+
+[[nodiscard]] std::string written(const KeptNote& note);
+// None for anything that written() does not give.
+[[nodiscard]] std::optional<KeptNote> read_note(std::string_view text);
+
+}  // namespace onggi::sharing

@@ -1,0 +1,169 @@
+#include "game/sharing/outbox.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "engine/core/list_folder.h"
+#include "engine/core/quote.h"
+#include "engine/files/atomic_file.h"
+#include "engine/files/atomic_folder.h"
+#include "engine/files/read_file.h"
+#include "game/sharing/kept_note.h"
+#include "game/sharing/page_files.h"
+#include "game/sharing/page_folder.h"
+#include "game/sharing/plain_pages.h"
+
+namespace onggi::sharing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t bytes_in(const fs::path& folder) {
+    std::uint64_t sum = 0;
+    for (const fs::path& file : list_folder(folder).entries) {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(file, error);
+        if (!error) sum += size;
+    }
+    return sum;
+}
+
+// Only where it is not there as it should be: every start would otherwise wear the disk.
+Result<void> lay_down(const fs::path& file, std::string_view text) {
+    const auto there = files::read_file(file, text.size() + 1);
+    if (there && *there == text) return {};
+    return files::write_file_atomically(file, text);
+}
+
+}  // namespace
+
+Result<Outbox> Outbox::open(OutboxOptions options) {
+    std::error_code error;
+    fs::create_directories(options.folder, error);
+    if (error || !fs::is_directory(options.folder, error)) {
+        const std::string found = error ? error.message() : "something else";
+        return Error{error ? ErrorKind::kSystemLacks : ErrorKind::kBadInput,
+                     fmt::format("{}: expected a folder for shared pots, found {}",
+                                 shown_path(options.folder.native()), found)};
+    }
+    if (!options.languages || options.languages->empty())
+        return bad_input("the outbox: expected a language for its pages, found none");
+    files::clear_parts(options.folder);
+    Outbox outbox(std::move(options));
+    const fs::path& folder = outbox.options_.folder;
+    const auto& languages = *outbox.options_.languages;
+    const std::pair<const char*, std::string> door[] = {{"index.html", ask_page(languages, 0)},
+                                                        {"404.html", lost_page(languages, 0)},
+                                                        {"code.js", std::string(ask_script())},
+                                                        {"robots.txt", "User-agent: *\nDisallow: /\n"}};
+    for (const auto& [name, text] : door)
+        if (auto laid = lay_down(folder / name, text); !laid) return laid.error();
+    return outbox;
+}
+
+Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
+    if (time.expires_s <= time.now_s)
+        return bad_input("the shared pot: expected a time to come for it to go, found one that is over");
+    if (auto expired = expire(time.now_s); !expired) return expired.error();
+    auto files = PageFolder::of(pot);
+    if (!files) return files.error();
+    for (int tries = 0; tries < 8; ++tries) {
+        const auto code = ShareCode::by_chance();
+        if (!code) return code.error();
+        std::error_code error;
+        if (fs::exists(place_of(*code), error)) continue;  // once in 2^40
+        files->add_pages(pot, options_, *code, time);
+        files->add_note({time.now_s, time.expires_s, pot.gallery_name});
+        if (auto packed = files->add_twins(); !packed) return packed.error();
+        if (files->bytes() > options_.most_bytes) {
+            return bad_input(fmt::format("the shared pot: expected {} bytes at most, found {}",
+                                         options_.most_bytes, files->bytes()));
+        }
+        auto folder = files::AtomicFolder::create(place_of(*code));
+        if (!folder) return folder.error();
+        if (auto written = files->write(folder->inside()); !written) return written.error();
+        if (auto done = folder->commit(); !done) return done.error();
+        if (auto room = make_room(*code); !room) {
+            static_cast<void>(withdraw(*code));
+            return room.error();
+        }
+        return *code;
+    }
+    return failed("the shared pot: every code that came up was taken");
+}
+
+// Not before the newcomer is there: a pot that cannot be put costs no other its place.
+Result<void> Outbox::make_room(const ShareCode& newcomer) {
+    auto all = list();
+    if (!all) return all.error();
+    std::uint64_t bytes = 0;
+    for (const OutboxEntry& entry : *all)
+        bytes += entry.bytes;
+    std::size_t pots = all->size();
+    for (const OutboxEntry& entry : *all) {
+        if (pots <= options_.most_pots && bytes <= options_.most_bytes) break;
+        if (entry.code == newcomer) continue;
+        if (auto gone = withdraw(entry.code); !gone) return gone.error();
+        bytes -= entry.bytes;
+        --pots;
+    }
+    return {};
+}
+
+Result<bool> Outbox::withdraw(const ShareCode& code) {
+    std::error_code error;
+    if (!fs::exists(place_of(code), error)) return false;
+    if (auto gone = files::take_away_folder(place_of(code)); !gone) return gone.error();
+    return true;
+}
+
+Result<bool> Outbox::withdraw_named(const std::string& gallery_name) {
+    auto all = list();
+    if (!all) return all.error();
+    bool found = false;
+    for (const OutboxEntry& entry : *all) {
+        if (gallery_name.empty() || entry.gallery_name != gallery_name) continue;
+        if (auto gone = withdraw(entry.code); !gone) return gone.error();
+        found = true;
+    }
+    return found;
+}
+
+Result<int> Outbox::expire(std::int64_t now_s) {
+    const FolderListing listing = list_folder(options_.folder);
+    if (!listing.is_whole()) return system_lacks(listing_trouble(options_.folder, listing));
+    int gone = 0;
+    for (const fs::path& entry : listing.entries) {
+        const auto code = ShareCode::read_exactly(entry.filename().native());
+        if (!code) continue;
+        const auto text = files::read_file(entry / kNoteName, kMostNoteBytes);
+        // A disk that does not give the note back is no reason to throw the pot away.
+        if (!text && text.error().kind != ErrorKind::kBadInput) continue;
+        const auto note = text ? read_note(*text) : std::nullopt;
+        if (note && note->expires_s > now_s) continue;
+        if (auto taken = files::take_away_folder(entry); !taken) return taken.error();
+        ++gone;
+    }
+    return gone;
+}
+
+Result<std::vector<OutboxEntry>> Outbox::list() const {
+    const FolderListing listing = list_folder(options_.folder);
+    if (!listing.is_whole()) return system_lacks(listing_trouble(options_.folder, listing));
+    std::vector<OutboxEntry> entries;
+    for (const fs::path& entry : listing.entries) {
+        const auto code = ShareCode::read_exactly(entry.filename().native());
+        const auto text = files::read_file(entry / kNoteName, kMostNoteBytes);
+        if (!code || !text) continue;
+        if (const auto note = read_note(*text))
+            entries.push_back({*code, note->made_s, note->expires_s, note->gallery_name, bytes_in(entry)});
+    }
+    std::sort(entries.begin(), entries.end(), [](const OutboxEntry& a, const OutboxEntry& b) {
+        return std::pair(a.made_s, a.code) < std::pair(b.made_s, b.code);
+    });
+    return entries;
+}
+
+}  // namespace onggi::sharing

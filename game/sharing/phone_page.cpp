@@ -1,0 +1,194 @@
+#include "game/sharing/phone_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/sharing/html_text.h"
+#include "game/sharing/outline_text.h"
+
+namespace onggi::sharing {
+namespace {
+
+// One page in the making.
+class Page {
+  public:
+    explicit Page(const PageFacts& facts)
+        : facts_(facts),
+          pot_(facts.pot),
+          language_(facts.languages[facts.language]) {}
+
+    [[nodiscard]] std::string whole() const {
+        return fmt::format(
+            "<!doctype html>\n<html {}>\n<head>\n{}</head>\n<body>\n{}<main>\n<div class=\"pair\">\n{}<div>\n"
+            "<h1>{}</h1>\n{}{}{}</div>\n</div>\n<div class=\"pair\">\n{}<div>\n{}{}</div>\n</div>\n</main>\n"
+            "{}</body>\n</html>\n",
+            language_attributes(language_.code(), language_.right_to_left()), head(), header(), stage(),
+            word("your.title"), glaze(), files(), sizes(), film(), nearest(), end(), script());
+    }
+
+  private:
+    [[nodiscard]] std::string word(std::string_view key) const { return html(language_.shown(key)); }
+    [[nodiscard]] std::string word(std::string_view key, std::string_view number) const {
+        return html(language_.shown(key, digits(number)));
+    }
+    [[nodiscard]] std::string digits(std::string_view number) const {
+        return facts_.own_digits && language_.is_arabic() ? kiosk::in_arabic_digits(number)
+                                                          : std::string(number);
+    }
+    [[nodiscard]] const PotWords& words() const {
+        static const PotWords none;
+        return facts_.language < pot_.words.size() ? pot_.words[facts_.language] : none;
+    }
+    // Said of the picture: "Your pot, Celadon".
+    [[nodiscard]] std::string said() const {
+        return word("your.title") + (words().glaze.empty() ? "" : ", " + html(words().glaze));
+    }
+
+    [[nodiscard]] std::string head() const {
+        return fmt::format(
+            "<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+            "content=\"width=device-width,initial-scale=1\">\n"
+            "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+            "<meta name=\"robots\" content=\"noindex\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
+            "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{} · {}</title>\n"
+            "<link rel=\"icon\" href=\"data:,\">\n<link rel=\"stylesheet\" href=\"page.css\">\n",
+            kPagePolicy, word("your.title"), word("phone.name"));
+    }
+
+    [[nodiscard]] std::string header() const {
+        std::string links;
+        for (const kiosk::Language& other : facts_.languages) {
+            const bool is_here = other.code() == language_.code();
+            links += fmt::format("<a href=\"{0}.html\" hreflang=\"{0}\" {1} {2}>{3}</a>\n",
+                                 html(other.code()), language_attributes(other.code(), other.right_to_left()),
+                                 is_here ? "aria-current=\"page\"" : "", html(other.shown("name")));
+        }
+        return fmt::format(
+            "<header>\n<span class=\"brand\">{}</span>\n<nav aria-label=\"{}\">\n{}</nav>\n</header>\n",
+            word("phone.name"), word("lang.title"), links);
+    }
+
+    [[nodiscard]] std::string stage() const {
+        const PageLinks& links = facts_.links;
+        const auto& colour = pot_.colour_linear;
+        std::string shape;
+        if (pot_.outside.size() > 1) {
+            shape = fmt::format(
+                " data-outside=\"{}\" data-inside=\"{}\" data-surface=\"{}\" data-colour=\"{:.3f} {:.3f} "
+                "{:.3f}\" "
+                "data-gloss=\"{:.2f}\" data-say=\"{}. {}\" data-stop=\"{}\" data-go=\"{}\"",
+                outline_numbers(pot_.outside), outline_numbers(pot_.inside), html(links.surface), colour[0],
+                colour[1], colour[2], pot_.gloss, said(), word("phone.turn"), word("phone.stop"),
+                word("phone.go"));
+        }
+        const std::string poster =
+            links.poster.empty() ? ""
+                                 : fmt::format("<img src=\"{}\" alt=\"{}\">\n", html(links.poster), said());
+        return fmt::format("<div class=\"stage\" id=\"stage\"{}>\n{}</div>\n", shape, poster);
+    }
+
+    [[nodiscard]] std::string glaze() const {
+        return words().glaze.empty() ? "" : fmt::format("<p class=\"glaze\">{}</p>\n", html(words().glaze));
+    }
+
+    [[nodiscard]] std::string save_link(std::string_view name, std::string_view label, std::string_view kind,
+                                        std::string_view look = "") const {
+        const std::string_view ending = name.substr(name.rfind('.'));
+        const std::string_view arrow =
+            look.empty()
+                ? std::string_view()
+                : "<svg viewBox=\"0 0 64 64\" aria-hidden=\"true\"><path d=\"M32 8v32M18 28l14 14 14-14M10 "
+                  "56h44\"/></svg>";
+        const std::string small =
+            kind.empty() ? "" : fmt::format(" <small dir=\"ltr\">{}</small>", html(kind));
+        return fmt::format(
+            "<a class=\"token{}\" href=\"{}\" download=\"onggi-{}{}\">{}<span>{}{}</span></a>\n", look, name,
+            facts_.code.text(), ending, arrow, label, small);
+    }
+
+    [[nodiscard]] std::string files() const {
+        std::string links;
+        if (!facts_.links.picture.empty())
+            links += save_link(facts_.links.picture, word("phone.pic"), "", " first");
+        if (pot_.film.is_given()) {
+            links +=
+                save_link("film.webp", word("phone.film", fmt::format("{:.0f}", std::ceil(pot_.film_s))), "");
+        }
+        if (pot_.model_glb.is_given()) links += save_link("pot.glb", word("phone.glb"), "");
+        if (pot_.print_stl.is_given()) links += save_link("pot.stl", word("phone.print"), "STL");
+        if (pot_.print_3mf.is_given()) links += save_link("pot.3mf", word("phone.print"), "3MF");
+        links += augmented();
+        return links.empty() ? "" : "<div class=\"files\">\n" + links + "</div>\n";
+    }
+
+    // Android's Scene Viewer, which wants the model by https. The script shows it where there is one. Not for
+    // iOS: it wants USDZ, which is not written.
+    [[nodiscard]] std::string augmented() const {
+        if (!facts_.page_url.starts_with("https://") || !pot_.model_glb.is_given()) return {};
+        return fmt::format(
+            "<a class=\"token\" id=\"ar\" hidden "
+            "href=\"intent://arvr.google.com/scene-viewer/1.0?file={0}pot.glb"
+            "&amp;mode=ar_preferred#Intent;scheme=https;package=com.google.android.googlequicksearchbox;"
+            "action=android.intent.action.VIEW;S.browser_fallback_url={0};end;\"><span>{1}</span></a>\n",
+            html(facts_.page_url), word("phone.ar"));
+    }
+
+    [[nodiscard]] std::string size(std::string_view key, double value, int decimals,
+                                   std::string_view unit_key) const {
+        if (!(value > 0.0)) return {};
+        return fmt::format("<div><dt>{}</dt><dd><bdi>{}</bdi>\u00a0<i>{}</i></dd></div>\n", word(key),
+                           html(digits(fmt::format("{:.{}f}", value, decimals))), word(unit_key));
+    }
+
+    [[nodiscard]] std::string sizes() const {
+        const double litres = pot_.capacity_ml / 1000.0;
+        const std::string rows = size("your.h", pot_.height_mm, 0, "unit.mm") +
+                                 size("your.w", pot_.width_mm, 0, "unit.mm") +
+                                 size("your.wt", pot_.mass_g, 0, "unit.g") +
+                                 size("your.cap", litres, litres < 1.0 ? 2 : 1, "unit.l");
+        return rows.empty() ? "" : "<dl class=\"card\">\n" + rows + "</dl>\n";
+    }
+
+    [[nodiscard]] std::string film() const {
+        if (!pot_.film.is_given()) return {};
+        const std::string still =
+            facts_.links.film_still.empty()
+                ? ""
+                : fmt::format("<img src=\"{}\" alt=\"\" loading=\"lazy\">\n", html(facts_.links.film_still));
+        return fmt::format(
+            "<a class=\"film\" id=\"film\" href=\"film.webp\" data-seconds=\"{:.1f}\">\n{}"
+            "<span class=\"token play\"><span>{}</span></span></a>\n",
+            pot_.film_s, still, word("phone.play"));
+    }
+
+    [[nodiscard]] std::string nearest() const {
+        if (words().nearest_name.empty()) return {};
+        return fmt::format(
+            "<section class=\"card near\">\n{}\n<div><h2><small>{}</small> "
+            "{}</h2>\n<p>{}</p></div>\n</section>\n",
+            two_pots_svg(pot_.outside, pot_.nearest_outside), word("your.near"), html(words().nearest_name),
+            html(words().nearest_line));
+    }
+
+    [[nodiscard]] std::string end() const {
+        return fmt::format("<p class=\"end\"><b>{}</b><br>{}</p>\n",
+                           word(facts_.is_gone_today ? "phone.gone" : "phone.gone.later", facts_.gone_at),
+                           word("phone.priv"));
+    }
+
+    [[nodiscard]] static std::string script() { return "<script src=\"pot.js\" defer></script>\n"; }
+
+    const PageFacts& facts_;
+    const SharedPot& pot_;
+    const kiosk::Language& language_;
+};
+
+}  // namespace
+
+std::string phone_page(const PageFacts& facts) {
+    return Page(facts).whole();
+}
+
+}  // namespace onggi::sharing

@@ -1,0 +1,187 @@
+#include "game/sharing/share_request.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace onggi::sharing {
+namespace {
+
+constexpr std::size_t kMostTarget = 512;
+constexpr std::size_t kMostHeader = 512;  // of one that is looked into
+constexpr int kFullWeight = 1000;
+
+char small(char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+bool same_word(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char one, char other) { return small(one) == small(other); });
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
+        text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
+        text.remove_suffix(1);
+    return text;
+}
+
+// Up to the sign, which goes too; all of it where there is none.
+std::string_view take_until(std::string_view& text, char sign) {
+    const std::size_t end = text.find(sign);
+    const std::string_view taken = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return taken;
+}
+
+// ";q=0.5" as 500; 1000 where nothing is said.
+int weight(std::string_view parameters) {
+    while (!parameters.empty()) {
+        const std::string_view one = trimmed(take_until(parameters, ';'));
+        if (one.size() < 3 || small(one[0]) != 'q' || one[1] != '=') continue;
+        if (one[2] == '1') return kFullWeight;
+        if (one[2] != '0') return 0;
+        int value = 0;
+        int unit = kFullWeight / 10;
+        for (std::size_t i = 4; i < one.size() && unit > 0; ++i, unit /= 10) {
+            if (one[i] < '0' || one[i] > '9') return 0;
+            value += (one[i] - '0') * unit;
+        }
+        return value;
+    }
+    return kFullWeight;
+}
+
+int hex_value(char letter) {
+    if (letter >= '0' && letter <= '9') return letter - '0';
+    const char low = small(letter);
+    return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
+}
+
+// The code that the form at "/" sends: "code=k73f-q9tx".
+std::optional<ShareCode> typed_code(std::string_view query) {
+    constexpr std::string_view kField = "code=";
+    while (!query.empty()) {
+        std::string_view field = take_until(query, '&');
+        if (!field.starts_with(kField)) continue;
+        field.remove_prefix(kField.size());
+        std::string typed;
+        for (std::size_t i = 0; i < field.size(); ++i) {
+            if (field[i] == '+') {
+                typed += ' ';
+            } else if (field[i] == '%' && i + 2 < field.size() && hex_value(field[i + 1]) >= 0 &&
+                       hex_value(field[i + 2]) >= 0) {
+                typed += static_cast<char>(hex_value(field[i + 1]) * 16 + hex_value(field[i + 2]));
+                i += 2;
+            } else {
+                typed += field[i];
+            }
+        }
+        return ShareCode::read(typed);
+    }
+    return std::nullopt;
+}
+
+ShareAnswer moved_to(std::string location) {
+    return {.kind = ShareAnswer::Kind::kMoved, .location = std::move(location)};
+}
+
+// "/": the page that asks for a code, or where a code that was typed leads.
+ShareAnswer at_the_door(std::string_view query) {
+    if (query.empty()) return {.kind = ShareAnswer::Kind::kAskForCode};
+    const auto code = typed_code(query);
+    if (!code) return {.kind = ShareAnswer::Kind::kNotFound};
+    return moved_to(code->text() + "/");
+}
+
+// "/CODE" and "/CODE/FILE".
+ShareAnswer in_a_folder(std::string_view path, const ShareRequest& request) {
+    const bool has_slash = path.find('/') != std::string_view::npos;
+    const std::string_view folder = take_until(path, '/');
+    const auto code = ShareCode::read_exactly(folder);
+    if (!code || !has_slash) {
+        // As somebody typed it; there is no such folder for a house's own server, so it is no address.
+        const auto meant = ShareCode::read(folder);
+        if (!meant || !path.empty()) return {.kind = ShareAnswer::Kind::kNotFound};
+        return moved_to((has_slash ? "../" : "") + meant->text() + "/");
+    }
+    const auto file = page_file(path.empty() ? std::string_view("index.html") : path);
+    if (!file) return {.kind = ShareAnswer::Kind::kNotFound};
+    // Bytes of a range are those of the file itself; one that depends on what was had before is all of it.
+    const bool has_range = !request.range.empty() && request.if_range.empty();
+    const auto named = detail::weight_of(request.accept_encoding, "gzip");
+    const int gzip = named ? *named : detail::weight_of(request.accept_encoding, "*").value_or(0);
+    return {.kind = ShareAnswer::Kind::kFile,
+            .code = code,
+            .file = *file,
+            .takes_gzip = file->has_twin && !has_range && gzip > 0,
+            .range = has_range ? request.range : std::string_view()};
+}
+
+}  // namespace
+
+std::optional<int> detail::weight_of(std::string_view header, std::string_view word) {
+    if (header.size() > kMostHeader) return std::nullopt;
+    while (!header.empty()) {
+        std::string_view item = take_until(header, ',');
+        const std::string_view name = trimmed(take_until(item, ';'));
+        // "ko-KR" asks for "ko" as well.
+        if (same_word(name, word) || (name.size() > word.size() && name[word.size()] == '-' &&
+                                      same_word(name.substr(0, word.size()), word)))
+            return weight(item);
+    }
+    return std::nullopt;
+}
+
+ShareAnswer answer_to(const ShareRequest& request) {
+    using Kind = ShareAnswer::Kind;
+    if (request.method != "GET" && request.method != "HEAD") return {.kind = Kind::kNotAllowed};
+    std::string_view path = request.target;
+    const auto is_plain = [](char letter) { return letter > ' ' && letter < '\x7f'; };
+    if (!path.starts_with('/') || path.size() > kMostTarget ||
+        !std::all_of(path.begin(), path.end(), is_plain))
+        return {.kind = Kind::kBadRequest};
+    const std::size_t query_at = path.find('?');
+    const std::string_view query =
+        query_at == std::string_view::npos ? std::string_view() : path.substr(query_at + 1);
+    path = path.substr(1, query_at == std::string_view::npos ? query_at : query_at - 1);
+    if (path.empty()) return at_the_door(query);
+    if (path == "code.js") return {.kind = Kind::kScript};
+    if (path == "robots.txt") return {.kind = Kind::kRobots};
+    if (path == "favicon.ico") return {.kind = Kind::kNothing};
+    return in_a_folder(path, request);
+}
+
+ByteRange resolve_range(std::string_view range, std::uint64_t size) {
+    const ByteRange whole{.kind = ByteRange::Kind::kWhole, .first = 0, .count = size};
+    constexpr std::string_view kUnit = "bytes=";
+    if (!range.starts_with(kUnit) || range.size() > kMostHeader) return whole;
+    const std::string_view spec = trimmed(range.substr(kUnit.size()));
+    const std::size_t dash = spec.find('-');
+    if (dash == std::string_view::npos || spec.find(',') != std::string_view::npos) return whole;
+    const auto number = [](std::string_view text) -> std::optional<std::uint64_t> {
+        std::uint64_t value = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size())
+            return std::nullopt;
+        return value;
+    };
+    const std::string_view from_text = spec.substr(0, dash);
+    const std::string_view to_text = spec.substr(dash + 1);
+    const auto from = number(from_text);
+    const auto to = number(to_text);
+    if ((!from && !from_text.empty()) || (!to && !to_text.empty()) || (!from && !to)) return whole;
+    if (from && to && *to < *from) return whole;
+    if (!from) {  // the last so many
+        const std::uint64_t count = std::min(*to, size);
+        if (count == 0) return {.kind = ByteRange::Kind::kBeyond};
+        return {.kind = ByteRange::Kind::kPart, .first = size - count, .count = count};
+    }
+    if (*from >= size) return {.kind = ByteRange::Kind::kBeyond};
+    const std::uint64_t last = to ? std::min(*to, size - 1) : size - 1;
+    return {.kind = ByteRange::Kind::kPart, .first = *from, .count = last - *from + 1};
+}
+
+}  // namespace onggi::sharing

@@ -1,0 +1,59 @@
+// Any bytes are a request: a method, a target and four headers, a line each. What is answered keeps to the
+// folder of a code; ranges stay inside their file.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "game/sharing/kept_note.h"
+#include "game/sharing/page_files.h"
+#include "game/sharing/share_request.h"
+#include "tests/fuzz/fuzz_expect.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace onggi;           // NOLINT: the one function here
+    using namespace onggi::sharing;  // NOLINT
+    using Kind = ShareAnswer::Kind;
+    std::string_view text(reinterpret_cast<const char*>(data), size);
+    static_cast<void>(read_note(text));
+    if (const auto code = ShareCode::read(text)) fuzz::expect(ShareCode::read_exactly(code->text()) == code);
+    std::array<std::string_view, 6> lines{};
+    for (std::string_view& line : lines) {
+        line = text.substr(0, text.find('\n'));
+        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : text.size());
+    }
+    const ShareRequest request{.method = lines[0],
+                               .target = lines[1],
+                               .range = lines[2],
+                               .if_range = lines[3],
+                               .accept_encoding = lines[4],
+                               .accept_language = lines[5]};
+    const ShareAnswer answer = answer_to(request);
+    fuzz::expect(answer.kind == Kind::kNotAllowed || request.method == "GET" || request.method == "HEAD");
+    if (answer.kind == Kind::kFile) {
+        fuzz::expect(answer.code.has_value());
+        const std::string_view name = answer.file.name;
+        const auto known = page_file(name);
+        fuzz::expect(known && known->media_type == answer.file.media_type);
+        fuzz::expect(!name.empty() && name.find('/') == std::string_view::npos && name.front() != '.');
+        fuzz::expect(name.find('\0') == std::string_view::npos);
+        fuzz::expect(request.target.starts_with("/" + answer.code->text() + "/"));
+        fuzz::expect(!answer.takes_gzip || (known->has_twin && answer.range.empty()));
+    }
+    if (answer.kind == Kind::kMoved) {
+        // To a folder of a code, never to another host.
+        std::string_view to = answer.location;
+        if (to.starts_with("../")) to.remove_prefix(3);
+        fuzz::expect(to.ends_with('/') && ShareCode::read_exactly(to.substr(0, to.size() - 1)).has_value());
+    }
+    for (const std::uint64_t file_size :
+         {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1000}, ~std::uint64_t{0}}) {
+        const ByteRange part = resolve_range(request.range, file_size);
+        if (part.kind == ByteRange::Kind::kWhole) fuzz::expect(part.first == 0 && part.count == file_size);
+        if (part.kind == ByteRange::Kind::kPart)
+            fuzz::expect(part.count > 0 && part.count <= file_size && part.first <= file_size - part.count);
+    }
+    const std::array<std::string_view, 3> codes{"en", "ko", "ar"};
+    fuzz::expect(liked_language(request.accept_language, codes).value_or(0) < codes.size());
+    return 0;
+}

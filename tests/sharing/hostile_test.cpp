@@ -1,0 +1,197 @@
+// Clients that mean no good: each gets a refusal or silence, and an honest phone beside them its pot.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include "tests/sharing/http_client.h"
+#include "tests/sharing/served_outbox.h"
+
+namespace onggi::test {
+namespace {
+
+double now_s() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+long resident_kb(int process) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmRSS:")) return std::stol(line.substr(6));
+    return 0;
+}
+
+// It is still there, and itself. All come from one address here, so a crowd that has just gone may be in the
+// way for a moment: a phone asks again.
+void expect_honest(ServedOutbox& served, const std::string& code) {
+    HttpAnswer page;
+    const double begun = now_s();
+    while (page.status != 200 && now_s() - begun < 5.0)
+        page = get(served.port(), "/" + code + "/pot.3mf");
+    EXPECT_EQ(page.status, 200);
+    EXPECT_EQ(page.body, content_of(served.box() / code / "pot.3mf"));
+}
+
+TEST(HostileClients, GetRefusalsOrSilence) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    const std::string head = " HTTP/1.1\r\nHost: pots\r\n";
+    const std::vector<std::string> requests{
+        "GET /../../../../etc/passwd" + head + "\r\n",
+        "GET /%2e%2e/%2e%2e/etc/passwd" + head + "\r\n",
+        "GET /..%2f..%2fetc%2fpasswd" + head + "\r\n",
+        "GET /" + code + "/..%2f" + code + "%2fpot.glb" + head + "\r\n",
+        "GET /" + code + "/%2e%2e%5cpot.glb" + head + "\r\n",
+        "GET /" + code + "/pot.glb%00.png" + head + "\r\n",
+        "GET /" + code + "/\xc0\xae\xc0\xae/pot.glb" + head + "\r\n",
+        "GET /" + code + "/.kept" + head + "\r\n",
+        "GET /" + code + "/pot.glb.gz" + head + "\r\n",
+        "GET /" + code + ".part/" + head + "\r\n",
+        "GET /" + std::string(5000, 'A') + head + "\r\n",
+        "GET /" + std::string(100'000, 'A') + head + "\r\n",
+        "GET http://elsewhere/" + code + "/" + head + "\r\n",
+        "GET * HTTP/1.1\r\nHost: pots\r\n\r\n",
+        "POST /" + code + "/" + head + "Content-Length: 1000000000\r\n\r\nx",
+        "PUT /" + code + "/pot.glb" + head + "Content-Length: 3\r\n\r\nbad",
+        "DELETE /" + code + "/" + head + "\r\n",
+        "CONNECT elsewhere:443" + head + "\r\n",
+        "TRACE /" + head + "\r\n",
+        "GET /" + code + "/nothing" + head + "Content-Length: 5\r\n\r\nhello",
+        "GET /7777ZZZZ/" + head + "Transfer-Encoding: chunked\r\n\r\nffffffffffffffff\r\n",
+        "GET /7777ZZZZ/" + head + "Content-Length: -1\r\n\r\n",
+        "GET /7777ZZZZ/" + head + "Content-Length: 5\r\nContent-Length: 6\r\n\r\n",
+        "GET /7777ZZZZ/" + head + "X: " + std::string(60'000, 'b') + "\r\n\r\n",
+        "GET /7777ZZZZ/ HTTP/9.9\r\n\r\n",
+        "GET /7777ZZZZ/\r\n\r\n",
+        "GET  /7777ZZZZ/  HTTP/1.1\r\n\r\n",
+        "\r\n\r\n\r\nGET /7777ZZZZ/" + head + "\r\n",
+        std::string("GET /\0/ HTTP/1.1\r\n\r\n", 20),
+        "\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03",  // somebody tries https
+        "SSH-2.0-OpenSSH_9.2\r\n",
+        "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n",
+    };
+    std::string bomb = "GET /7777ZZZZ/" + head;
+    for (int i = 0; i < 3000; ++i)
+        bomb += "X-" + std::to_string(i) + ": y\r\n";
+    for (std::size_t i = 0; i <= requests.size(); ++i) {
+        const std::string& request = i < requests.size() ? requests[i] : bomb;
+        HttpClient client(served.port(), 300);
+        client.say(request);
+        const std::string answer = client.rest();
+        const bool is_refused = answer.starts_with("HTTP/1.1 4") || answer.starts_with("HTTP/1.0 4") ||
+                                answer.starts_with("HTTP/1.1 505") || answer.empty();
+        EXPECT_TRUE(is_refused) << request.substr(0, 60) << "\n" << answer.substr(0, 200);
+        EXPECT_EQ(answer.find("root:"), std::string::npos);
+        EXPECT_EQ(answer.find("expires "), std::string::npos);
+    }
+    expect_honest(served, code);
+}
+
+TEST(HostileClients, SendAnyBytes) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    std::mt19937 chance(7);  // NOLINT: the same bytes each time
+    for (int i = 0; i < 200; ++i) {
+        std::string bytes(chance() % 3000, '\0');
+        for (char& byte : bytes)
+            byte = static_cast<char>(chance());
+        // Half of them begin as a request does.
+        if (i % 2 == 0) bytes = "GET /" + code + "/" + bytes;
+        HttpClient client(served.port(), 50);
+        client.say(bytes + "\r\n\r\n");
+        EXPECT_EQ(client.rest().find("HTTP/1.1 2"), std::string::npos);
+    }
+    ASSERT_TRUE(served.server().at_work()) << served.server().printed();
+    ::usleep(1'500'000);  // the misses were dear
+    expect_honest(served, code);
+}
+
+TEST(HostileClients, ThatAreSlowOrSilentHoldNothing) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    const double begun = now_s();
+    std::vector<HttpClient> silent;
+    for (int i = 0; i < 20; ++i)
+        silent.emplace_back(served.port(), 100);
+    HttpClient slow(served.port(), 100);
+    slow.say("GET /" + code + "/ HTTP/1.1\r\n");
+    // A letter every quarter second, for as long as the server bears it.
+    double held_s = 0.0;
+    bool closed = false;
+    while (!closed && held_s < 30.0) {
+        slow.say("X");
+        ::usleep(150'000);
+        static_cast<void>(slow.rest(&closed));
+        held_s = now_s() - begun;
+    }
+    EXPECT_GT(held_s, 8.0);
+    EXPECT_LT(held_s, 20.0) << "ten seconds are meant";
+    ::usleep(2'000'000);
+    for (HttpClient& client : silent) {
+        bool was_closed = false;
+        EXPECT_EQ(client.rest(&was_closed), "");
+        EXPECT_TRUE(was_closed);
+    }
+    expect_honest(served, code);
+}
+
+TEST(HostileClients, ThatAskTooOftenAreToldToWait) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    std::map<int, int> answers;
+    for (int i = 0; i < 120; ++i)
+        ++answers[get(served.port(), "/7777ZZZZ/").status];
+    EXPECT_GT(answers[429], 10) << "guesses are dear";
+    EXPECT_GT(answers[404], 10);
+    EXPECT_EQ(answers[404] + answers[429], 120);
+    ::usleep(1'000'000);
+    expect_honest(served, code);
+}
+
+// Each from an address of its own, so that no limit of an address holds them: more than the server takes.
+TEST(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    std::vector<HttpClient> crowd;
+    for (std::uint32_t i = 0; i < 700; ++i)
+        crowd.emplace_back(served.port(), 100, 0x7f010101 + i * 256);
+    const double begun = now_s();
+    expect_honest(served, code);
+    EXPECT_LT(now_s() - begun, 5.0) << "ten seconds of silence are for who has room";
+}
+
+// As many as the system lets one process open; the report of the suite says how many that were.
+TEST(HostileClients, ThatComeInThousandsTakeLittleMemoryAndGoAgain) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    expect_honest(served, code);
+    const long before_kb = resident_kb(served.server().process());
+    rlimit limit{};
+    ::getrlimit(RLIMIT_NOFILE, &limit);
+    limit.rlim_cur = limit.rlim_max;
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+    const std::size_t wanted = std::min<std::size_t>(10'000, limit.rlim_cur - 100);
+    long most_kb = 0;
+    {
+        std::vector<HttpClient> crowd;
+        for (std::size_t i = 0; i < wanted; ++i) {
+            crowd.emplace_back(served.port(), 100);
+            if (crowd.back().is_open()) crowd.back().say("GET /" + code + "/ HTTP/1.1\r\nX: y\r\n");
+            if (i % 500 == 0) most_kb = std::max(most_kb, resident_kb(served.server().process()));
+        }
+        most_kb = std::max(most_kb, resident_kb(served.server().process()));
+        ASSERT_TRUE(served.server().at_work()) << served.server().printed();
+    }
+    RecordProperty("connections", static_cast<int>(wanted));
+    RecordProperty("most_memory_kb", static_cast<int>(most_kb));
+    std::printf("%zu connections: %ld kB, %ld kB before\n", wanted, most_kb, before_kb);
+    EXPECT_TRUE(is_sanitized() || most_kb - before_kb < 20'000) << most_kb;
+    expect_honest(served, code);
+}
+
+}  // namespace
+}  // namespace onggi::test

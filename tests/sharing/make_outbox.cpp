@@ -1,0 +1,101 @@
+// make_outbox SESSION FOLDER [--poster FILE] [--film FILE] [--surface FILE] [--url URL]: puts the pot that a
+// session left into the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic pages, for
+// checks that other programs make; and lays what was put beside it, as FOLDER/pot.glb and so on. Prints the
+// code.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "engine/asset/image.h"
+#include "engine/files/atomic_file.h"
+#include "game/app/command_line/start_pot.h"
+#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/kiosk_share.h"
+#include "game/share/studio_export.h"
+
+namespace {
+
+using namespace onggi;
+
+struct Words {
+    std::string session;
+    std::filesystem::path folder;
+    std::string poster;
+    std::string film;
+    std::string surface;
+    std::string url;
+};
+
+Result<sharing::ShareCode> put(const Words& words) {
+    auto settings = app::load_settings("");
+    if (!settings) return settings.error();
+    settings->config.sharing.outbox = (words.folder / "box").string();
+    settings->config.sharing.public_url = words.url;
+    const auto clay = app::start_pot({.on = words.session});
+    if (!clay) return clay.error();
+    const screens::FiredPot fired = app::fired_pot(**clay, settings->targets, settings->relatives);
+    constexpr int kCeladon = 0;
+    constexpr int kPortraitPx = 1024;
+    sharing::SharedPot pot = app::shared_pot(fired, kCeladon, *settings, settings->rules.default_language);
+    const ui::Painting painting = app::portrait(fired.shape, kCeladon, kPortraitPx);
+    auto picture = asset::encode_png(
+        {.width = painting.width, .height = painting.height, .rgba = painting.rgba});  // opaque
+    auto model = share::export_pot(**clay, clay::Firing::kGlaze, share::ExportKind::kGlb);
+    auto print = share::export_pot(**clay, clay::Firing::kGlaze, share::ExportKind::kStl);
+    if (!picture) return picture.error();
+    if (!model) return model.error();
+    if (!print) return print.error();
+    pot.picture.bytes = *picture;
+    pot.model_glb.bytes = *model;
+    pot.print_stl.bytes = *print;
+    constexpr int kPosterPx = 720;
+    auto poster = asset::encode_png(app::share_poster(fired.shape, kCeladon, kPosterPx));
+    if (!poster) return poster.error();
+    if (words.poster.empty()) {
+        pot.poster.bytes = *poster;
+    } else {
+        pot.poster.path = words.poster;
+    }
+    pot.film.path = words.film;
+    pot.film_still.path = words.film.empty() ? "" : words.poster;
+    pot.film_s = 8.0;
+    pot.surface.path = words.surface;
+    std::filesystem::create_directories(words.folder);
+    for (const auto& [name, bytes] : {std::pair{"pot.png", &pot.picture.bytes},
+                                      {"poster.png", &*poster},
+                                      {"pot.glb", &pot.model_glb.bytes},
+                                      {"pot.stl", &pot.print_stl.bytes}})
+        if (auto written = files::write_file_atomically(words.folder / name, *bytes); !written)
+            return written.error();
+    auto outbox = sharing::Outbox::open(app::outbox_options(*settings));
+    if (!outbox) return outbox.error();
+    const auto begun = std::chrono::steady_clock::now();
+    auto code = outbox->put(pot, app::share_time_now(settings->config));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    fmt::print(stderr, "put in {:.3f} s\n", took.count());
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program{"An outbox with a pot in it", "make_outbox"};
+    Words words;
+    program.add_option("SESSION", words.session)->required();
+    program.add_option("FOLDER", words.folder)->required();
+    program.add_option("--poster", words.poster);
+    program.add_option("--film", words.film);
+    program.add_option("--surface", words.surface);
+    program.add_option("--url", words.url);
+    CLI11_PARSE(program, argc, argv);
+    const auto code = put(words);
+    if (!code) {
+        fmt::print(stderr, "{}\n", code.error().message);
+        return 1;
+    }
+    fmt::print("{}\n", code->text());
+    return 0;
+}

@@ -1,0 +1,73 @@
+// An outbox with pots in it and `onggi share` at work on it, for a test.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "game/sharing/outbox.h"
+#include "tests/cli/run_program.h"
+#include "tests/support/shared_pot_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::test {
+
+// Ten hours from the machine's own time, by which the program goes.
+inline sharing::ShareTime from_now(std::int64_t stays_s = 36'000) {
+    const std::int64_t now_s = std::time(nullptr);
+    return {.now_s = now_s, .expires_s = now_s + stays_s};
+}
+
+class ServedOutbox {
+  public:
+    explicit ServedOutbox(std::vector<std::string> more = {})
+        : outbox_(open()),
+          server_(words(std::move(more))) {
+        for (int tries = 0; port_ == 0 && tries < 500; ++tries) {
+            const std::string& said = server_.printed();
+            const std::size_t at = said.find("port ");
+            if (at != std::string::npos && said.find('\n', at) != std::string::npos)
+                std::from_chars(said.data() + at + 5, said.data() + said.size(), port_);
+            if (port_ == 0) ::usleep(10'000);
+        }
+        EXPECT_NE(port_, 0) << server_.printed();
+    }
+
+    std::string put(const sharing::SharedPot& pot, const sharing::ShareTime& time = from_now()) {
+        const auto code = outbox_.put(pot, time);
+        EXPECT_TRUE(code) << code.error().message;
+        return code ? code->text() : "";
+    }
+    sharing::Outbox& outbox() { return outbox_; }
+    RunningOnggi& server() { return server_; }
+    [[nodiscard]] int port() const { return port_; }
+    [[nodiscard]] std::filesystem::path box() const { return folder_ / "box"; }
+    [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+
+  private:
+    sharing::Outbox open() {
+        auto outbox =
+            sharing::Outbox::open({.folder = folder_ / "box", .languages = support::three_languages()});
+        EXPECT_TRUE(outbox) << outbox.error().message;
+        return std::move(outbox).value();
+    }
+    std::vector<std::string> words(std::vector<std::string> more) const {
+        std::vector<std::string> all{
+            "share", "--outbox", (folder_ / "box").string(), "--listen", "127.0.0.1", "--port", "0"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+
+    TemporaryFolder folder_;
+    sharing::Outbox outbox_;
+    RunningOnggi server_;
+    int port_ = 0;
+};
+
+}  // namespace onggi::test

@@ -1,0 +1,99 @@
+#include "game/app/kiosk/kiosk_share.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "game/app/kiosk/kiosk_pot.h"
+#include "game/screens/pot_picture.h"
+
+namespace onggi::app {
+namespace {
+
+screens::FiredPot jar(const KioskSettings& settings) {
+    screens::FiredPot pot;
+    std::vector<vec2> outside;
+    for (int i = 0; i <= 40; ++i)
+        outside.push_back(
+            {50.0F + 20.0F * std::sin(static_cast<float>(i) * 0.08F), static_cast<float>(i) * 4.0F});
+    pot.shape = screens::hollowed(outside, 5.0F, 8.0F);
+    pot.height_mm = 160.0;
+    pot.width_mm = 140.0;
+    pot.weight_g = 900.0;
+    pot.capacity_l = 1.25;
+    if (!settings.exhibits->empty()) pot.relative = {settings.exhibits, &settings.exhibits->front()};
+    return pot;
+}
+
+TEST(KioskShare, HandsThePotOverAsThePageWantsIt) {
+    const auto settings = load_settings("");
+    ASSERT_TRUE(settings) << settings.error().message;
+    const screens::FiredPot fired = jar(*settings);
+    const sharing::SharedPot pot = shared_pot(fired, 0, *settings, 2);
+    EXPECT_EQ(pot.outside.size(), fired.shape.outside.size());
+    EXPECT_DOUBLE_EQ(pot.outside.back().height_mm, 160.0);
+    EXPECT_EQ(pot.inside.size(), fired.shape.inside.size());
+    EXPECT_EQ(pot.capacity_ml, 1250.0);
+    EXPECT_EQ(pot.first_language, 2U);
+    ASSERT_EQ(pot.words.size(), settings->languages->size());
+    ASSERT_EQ((*settings->languages)[1].code(), "en");
+    EXPECT_EQ(pot.words[1].glaze, "Celadon");
+    EXPECT_EQ(pot.words[0].glaze, "청자");
+    ASSERT_TRUE(fired.relative);
+    EXPECT_EQ(pot.words[1].nearest_name, (*settings->languages)[1].shown(fired.relative->name_key));
+    EXPECT_TRUE(pot.words[1].nearest_line.ends_with("\u00a0mm")) << pot.words[1].nearest_line;
+    EXPECT_EQ(pot.words[1].nearest_line.find("\n\n"), std::string::npos) << "nothing is named by nothing";
+    EXPECT_NE(pot.words[2].nearest_line.find("ملم"), std::string::npos);
+    EXPECT_FALSE(pot.nearest_outside.empty());
+    EXPECT_FALSE(pot.model_glb.is_given()) << "files are the caller's";
+}
+
+TEST(KioskShare, DrawsAPosterThatStandsWhereThePageDrawsThePot) {
+    const auto settings = load_settings("");
+    ASSERT_TRUE(settings);
+    constexpr int kSide = 200;
+    const asset::Image poster = share_poster(jar(*settings).shape, 0, kSide);
+    ASSERT_EQ(poster.width, kSide);
+    const auto alpha = [&](int x, int y) {
+        return poster.rgba[(static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)) * 4 + 3];
+    };
+    for (const auto& [x, y] : {std::pair{0, 0}, {199, 0}, {0, 199}, {199, 199}, {100, 198}})
+        EXPECT_EQ(alpha(x, y), 0) << x << ' ' << y;
+    EXPECT_EQ(alpha(100, 100), 255);
+    int top = 0;
+    int bottom = kSide - 1;
+    while (top < kSide && alpha(100, top) == 0)
+        ++top;
+    while (bottom > 0 && alpha(100, bottom) == 0)
+        --bottom;
+    EXPECT_GT(top, 2);
+    EXPECT_LT(top, 20);
+    EXPECT_GT(bottom, 175);
+    EXPECT_LT(bottom, 196) << "on the board";
+}
+
+TEST(KioskShare, KnowsWhereAndHowLong) {
+    auto settings = load_settings("");
+    ASSERT_TRUE(settings);
+    kiosk::Config& config = settings->config;
+    config.sharing.listen = "lo";
+    config.sharing.most_mb = 12.0;
+    EXPECT_EQ(*share_base_url(config), "http://127.0.0.1:8080");
+    config.sharing.public_url = "https://museum.org/pots";
+    EXPECT_EQ(*share_base_url(config), "https://museum.org/pots");
+    const sharing::OutboxOptions options = outbox_options(*settings);
+    EXPECT_EQ(options.most_bytes, 12'000'000U);
+    EXPECT_EQ(options.public_url, "https://museum.org/pots");
+    EXPECT_EQ(options.languages, settings->languages);
+    config.sharing.hours = 3;
+    const sharing::ShareTime time = share_time_now(config);
+    EXPECT_EQ(time.expires_s - time.now_s, 3 * 3600);
+    EXPECT_LE(std::abs(time.utc_offset_s), 14 * 3600);
+    config.sharing = {};
+    EXPECT_FALSE(share_base_url(config)) << "off";
+}
+
+}  // namespace
+}  // namespace onggi::app

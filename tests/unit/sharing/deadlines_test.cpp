@@ -1,0 +1,51 @@
+#include "game/app/sharing/deadlines.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace onggi::app {
+namespace {
+
+std::vector<int> cut_at(Deadlines& deadlines, double now_s) {
+    std::vector<int> cut;
+    deadlines.sweep(now_s, [&](int socket) { cut.push_back(socket); });
+    return cut;
+}
+
+TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
+    Deadlines deadlines({.head_s = 10.0, .answer_s = 20.0, .bytes_per_s = 1000.0});
+    static_cast<void>(deadlines.add(3, 0.0));
+    const auto other = deadlines.add(4, 5.0);
+    EXPECT_TRUE(cut_at(deadlines, 9.9).empty());
+    EXPECT_EQ(cut_at(deadlines, 10.0), std::vector<int>{3});
+    EXPECT_TRUE(cut_at(deadlines, 11.0).empty()) << "once";
+    deadlines.remove(other);
+    EXPECT_TRUE(cut_at(deadlines, 100.0).empty());
+    EXPECT_EQ(deadlines.size(), 1U);
+}
+
+TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
+    Deadlines deadlines({.head_s = 10.0, .answer_s = 20.0, .bytes_per_s = 1000.0});
+    const auto slow = deadlines.add(3, 0.0);
+    deadlines.answers(slow, 1.0, 5000);
+    EXPECT_TRUE(cut_at(deadlines, 25.9).empty());
+    deadlines.has_answered(slow, 25.9);
+    EXPECT_TRUE(cut_at(deadlines, 35.8).empty()) << "it may ask again";
+    deadlines.answers(slow, 35.8, 0);
+    EXPECT_EQ(cut_at(deadlines, 55.8), std::vector<int>{3});
+}
+
+TEST(Deadlines, HaveLessPatienceInACrowd) {
+    Deadlines deadlines({.head_s = 10.0, .crowded_head_s = 1.0, .crowd = 3});
+    static_cast<void>(deadlines.add(3, 0.0));
+    const auto served = deadlines.add(4, 0.0);
+    deadlines.answers(served, 0.5, 1000);
+    EXPECT_TRUE(cut_at(deadlines, 5.0).empty());
+    static_cast<void>(deadlines.add(5, 5.0));
+    EXPECT_EQ(cut_at(deadlines, 5.5), std::vector<int>{3}) << "the silent one is in the way of others";
+    EXPECT_EQ(cut_at(deadlines, 6.0), std::vector<int>{5}) << "whose answer is on its way is not";
+}
+
+}  // namespace
+}  // namespace onggi::app

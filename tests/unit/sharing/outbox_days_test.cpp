@@ -1,0 +1,76 @@
+// A day of visitors, and the next: codes run out, the disk stays flat.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "game/app/sharing/page_store.h"
+#include "game/sharing/outbox.h"
+#include "tests/support/shared_pot_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::sharing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t bytes_below(const fs::path& folder) {
+    std::uint64_t sum = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) sum += entry.file_size();
+    return sum;
+}
+
+TEST(OutboxOverDays, LetsCodesRunOutAndKeepsTheDiskFlat) {
+    const test::TemporaryFolder folder;
+    constexpr std::int64_t kHour = 3600;
+    constexpr std::size_t kMostPots = 12;
+    auto outbox = Outbox::open(
+        {.folder = folder / "box", .most_pots = kMostPots, .languages = support::three_languages()});
+    ASSERT_TRUE(outbox);
+    const app::PageStore store(folder / "box");
+    SharedPot pot = support::full_pot("day");
+    std::map<std::string, std::int64_t> ends;  // of every code there ever was
+    std::uint64_t most_bytes = 0;
+    std::uint64_t most_of_first_day = 0;
+    for (std::int64_t hour = 0; hour < 3 * 24; ++hour) {
+        const std::int64_t now = 1'000'000 + hour * kHour;
+        const bool is_open = hour % 24 >= 10 && hour % 24 < 18;
+        const std::int64_t closes = 1'000'000 + (hour / 24 * 24 + 18) * kHour;
+        for (int visitor = 0; is_open && visitor < 2; ++visitor) {
+            const auto code = outbox->put(pot, {.now_s = now + visitor, .expires_s = closes});
+            ASSERT_TRUE(code) << code.error().message;
+            ends[code->text()] = closes;
+        }
+        // Restarted in the middle of the day: nothing is lost.
+        if (hour % 24 == 13) {
+            auto again = Outbox::open(
+                {.folder = folder / "box", .most_pots = kMostPots, .languages = support::three_languages()});
+            ASSERT_TRUE(again);
+            ASSERT_EQ(again->list()->size(), outbox->list()->size());
+            outbox = std::move(again);
+        }
+        // The server looks at the time itself, whether the kiosk has cleared up or not.
+        std::size_t open_now = 0;
+        for (const auto& [text, end] : ends) {
+            const ShareCode code = *ShareCode::read_exactly(text);
+            const bool is_there = static_cast<bool>(store.open(code, "pot.glb", now + 60));
+            open_now += is_there ? 1 : 0;
+            ASSERT_FALSE(is_there && now + 60 >= end) << text << " at hour " << hour;
+        }
+        ASSERT_LE(open_now, kMostPots);
+        const std::int64_t visitors = is_open ? 2 * (hour % 24 - 9) : 0;
+        ASSERT_GE(open_now, std::min(kMostPots, static_cast<std::size_t>(visitors)));
+        ASSERT_TRUE(outbox->expire(now + 60));
+        most_bytes = std::max(most_bytes, bytes_below(folder / "box"));
+        if (hour == 23) most_of_first_day = most_bytes;
+        ASSERT_TRUE(hour % 24 < 18 || outbox->list()->empty());
+    }
+    EXPECT_EQ(ends.size(), 3U * 8 * 2);
+    // Other codes pack a few bytes better or worse.
+    EXPECT_LT(most_bytes, most_of_first_day + 1000) << "no day takes more than the first";
+    EXPECT_LT(most_bytes, 1'500'000U) << "twelve pots of some 60 kB, and what is at the door";
+}
+
+}  // namespace
+}  // namespace onggi::sharing

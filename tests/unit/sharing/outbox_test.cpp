@@ -1,0 +1,232 @@
+#include "game/sharing/outbox.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "game/sharing/kept_note.h"
+#include "tests/support/hostile_system.h"
+#include "tests/support/shared_pot_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::sharing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr ShareTime kNoon{.now_s = 1'000'000, .expires_s = 1'020'000};
+
+Outbox open_in(const fs::path& folder, std::size_t most_pots = 200,
+               std::uint64_t most_bytes = 1'000'000'000) {
+    auto outbox = Outbox::open({.folder = folder,
+                                .most_pots = most_pots,
+                                .most_bytes = most_bytes,
+                                .languages = support::three_languages()});
+    EXPECT_TRUE(outbox) << outbox.error().message;
+    return std::move(outbox).value();
+}
+
+std::string text_of(const std::vector<std::byte>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+TEST(Outbox, KeepsAPotWholeAndFindsItAfterARestart) {
+    const test::TemporaryFolder folder;
+    const SharedPot pot = support::full_pot("one");
+    std::string code;
+    {
+        Outbox outbox = open_in(folder / "box");
+        const auto put = outbox.put(pot, kNoon);
+        ASSERT_TRUE(put) << put.error().message;
+        code = put->text();
+    }
+    const fs::path place = folder / "box" / code;
+    EXPECT_EQ(test::content_of(place / "pot.glb"), text_of(pot.model_glb.bytes));
+    EXPECT_EQ(test::content_of(place / "pot.png"), text_of(pot.picture.bytes));
+    for (const char* name :
+         {"index.html", "en.html", "ko.html", "ar.html", "page.css", "pot.js", "poster.png", "pot.stl",
+          "pot.3mf", "film.webp", "still.png", "surface.png", ".kept", "pot.glb.gz", "pot.stl.gz",
+          "index.html.gz", "page.css.gz", "pot.js.gz"})
+        EXPECT_TRUE(fs::is_regular_file(place / name)) << name;
+    for (const char* name : {"pot.png.gz", "pot.3mf.gz", "film.webp.gz", ".kept.gz"})
+        EXPECT_FALSE(fs::exists(place / name)) << name;
+    EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "en.html"));
+
+    const Outbox again = open_in(folder / "box");
+    const auto all = again.list();
+    ASSERT_TRUE(all);
+    ASSERT_EQ(all->size(), 1U);
+    EXPECT_EQ(all->front().code.text(), code);
+    EXPECT_EQ(all->front().expires_s, kNoon.expires_s);
+    std::uintmax_t bytes = 0;
+    for (const auto& file : fs::directory_iterator(place))
+        bytes += file.file_size();
+    EXPECT_EQ(all->front().bytes, bytes);
+}
+
+TEST(Outbox, OpensWithTheVisitorsLanguage) {
+    const test::TemporaryFolder folder;
+    Outbox outbox = open_in(folder / "box");
+    SharedPot pot = support::full_pot("one");
+    pot.first_language = 2;
+    const auto code = outbox.put(pot, kNoon);
+    ASSERT_TRUE(code);
+    const fs::path place = folder / "box" / code->text();
+    EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "ar.html"));
+}
+
+TEST(Outbox, TakesFilesFromTheDisk) {
+    const test::TemporaryFolder folder;
+    test::put_file(folder / "mine.stl", "triangles");
+    Outbox outbox = open_in(folder / "box");
+    SharedPot pot;
+    pot.print_stl.path = folder / "mine.stl";
+    const auto code = outbox.put(pot, kNoon);
+    ASSERT_TRUE(code) << code.error().message;
+    EXPECT_EQ(test::content_of(folder / "box" / code->text() / "pot.stl"), "triangles");
+}
+
+TEST(Outbox, LaysSomethingAtItsDoorSoThatNobodyListsIt) {
+    const test::TemporaryFolder folder;
+    static_cast<void>(open_in(folder / "box"));
+    EXPECT_NE(test::content_of(folder / "box/index.html").find("name=\"code\""), std::string::npos);
+    EXPECT_NE(test::content_of(folder / "box/404.html").find("There is no pot here"), std::string::npos);
+    const auto written = fs::last_write_time(folder / "box/404.html");
+    test::put_file(folder / "box/index.html", "somebody else's");
+    static_cast<void>(open_in(folder / "box"));
+    EXPECT_EQ(fs::last_write_time(folder / "box/404.html"), written) << "what is right is not written again";
+    EXPECT_NE(test::content_of(folder / "box/index.html").find("name=\"code\""), std::string::npos);
+}
+
+TEST(Outbox, WithdrawsByCodeAndByTheGallerysName) {
+    const test::TemporaryFolder folder;
+    Outbox outbox = open_in(folder / "box");
+    SharedPot pot = support::full_pot("one");
+    pot.gallery_name = "2026-11-24/pot-003";
+    const auto named = outbox.put(pot, kNoon);
+    const auto plain = outbox.put(support::full_pot("two"), kNoon);
+    ASSERT_TRUE(named && plain);
+    EXPECT_FALSE(*outbox.withdraw_named("2026-11-24/pot-004"));
+    EXPECT_FALSE(*outbox.withdraw_named("")) << "no name is nobody's";
+    EXPECT_TRUE(*outbox.withdraw_named("2026-11-24/pot-003"));
+    EXPECT_FALSE(fs::exists(folder / "box" / named->text()));
+    EXPECT_TRUE(*outbox.withdraw(*plain));
+    EXPECT_FALSE(*outbox.withdraw(*plain)) << "it is gone";
+    EXPECT_TRUE(outbox.list()->empty());
+}
+
+TEST(Outbox, KeepsNoMoreThanItMay) {
+    const test::TemporaryFolder folder;
+    Outbox outbox = open_in(folder / "box", 3);
+    std::vector<std::string> codes;
+    for (int i = 0; i < 5; ++i) {
+        const auto code =
+            outbox.put(support::full_pot("pot"), {.now_s = 1'000'000 + i, .expires_s = 1'020'000});
+        ASSERT_TRUE(code);
+        codes.push_back(code->text());
+    }
+    std::vector<std::string> left;
+    const auto all = outbox.list();
+    for (const OutboxEntry& entry : *all)
+        left.push_back(entry.code.text());
+    EXPECT_EQ(left, std::vector<std::string>(codes.begin() + 2, codes.end())) << "the oldest leave first";
+
+    const std::uint64_t one = outbox.list()->front().bytes;
+    Outbox narrow = open_in(folder / "narrow", 200, 2 * one + one / 2);
+    for (int i = 0; i < 4; ++i)
+        ASSERT_TRUE(narrow.put(support::full_pot("pot"), {.now_s = 1'000'000 + i, .expires_s = 1'020'000}));
+    EXPECT_EQ(narrow.list()->size(), 2U);
+    Outbox tiny = open_in(folder / "tiny", 200, one / 2);
+    EXPECT_FALSE(tiny.put(support::full_pot("pot"), kNoon));
+    EXPECT_TRUE(tiny.list()->empty());
+}
+
+TEST(Outbox, NeverThrowsTheNewcomerOut) {
+    const test::TemporaryFolder folder;
+    Outbox outbox = open_in(folder / "box", 1);
+    ASSERT_TRUE(outbox.put(support::full_pot("late"), {.now_s = 2'000'000, .expires_s = 2'020'000}));
+    // The machine's clock was put back.
+    const auto newcomer = outbox.put(support::full_pot("new"), kNoon);
+    ASSERT_TRUE(newcomer);
+    ASSERT_EQ(outbox.list()->size(), 1U);
+    EXPECT_EQ(outbox.list()->front().code, *newcomer);
+}
+
+TEST(Outbox, RejectsWhatCannotBeShared) {
+    const test::TemporaryFolder folder;
+    Outbox outbox = open_in(folder / "box");
+    SharedPot no_picture = support::full_pot("x");
+    no_picture.picture.bytes = support::bytes_of("GIF89a");
+    const auto refused = outbox.put(no_picture, kNoon);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "the shared pot's pot: expected a PNG, JPEG or WebP picture, found none");
+    SharedPot no_file;
+    no_file.model_glb.path = folder / "none.glb";
+    EXPECT_FALSE(outbox.put(no_file, kNoon));
+    EXPECT_FALSE(outbox.put(support::full_pot("x"), {.now_s = 5, .expires_s = 5}));
+    EXPECT_TRUE(outbox.list()->empty());
+    EXPECT_EQ(fs::exists(folder / "box/.kept"), false);
+    test::put_file(folder / "file", "no folder");
+    const auto no_folder = Outbox::open({.folder = folder / "file", .languages = support::three_languages()});
+    ASSERT_FALSE(no_folder);
+    EXPECT_NE(no_folder.error().message.find("expected a folder for shared pots, found "), std::string::npos);
+    EXPECT_FALSE(Outbox::open({.folder = folder / "box"})) << "no language";
+}
+
+TEST(Outbox, LeavesNothingWhereTheDiskRefuses) {
+    const test::TemporaryFolder folder;
+    Outbox outbox = open_in(folder / "box");
+    fs::permissions(folder / "box", fs::perms::owner_read | fs::perms::owner_exec);
+    {
+        const test::WithoutRootRights bound;
+        const auto refused = outbox.put(support::full_pot("x"), kNoon);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().kind, ErrorKind::kSystemLacks);
+    }
+    fs::permissions(folder / "box", fs::perms::owner_all);
+    EXPECT_TRUE(outbox.list()->empty());
+    // A disk that is full in the middle of a pot.
+    EXPECT_EQ(test::in_child([&]() -> std::string {
+                  test::limit_file_size(4096);
+                  const auto full = outbox.put(support::full_pot("x"), kNoon);
+                  return full                                           ? "put"
+                         : full.error().kind == ErrorKind::kSystemLacks ? "lacks"
+                                                                        : full.error().message;
+              }),
+              "lacks");
+    for (const auto& entry : fs::directory_iterator(folder / "box"))
+        EXPECT_FALSE(entry.is_directory()) << entry.path();
+}
+
+TEST(Outbox, TakesAwayWhatAKilledWriterLeft) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "box/K73FQ9TX.part");
+    test::put_file(folder / "box/K73FQ9TX.part/pot.glb", "half");
+    fs::create_directories(folder / "box/K73FQ9TY");  // without a note: nobody can be told when it goes
+    test::put_file(folder / "box/K73FQ9TY/pot.glb", "half");
+    fs::create_directories(folder / "box/precious");
+    Outbox outbox = open_in(folder / "box");
+    EXPECT_FALSE(fs::exists(folder / "box/K73FQ9TX.part"));
+    EXPECT_EQ(*outbox.expire(1), 1);
+    EXPECT_FALSE(fs::exists(folder / "box/K73FQ9TY"));
+    EXPECT_TRUE(fs::exists(folder / "box/precious")) << "what is no pot is nobody's to take";
+}
+
+TEST(KeptNote, IsReadAsItIsWritten) {
+    const auto read = read_note(written({5, 9, "2026-11-24/pot-003"}));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->made_s, 5);
+    EXPECT_EQ(read->expires_s, 9);
+    EXPECT_EQ(read->gallery_name, "2026-11-24/pot-003");
+    EXPECT_TRUE(read_note(written({-1, 9, "a\nexpires 99"})));
+    for (const char* text :
+         {"", "made 5\nexpires 9\n", "made 5\nexpires 9\nname x", "made 5\nexpires 9a\nname x\n",
+          "made 5\nexpires 9\nname x\nmore\n", "expires 9\nmade 5\nname x\n"})
+        EXPECT_FALSE(read_note(text)) << text;
+    EXPECT_LE(written({5, 9, std::string(5000, 'x')}).size(), kMostNoteBytes);
+}
+
+}  // namespace
+}  // namespace onggi::sharing

@@ -1,0 +1,129 @@
+#include "game/sharing/phone_page.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "game/sharing/html_text.h"
+#include "game/sharing/outline_text.h"
+#include "game/sharing/plain_pages.h"
+#include "tests/support/shared_pot_samples.h"
+
+namespace onggi::sharing {
+namespace {
+
+std::string page_of(const SharedPot& pot, std::size_t language,
+                    const std::string& url = "http://10.0.0.5/K73FQ9TX/") {
+    const auto languages = support::three_languages();
+    const ShareCode code = *ShareCode::read("K73FQ9TX");
+    return phone_page({.pot = pot,
+                       .languages = *languages,
+                       .language = language,
+                       .code = code,
+                       .links = {.poster = "poster.png",
+                                 .picture = pot.picture.is_given() ? "pot.png" : "",
+                                 .surface = "surface.png",
+                                 .film_still = "still.png"},
+                       .gone_at = "18:00",
+                       .is_gone_today = true,
+                       .page_url = url});
+}
+
+bool has(const std::string& page, std::string_view text) {
+    return page.find(text) != std::string::npos;
+}
+
+TEST(PhonePage, HasALinkForEachFileThatIsThere) {
+    const std::string page = page_of(support::full_pot("x"), 0);
+    EXPECT_TRUE(has(page, "<html lang=\"en\" dir=\"ltr\">"));
+    for (const char* link :
+         {"href=\"pot.png\" download=\"onggi-K73FQ9TX.png\"",
+          "href=\"pot.glb\" download=\"onggi-K73FQ9TX.glb\"",
+          "href=\"pot.stl\" download=\"onggi-K73FQ9TX.stl\"",
+          "href=\"pot.3mf\" download=\"onggi-K73FQ9TX.3mf\"",
+          "href=\"film.webp\" download=\"onggi-K73FQ9TX.webp\"",
+          "<img src=\"poster.png\" alt=\"Your pot, Celadon\">", "href=\"ko.html\" hreflang=\"ko\"",
+          "Film, 8 s", "<bdi>160</bdi>", "<bdi>1.9</bdi>", "This page is gone after today, 18:00.",
+          "Moon jar", "<svg viewBox"})
+        EXPECT_TRUE(has(page, link)) << link;
+    EXPECT_FALSE(has(page, "id=\"ar\"")) << "no augmented reality without https";
+}
+
+TEST(PhonePage, LeavesOutWhatThereIsNot) {
+    const SharedPot empty;
+    const std::string page = page_of(empty, 0);
+    for (const char* text :
+         {"pot.glb", "pot.stl", "pot.3mf", "film", "<dl", "near", "data-outside", "<svg", "glaze"})
+        EXPECT_FALSE(has(page, text)) << text;
+    EXPECT_TRUE(has(page, "<h1>Your pot</h1>"));
+}
+
+TEST(PhonePage, SpeaksKoreanAndArabic) {
+    const std::string korean = page_of(support::full_pot("x"), 1);
+    EXPECT_TRUE(has(korean, "<html lang=\"ko\" dir=\"ltr\">"));
+    EXPECT_TRUE(has(korean, "이 페이지는 오늘 18:00에 지워져요."));
+    EXPECT_TRUE(has(korean, "청자"));
+    const std::string arabic = page_of(support::full_pot("x"), 2);
+    EXPECT_TRUE(has(arabic, "<html lang=\"ar\" dir=\"rtl\">"));
+    EXPECT_TRUE(has(arabic, "<bdi>١٦٠</bdi>")) << "with the digits of its own";
+    EXPECT_TRUE(has(arabic, "١٨:٠٠"));
+}
+
+TEST(PhonePage, OffersAugmentedRealityByHttpsOnly) {
+    const std::string page = page_of(support::full_pot("x"), 0, "https://museum.org/pots/K73FQ9TX/");
+    EXPECT_TRUE(
+        has(page, "intent://arvr.google.com/scene-viewer/1.0?file=https://museum.org/pots/K73FQ9TX/pot.glb"));
+    EXPECT_TRUE(has(page, "id=\"ar\" hidden")) << "the script shows it where there is a viewer";
+}
+
+TEST(PhonePage, LoadsNothingFromElsewhere) {
+    for (const std::string& page :
+         {page_of(support::full_pot("x"), 0), lost_page(*support::three_languages(), 0),
+          ask_page(*support::three_languages(), 1)}) {
+        for (const char* text :
+             {"http://", "https://", "src=\"//", "url(", "@import", "onclick", "<script>", "<iframe"})
+            EXPECT_FALSE(has(page, text)) << text;
+    }
+}
+
+TEST(PhonePage, TakesWordsAsWords) {
+    SharedPot pot = support::full_pot("x");
+    pot.words[0] = {"<script>alert(1)</script>", "\" onload=\"x", "a & b\xff\x01 it's"};
+    const std::string page = page_of(pot, 0);
+    EXPECT_FALSE(has(page, "<script>alert"));
+    EXPECT_FALSE(has(page, "\" onload"));
+    EXPECT_TRUE(has(page, "a &amp; b\ufffd\ufffd it&#39;s"));
+    EXPECT_EQ(html("\u00a0한\u00e9 · \u0085"), "\u00a0한\u00e9 · \ufffd\ufffd");
+    EXPECT_EQ(html(std::string_view("a\0b", 3)), "a\ufffdb");
+}
+
+TEST(PhonePage, DrawsOutlinesOfAnyNumbers) {
+    EXPECT_EQ(outline_numbers({}), "");
+    const std::vector<OutlinePoint> plain{{50.0, 0.0}, {54.24, 5.0}};
+    EXPECT_EQ(outline_numbers(plain), "50,0 54.2,5");
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<OutlinePoint> broken{{50.0, 0.0}, {nothing, 5.0}, {60.0, 10.0}};
+    EXPECT_EQ(outline_numbers(broken), "50,0");
+    EXPECT_EQ(two_pots_svg(broken, plain), "");
+    std::vector<OutlinePoint> fine;
+    for (int i = 0; i < 5000; ++i)
+        fine.push_back({50.0, i * 0.05});
+    const std::string numbers = outline_numbers(fine);
+    EXPECT_LT(numbers.size(), 2000U);
+    EXPECT_TRUE(numbers.ends_with("50,250")) << "the rim is kept";
+}
+
+TEST(PlainPages, SayItInEveryLanguageTheLikedOneFirst) {
+    const std::string page = lost_page(*support::three_languages(), 2);
+    EXPECT_TRUE(has(page, "<html lang=\"ar\" dir=\"rtl\">"));
+    EXPECT_LT(page.find("لا يوجد إناء هنا"), page.find("There is no pot here"));
+    EXPECT_TRUE(has(page, "여기에는 그릇이 없어요"));
+    const std::string ask = ask_page(*support::three_languages(), 0);
+    EXPECT_TRUE(has(ask, "<label for=\"code\">"));
+    EXPECT_TRUE(has(ask, "name=\"code\""));
+    EXPECT_FALSE(ask_script().empty());
+}
+
+}  // namespace
+}  // namespace onggi::sharing

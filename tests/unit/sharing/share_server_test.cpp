@@ -1,0 +1,122 @@
+// The server within the test's own process, at the test's own time.
+#include "game/app/sharing/share_server.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/app/sharing/listen_place.h"
+#include "game/sharing/outbox.h"
+#include "tests/sharing/http_client.h"
+#include "tests/support/shared_pot_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+class ShareServerAtWork : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::signal(SIGPIPE, SIG_IGN);
+        auto outbox =
+            sharing::Outbox::open({.folder = folder_ / "box", .languages = support::three_languages()});
+        ASSERT_TRUE(outbox) << outbox.error().message;
+        const auto code = outbox->put(support::full_pot("one"), {.now_s = 1000, .expires_s = 2000});
+        ASSERT_TRUE(code) << code.error().message;
+        code_ = code->text();
+        const auto listening = listen_at("127.0.0.1", 0);
+        ASSERT_TRUE(listening) << listening.error().message;
+        port_ = port_of(*listening);
+        auto server = ShareServer::start({.listening_socket = *listening,
+                                          .outbox = folder_ / "box",
+                                          .counter = {},
+                                          .now_s = [this] { return now_s_; },
+                                          .wall_s = [this] { return wall_s_; }});
+        ASSERT_TRUE(server) << server.error().message;
+        server_ = std::move(server).value();
+    }
+
+    void turn(int rounds = 6) {
+        for (int i = 0; i < rounds; ++i)
+            server_->run(20);
+    }
+    int status_of(const std::string& request) {
+        test::HttpClient client(port_, 500);
+        client.say(request);
+        turn();
+        return client.answer().status;
+    }
+    std::string page() const { return "GET /" + code_ + "/ HTTP/1.1\r\nHost: pots\r\n\r\n"; }
+
+    test::TemporaryFolder folder_;
+    std::string code_;
+    int port_ = 0;
+    double now_s_ = 100.0;
+    std::int64_t wall_s_ = 1500;
+    std::unique_ptr<ShareServer> server_;
+};
+
+TEST_F(ShareServerAtWork, AnswersAndForgets) {
+    EXPECT_EQ(status_of(page()), 200);
+    EXPECT_EQ(status_of("POST / HTTP/1.1\r\nHost: pots\r\nContent-Length: 3\r\n\r\nabc"), 405);
+    EXPECT_EQ(status_of("GET /?code=" + code_ + " HTTP/1.1\r\nHost: pots\r\n\r\n"), 303);
+    EXPECT_EQ(status_of("GET /7777ZZZZ/ HTTP/1.1\r\nHost: pots\r\n\r\n"), 404);
+    EXPECT_EQ(status_of("GET /" + std::string(3000, 'a') + " HTTP/1.1\r\nHost: pots\r\n\r\n"), 400);
+    // More than it listens to: refused, or hung up on.
+    const int status = status_of("GET /" + std::string(20'000, 'a') + " HTTP/1.1\r\nHost: pots\r\n\r\n");
+    EXPECT_TRUE(status == 414 || status == 431 || status == 0) << status;
+    wall_s_ = 2000;
+    EXPECT_EQ(status_of(page()), 404) << "its time is over";
+    now_s_ += 11.0;
+    turn(20);
+    EXPECT_EQ(server_->connections(), 0U);
+}
+
+TEST_F(ShareServerAtWork, CutsOffWhoIsSilentSlowOrAway) {
+    test::HttpClient silent(port_, 200);
+    test::HttpClient slow(port_, 200);
+    slow.say("GET /" + code_ + "/ HT");
+    {
+        test::HttpClient away(port_, 200);
+        away.say("GET /" + code_ + "/pot.glb HTTP/1.1\r\nHost: pots\r\n\r\n");
+    }
+    turn();
+    now_s_ += 9.0;
+    slow.say("TP/1.1\r\nX");
+    turn();
+    EXPECT_EQ(server_->connections(), 2U);
+    now_s_ += 1.5;
+    turn();
+    EXPECT_EQ(server_->connections(), 0U) << "what it said in between gains it nothing";
+    bool closed = false;
+    EXPECT_EQ(silent.rest(&closed), "");
+    EXPECT_TRUE(closed);
+    EXPECT_EQ(status_of(page()), 200);
+}
+
+TEST_F(ShareServerAtWork, GivesASecondAnswerOnTheSameConnection) {
+    test::HttpClient client(port_, 500);
+    for (int i = 0; i < 5; ++i) {
+        client.say(page());
+        turn(3);
+        EXPECT_EQ(client.answer().status, 200);
+        now_s_ += 8.0;
+    }
+}
+
+TEST_F(ShareServerAtWork, EndsWhileClientsAreThere) {
+    test::HttpClient waiting(port_, 500);
+    test::HttpClient halfway(port_, 500);
+    halfway.say("GET /" + code_);
+    turn();
+    server_.reset();
+    bool closed = false;
+    static_cast<void>(waiting.rest(&closed));
+    EXPECT_TRUE(closed);
+}
+
+}  // namespace
+}  // namespace onggi::app

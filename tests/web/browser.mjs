@@ -1,0 +1,26 @@
+// Debian's Chromium, and what a page in it must not do. Shared by the checks that open pages.
+import { chromium } from 'playwright-core';
+
+const BROWSER = process.env.ONGGI_CHROMIUM ?? '/usr/bin/chromium';
+const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
+
+export const launch = () => chromium.launch({ executablePath: BROWSER, args: FLAGS });
+
+export function expect(holds, words) {
+    if (!holds) throw new Error(words);
+}
+
+/** Collects every console error, failed request, and request to another host. */
+export function watch(page, origin) {
+    const complaints = [];
+    page.on('console', (message) => { if (message.type() === 'error') complaints.push(`console: ${message.text()}`); });
+    page.on('pageerror', (problem) => complaints.push(`page: ${problem.message}`));
+    page.on('requestfailed', (request) => complaints.push(`request: ${request.url()} ${request.failure()?.errorText}`));
+    page.on('request', (request) => {
+        if (!/^(data|blob):/.test(request.url()) && new URL(request.url()).origin !== origin) {
+            complaints.push(`off-site: ${request.url()}`);
+        }
+    });
+    return complaints;
+}

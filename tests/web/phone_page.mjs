@@ -1,0 +1,230 @@
+// node phone_page.mjs ONGGI MAKE_OUTBOX SESSION FOLDER: opens a shared pot's page as phones and tablets do, in every
+// language, by the kiosk's server and by a plain web server, and looks at what arrived. Writes screenshots.
+import { mkdir, readFile, rm } from 'node:fs/promises';
+import { expect, launch, watch } from './browser.mjs';
+import { difference, makePictures } from './phone_pictures.mjs';
+import { makeOutbox, serveByOnggi, serveByPython } from './phone_programs.mjs';
+import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
+
+const LANGUAGES = { en: 'ltr', ko: 'ltr', ar: 'rtl' };
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true };
+const DRAWN = { timeout: 20_000 };
+
+const [onggi, makeProgram, session, folder] = process.argv.slice(2);
+if (!folder) {
+    console.error('expected: node phone_page.mjs ONGGI MAKE_OUTBOX SESSION FOLDER');
+    process.exit(2);
+}
+
+async function opened(browser, origin, path, options, ready = '.drawn') {
+    const context = await browser.newContext({ acceptDownloads: true, ...options });
+    const page = await context.newPage();
+    const complaints = watch(page, origin);
+    await page.goto(origin + path);
+    if (ready) await page.waitForSelector(ready, DRAWN);
+    return { context, page, complaints };
+}
+
+/** The pot covers a good part of its stage, turns, obeys a finger and the button. */
+async function expectDrawnPot(browser, page) {
+    const stage = page.locator('#stage');
+    await page.locator('#stage button').click();
+    await page.waitForTimeout(100);
+    const still = await stage.screenshot();
+    await page.waitForTimeout(200);
+    expect(await difference(browser, still, await stage.screenshot()) === 0, 'expected the button to stop the pot');
+    const box = await stage.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(150);
+    const turned = await difference(browser, still, await stage.screenshot());
+    expect(turned > 0.01, `expected a finger to turn the pot, found ${turned} of the picture changed`);
+    await page.locator('#stage canvas').press('ArrowLeft');
+    await page.waitForTimeout(150);
+    await page.evaluate(() => { document.querySelector('#stage canvas').style.visibility = 'hidden'; });
+    const empty = await stage.screenshot();
+    const covered = await difference(browser, still, empty);
+    expect(covered > 0.2 && covered < 0.75, `expected a pot on the stage, found ${covered} covered`);
+    return covered;
+}
+
+/** Each file, saved as a visitor saves it, is the one that was put, to the byte. */
+async function expectFiles(page, code) {
+    for (const [name, ending] of [['pot.png', 'png'], ['pot.glb', 'glb'], ['pot.stl', 'stl'], ['film.webp', 'webp']]) {
+        const [download] = await Promise.all([
+            page.waitForEvent('download'), page.locator(`.files a[href="${name}"]`).click()]);
+        expect(download.suggestedFilename() === `onggi-${code}.${ending}`, `found ${download.suggestedFilename()}`);
+        const saved = await readFile(await download.path());
+        const put = await readFile(`${folder}/${name}`);
+        expect(saved.equals(put), `${name}: expected ${put.length} bytes as they were put, found others`);
+    }
+}
+
+async function lookAt(browser, origin, code, language, look, scheme, name) {
+    const { context, page, complaints } = await opened(browser, origin, `/${code}/${language}.html`,
+        { ...look, colorScheme: scheme, locale: 'de-DE' });
+    const said = await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir,
+        document.documentElement.scrollWidth <= innerWidth, document.cookie]);
+    expect(said[0] === language && said[1] === LANGUAGES[language], `found ${said}`);
+    expect(said[2], 'expected nothing beside the screen');
+    expect(said[3] === '', 'expected no cookie');
+    for (const rule of [unnamed, tooSmall, tooFaint]) {
+        const broken = await page.evaluate(rule);
+        expect(broken.length === 0, `${rule.name}: ${broken.join('; ')}`);
+    }
+    await page.screenshot({ path: `${folder}/${name}.png`, fullPage: true });
+    const covered = await expectDrawnPot(browser, page);
+    expect(complaints.length === 0, complaints.join('; '));
+    await context.close();
+    return `${(100 * covered).toFixed(0)} % of the stage covered`;
+}
+
+const CHECKS = {};
+
+for (const [look, form, scheme, languages] of [[PHONE, 'phone', 'dark', ['en', 'ko', 'ar']], [PHONE, 'phone', 'light', ['ko']],
+    [TABLET, 'tablet', 'light', ['en', 'ar']], [TABLET, 'tablet', 'dark', ['ko']]]) {
+    for (const language of languages) {
+        const name = `${form}-${scheme}-${language}`;
+        CHECKS[name] = ({ browser, own, code }) => lookAt(browser, own.origin, code, language, look, scheme, name);
+    }
+}
+
+CHECKS['languages and files'] = async ({ browser, own, code }) => {
+    const { context, page, complaints } = await opened(browser, own.origin, `/${code}/`, PHONE);
+    expect(await page.getAttribute('html', 'lang') === 'en', 'expected the language of the visit');
+    await expectFiles(page, code);
+    await page.click('nav a[lang="ar"]');
+    await page.waitForSelector('html[dir="rtl"] .drawn', DRAWN);
+    await page.click('#film');
+    await page.waitForSelector('#film.playing img[src$="film.webp"]');
+    expect(complaints.length === 0, complaints.join('; '));
+    await context.close();
+    return 'four files to the byte';
+};
+
+CHECKS['without a script'] = async ({ browser, own, code }) => {
+    const { context, page, complaints } = await opened(browser, own.origin, `/${code}/`,
+        { ...PHONE, javaScriptEnabled: false }, '#stage img');
+    await page.screenshot({ path: `${folder}/no-script.png`, fullPage: true });
+    const links = await page.locator('.files a:visible').count();
+    expect(links === 4, `expected four files to save, found ${links}`);
+    await expectFiles(page, code);
+    await page.click('nav a[lang="ko"]');
+    await page.waitForSelector('html[lang="ko"]');
+    expect(complaints.length === 0, complaints.join('; '));
+    await context.close();
+    return 'poster, links, languages';
+};
+
+CHECKS['less motion, and saved data'] = async ({ browser, own, code }) => {
+    const calm = await opened(browser, own.origin, `/${code}/`, { ...PHONE, reducedMotion: 'reduce' });
+    const stage = calm.page.locator('#stage');
+    const before = await stage.screenshot();
+    await calm.page.waitForTimeout(400);
+    expect(await difference(browser, before, await stage.screenshot()) === 0, 'expected a pot at rest');
+    await calm.context.close();
+    const context = await browser.newContext(PHONE);
+    await context.addInitScript(() => Object.defineProperty(navigator, 'connection', { value: { saveData: true } }));
+    const page = await context.newPage();
+    const asked = [];
+    page.on('request', (request) => asked.push(new URL(request.url()).pathname.split('/').pop()));
+    await page.goto(`${own.origin}/${code}/`, { waitUntil: 'load' });
+    await page.waitForTimeout(300);
+    expect(await page.locator('canvas').count() === 0, 'expected the poster to stay');
+    expect(!asked.includes('surface.webp'), 'expected no texture to be fetched');
+    await context.close();
+    return 'at rest; poster only';
+};
+
+CHECKS['a code that is none'] = async ({ browser, own, code }) => {
+    const context = await browser.newContext({ ...PHONE, locale: 'ko-KR' });
+    const page = await context.newPage();
+    const answer = await page.goto(`${own.origin}/7777ZZZZ/`);
+    expect(answer.status() === 404, `found ${answer.status()}`);
+    expect(await page.getAttribute('html', 'lang') === 'ko', 'expected the phone\'s language first');
+    await page.screenshot({ path: `${folder}/lost.png` });
+    await page.goto(own.origin);
+    await page.screenshot({ path: `${folder}/ask.png` });
+    await page.fill('#code', `${code.slice(0, 4).toLowerCase()}-${code.slice(4)}`);
+    await page.click('button');
+    await page.waitForSelector('.drawn', DRAWN);
+    expect(page.url() === `${own.origin}/${code}/`, `found ${page.url()}`);
+    await context.close();
+    return 'a kind page; a typed code finds its pot';
+};
+
+CHECKS['a plain web server'] = async ({ browser, plain, code }) => {
+    const { context, page, complaints } = await opened(browser, plain.origin, `/${code}/`, PHONE);
+    await expectDrawnPot(browser, page);
+    await expectFiles(page, code);
+    await page.goto(plain.origin);
+    await page.fill('#code', code.toLowerCase());
+    await page.click('button');
+    await page.waitForSelector('.drawn', DRAWN);
+    expect(complaints.length === 0, complaints.join('; '));
+    await context.close();
+    return 'the same folder, the same page';
+};
+
+CHECKS['augmented reality'] = async ({ browser, own }) => {
+    const code = await makeOutbox(makeProgram, session, folder, ['--url', 'https://museum.example/pots']);
+    const agent = 'Mozilla/5.0 (Linux; Android 14) AppleWebKit/537.36 Chrome/130 Mobile';
+    const android = await opened(browser, own.origin, `/${code}/`, { ...PHONE, userAgent: agent });
+    const link = android.page.locator('#ar');
+    expect(await link.isVisible(), 'expected a button on Android');
+    expect((await link.getAttribute('href')).includes(`file=https://museum.example/pots/${code}/pot.glb&`), 'found another link');
+    await android.context.close();
+    const other = await opened(browser, own.origin, `/${code}/`, PHONE);
+    expect(!await other.page.locator('#ar').isVisible(), 'expected none elsewhere');
+    await other.context.close();
+    return 'Scene Viewer, on Android, behind https';
+};
+
+CHECKS['a slow phone'] = async ({ browser, own, code }) => {
+    const context = await browser.newContext(PHONE);
+    const page = await context.newPage();
+    const link = await context.newCDPSession(page);
+    // What Chromium calls fast 3G: 1.6 Mbit/s, 150 ms there and back.
+    await link.send('Network.emulateNetworkConditions', { offline: false, latency: 150, downloadThroughput: 200_000, uploadThroughput: 90_000 });
+    await page.goto(`${own.origin}/${code}/`, { waitUntil: 'load' });
+    const times = await page.evaluate(() => performance.getEntriesByType('resource').concat(performance.getEntriesByType('navigation'))
+        .map((entry) => [new URL(entry.name).pathname.split('/').pop() || 'page', Math.round(entry.responseEnd), entry.transferSize]));
+    const poster = times.find(([name]) => name === 'poster.webp');
+    const bytes = times.reduce((sum, entry) => sum + entry[2], 0);
+    expect(poster[1] < 1000, `expected the poster within a second, found ${poster[1]} ms`);
+    expect(bytes < 150_000, `expected less than 150 kB, found ${bytes}`);
+    await context.close();
+    return `poster after ${poster[1]} ms, ${bytes} bytes until loaded: ${times.map(([name, , size]) => `${name} ${size}`).join(', ')}`;
+};
+
+await rm(folder, { recursive: true, force: true });
+await mkdir(folder, { recursive: true });
+await makeOutbox(makeProgram, session, folder);
+const browser = await launch();
+const failed = [];
+let own;
+let plain;
+try {
+    await makePictures(browser, folder);
+    const code = await makeOutbox(makeProgram, session, folder,
+        ['poster', 'film', 'surface'].flatMap((name) => [`--${name}`, `${folder}/${name}.webp`]));
+    own = await serveByOnggi(onggi, `${folder}/box`);
+    plain = await serveByPython(`${folder}/box`);
+    for (const [name, check] of Object.entries(CHECKS)) {
+        try {
+            console.log(`${name}: ${await check({ browser, own, plain, code })}`);
+        } catch (problem) {
+            failed.push(name);
+            console.error(`${name}: FAILED: ${problem.message}`);
+        }
+    }
+} finally {
+    await browser.close();
+    await own?.stop();
+    await plain?.stop();
+}
+console.log(`${Object.keys(CHECKS).length - failed.length} passed, ${failed.length} failed`);
+process.exitCode = failed.length === 0 ? 0 : 1;
