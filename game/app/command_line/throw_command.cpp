@@ -83,7 +83,7 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     command->add_flag("--beauty", outputs.beauty, "the picture as the mean of many: finer, and slower")
         ->needs(screenshot);
     add_view_option(*command, outputs.view, screenshot);
-    add_firing_option(*command, outputs.stage);
+    add_firing_option(*command, outputs.stage, "the stage that --export and --screenshot show");
     add_target_option(*command, options->target);
     add_output("--save", outputs.session, "F.onggi", "the session, for replay");
     add_output("--stats", outputs.stats, "F.json", "what the ticks cost");
