@@ -10,6 +10,12 @@ find_package(PNG REQUIRED)
 find_package(TinyGLTF REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebpmux libwebp)
+# Debian's lib3MF.pc asks for the -dev packages of what the library uses within itself.
+find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
+find_library(LIB3MF_LIBRARY 3MF REQUIRED)
+add_library(onggi_lib3mf INTERFACE)
+target_include_directories(onggi_lib3mf SYSTEM INTERFACE ${LIB3MF_INCLUDE})
+target_link_libraries(onggi_lib3mf INTERFACE ${LIB3MF_LIBRARY})
 pkg_check_modules(PANGOCAIRO REQUIRED IMPORTED_TARGET pangocairo)
 pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 

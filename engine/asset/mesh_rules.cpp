@@ -43,4 +43,10 @@ Result<void> check_mesh(const Mesh& mesh) {
     return {};
 }
 
+vec3 z_up_mm(const vec3& place_m) {
+    constexpr float kMmPerMetre = 1000.0F;
+    // Adding +0 turns -0 into +0 and changes nothing else.
+    return kMmPerMetre * vec3(place_m.x, -place_m.z, place_m.y) + vec3(0.0F);
+}
+
 }  // namespace onggi::asset

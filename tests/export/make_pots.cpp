@@ -26,11 +26,12 @@ bool write(const std::filesystem::path& path, const std::vector<std::byte>& byte
     return file.good();
 }
 
-// Both kinds of file; false after saying what went wrong.
+// All kinds of file; false after saying what went wrong.
 template <typename Export>
-bool write_both(const std::filesystem::path& folder, const std::string& name, Export export_as) {
-    for (const auto& [kind, ending] :
-         {std::pair{share::ExportKind::kGlb, ".glb"}, {share::ExportKind::kStl, ".stl"}}) {
+bool write_all(const std::filesystem::path& folder, const std::string& name, Export export_as) {
+    for (const auto& [kind, ending] : {std::pair{share::ExportKind::kGlb, ".glb"},
+                                       {share::ExportKind::kStl, ".stl"},
+                                       {share::ExportKind::k3mf, ".3mf"}}) {
         const Result<std::vector<std::byte>> bytes = export_as(kind);
         const std::filesystem::path path = folder / (name + ending);
         if (bytes && write(path, *bytes)) continue;
@@ -48,7 +49,7 @@ void say(const std::string& name, const share::PotSolid& built) {
 
 bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample& pot,
                    nlohmann::json& expected) {
-    if (!write_both(folder, pot.name, [&](auto kind) { return share::export_pot(pot.rings(), kind); }))
+    if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.rings(), kind); }))
         return false;
     const auto built = share::build_pot_solid(pot.rings());
     if (!built) return false;
@@ -64,8 +65,7 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
 
 bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                     nlohmann::json& expected) {
-    if (!write_both(folder, pot.name,
-                    [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
+    if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(pot.clay.lump().body, pot.stage);
     const auto built = share::build_pot_solid(share::rings_of(pot.clay.rings()));

@@ -32,34 +32,32 @@ Result<void> check_endings(const ThrowOutputs& outputs) {
 }
 
 Result<std::vector<std::byte>> model_for(const std::string& place, const haptic::HapticState& state,
-                                         clay::Firing stage) {
+                                         clay::Firing stage, const asset::Image* picture) {
     const auto kind = share::export_kind_of(place);
     if (!kind) return kind.error();
-    return model_bytes(state, *kind, stage);
+    return model_bytes(state, *kind, stage, picture);
 }
 
-Result<std::vector<std::byte>> picture_bytes(const ThrowOutputs& outputs, const haptic::HapticState& state,
-                                             const haptic::TickResult& last,
-                                             const haptic::HapticParameters& parameters,
-                                             const haptic::PotShape& shape) {
+Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::HapticState& state,
+                                const haptic::TickResult& last, const haptic::HapticParameters& parameters,
+                                const haptic::PotShape& shape) {
     haptic::Snapshot snapshot;
     haptic::fill_snapshot(snapshot, state, last, parameters);
     const haptic::PotShape fired = shrunk(shape, clay::shrunk_scale(snapshot.body, outputs.stage));
     snapshot.shape = &fired;
     wheel::PotView pot = pot_view(snapshot);
     pot.stage = outputs.stage;
-    const auto image = wheel::render_still(pot, outputs.size.width, outputs.size.height,
-                                           {.view = outputs.view, .beauty = outputs.beauty});
-    if (!image) return image.error();
-    return asset::encode_png(*image);
+    return wheel::render_still(pot, outputs.size.width, outputs.size.height,
+                               {.view = outputs.view, .beauty = outputs.beauty});
 }
 
 }  // namespace
 
 Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, share::ExportKind kind,
-                                           clay::Firing stage) {
-    if (const clay::StudioClay* studio = state.studio()) return share::export_pot(*studio, stage, kind);
-    return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind);
+                                           clay::Firing stage, const asset::Image* picture) {
+    if (const clay::StudioClay* studio = state.studio())
+        return share::export_pot(*studio, stage, kind, nullptr, picture);
+    return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind, picture);
 }
 
 Result<void> check_outputs(const ThrowOutputs& outputs) {
@@ -131,10 +129,16 @@ Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const
     Result<void> done;
     const haptic::PotShape shape = haptic::first_shape(state);
     // The picture first: it is what may be missing its device.
-    if (outputs_.screenshot)
-        done = prepare(*outputs_.screenshot, picture_bytes(outputs_, state, last, parameters_, shape));
+    std::optional<asset::Image> picture;
+    if (outputs_.screenshot) {
+        auto drawn = picture_of(outputs_, state, last, parameters_, shape);
+        if (!drawn) return drawn.error();
+        picture = std::move(drawn).value();
+        done = prepare(*outputs_.screenshot, asset::encode_png(*picture));
+    }
     if (done && outputs_.model)
-        done = prepare(*outputs_.model, model_for(*outputs_.model, state, outputs_.stage));
+        done = prepare(*outputs_.model,
+                       model_for(*outputs_.model, state, outputs_.stage, picture ? &*picture : nullptr));
     if (done && outputs_.profile) done = prepare_text(*outputs_.profile, profile_table(state));
     const clay::StudioClay* studio = state.studio();
     std::optional<TargetScore> target;

@@ -151,9 +151,15 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (!bytes) return bytes.error();
         return files::write_file_atomically(folder->inside() / name, *bytes);
     };
-    // First, so that its pixels are gone before the solids are made.
-    if (auto written = write("pot.png", asset::encode_png(straight(std::move(pot.portrait)))); !written)
-        return written.error();
+    {
+        // First, so that its pixels are gone before the other solids are made.
+        const asset::Image portrait = straight(std::move(pot.portrait));
+        if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
+        if (auto written = write("pot.3mf", share::export_pot(*pot.clay, clay::Firing::kGlaze,
+                                                              share::ExportKind::k3mf, nullptr, &portrait));
+            !written)
+            return written.error();
+    }
     const asset::Material material = gltf_material(*pot.glaze);
     if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,
                                                           share::ExportKind::kGlb, &material));
