@@ -105,7 +105,7 @@ struct MoverDraw {
     vec4 row_y;
     vec4 row_z;
     vec4 albedo;   // rgb; w roughness
-    vec4 clay;     // rgb of the clay that lies on it; w how wet that is
+    vec4 smear;    // rgb of what lies on it; w how wet that is
     vec4 surface;  // metalness; unused
 };
 
@@ -114,7 +114,7 @@ struct LatheDraw {
     vec4 dry;    // albedo; w streaks
     vec4 wet;    // albedo of the body full of water; w soft edge
     vec4 gloss;  // roughness of the dry body; of the wet one; of the film or the glaze; weight of the glaze
-    vec4 turn;   // x how far the slip has turned, in widths of its texture; y vertices in a row;
+    vec4 turn;   // x how far the streaks have turned, in widths of their texture; y vertices in a row;
                  // z mirror of the film, straight on; w one over the soft edge
 };
 

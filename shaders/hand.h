@@ -1,5 +1,5 @@
-// What a hand or a tool sends to the eye: soft light on flesh, cloth and wood, a wet gleam where clay lies on
-// it.
+// What a hand or a tool sends to the eye: soft light on flesh, cloth and wood, a wet gleam where something
+// lies on it.
 #ifndef ONGGI_SHADERS_HAND_H
 #define ONGGI_SHADERS_HAND_H
 #include "formula.h"
@@ -12,9 +12,9 @@ namespace onggi::shaders {
 
 CONSTANT float kPlainMirror = 0.04F;
 
-// `tone`: lighter or darker there; `smear`: of clay.
-FORMULA COLOUR hand_albedo(COLOUR own, COLOUR clay, REAL tone, REAL smear) {
-    return mix(own * (0.5F + tone), clay, smear);
+// `tone`: lighter or darker there; `smear`: how much of `smeared` lies on it.
+FORMULA COLOUR hand_albedo(COLOUR own, COLOUR smeared, REAL tone, REAL smear) {
+    return mix(own * (0.5F + tone), smeared, smear);
 }
 FORMULA REAL hand_roughness(REAL own, REAL wetness, REAL smear) {
     return mix(own, 0.72F - 0.22F * wetness, smear);

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Thrown clay, see clay.h, with the outline's own normal at every pixel and slip that turns with it. A number of
+// The lathe, see lathe.h, with the outline's own normal at every pixel and streaks that turn with it. A number of
 // a uniform buffer costs thirty multiplications on a software device: what changes slowly or not at all comes
 // from the vertices.
 #include "frame_data.h"
-#include "clay.h"
+#include "lathe.h"
 #ifdef ONGGI_LOAD
 #include "load.glsl"
 #endif
@@ -40,11 +40,11 @@ void main() {
     int texel = clamp(int(outline.z * float(kProfileTexels)), 0, kProfileTexels - 1);
     vec2 profile = from_sixteen_bits(texelFetch(outline_normals, texel).r) * 2.0 - 1.0;
     // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
-    vec4 slip = texture(detail, detail_at.xy);
+    vec4 mark = texture(detail, detail_at.xy);
     float streaks = gloss_of.x;
-    vec2 lean = vec2(clay_lean(streaks, slip.g), clay_lean(streaks, slip.b));
+    vec2 lean = vec2(lathe_lean(streaks, mark.g), lathe_lean(streaks, mark.b));
     vec2 outward = outline.xy;
-    // Dents and slip lean the wall; between two sectors the way outwards is a chord, a little shorter than 1.
+    // Dents and streaks lean the wall; between two sectors the way outwards is a chord, a little shorter than 1.
     vec3 n = normalize(vec3(profile.x * outward.x - lean.x * outward.y,
                             profile.y - profile.x * detail_at.w + lean.y,
                             profile.x * outward.y + lean.x * outward.x));
@@ -53,7 +53,7 @@ void main() {
     float n_l = dot(n, l);
     float n_v = max(dot(n, v), 0.05);
     float l_v = dot(l, v);
-    vec3 albedo = body_albedo.rgb * clay_tone(streaks, slip.r);
+    vec3 albedo = body_albedo.rgb * lathe_tone(streaks, mark.r);
 #ifdef ONGGI_LOAD
     albedo = with_load(albedo, load.x, load.y);
 #endif
@@ -68,16 +68,16 @@ void main() {
     float t = fujii_t(s, n_l, n_v);
     float n_h = max((n_v + n_l) * slow.y, 0.0);
     float light_l = max(n_l, 0.0);
-    float film = clay_film(detail_at.z, slip.a, gloss_of.z);
+    float film = lathe_film(detail_at.z, mark.a, gloss_of.z);
     float body_under = ggx_under(n_h, n_v, light_l, ambient.w);
     float sheen_under = ggx_under(n_h, n_v, light_l, gloss_of.y);
     float body_sheen = body_under * sheen_under;
     float share = 1.0 / (body_sheen * t);
-    float lit = clay_lit(soft_cosine(n_l, light_from.w, radiance.w), mirrored.w, s, body_sheen, share,
+    float lit = lathe_lit(soft_cosine(n_l, light_from.w, radiance.w), mirrored.w, s, body_sheen, share,
                          body_albedo.w);
-    float gloss = clay_gloss(ggx_over(light_l, ambient.w), body_under, ggx_over(light_l, gloss_of.y), sheen_under,
+    float gloss = lathe_gloss(ggx_over(light_l, ambient.w), body_under, ggx_over(light_l, gloss_of.y), sheen_under,
                              gloss_of.w, film, share * t);
     vec3 light = albedo * (ambient.rgb + radiance.rgb * (lit * seen)) + radiance.rgb * (gloss * seen) +
-                 mirrored.rgb * clay_mirror(gloss_of.w, n_v, film);
+                 mirrored.rgb * lathe_mirror(gloss_of.w, n_v, film);
     out_colour = vec4(encode(light), 1.0);
 }

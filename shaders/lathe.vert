@@ -3,7 +3,7 @@
 // A pot's vertices, placed on the processor; here the light that changes slowly over them: llvmpipe pays for
 // pixels, not for a few thousand vertices.
 #include "frame.glsl"
-#include "clay.h"
+#include "lathe.h"
 #include "sky.glsl"
 #include "spheres.glsl"
 
@@ -20,7 +20,7 @@ layout(push_constant) uniform DrawBlock {
 layout(location = 0) out vec3 out_to_eye;     // mm
 layout(location = 1) out vec4 out_outline;    // xy: the way outwards; z: where its normal lies in the texture;
                                               // w: key light that gets here
-layout(location = 2) out vec4 out_detail;     // xy: where its slip lies in the texture; z: water on it;
+layout(location = 2) out vec4 out_detail;     // xy: where its streaks lie in the texture; z: water on it;
                                               // w: how dents lean the wall, as a slope
 layout(location = 3) out vec4 out_ambient;    // diffuse, without the albedo; w: the body's roughness to gloss
 layout(location = 4) out vec4 out_mirrored;   // w: the body's roughness to what it throws back
@@ -49,24 +49,24 @@ void main() {
     vec3 n =
         normalize(vec3(profile.x * outward.x, profile.y - profile.x * vertex.lean.y, profile.x * outward.y));
     float inside = row.light.w;
-    float open = clay_open(row.light.z, row.place.y, n.y, inside) * sky_past_spheres(position, n);
-    vec3 from = normalize(mix(n, vec3(0.0, 1.0, 0.0), clay_from_mouth(inside, open)));
+    float open = lathe_open(row.light.z, row.place.y, n.y, inside) * sky_past_spheres(position, n);
+    vec3 from = normalize(mix(n, vec3(0.0, 1.0, 0.0), lathe_from_mouth(inside, open)));
     vec3 albedo = mix(draw.dry.rgb, draw.wet.rgb, row.water.x);
     out_to_eye = frame.eye.xyz - position;
     float nearness = inversesqrt(dot(out_to_eye, out_to_eye));
     vec3 v = out_to_eye * nearness;
     float l_v = dot(frame.key_direction.xyz, v);
     out_slow = vec2(nearness, half_of(l_v));
-    float rough = clay_rough(row.water.x);
+    float rough = lathe_rough(row.water.x);
     out_ambient = vec4(sky_diffuse(from) * open_sky_colour(open, albedo),
-                       clay_roughness(draw.gloss.x, draw.gloss.y, row.water.x));
-    out_mirrored = vec4(sky_radiance(reflect(-v, n), clay_sky_roughness(draw.gloss.w)) * open, rough);
-    out_albedo = vec4(albedo, clay_left(rough));
+                       lathe_roughness(draw.gloss.x, draw.gloss.y, row.water.x));
+    out_mirrored = vec4(sky_radiance(reflect(-v, n), lathe_sky_roughness(draw.gloss.w)) * open, rough);
+    out_albedo = vec4(albedo, lathe_left(rough));
     out_outline = vec4(outward, row.place.z, vertex.place.w);
-    vec2 detail_at = vec2(2.0 * vertex.lean.w, row.place.w / kSlipMm);
+    vec2 detail_at = vec2(2.0 * vertex.lean.w, row.place.w / kStreakMm);
     out_detail = vec4(detail_at.x + draw.turn.x, detail_at.y, row.water.y, vertex.lean.y);
 #ifdef ONGGI_LOAD
-    out_load = vec2(row.water.z, detail_at.x * kSlipRoundMm + detail_at.y * kSlipMm);
+    out_load = vec2(row.water.z, detail_at.x * kStreakRoundMm + detail_at.y * kStreakMm);
 #endif
     out_light_from = vec4(frame.key_direction.xyz, draw.wet.w);
     out_radiance = vec4(frame.key_radiance.rgb, draw.turn.w);

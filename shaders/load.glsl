@@ -1,4 +1,4 @@
-// The load of clay as it is shown on it, see load.h.
+// The load as it is shown on what bears it, see load.h.
 #include "load.h"
 
 // along: mm along the hatch's own axis.

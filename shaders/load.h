@@ -1,4 +1,4 @@
-// How near clay is to giving way, as it is shown on it: a hatch that grows denser and a colour that grows
+// How near a wall is to giving way, as it is shown on it: a hatch that grows denser and a colour that grows
 // redder, framed by pale lines where the warning begins. Place and pattern say it without the colour. And the
 // faces of a wall that is cut, as a drawing has them: pale, hatched at 45 degrees, with a line where they
 // end; a longer line every ten millimetres of height is a scale.

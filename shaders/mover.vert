@@ -28,9 +28,9 @@ void main() {
     vec3 v = normalize(frame.eye.xyz - p);
 
     float smear = wear.y;
-    vec3 albedo = hand_albedo(draw.albedo.rgb, draw.clay.rgb, wear.x, smear);
+    vec3 albedo = hand_albedo(draw.albedo.rgb, draw.smear.rgb, wear.x, smear);
     float metalness = draw.surface.x * (1.0 - smear);
-    float roughness = hand_roughness(draw.albedo.w, draw.clay.w, smear);
+    float roughness = hand_roughness(draw.albedo.w, draw.smear.w, smear);
     float open = wear.w;
     out_view = v;
     out_normal = n;

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace onggi::jobs {
 
@@ -21,6 +22,11 @@ class TripleBuffer {
   public:
     // Every slot starts as a copy of `initial`, which is also what the reader sees until the first publish.
     explicit TripleBuffer(const T& initial = T{}) : slots_{Slot{initial}, Slot{initial}, Slot{initial}} {}
+    // Every slot starts as what `make` gives, which keeps the room that its vectors have reserved: a copy
+    // would not.
+    template <typename Make>
+    requires std::is_invocable_r_v<T, const Make&>
+    explicit TripleBuffer(const Make& make) : slots_{Slot{make()}, Slot{make()}, Slot{make()}} {}
 
     TripleBuffer(const TripleBuffer&) = delete;
     TripleBuffer& operator=(const TripleBuffer&) = delete;

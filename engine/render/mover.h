@@ -1,4 +1,4 @@
-// What moves besides the clay: hands and tools, as meshes that are loaded once and placed every frame. Plain
+// What moves besides the lathe: hands and tools, as meshes that are loaded once and placed every frame. Plain
 // data, any thread. Lengths mm, colours linear light.
 #pragma once
 
@@ -15,7 +15,7 @@ struct MoverMesh {
     struct Vertex {
         vec3 position_mm{0.0F};
         vec3 normal{0.0F, 1.0F, 0.0F};
-        // 0 to 255: brightness of the colour about 128; how much clay lies on it; unused; ambient light that
+        // 0 to 255: brightness of the colour about 128; how much is smeared on it; unused; ambient light that
         // gets there.
         std::uint8_t tone = 128;
         std::uint8_t smear = 0;
@@ -25,7 +25,7 @@ struct MoverMesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
 
-    // Of the thing without clay on it.
+    // Of the thing with nothing smeared on it.
     vec3 albedo{0.5F};
     float roughness = 0.6F;  // GGX, 0.05 to 1
     float metalness = 0.0F;
@@ -52,8 +52,8 @@ using MoverLibrary = std::vector<MoverModel>;
 struct Mover {
     std::size_t model = 0;  // of the scene's library; beyond it: not drawn
     mat4 place{1.0F};       // rigid, but for a mirror and one scale
-    vec3 clay{0.3F};        // albedo of the clay that lies on it, as dark as it is wet
-    float wetness = 0.0F;   // of that clay, 0 to 1
+    vec3 smear{0.3F};       // albedo of what lies on it, as dark as it is wet
+    float wetness = 0.0F;   // of that, 0 to 1
 };
 
 // The box about a box that is placed.

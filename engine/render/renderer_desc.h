@@ -38,8 +38,9 @@ struct RendererDesc {
     float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly
     int max_rings = 256;           // hard cap, 16 to kMaxRings
     float ring_error_px = 0.1F;  // how far the drawn outline may lie from the true one, while the cap allows
-    int slip_across = 512;  // texels of the slip's texture, powers of two up to 512; no finer than a pixel
-    int slip_up = 512;
+    int streaks_across =
+        512;  // texels of the streaks' texture, powers of two up to 512; no finer than a pixel
+    int streaks_up = 512;
     bool smooths_outlines = false;    // of what moves; kCpu only, others have samples for it
     bool draws_hidden_faces = false;  // kCpu, of hands and tools: for tests
     bool inside_out = false;  // kVulkan, the lathe from its back faces, as a flipped winding would: for tests

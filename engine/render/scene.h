@@ -1,5 +1,5 @@
 // What a frame shows, as plain data: filled in by whoever owns the world (game/wheel does), read by the
-// renderer. It knows lathes, spheres and meshes, never clay. Any thread; one writer. Lengths are mm, angles
+// renderer. It knows lathes, spheres and meshes alone. Any thread; one writer. Lengths are mm, angles
 // rad, colours linear light (1 is a white sheet facing the key light, more or less). Frame: right-handed, +Y
 // up.
 #pragma once
@@ -29,13 +29,13 @@ struct Material {
     float grain_stretch = 1.0F;    // how much longer along X than across: wood
 };
 
-// Clay and its like: a rough body, the water in it and the water on it, or the glaze over it. Water in the
-// body darkens it, water on it shines; the two are told apart, because clay that has drunk its water is dark
-// and dull.
+// Earth and its like: a rough body, the water in it and the water on it, or the glaze over it. Water in the
+// body darkens it, water on it shines; the two are told apart, because a body that has drunk its water is
+// dark and dull.
 struct LatheMaterial {
     vec3 albedo{0.36F, 0.29F, 0.215F};  // of the dry body; of a glazed one: what is seen through the glaze
     float roughness = 0.62F;            // GGX, of the dry body
-    float streaks = 0.35F;              // slip left by the fingers, as a fraction of the albedo
+    float streaks = 0.35F;              // left by the fingers, as a fraction of the albedo
     float soft_edge = 0.14F;  // how far round the edge of the lit side light scatters, as a cosine: 0 to 0.5
     float wetness = 0.0F;     // water in the body, 0 to 1, where the lathe does not say it ring by ring
     float film = 0.0F;        // water on it, likewise

@@ -44,7 +44,7 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
       records_(options.record_capacity),
       hashes_(hash_capacity(options)),
       snapshots_(first_snapshot(start_, parameters_)),
-      shapes_(first_shape(start_)) {
+      pots_([&] { return PotCopy{.pot = pot_of(start_), .stamp = {}}; }) {
     hold_to(fits_.front());
     state_.take_memory();
 }
@@ -74,9 +74,10 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
 }
 
 const Snapshot& HapticWork::newest_snapshot() noexcept {
-    if (snapshots_.acquire() || newest_.shape == nullptr) newest_ = snapshots_.reading();
-    shapes_.acquire();
-    newest_.shape = &shapes_.reading();
+    if (snapshots_.acquire() || newest_.pot == nullptr) newest_ = snapshots_.reading();
+    pots_.acquire();
+    newest_.pot = &pots_.reading().pot;
+    newest_.pot_stamp = pots_.reading().stamp;
     return newest_;
 }
 
@@ -156,7 +157,7 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
 
 void HapticWork::put_on_fresh_lump() noexcept {
     state_.restart_from(start_);
-    shape_copy_.restart();
+    pot_copier_.restart();
     lump_is_fresh_ = true;
     ++run_;
 }
@@ -192,7 +193,7 @@ void HapticWork::put_on_states() noexcept {
             state_.wheel = put.state->wheel;
             state_.tool = put.state->tool;
             state_.ticks = put.state->ticks;
-            shape_copy_.restart();
+            pot_copier_.restart();
             state_was_put_ = true;
             ++states_put_;
         }
@@ -229,12 +230,11 @@ void HapticWork::publish(const TickResult& result) noexcept {
     snapshot.safety.silences = silences_;
     snapshot.safety.largest_force_n = std::sqrt(largest_force_n2_);
     snapshots_.publish();
-    PotShape& shape = shapes_.writing();
-    if (!shape_copy_.step(shape, state_, parameters_.dt_s())) return;
+    PotCopy& copy = pots_.writing();
+    if (!pot_copier_.step(copy.pot, state_, parameters_.dt_s())) return;
     // Another lump or state begins the copy anew, so that a whole one is of what is on the wheel now.
-    shape.run = run_;
-    shape.states_put = states_put_;
-    shapes_.publish();
+    copy.stamp = {.tick = state_.ticks, .run = run_, .states_put = states_put_};
+    pots_.publish();
 }
 
 HapticJob::HapticJob(HapticState start, const HapticParameters& parameters,

@@ -48,7 +48,7 @@ class HapticWork final : public jobs::PeriodicWork {
 
     // The other side of each hand-off: the one thread that is not the haptic one.
     // The newest snapshot; it stays as it is until the next call.
-    // Its shape is the newest whole one, and lives as long.
+    // Its pot is the newest whole one, and lives as long.
     [[nodiscard]] const Snapshot& newest_snapshot() noexcept;
     // False when the ring is full, which some hundred commands in one period take.
     [[nodiscard]] bool send(Command command) noexcept { return commands_.try_push(command); }
@@ -136,8 +136,8 @@ class HapticWork final : public jobs::PeriodicWork {
     jobs::SpscRing<TickRecord> records_;
     jobs::SpscRing<BlockHash> hashes_;
     jobs::TripleBuffer<Snapshot> snapshots_;
-    ShapeCopy shape_copy_;  // haptic thread
-    jobs::TripleBuffer<PotShape> shapes_;
+    PotCopier pot_copier_;  // haptic thread
+    jobs::TripleBuffer<PotCopy> pots_;
     Snapshot newest_;  // main thread
 };
 

@@ -9,7 +9,7 @@
 #include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
 #include "game/haptic/force_test.h"
-#include "game/haptic/pot_shape.h"
+#include "game/haptic/pot_copy.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::haptic {
@@ -62,12 +62,13 @@ struct Snapshot {
     bool is_cut_off = false;  // the pot is done
     clay::ClayBody body = clay::ClayBody::kStoneware;
     // The rings, which come at a pace of their own; never null in what newest_snapshot() gives.
-    const PotShape* shape = nullptr;
+    const pot::Pot* pot = nullptr;
+    PotStamp pot_stamp;
 };
 
-// A snapshot of the start, without a shape.
+// A snapshot of the start, without a pot.
 [[nodiscard]] Snapshot first_snapshot(const HapticState& start, const HapticParameters& parameters);
-// What state and result say; run, skipped_periods and shape are the job's to fill.
+// What state and result say; run, skipped_periods and pot are the job's to fill.
 void fill_snapshot(Snapshot& snapshot, const HapticState& state, const TickResult& result,
                    const HapticParameters& parameters) noexcept;
 

@@ -28,9 +28,9 @@ class PaintingStore {
           paints_(paints) {}
     std::shared_ptr<const ui::Painting> get(const ui::Sketch& sketch, std::uint64_t& key);
     // A painting that is made otherwise: pots.
-    std::shared_ptr<const PotPicture> pot(const PotSection& shape, const finish::GlazeMaterial& glaze,
+    std::shared_ptr<const PotPicture> pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                                           float px_per_mm, float elevation_rad);
-    std::shared_ptr<const TurningPot> turning(const PotSection& shape, const finish::GlazeMaterial& glaze,
+    std::shared_ptr<const TurningPot> turning(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                                               float px_per_mm, float elevation_rad, std::uint64_t& key);
     // What was not asked for during the last few compositions goes, earlier where it is much.
     void forget_unused();
@@ -154,10 +154,10 @@ class Page {
     void shelf(float top, float thickness);
     void pot_shadow(float centre_x, float y, float radius, float height);
     // A pot standing at a place at so many px a mm of the design; gives the rect it covers.
-    ui::Rect pot(const PotSection& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
+    ui::Rect pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
                  float brightness = 1.0F);
     // As pot(), and it turns.
-    ui::Rect turning_pot(const PotSection& shape, const finish::GlazeMaterial& glaze, float u_per_mm,
+    ui::Rect turning_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float u_per_mm,
                          vec2 foot);
     void ledge(float y);
 
@@ -168,7 +168,7 @@ class Page {
 
   private:
     // The shadow of a pot, and the rect that its picture covers.
-    ui::Rect stand(const PotSection& shape, float u_per_mm, vec2 foot);
+    ui::Rect stand(const pot::Section& shape, float u_per_mm, vec2 foot);
     [[nodiscard]] ui::TextStyle style(const Words& words) const;
     void name_ring(const ui::Rect& ring, const std::string& name);
     int add_target(const ui::Rect& rect, kiosk::Button button, int value, std::string name, bool repeats);

@@ -65,7 +65,7 @@ void Page::pot_shadow(float centre_x, float y, float radius, float height) {
     sprite(rect, std::move(sketch));
 }
 
-Rect Page::stand(const PotSection& shape, float u_per_mm, vec2 foot) {
+Rect Page::stand(const pot::Section& shape, float u_per_mm, vec2 foot) {
     const float px_per_u = composition_.px_per_u;
     const PotExtent extent = pot_extent(shape, u_per_mm * px_per_u, kMuseumElevationRad);
     const float foot_radius = shape.outside.empty() ? 0.0F : shape.outside.front().x * u_per_mm;
@@ -74,7 +74,7 @@ Rect Page::stand(const PotSection& shape, float u_per_mm, vec2 foot) {
             static_cast<float>(extent.width_px) / px_per_u, static_cast<float>(extent.height_px) / px_per_u};
 }
 
-Rect Page::pot(const PotSection& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
+Rect Page::pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
                float brightness) {
     const Rect rect = stand(shape, u_per_mm, foot);
     const auto picture = store_.pot(shape, glaze, u_per_mm * composition_.px_per_u, kMuseumElevationRad);
@@ -91,7 +91,7 @@ Rect Page::pot(const PotSection& shape, const finish::GlazeMaterial& glaze, floa
     return rect;
 }
 
-Rect Page::turning_pot(const PotSection& shape, const finish::GlazeMaterial& glaze, float u_per_mm,
+Rect Page::turning_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float u_per_mm,
                        vec2 foot) {
     const Rect rect = stand(shape, u_per_mm, foot);
     std::uint64_t key = 0;

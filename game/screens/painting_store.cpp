@@ -30,7 +30,7 @@ const std::shared_ptr<const ui::Painting>& nothing() {
     return empty;
 }
 
-std::uint64_t key_of(const PotSection& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+std::uint64_t key_of(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                      float elevation_rad) {
     StateHash hash;
     hash.add_word(shape.hash());
@@ -52,7 +52,7 @@ std::shared_ptr<const ui::Painting> PaintingStore::get(const ui::Sketch& sketch,
     return kept.value;
 }
 
-std::shared_ptr<const PotPicture> PaintingStore::pot(const PotSection& shape,
+std::shared_ptr<const PotPicture> PaintingStore::pot(const pot::Section& shape,
                                                      const finish::GlazeMaterial& glaze, float px_per_mm,
                                                      float elevation_rad) {
     if (paints_ == Paints::kNothing) return std::make_shared<const PotPicture>();
@@ -63,7 +63,7 @@ std::shared_ptr<const PotPicture> PaintingStore::pot(const PotSection& shape,
     return kept.value;
 }
 
-std::shared_ptr<const TurningPot> PaintingStore::turning(const PotSection& shape,
+std::shared_ptr<const TurningPot> PaintingStore::turning(const pot::Section& shape,
                                                          const finish::GlazeMaterial& glaze, float px_per_mm,
                                                          float elevation_rad, std::uint64_t& key) {
     key = key_of(shape, glaze, px_per_mm, elevation_rad);

@@ -4,63 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/hash.h"
 #include "game/screens/pot_samples.h"
 
 namespace onggi::screens {
 
-float PotSection::height_mm() const {
-    float highest = 0.0F;
-    for (const vec2& point : outside)
-        highest = std::max(highest, point.y);
-    return highest;
-}
-
-float PotSection::radius_mm() const {
-    float widest = 0.0F;
-    for (const vec2& point : outside)
-        widest = std::max(widest, point.x);
-    return widest;
-}
-
-std::uint64_t PotSection::hash() const {
-    StateHash hash;
-    for (const std::vector<vec2>* side : {&outside, &inside}) {
-        hash.add_word(side->size());
-        for (const vec2& point : *side)
-            hash.add(double{point.x}), hash.add(double{point.y});
-    }
-    return hash.value();
-}
-
-PotSection hollowed(std::vector<vec2> outside, float wall_mm, float floor_mm) {
-    PotSection shape{.outside = std::move(outside), .inside = {}};
-    for (auto point = shape.outside.rbegin(); point != shape.outside.rend(); ++point) {
-        const float radius = point->x - wall_mm;
-        if (point->y < floor_mm || radius <= 0.0F) break;
-        shape.inside.push_back({radius, point->y});
-    }
-    if (shape.inside.empty()) return shape;
-    shape.inside.push_back({0.6F * shape.inside.back().x, floor_mm});
-    shape.inside.push_back({0.0F, floor_mm});
-    return shape;
-}
-
-const PotSection& fresh_lump() {
-    static const PotSection shape{.outside = {{62.0F, 0.0F},
-                                              {67.0F, 8.0F},
-                                              {68.0F, 24.0F},
-                                              {66.0F, 42.0F},
-                                              {60.0F, 62.0F},
-                                              {50.0F, 80.0F},
-                                              {34.0F, 92.0F},
-                                              {16.0F, 98.0F},
-                                              {0.5F, 99.0F}},
-                                  .inside = {}};
-    return shape;
-}
-
-PotExtent pot_extent(const PotSection& shape, float px_per_mm, float elevation_rad) {
+PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation_rad) {
     constexpr float kMarginPx = 2.0F;
     const float sine = std::sin(elevation_rad);
     const float half_width = shape.radius_mm() * px_per_mm + kMarginPx;
@@ -102,7 +50,7 @@ void paint_band(const PotSamples& samples, const PotShading& shading, float turn
 
 }  // namespace
 
-PotPicture paint_pot(const PotSection& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                      float elevation_rad, float turn) {
     const PotShading shading(glaze, shape.height_mm(), elevation_rad);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);

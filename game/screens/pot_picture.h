@@ -3,30 +3,11 @@
 // Any thread; pure.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "engine/ui/painting.h"
 #include "game/finish/glaze.h"
+#include "game/pot/section.h"
 
 namespace onggi::screens {
-
-// The wall's section, mm: up the outside from the foot, over the rim, down the inside to the axis. An inside
-// that is missing is a solid lump.
-struct PotSection {
-    std::vector<vec2> outside;  // (radius, height), heights rising
-    std::vector<vec2> inside;   // (radius, height), rim first, heights falling; may be empty
-
-    [[nodiscard]] float height_mm() const;
-    [[nodiscard]] float radius_mm() const;  // the largest
-    [[nodiscard]] std::uint64_t hash() const;
-};
-
-// A wall of this thickness inside an outline that is only known from without.
-[[nodiscard]] PotSection hollowed(std::vector<vec2> outside, float wall_mm, float floor_mm);
-
-// A fresh lump of one kilogram: about as wide as it is high.
-[[nodiscard]] const PotSection& fresh_lump();
 
 // How large its picture is, pixels, and where in it the middle of the foot stands.
 struct PotExtent {
@@ -34,7 +15,7 @@ struct PotExtent {
     int height_px = 0;
     vec2 foot_px{0.0F};
 };
-[[nodiscard]] PotExtent pot_extent(const PotSection& shape, float px_per_mm, float elevation_rad);
+[[nodiscard]] PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation_rad);
 
 struct PotPicture {
     ui::Painting painting;
@@ -43,7 +24,7 @@ struct PotPicture {
 };
 
 // elevation: of the eye above the horizon. turn: how far the pot has turned, 0 to 1.
-[[nodiscard]] PotPicture paint_pot(const PotSection& shape, const finish::GlazeMaterial& glaze,
+[[nodiscard]] PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                                    float px_per_mm, float elevation_rad, float turn = 0.0F);
 
 }  // namespace onggi::screens

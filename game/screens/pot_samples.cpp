@@ -91,7 +91,7 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
 
 }  // namespace
 
-PotSamples sample_pot(const PotSection& shape, float px_per_mm, float elevation_rad, const PotBand& band) {
+PotSamples sample_pot(const pot::Section& shape, float px_per_mm, float elevation_rad, const PotBand& band) {
     const float scale = px_per_mm * kSamplesAcross;
     const float sine = std::sin(elevation_rad);
     const float cosine = std::cos(elevation_rad);

@@ -32,7 +32,7 @@ struct PotBand {
 };
 
 // Parallel view, elevation_rad above the horizon. A sample is the same to the bit in any band.
-[[nodiscard]] PotSamples sample_pot(const PotSection& shape, float px_per_mm, float elevation_rad,
+[[nodiscard]] PotSamples sample_pot(const pot::Section& shape, float px_per_mm, float elevation_rad,
                                     const PotBand& band = {});
 
 }  // namespace onggi::screens

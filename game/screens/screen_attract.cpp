@@ -254,7 +254,7 @@ void draw_choose(Page& page) {
     const auto pot = [&](const Choice& choice, vec2 foot) -> Rect {
         const bool free = choice.exhibit == nullptr;
         const Rect rect =
-            page.pot(free ? fresh_lump() : choice.exhibit->shape,
+            page.pot(free ? pot::fresh_lump() : choice.exhibit->shape,
                      free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
         page.keep_clear(rect);
         // Where a finger finds it, however flat a bowl is.

@@ -80,7 +80,7 @@ void kiln(Page& page, vec2 floor, float scale) {
     page.sprite(field, std::move(sketch));
 }
 
-float fitting_scale(const PotSection& shape, float box_width, float box_height) {
+float fitting_scale(const pot::Section& shape, float box_width, float box_height) {
     const float across = 2.0F * std::max(1.0F, shape.radius_mm());
     const float up = std::max(1.0F, shape.height_mm()) + 0.24F * shape.radius_mm();
     return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);

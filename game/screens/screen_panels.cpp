@@ -186,7 +186,7 @@ void draw_resume(Page& page) {
     const float shelf_y = tall ? 820.0F : height - 206.0F;
     page.shelf(shelf_y, 30.0F);
     page.keep_clear(
-        page.pot(fresh_lump(), finish::wet_clay(), tall ? 2.2F : 1.6F, {0.5F * width, shelf_y + 9.0F}));
+        page.pot(pot::fresh_lump(), finish::wet_clay(), tall ? 2.2F : 1.6F, {0.5F * width, shelf_y + 9.0F}));
     page.words({60.0F, tall ? 250.0F : 70.0F, width - 120.0F, 160.0F}, {.text = page.t("resume.title"),
                                                                         .size = 50.0F,
                                                                         .line = 68.0F,

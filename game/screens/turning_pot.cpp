@@ -39,7 +39,7 @@ class Encoding {
 
 }  // namespace
 
-TurningPot::TurningPot(const PotSection& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                        float elevation_rad) {
     const PotShading shading(glaze, shape.height_mm(), elevation_rad);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
@@ -54,7 +54,7 @@ TurningPot::TurningPot(const PotSection& shape, const finish::GlazeMaterial& gla
     pixels_.shrink_to_fit();
 }
 
-void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading, const PotSection& shape,
+void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading, const pot::Section& shape,
                             float foot_bare_mm) {
     const int first_row = samples.top / kSamplesAcross;
     const float row_per_mm = static_cast<float>(kRows - 1) / std::max(1.0F, shape.height_mm());
@@ -92,7 +92,7 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
     }
 }
 
-void TurningPot::fill_colours(const PotSection& shape, const finish::GlazeMaterial& glaze,
+void TurningPot::fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                               float elevation_rad) {
     const PotShading shading(glaze, shape.height_mm(), elevation_rad);
     colours_.resize(static_cast<std::size_t>(kRows + 1) * kColumns, glaze.body);

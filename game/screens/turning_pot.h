@@ -15,7 +15,7 @@ namespace onggi::screens {
 class TurningPot {
   public:
     // As paint_pot(); about as slow.
-    TurningPot(const PotSection& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+    TurningPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                float elevation_rad);
 
     [[nodiscard]] vec2 foot_px() const { return foot_px_; }
@@ -39,9 +39,9 @@ class TurningPot {
         float cover = 1.0F;  // share of the pixel
     };
     // Those of a band's pixels.
-    void add_pixels(const PotSamples& samples, const PotShading& shading, const PotSection& shape,
+    void add_pixels(const PotSamples& samples, const PotShading& shading, const pot::Section& shape,
                     float foot_bare_mm);
-    void fill_colours(const PotSection& shape, const finish::GlazeMaterial& glaze, float elevation_rad);
+    void fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze, float elevation_rad);
 
     int width_ = 0;
     int height_ = 0;

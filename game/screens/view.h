@@ -22,12 +22,12 @@ struct Exhibit {
     double diameter_mm = 0.0;  // 0: not published
     std::string part;  // "1/3": thrown at so much of its size, because the clay would not do; empty: all
     int glaze = 0;
-    PotSection shape;
+    pot::Section shape;
 };
 
 // The visitor's pot, as fired.
 struct FiredPot {
-    PotSection shape{};
+    pot::Section shape{};
     double height_mm = 0.0;
     double width_mm = 0.0;
     double weight_g = 0.0;
@@ -37,7 +37,7 @@ struct FiredPot {
 
 // Another pot on the day's shelf.
 struct ShelfPot {
-    PotSection shape;
+    pot::Section shape;
     int glaze = 0;
 };
 

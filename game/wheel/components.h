@@ -9,7 +9,7 @@
 
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
-#include "game/clay/studio/pot.h"
+#include "game/pot/pot.h"
 #include "game/wheel/camera_motion.h"
 #include "game/wheel/tool_pose.h"
 #include "game/wheel/workshop_files.h"
@@ -27,20 +27,10 @@ struct Wheel {
     bool turning = false;
 };
 
-// The clay as the picture knows it, ring by ring from the bottom. The columns are the picture's own copies: a
-// snapshot may be overwritten while the frame is put together.
+// The clay on the wheel, while a frame is put together, and how it is to be shown.
 struct Clay {
-    std::vector<float> radii_mm{};  // outer faces
-    std::vector<float> inner_mm{};  // inner faces; these are as in render::Lathe
-    std::vector<float> top_mm{};
-    std::vector<vec2> centre_mm{};
-    std::vector<float> wetness{};
-    std::vector<float> film{};
-    std::vector<float> load{};
-    std::vector<float> dents_mm{};
-    double height_mm = 200.0;
-    clay::ClayBody body = clay::ClayBody::kStoneware;
-    clay::Firing stage = clay::Firing::kWet;
+    const pot::Pot* pot = nullptr;  // as WheelView has it
+    std::vector<float> wetness{};   // of each ring: how much its water darkens it
     bool shows_load = false;
     bool is_cut_open = false;  // towards the camera
     float edge_rounding_mm = 0.0F;

@@ -29,7 +29,7 @@ struct LiveView::Impl {
     [[nodiscard]] int width() const { return static_cast<int>(screen->extent().width); }
     [[nodiscard]] int height() const { return static_cast<int>(screen->extent().height); }
     Result<void> open(const LiveViewOptions& options);
-    Result<bool> draw(const PotView& pot, double dt_s, const render::Overlay* overlay);
+    Result<bool> draw(const WheelView& shown, double dt_s, const render::Overlay* overlay);
     void follow_shape();
 };
 
@@ -62,17 +62,16 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     jobs::give_back_code();
     // Every pipeline is compiled by drawing with it once: a lump with hands needs most of them, and one with
     // a ball the rest, where a ball will be shown.
-    std::array<float, 200> lump{};
-    std::array<float, 200> tops{};
-    lump.fill(60.0F);
-    for (std::size_t ring = 0; ring < tops.size(); ++ring)
-        tops[ring] = static_cast<float>(ring + 1);
+    pot::Pot lump;
+    lump.outer_mm.assign(200, 60.0F);
+    lump.height_mm = 200.0;
+    pot::Pot with_tops = lump;
+    for (std::size_t ring = 0; ring < lump.outer_mm.size(); ++ring)
+        with_tops.top_mm.push_back(static_cast<float>(ring + 1));
     const bool has_ball = options.paper || !scene->has_tools();
     for (const bool with_hands : {true, false}) {
         if (!with_hands && !has_ball) continue;
-        PotView pot{.radii_mm = lump};
-        if (with_hands) pot.top_mm = tops;
-        auto warmed = draw(pot, 0.0, nullptr);
+        auto warmed = draw({.pot = with_hands ? &with_tops : &lump}, 0.0, nullptr);
         if (!warmed) return warmed.error();
         if (auto waited = screen->wait(); !waited) return waited;
     }
@@ -81,7 +80,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         scene->look_at(View::kLookingIn);
         for (const double dt_s : {1e-3, 0.4, 0.0}) {
             if (dt_s == 0.0) scene->look_at(View::kThrowing);  // where it began
-            auto warmed = draw({.radii_mm = lump}, dt_s, nullptr);
+            auto warmed = draw({.pot = &lump}, dt_s, nullptr);
             if (!warmed) return warmed.error();
         }
     }
@@ -110,13 +109,13 @@ void LiveView::Impl::follow_shape() {
         remarks.push_back(started.error().message);
 }
 
-Result<bool> LiveView::Impl::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
+Result<bool> LiveView::Impl::draw(const WheelView& shown, double dt_s, const render::Overlay* overlay) {
     if (width() == 0 || height() == 0) return false;
     follow_shape();
     const bool moves = render::has_time_for_moving_camera(screen->quality());
     scene->glide(moves);
     scene->sway(may_sway && moves);
-    auto drawn = screen->draw(scene->apply(pot, width(), height(), dt_s), overlay, dt_s);
+    auto drawn = screen->draw(scene->apply(shown, width(), height(), dt_s), overlay, dt_s);
     if (drawn && *drawn && screen->stats().next_view_ready) scene->next_view_is_ready();
     return drawn;
 }
@@ -167,8 +166,8 @@ void LiveView::set_full_screen(bool full_screen) {
     impl_->window->set_full_screen(full_screen);
 }
 
-Result<bool> LiveView::draw(const PotView& pot, double dt_s, const render::Overlay* overlay) {
-    auto drawn = impl_->draw(pot, dt_s, overlay);
+Result<bool> LiveView::draw(const WheelView& shown, double dt_s, const render::Overlay* overlay) {
+    auto drawn = impl_->draw(shown, dt_s, overlay);
     if (!drawn) return drawn;
     const std::vector<std::string>& messages = impl_->screen->messages();
     if (!messages.empty()) {

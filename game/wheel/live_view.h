@@ -17,7 +17,7 @@
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
 #include "game/wheel/camera_motion.h"
-#include "game/wheel/pot_view.h"
+#include "game/wheel/wheel_view.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
@@ -61,7 +61,8 @@ class LiveView {
     // time and not in frames. It waits for the one before it to have left the device, and for no clock. True
     // if a frame was drawn; false while the window is minimised or between two sizes. An overlay is laid over
     // the scene, or stands in its place.
-    Result<bool> draw(const PotView& pot, double dt_s = 1.0 / 60.0, const render::Overlay* overlay = nullptr);
+    Result<bool> draw(const WheelView& shown, double dt_s = 1.0 / 60.0,
+                      const render::Overlay* overlay = nullptr);
 
     // The camera goes to another view; it sways slowly while nobody throws; day becomes evening, 0 to 1. Each
     // takes about a second, and needs the photographed room; without it only the evening is seen. On a

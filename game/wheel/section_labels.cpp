@@ -32,10 +32,10 @@ constexpr std::size_t kMostWalls = 6;
 // The hollow rings of a pot by height.
 class Wall {
   public:
-    explicit Wall(const PotView& pot) : pot_(pot) {
+    explicit Wall(const pot::Pot& pot) : pot_(pot) {
         const bool sound =
-            pot.inner_mm.size() == pot.radii_mm.size() && pot.top_mm.size() == pot.radii_mm.size();
-        for (std::size_t i = 0; sound && i < pot.radii_mm.size(); ++i) {
+            pot.inner_mm.size() == pot.outer_mm.size() && pot.top_mm.size() == pot.outer_mm.size();
+        for (std::size_t i = 0; sound && i < pot.outer_mm.size(); ++i) {
             if (pot.inner_mm[i] > 0.0F) rings_.push_back(i);
         }
     }
@@ -61,14 +61,14 @@ class Wall {
         return best;
     }
     [[nodiscard]] SectionMeasure measure(std::size_t ring) const {
-        const auto outer = static_cast<double>(pot_.radii_mm[ring]);
+        const auto outer = static_cast<double>(pot_.outer_mm[ring]);
         return {.height_mm = middle_mm(ring),
                 .thickness_mm = outer - static_cast<double>(pot_.inner_mm[ring]),
                 .outer_mm = outer};
     }
 
   private:
-    const PotView& pot_;
+    const pot::Pot& pot_;
     std::vector<std::size_t> rings_;
 };
 
@@ -86,15 +86,15 @@ void add_apart(std::vector<SectionMeasure>& walls, const SectionMeasure& wall, d
 
 }  // namespace
 
-std::vector<SectionMeasure> section_measures(const PotView& pot) {
+std::vector<SectionMeasure> section_measures(const pot::Pot& pot) {
     const Wall wall(pot);
     if (wall.empty()) return {};
     const double bottom = wall.bottom_mm();
     const double length = wall.top_mm() - bottom;
     const double apart = std::max(kClosestMm, 0.1 * length);
-    const auto outer = [&](std::size_t ring) { return pot.radii_mm[ring]; };
-    const auto wideness = [&](std::size_t ring) { return -pot.radii_mm[ring]; };
-    const auto thickness = [&](std::size_t ring) { return pot.radii_mm[ring] - pot.inner_mm[ring]; };
+    const auto outer = [&](std::size_t ring) { return pot.outer_mm[ring]; };
+    const auto wideness = [&](std::size_t ring) { return -pot.outer_mm[ring]; };
+    const auto thickness = [&](std::size_t ring) { return pot.outer_mm[ring] - pot.inner_mm[ring]; };
     const std::size_t belly = wall.least(wideness);
     std::vector<SectionMeasure> walls;
     for (const std::size_t ring : {wall.at(wall.top_mm() - std::min(kBelowRimMm, 0.1 * length)),
@@ -117,7 +117,7 @@ std::vector<SectionMeasure> section_measures(const PotView& pot) {
     walls.push_back({.of_floor = true,
                      .height_mm = 0.5 * pot.floor_mm,
                      .thickness_mm = pot.floor_mm,
-                     .outer_mm = static_cast<double>(pot.radii_mm.front())});
+                     .outer_mm = static_cast<double>(pot.outer_mm.front())});
     return walls;
 }
 
@@ -130,8 +130,10 @@ namespace {
 // From the clay into the picture, through the upright plane of the cut.
 class Section {
   public:
-    Section(const PotView& pot, const render::Camera& camera, int width_px, int height_px)
+    Section(const pot::Pot& pot, const dvec2& wheel_direction, const render::Camera& camera, int width_px,
+            int height_px)
         : pot_(pot),
+          wheel_direction_(wheel_direction),
           camera_(camera),
           width_px_(width_px),
           height_px_(height_px),
@@ -152,30 +154,32 @@ class Section {
   private:
     [[nodiscard]] dvec2 centre_mm(double y_mm) const {
         const std::size_t rings = pot_.top_mm.size();
-        if (rings == 0 || pot_.centre_mm.size() != 2 * rings) return dvec2(0.0);
+        if (rings == 0 || pot_.centre_mm.size() != rings) return dvec2(0.0);
         const auto above = std::upper_bound(pot_.top_mm.begin(), pot_.top_mm.end(), static_cast<float>(y_mm));
         const auto ring = std::min(static_cast<std::size_t>(above - pot_.top_mm.begin()), rings - 1);
-        const dvec2 own{pot_.centre_mm[2 * ring], pot_.centre_mm[2 * ring + 1]};
-        const dvec2 turn = pot_.wheel_direction;
+        const dvec2 own(pot_.centre_mm[ring]);
+        const dvec2 turn = wheel_direction_;
         return {own.x * turn.x + own.y * turn.y, own.y * turn.x - own.x * turn.y};
     }
-    // What moves both faces of the wall, which keeps its thickness: see PotView::dents_mm.
+    // What moves both faces of the wall, which keeps its thickness: see pot::Pot::dents_mm.
     [[nodiscard]] double dent_mm(bool left, double y_mm) const {
-        const auto sectors = static_cast<std::size_t>(pot_.dent_sectors);
-        const std::size_t rows = pot_.dents_mm.size() / sectors;
+        constexpr std::size_t kSectors = pot::kDentSectors;
+        const std::size_t rows = pot_.dents_mm.size() / kSectors;
         if (rows == 0 || !(pot_.height_mm > 0.0)) return 0.0;
         constexpr double kTurn = 2.0 * std::numbers::pi;
-        const double turned = std::atan2(pot_.wheel_direction.y, pot_.wheel_direction.x);
+        const double turned = std::atan2(wheel_direction_.y, wheel_direction_.x);
         const double turns = (towards_rad_ + (left ? std::numbers::pi : 0.0) - turned) / kTurn;
         const auto place = [](double share, std::size_t count) {
             const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(count);
             return std::min(static_cast<std::size_t>(at), count - 1);
         };
         const std::size_t row = place(y_mm / pot_.height_mm, rows);
-        return static_cast<double>(pot_.dents_mm[row * sectors + place(turns - std::floor(turns), sectors)]);
+        return static_cast<double>(
+            pot_.dents_mm[row * kSectors + place(turns - std::floor(turns), kSectors)]);
     }
 
-    const PotView& pot_;
+    const pot::Pot& pot_;
+    dvec2 wheel_direction_;
     const render::Camera& camera_;
     int width_px_;
     int height_px_;
@@ -225,15 +229,15 @@ std::string line(vec2 from, vec2 to) {
 
 }  // namespace
 
-ui::Sketch section_labels(const PotView& pot, const render::Camera& camera, int width_px, int height_px,
-                          ui::Painter& painter) {
+ui::Sketch section_labels(const pot::Pot& pot, const dvec2& wheel_direction, const render::Camera& camera,
+                          int width_px, int height_px, ui::Painter& painter) {
     const auto width = static_cast<float>(width_px);
     const auto height = static_cast<float>(height_px);
     ui::Sketch sketch{.size = {width, height}};
     const float scale = std::sqrt(width * height / (640.0F * 480.0F));
     if (scale * kTextPx < kLeastTextPx) return sketch;
 
-    const Section section(pot, camera, width_px, height_px);
+    const Section section(pot, wheel_direction, camera, width_px, height_px);
     std::vector<Tag> walls;
     std::vector<Tag> floors;
     float rightmost = 0.0F;

@@ -13,15 +13,15 @@ namespace onggi::wheel {
 namespace {
 
 // Turns the scene to the view, and says what of the pot's surroundings it shows.
-PotView set_view(WheelScene& scene, PotView pot, StillView view) {
+WheelView set_view(WheelScene& scene, WheelView shown, StillView view) {
     scene.look_at(view == StillView::kLookingIn ? View::kLookingIn : View::kThrowing);
     Clay& clay = scene.registry().get<Clay>(scene.clay());
     clay.is_cut_open = clay.shows_load = view == StillView::kCutaway;
     if (view == StillView::kPortrait || view == StillView::kCutaway) {
-        pot.hand.shown = pot.second_hand.shown = false;
-        pot.wire_shown = false;
+        shown.hand.shown = shown.second_hand.shown = false;
+        shown.wire_shown = false;
     }
-    return pot;
+    return shown;
 }
 
 }  // namespace
@@ -90,10 +90,10 @@ Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, 
     return camera;
 }
 
-Result<asset::Image> StillCamera::take(const PotView& pot, StillView view) {
+Result<asset::Image> StillCamera::take(const WheelView& given, StillView view) {
     Parts& parts = *parts_;
     asset::Image image{.width = parts.width, .height = parts.height, .rgba = {}};
-    const PotView shown = set_view(*parts.opened.scene, pot, view);
+    const WheelView shown = set_view(*parts.opened.scene, given, view);
     const render::Scene& seen = parts.opened.scene->apply(shown, parts.width, parts.height);
     if (parts.beauty) {
         render::Accumulation mean(parts.width, parts.height);
@@ -111,8 +111,8 @@ Result<asset::Image> StillCamera::take(const PotView& pot, StillView view) {
     if (auto silent = parts.check_silence(); !silent) return silent.error();
     if (view == StillView::kCutaway) {
         ui::Painter painter;
-        lay_over(image,
-                 painter.paint(section_labels(shown, seen.camera, parts.width, parts.height, painter)));
+        lay_over(image, painter.paint(section_labels(*shown.pot, shown.wheel_direction, seen.camera,
+                                                     parts.width, parts.height, painter)));
     }
     return image;
 }
@@ -124,10 +124,11 @@ Result<void> StillCamera::close() {
     return parts_->check_silence();
 }
 
-Result<asset::Image> render_still(const PotView& pot, int width, int height, const StillOptions& options) {
+Result<asset::Image> render_still(const WheelView& shown, int width, int height,
+                                  const StillOptions& options) {
     auto camera = StillCamera::create(width, height, options);
     if (!camera) return camera.error();
-    auto image = (*camera)->take(pot, options.view);
+    auto image = (*camera)->take(shown, options.view);
     if (auto closed = (*camera)->close(); image && !closed) return closed.error();
     return image;
 }

@@ -6,7 +6,7 @@
 
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
-#include "game/wheel/pot_view.h"
+#include "game/wheel/wheel_view.h"
 
 namespace onggi::wheel {
 
@@ -32,7 +32,7 @@ struct StillOptions {
 };
 
 // width and height in pixels, 16 to 8192 each, else bad input. Without a Vulkan device: system lacks.
-Result<asset::Image> render_still(const PotView& pot, int width, int height,
+Result<asset::Image> render_still(const WheelView& shown, int width, int height,
                                   const StillOptions& options = {});
 
 }  // namespace onggi::wheel

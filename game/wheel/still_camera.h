@@ -19,7 +19,7 @@ class StillCamera {
     StillCamera& operator=(const StillCamera&) = delete;
 
     // With validation, a message so far is an error.
-    Result<asset::Image> take(const PotView& pot, StillView view);
+    Result<asset::Image> take(const WheelView& given, StillView view);
     // Lets the device go, and hears what validation was late to complain of. Nothing can be taken after it.
     Result<void> close();
 

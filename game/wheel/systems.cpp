@@ -7,8 +7,8 @@ namespace onggi::wheel {
 
 void receive_wheel(ecs::Registry& registry, FrameContext& context) {
     registry.each<Wheel>([&](ecs::Entity, Wheel& wheel) {
-        wheel.direction = context.pot->wheel_direction;
-        wheel.turning = context.pot->wheel_turning;
+        wheel.direction = context.shown->wheel_direction;
+        wheel.turning = context.shown->wheel_turning;
     });
 }
 

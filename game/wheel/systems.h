@@ -6,17 +6,17 @@
 #include "engine/ecs/schedule.h"
 #include "engine/render/scene.h"
 #include "game/wheel/components.h"
-#include "game/wheel/pot_view.h"
+#include "game/wheel/wheel_view.h"
 
 namespace onggi::wheel {
 
 // What a frame brings, and what it takes away.
 struct FrameContext {
-    const PotView* pot = nullptr;
+    const WheelView* shown = nullptr;
     int width_px = 0;
     int height_px = 0;
     double dt_s = 0.0;    // since the frame before; 0: everything is where it is wanted, as in a still
-    render::Scene scene;  // the radii it points to are the Clay component's
+    render::Scene scene;  // what it points to is the pot's and the Clay component's
 };
 
 // kReceive: the snapshot becomes components.

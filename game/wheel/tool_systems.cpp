@@ -8,9 +8,9 @@
 namespace onggi::wheel {
 namespace {
 
-// Among the rings of the pot, the one at this height; heights as PotView has them.
-std::size_t ring_at(const PotView& pot, double height_mm) {
-    const std::size_t count = pot.radii_mm.size();
+// Among the rings of the pot, the one at this height; heights as the pot has them.
+std::size_t ring_at(const pot::Pot& pot, double height_mm) {
+    const std::size_t count = pot.outer_mm.size();
     if (count == 0) return 0;
     std::size_t ring = 0;
     if (pot.top_mm.size() == count) {
@@ -24,13 +24,13 @@ std::size_t ring_at(const PotView& pot, double height_mm) {
     return std::min(ring, count - 1);
 }
 
-double height_of(const PotView& pot, std::size_t ring) {
-    if (pot.top_mm.size() == pot.radii_mm.size()) return double{pot.top_mm[ring]};
-    return pot.height_mm * (static_cast<double>(ring) + 1.0) / static_cast<double>(pot.radii_mm.size());
+double height_of(const pot::Pot& pot, std::size_t ring) {
+    if (pot.top_mm.size() == pot.outer_mm.size()) return double{pot.top_mm[ring]};
+    return pot.height_mm * (static_cast<double>(ring) + 1.0) / static_cast<double>(pot.outer_mm.size());
 }
 
 // How much wider a face is a mm higher up, over a span that leaves out the throwing rings.
-double lean_at(const PotView& pot, std::span<const float> face, double height_mm) {
+double lean_at(const pot::Pot& pot, std::span<const float> face, double height_mm) {
     constexpr double kSpanMm = 9.0;
     if (face.empty()) return 0.0;
     const std::size_t below = ring_at(pot, height_mm - kSpanMm);
@@ -39,11 +39,11 @@ double lean_at(const PotView& pot, std::span<const float> face, double height_mm
     return rise > 1.0 ? (double{face[above]} - double{face[below]}) / rise : 0.0;
 }
 
-double mouth_radius(const PotView& pot) {
+double mouth_radius(const pot::Pot& pot) {
     return pot.inner_mm.empty() ? 0.0 : double{pot.inner_mm.back()};
 }
 
-ToolSight sight_of(const PotView& pot, const HandView& hand, bool is_assistant) {
+ToolSight sight_of(const pot::Pot& pot, const HandView& hand, bool is_assistant) {
     const bool inside = hand.side == clay::studio::Side::kIn;
     return {.centre_mm = hand.position_mm,
             .radius_mm = hand.radius_mm,
@@ -52,7 +52,7 @@ ToolSight sight_of(const PotView& pot, const HandView& hand, bool is_assistant) 
             // Nobody's hand belongs in the kiln, nor to a pot that comes out of it.
             .shown = hand.shown && pot.stage == clay::Firing::kWet,
             .touching = hand.touching,
-            .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.radii_mm, hand.position_mm.y),
+            .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.outer_mm, hand.position_mm.y),
             .mouth_radius_mm = mouth_radius(pot),
             .is_assistant = is_assistant,
             .below_rim_mm = pot.height_mm - hand.position_mm.y,
@@ -63,17 +63,17 @@ ToolSight sight_of(const PotView& pot, const HandView& hand, bool is_assistant) 
 }  // namespace
 
 void receive_tools(ecs::Registry& registry, FrameContext& context) {
-    const PotView& pot = *context.pot;
+    const WheelView& shown = *context.shown;
     // The paper's clay is touched by the paper's ball; the studio's, whose rings have tops, by hands.
-    const bool as_ball = pot.top_mm.empty();
+    const bool as_ball = shown.pot->top_mm.empty();
     registry.each<Tool>([&](ecs::Entity, Tool& tool) {
         const bool is_assistant = tool.sight.is_assistant;
-        tool.sight = sight_of(pot, is_assistant ? pot.second_hand : pot.hand, is_assistant);
+        tool.sight = sight_of(*shown.pot, is_assistant ? shown.second_hand : shown.hand, is_assistant);
         tool.as_ball = as_ball;
     });
     registry.each<Wire>([&](ecs::Entity, Wire& wire) {
-        wire.shown = pot.wire_shown;
-        wire.height_mm = pot.wire_height_mm;
+        wire.shown = shown.wire_shown;
+        wire.height_mm = shown.wire_height_mm;
     });
 }
 
@@ -93,13 +93,13 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     vec3 clay(0.3F);
     float wetness = 0.0F;
     registry.each<Clay>([&](ecs::Entity, const Clay& wet) {
-        const render::LatheMaterial material = clay_material(wet.body, wet.stage);
+        const render::LatheMaterial material = clay_material(wet.pot->body, wet.pot->stage);
         wetness = wet.wetness.empty() ? material.wetness : wet.wetness.back();
         clay = material.albedo * (1.0F - 0.4F * wetness);
     });
     const auto add = [&](ToolModel model, bool left, const mat4& place) {
         scene.movers.push_back(
-            {.model = library_place(model, left), .place = place, .clay = clay, .wetness = wetness});
+            {.model = library_place(model, left), .place = place, .smear = clay, .wetness = wetness});
     };
     registry.each<Tool>([&](ecs::Entity, const Tool& tool) {
         if (tool.as_ball || !has_tools) {

@@ -109,13 +109,13 @@ void WheelScene::set_evening(double evening) {
     registry_.each<TimeOfDay>([&](ecs::Entity, TimeOfDay& time) { time.evening = evening; });
 }
 
-const render::Scene& WheelScene::apply(const PotView& pot, int width_px, int height_px, double dt_s) {
-    context_.pot = &pot;
+const render::Scene& WheelScene::apply(const WheelView& shown, int width_px, int height_px, double dt_s) {
+    context_.shown = &shown;
     context_.width_px = width_px;
     context_.height_px = height_px;
     context_.dt_s = dt_s;
     schedule_.run(registry_, context_);
-    context_.pot = nullptr;
+    context_.shown = nullptr;
     return context_.scene;
 }
 

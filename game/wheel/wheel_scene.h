@@ -11,9 +11,9 @@
 #include "engine/ecs/registry.h"
 #include "engine/ecs/schedule.h"
 #include "engine/render/scene.h"
-#include "game/wheel/pot_view.h"
 #include "game/wheel/room_model.h"
 #include "game/wheel/systems.h"
+#include "game/wheel/wheel_view.h"
 
 namespace onggi::wheel {
 
@@ -44,7 +44,7 @@ class WheelScene {
 
     // Runs every system for a picture of this size, dt_s after the one before (0: a still, in which nothing
     // is on its way). The scene it gives is good until the next call.
-    const render::Scene& apply(const PotView& pot, int width_px, int height_px, double dt_s = 0.0);
+    const render::Scene& apply(const WheelView& shown, int width_px, int height_px, double dt_s = 0.0);
 
     // What hands and tools look like from now on; null: balls.
     void set_tools(std::shared_ptr<const render::MoverLibrary> library);

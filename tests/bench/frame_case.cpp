@@ -73,12 +73,14 @@ Result<void> FrameCase::create() {
     opened_.scene->glide(render::has_time_for_moving_camera(kStep));
 
     for (std::size_t i = 0; i < kRings; ++i) {
-        top_mm_.push_back(static_cast<float>((static_cast<double>(i) + 1.0) * kHeightMm / kRings));
-        film_.push_back(0.7F);
-        liquidity_.push_back(0.6F);
+        pot_.top_mm.push_back(static_cast<float>((static_cast<double>(i) + 1.0) * kHeightMm / kRings));
+        pot_.film.push_back(0.7F);
+        pot_.liquidity.push_back(0.6F);
     }
-    outer_mm_.resize(kRings);
-    inner_mm_.resize(kRings);
+    pot_.height_mm = kHeightMm;
+    pot_.floor_mm = kFloorMm;
+    pot_.outer_mm.resize(kRings);
+    pot_.inner_mm.resize(kRings);
     write_a_line();
     return {};
 }
@@ -108,24 +110,18 @@ void FrameCase::throw_a_little() {
     for (std::size_t i = 0; i < kRings; ++i) {
         const double y_mm = (static_cast<double>(i) + 0.5) * kHeightMm / kRings;
         const double radius_mm = outer_at(y_mm) + 0.25 * std::sin(groove_rad_per_mm * y_mm) + breath;
-        outer_mm_[i] = static_cast<float>(radius_mm);
-        inner_mm_[i] = y_mm < kFloorMm ? 0.0F : static_cast<float>(radius_mm - kWallMm);
+        pot_.outer_mm[i] = static_cast<float>(radius_mm);
+        pot_.inner_mm[i] = y_mm < kFloorMm ? 0.0F : static_cast<float>(radius_mm - kWallMm);
     }
     ++number_;
 }
 
-wheel::PotView FrameCase::pot() const {
+wheel::WheelView FrameCase::shown() const {
     constexpr double kHandMm = 10.0;
     const double angle = 0.2 * static_cast<double>(number_);
     const double height_mm = 110.0 + 30.0 * std::sin(0.02 * static_cast<double>(number_));
     const double wall_mm = outer_at(height_mm);
-    return {.radii_mm = outer_mm_,
-            .inner_mm = inner_mm_,
-            .top_mm = top_mm_,
-            .height_mm = kHeightMm,
-            .floor_mm = kFloorMm,
-            .film = film_,
-            .liquidity = liquidity_,
+    return {.pot = &pot_,
             .hand = {.position_mm = {wall_mm + kHandMm, height_mm, 0.0},
                      .radius_mm = kHandMm,
                      .side = clay::studio::Side::kOut,
@@ -142,10 +138,10 @@ wheel::PotView FrameCase::pot() const {
 
 Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     throw_a_little();
-    const wheel::PotView shown = pot();
+    const wheel::WheelView moment = shown();
     const double processor_s = processor_now_s();
     const auto start = std::chrono::steady_clock::now();
-    const render::Scene& scene = opened_.scene->apply(shown, desc_.width, desc_.height, kFrameS);
+    const render::Scene& scene = opened_.scene->apply(moment, desc_.width, desc_.height, kFrameS);
     view_changes_ = scene.next_view || scene.fade_in;
     light_changes_ = scene.levels.key != key_level_;
     key_level_ = scene.levels.key;

@@ -57,7 +57,7 @@ class FrameCase {
     Result<void> create();
     void write_a_line();
     void throw_a_little();
-    [[nodiscard]] wheel::PotView pot() const;
+    [[nodiscard]] wheel::WheelView shown() const;
 
     FrameCaseDesc desc_;
     std::unique_ptr<vk::Instance> instance_;
@@ -68,11 +68,7 @@ class FrameCase {
     ui::Atlas atlas_{1024};
     ui::DrawList list_;
     std::vector<ui::Atlas::Upload> uploads_;
-    std::vector<float> outer_mm_;
-    std::vector<float> inner_mm_;
-    std::vector<float> top_mm_;
-    std::vector<float> film_;
-    std::vector<float> liquidity_;
+    pot::Pot pot_;
     std::int64_t number_ = 0;
     bool view_changes_ = false;
     bool light_changes_ = false;

@@ -22,17 +22,17 @@ void publish_snapshot(benchmark::State& state) {
     const haptic::TickResult result;
     const haptic::HapticParameters parameters;
     jobs::TripleBuffer<haptic::Snapshot> buffer(haptic::first_snapshot(clay_and_wheel, parameters));
-    jobs::TripleBuffer<haptic::PotShape> shapes(haptic::first_shape(clay_and_wheel));
-    haptic::ShapeCopy copy;
+    jobs::TripleBuffer<pot::Pot> pots([&] { return haptic::pot_of(clay_and_wheel); });
+    haptic::PotCopier copier;
     for ([[maybe_unused]] auto iteration : state) {
         haptic::fill_snapshot(buffer.writing(), clay_and_wheel, result, parameters);
         buffer.publish();
-        if (copy.step(shapes.writing(), clay_and_wheel, parameters.dt_s())) shapes.publish();
+        if (copier.step(pots.writing(), clay_and_wheel, parameters.dt_s())) pots.publish();
         benchmark::ClobberMemory();
     }
     buffer.acquire();
-    shapes.acquire();
-    const auto radii_mm = shapes.reading().outer_mm();
+    pots.acquire();
+    const std::vector<float>& radii_mm = pots.reading().outer_mm;
     if (radii_mm.size() != 2000 || radii_mm.back() != 60.0F) {
         fail(state, "the snapshot does not hold the clay");
     }

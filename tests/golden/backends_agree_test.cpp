@@ -90,7 +90,7 @@ class Backends : public DrawingTest, public testing::WithParamInterface<GoldenSc
     }
     asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene,
                       const render::RendererDesc& desc, int frames, const render::LightLevels& levels) {
-        const bool is_strict = desc.slip_across == 1;
+        const bool is_strict = desc.streaks_across == 1;
         const bool keeps_room = desc.backend == Backend::kCpu;
         auto renderer = render::Renderer::create(*device_, desc);
         auto target = vk::Offscreen::create(
@@ -99,13 +99,12 @@ class Backends : public DrawingTest, public testing::WithParamInterface<GoldenSc
             // Something else first, so that what is left of it would show.
             GoldenScene shown = scene;
             if (frame + 1 < frames) {
-                std::fill(shown.radii_mm.begin(), shown.radii_mm.end(), 60.0F);
-                for (float& radius : shown.studio.outer_mm)
+                for (float& radius : shown.pot.outer_mm)
                     radius += 5.0F;
             }
             wheel::Clay& clay = wheel_scene.registry().get<wheel::Clay>(wheel_scene.clay());
             clay.is_cut_open = clay.shows_load = scene.view == wheel::StillView::kCutaway;
-            render::Scene lit = wheel_scene.apply(shown.pot(), scene.width, scene.height);
+            render::Scene lit = wheel_scene.apply(shown.shown(), scene.width, scene.height);
             if (is_strict) lit.movers.clear();
             // By day first, so that the light changes.
             if (frame + 1 == frames) lit.levels = levels;
@@ -145,8 +144,8 @@ TEST_P(Backends, AgreeOnTheStillLifeWithinTwoLevelsOfEightBits) {
 }
 
 // What ships: the picture of the kiosk on one software core, outlines smoothed, beside that of the lowest GPU
-// that draws in full size and beside a still. Each reads slip, lights hands and meets the screen's transfer
-// in its own way; what they may differ by is little in the mean and seldom much.
+// that draws in full size and beside a still. Each reads streaks, lights hands and meets the screen's
+// transfer in its own way; what they may differ by is little in the mean and seldom much.
 TEST_P(Backends, AgreeAsTheyShipWithinSixTenthsOfALevelInTheMean) {
     wheel::OpenedScene opened = wheel::open_scene({}, GetParam().width, GetParam().height);
     ASSERT_EQ(opened.lack, "");

@@ -43,19 +43,19 @@ inline Apart apart(std::span<const std::uint8_t> a, std::span<const std::uint8_t
 // bit: a pixel whose middle lies on an edge may show what is on either side.
 constexpr int kOnEdges = 12;
 
-// Of what the processor draws itself: a pixel whose middle lies on the border of two texels of slip may show
-// either, which differ by little.
+// Of what the processor draws itself: a pixel whose middle lies on the border of two texels of streaks may
+// show either, which differ by little.
 constexpr int kOnTexels = 64;
 constexpr int kTexelsApart = 16;  // levels, at most
 
 // What either backend draws alike to the pixel but for rounding: one sample, the same outlines, no smoothing
-// of them, and slip of one texel, for how texels are read is the one thing in which they are meant to differ;
-// hands too, which the processor lights at their corners.
+// of them, and streaks of one texel, for how texels are read is the one thing in which they are meant to
+// differ; hands too, which the processor lights at their corners.
 inline render::RendererDesc strictly_alike(render::Backend backend, int height_px) {
     render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, height_px);
     desc.backend = backend;
     desc.smooths_outlines = false;
-    desc.slip_across = desc.slip_up = 1;
+    desc.streaks_across = desc.streaks_up = 1;
     return desc;
 }
 

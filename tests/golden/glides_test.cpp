@@ -37,7 +37,7 @@ class Glides : public DrawingTest {
         opened_ = wheel::open_scene({}, shown_.width, shown_.height);
         ASSERT_EQ(opened_.lack, "");
         opened_.scene->look_at(wheel::View::kThrowing);
-        opened_.scene->apply(shown_.pot(), shown_.width, shown_.height);
+        opened_.scene->apply(shown_.shown(), shown_.width, shown_.height);
     }
     void TearDown() override {
         target_.reset();
@@ -63,7 +63,8 @@ TEST_F(Glides, DoNotJumpByAQuarterOfALevelInTheMeanWhenTheCameraStands) {
     render::Scene last;
     bool stands = false;
     for (int frame = 1; frame < 600 && !stands; ++frame) {
-        const render::Scene& scene = opened_.scene->apply(shown_.pot(), shown_.width, shown_.height, kFrameS);
+        const render::Scene& scene =
+            opened_.scene->apply(shown_.shown(), shown_.width, shown_.height, kFrameS);
         stands = !scene.glide.has_value();
         if (stands) {
             const std::vector<std::uint8_t> moving = draw(last);

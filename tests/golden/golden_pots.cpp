@@ -23,8 +23,8 @@ double bump(double y, double centre, double width) {
     return std::exp(-share * share);
 }
 
-StudioPot studio_pot(const StudioShape& shape) {
-    StudioPot pot;
+pot::Pot studio_pot(const StudioShape& shape) {
+    pot::Pot pot;
     pot.height_mm = shape.height_mm;
     pot.floor_mm = shape.wall_mm ? shape.floor_mm : shape.height_mm;
     double top = 0.0;
@@ -46,7 +46,7 @@ StudioPot studio_pot(const StudioShape& shape) {
         const double wet = shape.liquidity * (1.15 - 0.3 * share);
         pot.liquidity.push_back(static_cast<float>(wet));
         pot.film.push_back(static_cast<float>(shape.film * (1.1 - 0.4 * share)));
-        pot.load.push_back(0.0F);
+        pot.load_index.push_back(0.0F);
         top = next;
     }
     return pot;
@@ -159,7 +159,7 @@ StudioShape rough() {
     return shape;
 }
 
-void press_dent(StudioPot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm) {
+void press_dent(pot::Pot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm) {
     pot.dents_mm.resize(std::size_t{kDentRows} * kSectors, 0.0F);
     for (int row = 0; row < kDentRows; ++row) {
         const double y = (row + 0.5) * pot.height_mm / kDentRows;
@@ -173,22 +173,21 @@ void press_dent(StudioPot& pot, double y_mm, double direction_rad, double depth_
     }
 }
 
-void lean(StudioPot& pot, double x_mm, double z_mm) {
+void lean(pot::Pot& pot, double x_mm, double z_mm) {
     pot.centre_mm.clear();
     for (const float top : pot.top_mm) {
         const double share = top / pot.height_mm;
-        pot.centre_mm.push_back(static_cast<float>(x_mm * share * share));
-        pot.centre_mm.push_back(static_cast<float>(z_mm * share * share));
+        pot.centre_mm.push_back(vec2(dvec2(x_mm, z_mm) * share * share));
     }
 }
 
-void slump(StudioPot& pot) {
+void slump(pot::Pot& pot) {
     for (std::size_t i = 0; i < pot.outer_mm.size(); ++i) {
         const double y = pot.top_mm[i];
         const auto bulge = static_cast<float>(16.0 * bump(y, 0.36 * pot.height_mm, 0.12 * pot.height_mm));
         pot.outer_mm[i] += bulge;
         if (pot.inner_mm[i] > 0.0F) pot.inner_mm[i] += bulge + 0.08F * bulge;
-        pot.load[i] = static_cast<float>(1.1 * bump(y, 0.36 * pot.height_mm, 0.22 * pot.height_mm));
+        pot.load_index[i] = static_cast<float>(1.1 * bump(y, 0.36 * pot.height_mm, 0.22 * pot.height_mm));
     }
     lean(pot, 17.0, 8.0);
     press_dent(pot, 0.45 * pot.height_mm, 4.4, 7.0, 24.0);

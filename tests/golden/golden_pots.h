@@ -3,23 +3,10 @@
 #pragma once
 
 #include <functional>
-#include <vector>
+
+#include "game/pot/pot.h"
 
 namespace onggi::golden {
-
-// The columns of a PotView, bottom first.
-struct StudioPot {
-    double height_mm = 0.0;
-    double floor_mm = 0.0;
-    std::vector<float> outer_mm;
-    std::vector<float> inner_mm;
-    std::vector<float> top_mm;
-    std::vector<float> centre_mm;  // x and z; empty: on the axis
-    std::vector<float> dents_mm;   // 64 rows of 64 sectors; empty: round
-    std::vector<float> film;
-    std::vector<float> liquidity;
-    std::vector<float> load;
-};
 
 // What a pot is made from: by height, mm.
 struct StudioShape {
@@ -31,7 +18,7 @@ struct StudioShape {
     double liquidity = 0.6;
     double film = 0.6;
 };
-[[nodiscard]] StudioPot studio_pot(const StudioShape& shape);
+[[nodiscard]] pot::Pot studio_pot(const StudioShape& shape);
 
 // Bell-shaped about a centre.
 [[nodiscard]] double bump(double y, double centre, double width);
@@ -52,10 +39,10 @@ struct StudioShape {
 [[nodiscard]] StudioShape rough();         // 150 grooves of one pixel in a picture of 720
 
 // A thumb's mark at a height and a direction, counter-clockwise from the clay's +X.
-void press_dent(StudioPot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm);
+void press_dent(pot::Pot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm);
 // The pot leans: its top stands off the axis.
-void lean(StudioPot& pot, double x_mm, double z_mm);
+void lean(pot::Pot& pot, double x_mm, double z_mm);
 // What gave way: a belly that sank and bulged to one side, and the load that did it.
-void slump(StudioPot& pot);
+void slump(pot::Pot& pot);
 
 }  // namespace onggi::golden

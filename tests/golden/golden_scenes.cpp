@@ -11,13 +11,21 @@ namespace {
 constexpr int kElements = 2000;
 constexpr double kHeightMm = 200.0;
 
-// By height above the wheel head.
+// The paper's clay, by height above the wheel head.
 template <typename Outline>
-std::vector<float> radii_of(Outline outline) {
-    std::vector<float> radii;
+pot::Pot paper_pot(Outline outline) {
+    pot::Pot pot{.height_mm = kHeightMm};
     for (int i = 0; i < kElements; ++i)
-        radii.push_back(static_cast<float>(outline((i + 0.5) * kHeightMm / kElements)));
-    return radii;
+        pot.outer_mm.push_back(static_cast<float>(outline((i + 0.5) * kHeightMm / kElements)));
+    return pot;
+}
+
+// The same of another body, or further on.
+pot::Pot pot_of(const StudioShape& shape, clay::ClayBody body, clay::Firing stage = clay::Firing::kWet) {
+    pot::Pot pot = studio_pot(shape);
+    pot.body = body;
+    pot.stage = stage;
+    return pot;
 }
 
 double throwing_rings(double y) {
@@ -42,51 +50,45 @@ double stepped(double y) {
 
 }  // namespace
 
-wheel::PotView GoldenScene::pot() const {
-    const bool is_studio = !studio.outer_mm.empty();
-    wheel::PotView pot{.radii_mm = is_studio ? studio.outer_mm : radii_mm,
-                       .inner_mm = studio.inner_mm,
-                       .top_mm = studio.top_mm,
-                       .height_mm = is_studio ? studio.height_mm : kHeightMm,
-                       .floor_mm = studio.floor_mm,
-                       .centre_mm = studio.centre_mm,
-                       .dents_mm = studio.dents_mm,
-                       .film = studio.film,
-                       .liquidity = studio.liquidity,
-                       .load_index = studio.load,
-                       .wire_shown = wire_height_mm.has_value(),
-                       .wire_height_mm = wire_height_mm.value_or(0.0),
-                       .wheel_direction = wheel_direction,
-                       .wheel_turning = true,
-                       .contacts = contacts,
-                       .body = body,
-                       .stage = stage};
-    pot.hand = {.position_mm = tool_position_mm,
-                .radius_mm = tool_radius_mm,
-                .tool = tool,
-                .side = side.value_or(clay::studio::Side::kOut),
-                .shown = tool_shown,
-                .touching = contacts > 0};
+wheel::WheelView GoldenScene::shown() const {
+    wheel::WheelView shown{.pot = &pot,
+                           .wire_shown = wire_height_mm.has_value(),
+                           .wire_height_mm = wire_height_mm.value_or(0.0),
+                           .wheel_direction = wheel_direction,
+                           .wheel_turning = true,
+                           .contacts = contacts};
+    shown.hand = {.position_mm = tool_position_mm,
+                  .radius_mm = tool_radius_mm,
+                  .tool = tool,
+                  .side = side.value_or(clay::studio::Side::kOut),
+                  .shown = tool_shown,
+                  .touching = contacts > 0};
     if (second_hand_mm) {
-        pot.second_hand = {.position_mm = *second_hand_mm,
-                           .radius_mm = tool_radius_mm,
-                           .side = clay::studio::Side::kIn,
-                           .shown = true,
-                           .touching = contacts > 0};
+        shown.second_hand = {.position_mm = *second_hand_mm,
+                             .radius_mm = tool_radius_mm,
+                             .side = clay::studio::Side::kIn,
+                             .shown = true,
+                             .touching = contacts > 0};
     }
-    return pot;
+    return shown;
 }
 
 std::uint64_t GoldenScene::hash() const {
     StateHash hash;
-    for (const std::vector<float>* column :
-         {&radii_mm, &studio.outer_mm, &studio.inner_mm, &studio.top_mm, &studio.centre_mm, &studio.dents_mm,
-          &studio.film, &studio.liquidity, &studio.load})
-        hash.add(std::span<const float>(*column));
+    const auto add = [&](const std::vector<float>& column) { hash.add(std::span<const float>(column)); };
+    add(pot.outer_mm);
+    add(pot.inner_mm);
+    add(pot.top_mm);
+    for (const vec2& centre : pot.centre_mm)
+        add({centre.x, centre.y});
+    add(pot.dents_mm);
+    add(pot.film);
+    add(pot.liquidity);
+    add(pot.load_index);
     const dvec3 second = second_hand_mm.value_or(dvec3(0.0));
     for (const double value : {tool_position_mm.x, tool_position_mm.y, tool_position_mm.z, tool_radius_mm,
                                second.x, second.y, second.z, wheel_direction.x, wheel_direction.y,
-                               static_cast<double>(body), static_cast<double>(stage),
+                               static_cast<double>(pot.body), static_cast<double>(pot.stage),
                                static_cast<double>(view), static_cast<double>(tool), tool_shown ? 1.0 : 0.0})
         hash.add(value);
     if (side) hash.add(static_cast<double>(*side));
@@ -112,16 +114,16 @@ std::vector<GoldenScene> golden_scenes() {
     using clay::Firing;
     using clay::studio::Side;
     using wheel::StillView;
-    StudioPot uneven_rim = studio_pot(cylinder());
+    pot::Pot uneven_rim = studio_pot(cylinder());
     lean(uneven_rim, 3.0, 1.0);
     press_dent(uneven_rim, 158.0, 5.2, 4.0, 20.0);
-    StudioPot dented = studio_pot(cylinder());
+    pot::Pot dented = studio_pot(cylinder());
     press_dent(dented, 90.0, 4.9, 9.0, 15.0);
-    StudioPot off_centre = studio_pot(lump());
+    pot::Pot off_centre = studio_pot(lump());
     lean(off_centre, 9.0, -3.0);
-    StudioPot failed = studio_pot(jar());
+    pot::Pot failed = studio_pot(jar());
     slump(failed);
-    StudioPot loaded = studio_pot(jar());
+    pot::Pot loaded = studio_pot(jar());
     slump(loaded);
     loaded.centre_mm.clear();
     loaded.dents_mm.clear();
@@ -129,118 +131,110 @@ std::vector<GoldenScene> golden_scenes() {
     dry_jar.liquidity = dry_jar.film = 0.0;
     return {
         // The paper's clay: solid.
-        {.name = "fresh-lump", .radii_mm = radii_of([](double) { return 60.0; })},
-        {.name = "vase", .radii_mm = radii_of(vase), .wheel_direction = {0.6, 0.8}},
+        {.name = "fresh-lump", .pot = paper_pot([](double) { return 60.0; })},
+        {.name = "vase", .pot = paper_pot(vase), .wheel_direction = {0.6, 0.8}},
         {.name = "stepped",
-         .radii_mm = radii_of(stepped),
+         .pot = paper_pot(stepped),
          .tool_position_mm = {-95.0, 40.0, 0.0},
          .tool_radius_mm = 40.0},
         {.name = "tool-pressing",
-         .radii_mm = radii_of(pressed),
+         .pot = paper_pot(pressed),
          .tool_position_mm = {67.0, 95.0, 0.0},
          .tool_radius_mm = 16.0,
          .contacts = 320},
         // Three bodies, wet, dry, bisque and glazed.
-        {.name = "stoneware-wet", .studio = studio_pot(jar()), .tool_shown = false},
-        {.name = "porcelain-wet",
-         .studio = studio_pot(bottle()),
-         .tool_shown = false,
-         .body = ClayBody::kPorcelain},
-        {.name = "earthenware-wet",
-         .studio = studio_pot(bowl()),
-         .tool_shown = false,
-         .body = ClayBody::kEarthenware},
-        {.name = "stoneware-dry", .studio = studio_pot(dry_jar), .tool_shown = false, .stage = Firing::kDry},
+        {.name = "stoneware-wet", .pot = studio_pot(jar()), .tool_shown = false},
+        {.name = "porcelain-wet", .pot = pot_of(bottle(), ClayBody::kPorcelain), .tool_shown = false},
+        {.name = "earthenware-wet", .pot = pot_of(bowl(), ClayBody::kEarthenware), .tool_shown = false},
+        {.name = "stoneware-dry",
+         .pot = pot_of(dry_jar, ClayBody::kStoneware, Firing::kDry),
+         .tool_shown = false},
         {.name = "earthenware-bisque",
-         .studio = studio_pot(cylinder()),
-         .tool_shown = false,
-         .body = ClayBody::kEarthenware,
-         .stage = Firing::kBisque},
-        {.name = "celadon", .studio = studio_pot(bottle()), .tool_shown = false, .stage = Firing::kGlaze},
+         .pot = pot_of(cylinder(), ClayBody::kEarthenware, Firing::kBisque),
+         .tool_shown = false},
+        {.name = "celadon",
+         .pot = pot_of(bottle(), ClayBody::kStoneware, Firing::kGlaze),
+         .tool_shown = false},
         // Views.
-        {.name = "inside", .studio = studio_pot(jar()), .tool_shown = false, .view = StillView::kLookingIn},
+        {.name = "inside", .pot = studio_pot(jar()), .tool_shown = false, .view = StillView::kLookingIn},
         {.name = "inside-portrait",
          .width = 405,
          .height = 720,
-         .studio = studio_pot(jar()),
+         .pot = studio_pot(jar()),
          .tool_shown = false,
          .view = StillView::kLookingIn},
         {.name = "wide-plate",
-         .studio = studio_pot(plate()),
+         .pot = pot_of(plate(), ClayBody::kEarthenware),
          .tool_shown = false,
-         .body = ClayBody::kEarthenware,
          .view = StillView::kLookingIn},
         {.name = "portrait",
          .width = 405,
          .height = 720,
-         .studio = studio_pot(bottle()),
+         .pot = studio_pot(bottle()),
          .view = StillView::kPortrait},
-        {.name = "cutaway", .studio = studio_pot(jar()), .view = StillView::kCutaway},
-        {.name = "load", .studio = loaded, .view = StillView::kCutaway},
-        {.name = "wide", .width = 960, .height = 540, .studio = studio_pot(bowl()), .tool_shown = false},
+        {.name = "cutaway", .pot = studio_pot(jar()), .view = StillView::kCutaway},
+        {.name = "load", .pot = loaded, .view = StillView::kCutaway},
+        {.name = "wide", .width = 960, .height = 540, .pot = studio_pot(bowl()), .tool_shown = false},
         // Moves and what goes wrong.
         {.name = "centring",
-         .studio = off_centre,
+         .pot = off_centre,
          .tool_position_mm = {70.0, 40.0, 8.0},
          .wheel_direction = {0.6, 0.8},
          .contacts = 200},
         {.name = "coning",
-         .studio = studio_pot(cone()),
+         .pot = studio_pot(cone()),
          .tool_position_mm = {40.0, 120.0, 20.0},
          .contacts = 200},
         {.name = "opening",
-         .studio = studio_pot(opened()),
+         .pot = studio_pot(opened()),
          .tool_position_mm = {0.0, 24.0, 12.0},
          .contacts = 90,
          .view = StillView::kLookingIn},
         {.name = "widening",
-         .studio = studio_pot(widened()),
+         .pot = studio_pot(widened()),
          .tool_position_mm = {40.0, 21.0, 10.0},
          .side = Side::kIn,
          .contacts = 90,
          .view = StillView::kLookingIn},
         {.name = "pulling",
-         .studio = studio_pot(cylinder()),
+         .pot = studio_pot(cylinder()),
          .tool_position_mm = {54.5, 96.0, 4.0},
          .second_hand_mm = dvec3{31.0, 96.0, 2.0},
          .contacts = 90},
         {.name = "bellying",
-         .studio = studio_pot(bellied()),
+         .pot = studio_pot(bellied()),
          .tool_position_mm = {45.0, 84.0, 12.0},
          .side = Side::kIn,
          .contacts = 90},
         {.name = "collaring",
-         .studio = studio_pot(collared()),
+         .pot = studio_pot(collared()),
          .tool_position_mm = {38.0, 138.0, 10.0},
          .contacts = 90},
         {.name = "pressing-the-rim",
-         .studio = studio_pot(thick_rimmed()),
+         .pot = studio_pot(thick_rimmed()),
          .tool_position_mm = {46.0, 128.0, 6.0},
          .side = Side::kTop,
          .contacts = 1},
         {.name = "rib",
-         .studio = studio_pot(jar()),
+         .pot = studio_pot(jar()),
          .tool_position_mm = {86.0, 88.0, 24.0},
          .tool = clay::StudioTool::kRib,
          .contacts = 60},
         {.name = "sponge",
-         .studio = studio_pot(bowl()),
+         .pot = studio_pot(bowl()),
          .tool_position_mm = {73.0, 40.0, 22.0},
          .tool = clay::StudioTool::kSponge,
          .contacts = 60},
         {.name = "trimming",
-         .studio = studio_pot(trimmed()),
+         .pot = studio_pot(trimmed()),
          .tool_position_mm = {47.0, 10.0, 18.0},
          .tool = clay::StudioTool::kTrimmer,
          .contacts = 60},
-        {.name = "wire-at-the-rim", .studio = uneven_rim, .tool_shown = false, .wire_height_mm = 146.0},
-        {.name = "wire-off-the-wheel",
-         .studio = studio_pot(jar()),
-         .tool_shown = false,
-         .wire_height_mm = 1.5},
-        {.name = "rough-grooves", .studio = studio_pot(rough()), .tool_shown = false},
-        {.name = "dent", .studio = dented, .tool_shown = false},
-        {.name = "failure", .studio = failed, .tool_shown = false, .wheel_direction = {0.8, -0.6}},
+        {.name = "wire-at-the-rim", .pot = uneven_rim, .tool_shown = false, .wire_height_mm = 146.0},
+        {.name = "wire-off-the-wheel", .pot = studio_pot(jar()), .tool_shown = false, .wire_height_mm = 1.5},
+        {.name = "rough-grooves", .pot = studio_pot(rough()), .tool_shown = false},
+        {.name = "dent", .pot = dented, .tool_shown = false},
+        {.name = "failure", .pot = failed, .tool_shown = false, .wheel_direction = {0.8, -0.6}},
         {.name = "empty-wheel", .tool_shown = false},
     };
 }

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "game/wheel/pot_view.h"
 #include "game/wheel/still.h"
+#include "game/wheel/wheel_view.h"
 #include "tests/golden/golden_pots.h"
 
 namespace onggi::golden {
@@ -18,8 +18,7 @@ struct GoldenScene {
     std::string name;
     int width = 640;
     int height = 480;
-    std::vector<float> radii_mm{};  // of the paper's clay, 200 mm high; or
-    StudioPot studio{};             // the studio's, if it has rings
+    pot::Pot pot{};
     dvec3 tool_position_mm{110.0, 150.0, 0.0};
     double tool_radius_mm = 10.0;
     bool tool_shown = true;
@@ -29,12 +28,10 @@ struct GoldenScene {
     std::optional<double> wire_height_mm = std::nullopt;    // drawn through the clay there
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
-    clay::ClayBody body = clay::ClayBody::kStoneware;
-    clay::Firing stage = clay::Firing::kWet;
     wheel::StillView view = wheel::StillView::kThrowing;
 
     // Refers to this scene.
-    [[nodiscard]] wheel::PotView pot() const;
+    [[nodiscard]] wheel::WheelView shown() const;
     // Of all that the picture shows.
     [[nodiscard]] std::uint64_t hash() const;
 

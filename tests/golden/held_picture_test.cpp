@@ -37,7 +37,7 @@ class HeldPicture : public DrawingTest {
         return vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
     }
     [[nodiscard]] render::Scene scene_of(const GoldenScene& shown) {
-        render::Scene scene = opened_.scene->apply(shown.pot(), kWidth, kHeight);
+        render::Scene scene = opened_.scene->apply(shown.shown(), kWidth, kHeight);
         if (!shows_hands_) scene.movers.clear();
         return scene;
     }

@@ -46,7 +46,7 @@ class LivePictures : public DrawingTest, public testing::WithParamInterface<Live
         for (int frame = 0; frame < 3; ++frame) {
             GoldenScene moved = shown;
             moved.tool_position_mm.y += 2.0 * (2 - frame);
-            render::Scene scene = opened.scene->apply(moved.pot(), shown.width, shown.height);
+            render::Scene scene = opened.scene->apply(moved.shown(), shown.width, shown.height);
             scene.levels = wheel::light_levels(evening);
             const auto drawn = (*renderer)->draw(scene, **target);
             EXPECT_TRUE(drawn && *drawn);

@@ -51,7 +51,7 @@ TEST(LivePicture, OfEveryScenePleasesTheValidationLayerThroughAStormOfSizes) {
                 // With the layers as they are, with others, and with those that the processor has read back.
                 for (int frame = 0; frame < 4; ++frame) {
                     const auto drawn = renderer->draw(
-                        opened.scene->apply(scene.pot(), width, height, kFrameS), *target, &overlay);
+                        opened.scene->apply(scene.shown(), width, height, kFrameS), *target, &overlay);
                     ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
                     EXPECT_TRUE(*drawn) << scene.name;
                 }
@@ -75,13 +75,13 @@ TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {
         if (loses) {
             // Frames enough that it is another trouble and not the same one again.
             for (int frame = 0; frame < 60; ++frame)
-                ASSERT_TRUE((*view)->draw(scene.pot(), kFrameS));
+                ASSERT_TRUE((*view)->draw(scene.shown(), kFrameS));
             (*view)->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_DEVICE_LOST});
             ++lost;
         }
         (*view)->look_at(view_of(scene));
         for (int frame = 0; frame < 2; ++frame) {
-            const auto drawn = (*view)->draw(scene.pot(), kFrameS);  // an error if there is a word
+            const auto drawn = (*view)->draw(scene.shown(), kFrameS);  // an error if there is a word
             ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
             EXPECT_TRUE(*drawn) << scene.name;
         }

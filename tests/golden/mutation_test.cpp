@@ -34,16 +34,16 @@ class Gate : public testing::Test {
     }
 
     // The jar on the wheel, after something was changed about it.
-    asset::Image draw(const std::function<void(StudioPot&)>& change_pot = {},
+    asset::Image draw(const std::function<void(pot::Pot&)>& change_pot = {},
                       const std::function<void(render::Scene&)>& change_scene = {}, bool inside_out = false) {
-        StudioPot pot = studio_pot(jar());
+        pot::Pot pot = studio_pot(jar());
         if (change_pot) change_pot(pot);
-        const GoldenScene golden{.name = "vase", .studio = pot, .tool_shown = false};
+        const GoldenScene golden{.name = "vase", .pot = pot, .tool_shown = false};
         render::RendererDesc desc = render::still_desc(vk::Offscreen::kFormat);
         desc.inside_out = inside_out;
         auto renderer = render::Renderer::create(*device_, desc).value();
         auto target = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
-        render::Scene scene = opened_.scene->apply(golden.pot(), kWidth, kHeight);
+        render::Scene scene = opened_.scene->apply(golden.shown(), kWidth, kHeight);
         if (change_scene) change_scene(scene);
         EXPECT_TRUE(renderer->draw(scene, *target).value());
         return {.width = kWidth, .height = kHeight, .rgba = target->read_back().value()};
@@ -65,7 +65,7 @@ TEST_F(Gate, PassesTheSamePotDrawnAgain) {
 }
 
 TEST_F(Gate, SeesATwentiethOfAMillimetreOfRadius) {
-    EXPECT_FALSE(check(draw([](StudioPot& pot) {
+    EXPECT_FALSE(check(draw([](pot::Pot& pot) {
         for (float& radius : pot.outer_mm)
             radius += 0.05F;
     })));
@@ -95,7 +95,7 @@ TEST_F(Gate, SeesAFlippedWinding) {
 }
 
 TEST_F(Gate, SeesWaterThatIsOnePercentLess) {
-    EXPECT_FALSE(check(draw([](StudioPot& pot) {
+    EXPECT_FALSE(check(draw([](pot::Pot& pot) {
         for (float& liquidity : pot.liquidity)
             liquidity -= 0.01F;
     }))) << "the darkness of wet clay is part of the picture";

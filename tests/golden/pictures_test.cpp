@@ -46,7 +46,7 @@ class Picture : public testing::TestWithParam<GoldenScene> {
             if (!made) return made.error();
             camera = std::move(*made);
         }
-        return camera->take(scene.pot(), scene.view);
+        return camera->take(scene.shown(), scene.view);
     }
 
   private:
@@ -68,17 +68,17 @@ INSTANTIATE_TEST_SUITE_P(OfThePot, Picture, testing::ValuesIn(golden_scenes()),
 
 TEST(Still, IsTheSameToTheByteEveryTime) {
     const GoldenScene scene = golden_scenes().at(1);
-    const auto first = wheel::render_still(scene.pot(), 320, 240);
-    const auto second = wheel::render_still(scene.pot(), 320, 240);
+    const auto first = wheel::render_still(scene.shown(), 320, 240);
+    const auto second = wheel::render_still(scene.shown(), 320, 240);
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first->rgba, second->rgba);
 }
 
-TEST(Still, TurnsItsSlipWithTheWheel) {
+TEST(Still, TurnsItsStreaksWithTheWheel) {
     GoldenScene scene = golden_scenes().at(1);
-    const auto before = wheel::render_still(scene.pot(), 320, 240);
+    const auto before = wheel::render_still(scene.shown(), 320, 240);
     scene.wheel_direction = {-0.6, 0.8};
-    const auto after = wheel::render_still(scene.pot(), 320, 240);
+    const auto after = wheel::render_still(scene.shown(), 320, 240);
     ASSERT_TRUE(before && after);
     EXPECT_NE(before->rgba, after->rgba);
 }

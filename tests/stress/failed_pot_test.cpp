@@ -38,10 +38,10 @@ class FailedPot : public testing::Test {
         constexpr double kSlowly = 0.002;
         ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kFailure; }, kSlowly))
             << "at " << kiosk.snapshot().wheel_speed_rad_s << " rad/s, load " << kiosk.snapshot().load.index
-            << ", height " << kiosk.snapshot().shape->height_mm;
+            << ", height " << kiosk.snapshot().pot->height_mm;
     }
     double widest_mm() {
-        const auto outer = kiosk.snapshot().shape->outer_mm();
+        const auto& outer = kiosk.snapshot().pot->outer_mm;
         return 2.0 * double{*std::max_element(outer.begin(), outer.end())};
     }
     // For that many frames.
@@ -63,13 +63,13 @@ TEST_F(FailedPot, GoesBackToJustBeforeAndStandsBecauseTheWheelIsSlower) {
     const double standing_mm = widest_mm();
     spin_it_apart();
     EXPECT_GT(widest_mm(), standing_mm + 15.0);
-    EXPECT_GT(kiosk.snapshot().shape->height_mm, 120.0) << "of 140: it spins wide before it sinks";
+    EXPECT_GT(kiosk.snapshot().pot->height_mm, 120.0) << "of 140: it spins wide before it sinks";
     ASSERT_TRUE(kiosk.press(Button::kBeforeCollapse));
     EXPECT_TRUE(stays_on_the_wheel(20)) << "what had given way was taken for this";
     EXPECT_EQ(kiosk.state().throwing.speed, 3) << "nobody is as quick as the wheel";
     EXPECT_TRUE(stays_on_the_wheel(200));
     EXPECT_LT(widest_mm(), standing_mm + 3.0);
-    EXPECT_GT(kiosk.snapshot().shape->height_mm, 137.0);
+    EXPECT_GT(kiosk.snapshot().pot->height_mm, 137.0);
     EXPECT_EQ(kiosk.snapshot().load.failure.cause, clay::studio::Cause::kNone);
 }
 

@@ -56,7 +56,7 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
         ASSERT_TRUE(snapshot.run > last_run || snapshot.tick >= last_tick);
         last_run = snapshot.run;
         last_tick = snapshot.tick;
-        ASSERT_TRUE(std::all_of(snapshot.shape->outer_mm().begin(), snapshot.shape->outer_mm().end(),
+        ASSERT_TRUE(std::all_of(snapshot.pot->outer_mm.begin(), snapshot.pot->outer_mm.end(),
                                 [](float radius_mm) { return radius_mm >= 2.0F && radius_mm <= 60.0F; }));
         bool sent = true;
         if (frame % 1000 == 999) sent = job.send(Command::kFreshLump);

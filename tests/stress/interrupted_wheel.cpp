@@ -103,8 +103,7 @@ class Visitors {
             pass(1, 3);
         if (!cut_) return;
         const auto pot = std::make_shared<const screens::FiredPot>(app::fired_pot(*cut_, {}, {}));
-        keeper_->save(std::shared_ptr<const screens::PotSection>(pot, &pot->shape),
-                      static_cast<int>(any_below(6)));
+        keeper_->save(std::shared_ptr<const pot::Section>(pot, &pot->shape), static_cast<int>(any_below(6)));
         say(stress::kSaves);
         is_saved_ = false;
         for (int round = 0; round < 10'000 && !is_saved_; ++round)

@@ -174,9 +174,9 @@ class UnseenKiosk {
         constexpr int kTries = 10;
         constexpr double kDeepMm = 25.0;
         constexpr double kHighMm = 72.0;
-        const auto top_mm = [&] { return snapshot().shape->height_mm; };
+        const auto top_mm = [&] { return snapshot().pot->height_mm; };
         const auto is_open = [&] {
-            return snapshot().shape->is_hollow && top_mm() - snapshot().shape->floor_mm > kDeepMm;
+            return snapshot().pot->can_be_hollow() && top_mm() - snapshot().pot->floor_mm > kDeepMm;
         };
         for (int tries = 0; tries < kTries && !is_open(); ++tries)
             stroke({{0.0, top_mm() + 1.0}, {0.0, top_mm() - 38.0}}, 1.3, chance);

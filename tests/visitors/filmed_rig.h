@@ -33,7 +33,7 @@ class FilmedRig final : public WheelRig {
     [[nodiscard]] const std::vector<Shot>& film() const { return film_; }
 
   private:
-    [[nodiscard]] const haptic::PotShape& shape() const { return *kiosk_.snapshot().shape; }
+    [[nodiscard]] const pot::Pot& shape() const { return *kiosk_.snapshot().pot; }
     void take_picture(const dvec2& pointer_px, bool pressed);
 
     mutable app::UnseenKiosk kiosk_;  // who looks at the newest snapshot takes it

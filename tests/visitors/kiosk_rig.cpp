@@ -30,7 +30,7 @@ haptic::HapticParameters kiosk_parameters() {
 KioskRig::KioskRig(double mass_g)
     : parameters_(kiosk_parameters()),
       state_(clay::StudioClay({.mass_g = mass_g})),
-      shape_(haptic::first_shape(state_)) {
+      shape_(haptic::pot_of(state_)) {
     // The wheel comes up to speed while the visitor looks.
     for (int i = 0; i < 60; ++i)
         frame({170.0, 120.0}, false);
@@ -63,7 +63,7 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     device_.set_target(tool);
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)
         haptic::tick(state_, device_.read(ticks_, 1.0 / kRateHz), parameters_);
-    shape_ = haptic::first_shape(state_);
+    shape_ = haptic::pot_of(state_);
 }
 
 void KioskRig::show_outline(const std::vector<dvec2>& outline_mm) {

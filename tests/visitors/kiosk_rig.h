@@ -37,7 +37,7 @@ class KioskRig final : public WheelRig {
     haptics::SimulatedDevice device_;
     haptic::HapticParameters parameters_;
     haptic::HapticState state_;
-    haptic::PotShape shape_;
+    pot::Pot shape_;
     app::Lesson lesson_;
     std::vector<vec2> outline_mm_;
     std::vector<double> released_mm_;

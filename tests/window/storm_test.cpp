@@ -37,7 +37,7 @@ class AWindow : public testing::Test {
         int shown = 0;
         for (int frame = 0; frame < frames; ++frame) {
             static_cast<void>(view_->poll_events());
-            const auto drawn = view_->draw({.radii_mm = radii_, .hand = {.position_mm = {72.0, 100.0, 0.0}}});
+            const auto drawn = view_->draw({.pot = &pot_, .hand = {.position_mm = {72.0, 100.0, 0.0}}});
             EXPECT_TRUE(drawn) << drawn.error().message;
             if (!drawn) return shown;
             shown += *drawn ? 1 : 0;
@@ -55,7 +55,7 @@ class AWindow : public testing::Test {
         return false;
     }
 
-    std::vector<float> radii_ = std::vector<float>(400, 60.0F);
+    pot::Pot pot_{.outer_mm = std::vector<float>(400, 60.0F), .height_mm = 200.0};
     std::unique_ptr<LiveView> view_;
 };
 

@@ -142,7 +142,7 @@ Result<HostPicture> CpuBackend::make(const Scene& scene) {
     }
     if (auto made = shown_.make(frame_, scene, room_, numbers_); !made) return made.error();
     frame_.stats.shadow_drawn = shown_.shade(frame_, scene, numbers_);
-    frame_.clock.enter_host("hands and clay");
+    frame_.clock.enter_host("hands and lathe");
     auto drawn = moving_.draw_over(frame_, shown_.shaded().as<const std::uint32_t>(), shown_.depth());
     if (!drawn) return drawn.error();
     if (scene.next_view) {

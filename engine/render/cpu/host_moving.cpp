@@ -9,11 +9,12 @@
 namespace onggi::render {
 
 void HostMoving::create(const RendererDesc& desc) {
-    slip_size_ = {desc.slip_across, desc.slip_up};
-    const std::vector<std::uint8_t> texels = slip_levels(
-        coarser_detail(detail_texture(), desc.slip_across, desc.slip_up), desc.slip_across, desc.slip_up);
-    slip_.resize(texels.size() / sizeof(std::uint32_t));
-    std::memcpy(slip_.data(), texels.data(), texels.size());
+    streak_size_ = {desc.streaks_across, desc.streaks_up};
+    const std::vector<std::uint8_t> texels =
+        streak_levels(coarser_detail(detail_texture(), desc.streaks_across, desc.streaks_up),
+                      desc.streaks_across, desc.streaks_up);
+    streaks_.resize(texels.size() / sizeof(std::uint32_t));
+    std::memcpy(streaks_.data(), texels.data(), texels.size());
 }
 
 void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverModels& models) {
@@ -39,13 +40,13 @@ void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverModel
                    .draw = built.lathe,
                    .rows = built.rows,
                    .vertices = std::span(built.vertices).first(built.section_first),
-                   .slip = slip_size_,
+                   .streaks = streak_size_,
                    .shows_load = built.shows_load},
                   built.faces.indices, lathe_corners_);
 }
 
 void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
-    // A pixel of clay takes several times as long as one of a hand: what a hand hides is not shaded.
+    // A pixel of the lathe takes several times as long as one of a hand: what a hand hides is not shaded.
     for (const Part& part : parts_)
         draw_triangles(corners_of(part), part.indices, canvas);
     const BuiltFrame& built = frame.built;
@@ -55,8 +56,8 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
                    {.frame = built.frame,
                     .draw = built.lathe,
                     .normals = built.normals,
-                    .slip = slip_,
-                    .slip_size = slip_size_,
+                    .streaks = streaks_,
+                    .streak_size = streak_size_,
                     .order = order,
                     .shows_load = built.shows_load},
                    canvas);
@@ -67,7 +68,7 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
     edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
 }
 
-// What clay covers wholly needs nothing under it but the greatest depth.
+// What the lathe covers wholly needs nothing under it but the greatest depth.
 void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                             std::span<const float> depth, const PictureCanvas& canvas) {
     const TileGrid grid{canvas.size.width, canvas.size.height};

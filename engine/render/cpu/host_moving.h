@@ -1,5 +1,5 @@
-// What moves, by the processor where that is the device: hands, tools and clay, and their outlines smoothed,
-// drawn into a picture that the processor makes. Main thread.
+// What moves, by the processor where that is the device: hands, tools and the lathe, and their outlines
+// smoothed, drawn into a picture that the processor makes. Main thread.
 #pragma once
 
 #include <cstddef>
@@ -49,8 +49,8 @@ class HostMoving {
 
     std::vector<MoverCorner> corners_;
     std::vector<Part> parts_;
-    std::vector<std::uint32_t> slip_;  // see LatheLook
-    SlipSize slip_size_;
+    std::vector<std::uint32_t> streaks_;  // see LatheLook
+    StreakSize streak_size_;
     std::vector<LatheCorner> lathe_corners_;
     std::vector<SectionCorner> section_corners_;
     EdgePixels edges_;

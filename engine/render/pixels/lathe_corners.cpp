@@ -5,7 +5,7 @@
 
 #include "engine/render/pixels/corners8.h"
 #include "engine/render/pixels/wide_vectors.h"
-#include "shaders/clay.h"
+#include "shaders/lathe.h"
 
 // No vector leaves this file by value, see float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -75,15 +75,15 @@ struct Answer8 {
     own.normal =
         normalised({across * own.outward_x, own.normal.y - across * own.lean, across * own.outward_z});
     const Float8x3& n = own.normal;
-    Float8 open = shaders::clay_open(own.open, own.height_mm, n.y, own.inside);
+    Float8 open = shaders::lathe_open(own.open, own.height_mm, n.y, own.inside);
     for (const vec4& sphere : frame.spheres)
         open *= shaders::sky_past_sphere(sphere, own.place, n);
-    const Float8 from_mouth = shaders::clay_from_mouth(own.inside, open);
+    const Float8 from_mouth = shaders::lathe_from_mouth(own.inside, open);
     const Float8x3 from =
         normalised({n.x - n.x * from_mouth, float8::mix(n.y, 1.0F, from_mouth), n.z - n.z * from_mouth});
     answer.to_eye = towards(vec3(frame.eye), own.place);
     answer.half = shaders::half_of(dot(answer.to_eye, vec3(frame.key_direction)));
-    find_sky_radiance(frame, mirrored(n, answer.to_eye), shaders::clay_sky_roughness(grid.draw.gloss.w),
+    find_sky_radiance(frame, mirrored(n, answer.to_eye), shaders::lathe_sky_roughness(grid.draw.gloss.w),
                       answer.mirrored);
     find_sky_diffuse(frame, from, answer.ambient);
     for (int channel = 0; channel < 3; ++channel) {
@@ -99,21 +99,21 @@ struct Answer8 {
                                          LatheCorner* into) {
     static_assert(lathe_value::kLoad == lathe_value::kHalf);
     const Float8& half = grid.shows_load ? own.load : answer.half;
-    const auto texels_across = static_cast<float>(grid.slip.across);
-    const auto texels_up = static_cast<float>(grid.slip.up);
+    const auto texels_across = static_cast<float>(grid.streaks.across);
+    const auto texels_up = static_cast<float>(grid.streaks.up);
     const Int8 is_before = at.away_mm > 0.0F;
     const Float8 near = float8::select(is_before, 1.0F / float8::select(is_before, at.away_mm, 1.0F), 0.0F);
-    const Float8 slip_across =
-        near * texels_across * (2.0F * own.turned + grid.draw.turn.x + kSlipWidthsMore);
-    const Float8 slip_up = near * texels_up * (own.along_mm / shaders::kSlipMm);
+    const Float8 streaks_across =
+        near * texels_across * (2.0F * own.turned + grid.draw.turn.x + kStreakWidthsMore);
+    const Float8 streaks_up = near * texels_up * (own.along_mm / shaders::kStreakMm);
     const Float8 outline = own.outline * static_cast<float>(shaders::kProfileTexels);
     const std::array<const Float8*, lathe_value::kCount> values{&answer.to_eye.x,
                                                                 &answer.to_eye.y,
                                                                 &answer.to_eye.z,
                                                                 &own.outward_x,
                                                                 &own.outward_z,
-                                                                &slip_across,
-                                                                &slip_up,
+                                                                &streaks_across,
+                                                                &streaks_up,
                                                                 &outline,
                                                                 &own.seen,
                                                                 &own.water,

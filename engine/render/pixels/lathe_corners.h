@@ -1,4 +1,4 @@
-// The corners of the clay, placed in the picture, with the light that changes slowly over it: what
+// The corners of the lathe, placed in the picture, with the light that changes slowly over it: what
 // shaders/lathe.vert does, for a device that is the processor. Any thread; pure. mm, pixels.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace onggi::render {
 namespace lathe_value {
 constexpr std::size_t kToEye = 0;      // unit
 constexpr std::size_t kOutward = 3;    // x and z, unit
-constexpr std::size_t kSlip = 5;       // texels of the slip across and up, not below 0; times kNear
+constexpr std::size_t kStreak = 5;     // texels of the streaks across and up, not below 0; times kNear
 constexpr std::size_t kNormal = 7;     // texels of the outline's normals
 constexpr std::size_t kSeen = 8;       // key light that gets here
 constexpr std::size_t kWater = 9;      // in the body
@@ -33,13 +33,13 @@ constexpr std::size_t kDepth = 23;     // as the device has it
 constexpr std::size_t kCount = 24;
 }  // namespace lathe_value
 
-// The slip's texture repeats; some of its widths are added so that no place in it is below 0.
-constexpr float kSlipWidthsMore = 4.0F;
+// The streaks' texture repeats; some of its widths are added so that no place in it is below 0.
+constexpr float kStreakWidthsMore = 4.0F;
 
 using LatheCorner = PictureCorner<lathe_value::kCount>;
 
-// What of the slip's texture is read: texels, powers of two.
-struct SlipSize {
+// What of the streaks' texture is read: texels, powers of two.
+struct StreakSize {
     int across = 512;
     int up = 512;
 };
@@ -49,7 +49,7 @@ struct LatheGrid {
     const shaders::LatheDraw& draw;
     std::span<const shaders::RowData> rows;
     std::span<const shaders::VertexData> vertices;  // draw.turn.y in each row
-    SlipSize slip;
+    StreakSize streaks;
     bool shows_load = false;
 };
 // A corner for each vertex, of which those are good that these triangles need. A processor without wider

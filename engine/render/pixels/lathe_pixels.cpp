@@ -35,11 +35,11 @@ using Values = std::array<Float8, kValueVectors>;
     return values;
 }
 
-// Which level of the slip a triangle shows: the one with a texel a pixel or two.
-[[gnu::always_inline]] inline int slip_level(const Shape<value::kCount>& shape, float area) {
+// Which level of the streaks a triangle shows: the one with a texel a pixel or two.
+[[gnu::always_inline]] inline int streak_level(const Shape<value::kCount>& shape, float area) {
     const LatheCorner& first = *shape.corners[0];
     const auto texels_up = [](const LatheCorner& corner) {
-        return corner.values[value::kSlip + 1] * corner.away_mm;
+        return corner.values[value::kStreak + 1] * corner.away_mm;
     };
     const vec2 to_1 = shape.corners[1]->at_px - first.at_px;
     const vec2 to_2 = shape.corners[2]->at_px - first.at_px;
@@ -54,7 +54,7 @@ using Values = std::array<Float8, kValueVectors>;
 // How a triangle's values grow, as vectors of values and one by one.
 struct Growth {
     vec2 from;    // its first corner
-    int level;    // of the slip, where a pixel's place in the queue has it
+    int level;    // of the streaks, where a pixel's place in the queue has it
     Values base;  // there
     Values across;
     Values down;
@@ -62,7 +62,7 @@ struct Growth {
 
     [[gnu::always_inline]] Growth(const Shape<value::kCount>& shape, float area)
         : from(shape.corners[0]->at_px),
-          level(slip_level(shape, area) << shading::kLevelShift),
+          level(streak_level(shape, area) << shading::kLevelShift),
           base(values_of(*shape.corners[0])) {
         const vec2 to_1 = (shape.corners[1]->at_px - from) / area;
         const vec2 to_2 = (shape.corners[2]->at_px - from) / area;
@@ -92,16 +92,16 @@ struct Growth {
 [[gnu::always_inline]] inline void add_widths(const Growth& growth,
                                               const std::array<float, value::kCount>& first,
                                               const LatheLook& look, Queue& queue, std::size_t at) {
-    const shading::HatchPerTexel hatch(look.slip_size);
+    const shading::HatchPerTexel hatch(look.streak_size);
     const auto of = [](const Values& grown, std::size_t number) {
         return grown[number / kFloat8][number % kFloat8];
     };
     const auto along = [&](const Values& grown) {
-        return of(grown, value::kSlip) * hatch.round_mm + of(grown, value::kSlip + 1) * hatch.up_mm;
+        return of(grown, value::kStreak) * hatch.round_mm + of(grown, value::kStreak + 1) * hatch.up_mm;
     };
     const Float8 near = first[value::kNear] + growth.along[value::kNear];
-    const Float8 place = ((first[value::kSlip] + growth.along[value::kSlip]) * hatch.round_mm +
-                          (first[value::kSlip + 1] + growth.along[value::kSlip + 1]) * hatch.up_mm) /
+    const Float8 place = ((first[value::kStreak] + growth.along[value::kStreak]) * hatch.round_mm +
+                          (first[value::kStreak + 1] + growth.along[value::kStreak + 1]) * hatch.up_mm) /
                          near;
     const Float8 width = (float8::abs(along(growth.across) - place * of(growth.across, value::kNear)) +
                           float8::abs(along(growth.down) - place * of(growth.down, value::kNear))) /

@@ -1,4 +1,4 @@
-// The clay's pixels by the processor, where that is the device: as shaders/clay.h says, eight at a
+// The lathe's pixels by the processor, where that is the device: as shaders/lathe.h says, eight at a
 // time. lavapipe shades a triangle by the 4 x 4 blocks it touches, three times as many pixels as are seen.
 // Any thread; one user of a canvas at a time. Pixels, mm.
 #pragma once
@@ -13,13 +13,13 @@
 
 namespace onggi::render {
 
-// What all of it has in common. `slip` are texels of four bytes, as slip_levels() makes them.
+// What all of it has in common. `streaks` are texels of four bytes, as streak_levels() makes them.
 struct LatheLook {
     const shaders::FrameData& frame;
     const shaders::LatheDraw& draw;
     const NormalTexels& normals;
-    std::span<const std::uint32_t> slip;
-    SlipSize slip_size;
+    std::span<const std::uint32_t> streaks;
+    StreakSize streak_size;
     ByteOrder order = ByteOrder::kRedFirst;
     bool shows_load = false;  // which the corners must have then
 };

@@ -1,4 +1,4 @@
-// How the clay's pixels are shaded by the processor, where that is the device: as shaders/clay.h says,
+// How the lathe's pixels are shaded by the processor, where that is the device: as shaders/lathe.h says,
 // eight at a time, out of a queue in which they wait. Inline, so that it becomes a part of whatever
 // instructions its user is compiled for. Any thread; pure. Pixels, mm.
 #pragma once
@@ -12,7 +12,7 @@
 #include "engine/render/pixels/encode8.h"
 #include "engine/render/pixels/lathe_pixels.h"
 #include "engine/render/shapes/detail_texture.h"
-#include "shaders/clay.h"
+#include "shaders/lathe.h"
 #include "shaders/load.h"
 
 #pragma GCC diagnostic push
@@ -41,14 +41,14 @@ struct Queue {
     std::size_t count = 0;
     alignas(32) std::array<std::array<float, kMost>, kHatchWidth + 1> values;
     std::array<std::int32_t, kMost>
-        at;  // of the picture, below the slip's level; below 0: something is nearer
+        at;  // of the picture, below the streaks' level; below 0: something is nearer
 
     [[nodiscard]] bool is_full() const { return count + kFloat8 > kMost; }
 };
 
-// Above a pixel's place: which level of the slip it shows.
+// Above a pixel's place: which level of the streaks it shows.
 constexpr int kLevelShift = 28;
-static_assert(kSlipLevels <= 1 << (31 - kLevelShift));
+static_assert(kStreakLevels <= 1 << (31 - kLevelShift));
 
 // Eight of them.
 struct Pixels {
@@ -60,29 +60,29 @@ struct Pixels {
         std::memcpy(&values, queue.values[number].data() + first, sizeof values);
         return values;
     }
-    [[gnu::always_inline]] [[nodiscard]] Int8 slip_level() const {
+    [[gnu::always_inline]] [[nodiscard]] Int8 streak_level() const {
         Int8 places;
         std::memcpy(&places, queue.at.data() + first, sizeof places);
-        return (places >> kLevelShift) & (kSlipLevels - 1);
+        return (places >> kLevelShift) & (kStreakLevels - 1);
     }
     [[gnu::always_inline]] [[nodiscard]] Float8x3 three(std::size_t number) const {
         return {(*this)[number], (*this)[number + 1], (*this)[number + 2]};
     }
 };
 
-// What it has of the texture of slip, 0 to 1.
-struct Slip {
+// What it has of the texture of streaks, 0 to 1.
+struct Streaks {
     Float8 tone;
     Float8 lean_round;
     Float8 lean_up;
     Float8 film;
 };
-[[gnu::always_inline]] inline Slip slip_at(const LatheLook& look, const Pixels& own) {
+[[gnu::always_inline]] inline Streaks streaks_at(const LatheLook& look, const Pixels& own) {
     const Float8 away = 1.0F / own[value::kNear];
-    const Int8 across = ints(own[value::kSlip] * away) & (look.slip_size.across - 1);
-    const Int8 up = ints(own[value::kSlip + 1] * away) & (look.slip_size.up - 1);
-    const Int8 row = own.slip_level() * look.slip_size.up + up;
-    const Int8 texel = looked_up(look.slip.data(), row * look.slip_size.across + across);
+    const Int8 across = ints(own[value::kStreak] * away) & (look.streak_size.across - 1);
+    const Int8 up = ints(own[value::kStreak + 1] * away) & (look.streak_size.up - 1);
+    const Int8 row = own.streak_level() * look.streak_size.up + up;
+    const Int8 texel = looked_up(look.streaks.data(), row * look.streak_size.across + across);
     constexpr float kOneOver255 = 1.0F / 255.0F;
     const auto byte = [&](int shift) __attribute__((always_inline)) {
         return floats((texel >> shift) & 255) * kOneOver255;
@@ -90,15 +90,16 @@ struct Slip {
     return {byte(0), byte(8), byte(16), byte(24)};
 }
 
-// The way the wall looks there, not of unit length: the outline's own normal, leaned by dents and slip.
-[[gnu::always_inline]] inline Float8x3 normal_at(const LatheLook& look, const Pixels& own, const Slip& slip) {
+// The way the wall looks there, not of unit length: the outline's own normal, leaned by dents and streaks.
+[[gnu::always_inline]] inline Float8x3 normal_at(const LatheLook& look, const Pixels& own,
+                                                 const Streaks& streaks) {
     const Int8 place = ints(float8::clamp(own[value::kNormal], 0.0F, shaders::kProfileTexels - 1.0F));
     const Int8 word = looked_up(look.normals.data(), place);
     constexpr float kTwice = 2.0F / 65535.0F;
     const Float8 across = floats(word & 0xFFFF) * kTwice - 1.0F;
     const Float8 upward = floats((word >> 16) & 0xFFFF) * kTwice - 1.0F;
-    const Float8 round = shaders::clay_lean(look.draw.dry.w, slip.lean_round);
-    const Float8 up = shaders::clay_lean(look.draw.dry.w, slip.lean_up);
+    const Float8 round = shaders::lathe_lean(look.draw.dry.w, streaks.lean_round);
+    const Float8 up = shaders::lathe_lean(look.draw.dry.w, streaks.lean_up);
     const Float8 out_x = own[value::kOutward];
     const Float8 out_z = own[value::kOutward + 1];
     return {across * out_x - round * out_z, upward - across * own[value::kLean] + up,
@@ -127,8 +128,8 @@ struct Shares {
 template <Pot kPot>
 [[gnu::always_inline]] inline Shares shares_at(const LatheLook& look, const Pixels& own) {
     const shaders::LatheDraw& draw = look.draw;
-    const Slip slip = slip_at(look, own);
-    const Float8x3 n = normal_at(look, own, slip);
+    const Streaks streaks = streaks_at(look, own);
+    const Float8x3 n = normal_at(look, own, streaks);
     const Float8 one_over_n = float8::inversesqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     const Float8x3 v = own.three(value::kToEye);
     const vec3 key(look.frame.key_direction);
@@ -143,26 +144,26 @@ template <Pot kPot>
     const Float8 n_h = max((n_v + n_l) * half, 0.0F);
     const Float8 light_l = max(n_l, 0.0F);
     const Float8 water = own[value::kWater];
-    const Float8 film = shaders::clay_film(own[value::kFilm], slip.film, draw.gloss.w);
-    const Float8 roughness = shaders::clay_roughness(draw.gloss.x, draw.gloss.y, water);
+    const Float8 film = shaders::lathe_film(own[value::kFilm], streaks.film, draw.gloss.w);
+    const Float8 roughness = shaders::lathe_roughness(draw.gloss.x, draw.gloss.y, water);
     const Float8 body_under = shaders::ggx_under(n_h, n_v, light_l, roughness);
     const Float8 sheen_under = shaders::ggx_under(n_h, n_v, light_l, draw.gloss.z);
     const Float8 body_sheen = body_under * sheen_under;
     const Float8 share = 1.0F / (body_sheen * t);
-    const Float8 rough = shaders::clay_rough(water);
-    const Float8 lit = shaders::clay_lit(shaders::soft_cosine(n_l, draw.wet.w, draw.turn.w), rough, s,
-                                         body_sheen, share, shaders::clay_left(rough));
+    const Float8 rough = shaders::lathe_rough(water);
+    const Float8 lit = shaders::lathe_lit(shaders::soft_cosine(n_l, draw.wet.w, draw.turn.w), rough, s,
+                                          body_sheen, share, shaders::lathe_left(rough));
     const float mirrors = draw.turn.z;  // straight on
     const Float8 gloss =
-        shaders::clay_gloss(shaders::ggx_over(light_l, roughness), body_under,
-                            shaders::ggx_over(light_l, draw.gloss.z), sheen_under, mirrors, film, share * t);
+        shaders::lathe_gloss(shaders::ggx_over(light_l, roughness), body_under,
+                             shaders::ggx_over(light_l, draw.gloss.z), sheen_under, mirrors, film, share * t);
     return {.body = lit * seen,
             .gloss = gloss * seen,
-            .mirror = shaders::clay_mirror(mirrors, n_v, film),
-            .tone = shaders::clay_tone(draw.dry.w, slip.tone)};
+            .mirror = shaders::lathe_mirror(mirrors, n_v, film),
+            .tone = shaders::lathe_tone(draw.dry.w, streaks.tone)};
 }
 
-// How near the clay is to giving way, laid on its own colour.
+// How near the lathe is to giving way, laid on its own colour.
 struct LoadLayers {
     Float8 red;
     Float8 dark;
@@ -192,22 +193,22 @@ struct LoadLayers {
     return max(body + key * shares.gloss + own[value::kMirrored + number] * shares.mirror, 0.0F);
 }
 
-// Where a place in the slip's texture, in texels, lies along the hatch: round the pot and up it.
+// Where a place in the streaks' texture, in texels, lies along the hatch: round the pot and up it.
 struct HatchPerTexel {
     float round_mm;
     float up_mm;
 
-    [[gnu::always_inline]] explicit HatchPerTexel(const SlipSize& size)
-        : round_mm(shaders::kSlipRoundMm / static_cast<float>(size.across)),
-          up_mm(shaders::kSlipMm / static_cast<float>(size.up)) {}
+    [[gnu::always_inline]] explicit HatchPerTexel(const StreakSize& size)
+        : round_mm(shaders::kStreakRoundMm / static_cast<float>(size.across)),
+          up_mm(shaders::kStreakMm / static_cast<float>(size.up)) {}
 };
 [[gnu::always_inline]] inline Float8 hatch_at(const LatheLook& look, const Pixels& own) {
-    const HatchPerTexel hatch(look.slip_size);
+    const HatchPerTexel hatch(look.streak_size);
     const Float8 away = 1.0F / own[value::kNear];
-    // It stands on the clay, whereas the slip's texture turns under it.
+    // It stands on the lathe, whereas the streaks' texture turns under it.
     const float turned_mm =
-        (look.draw.turn.x + kSlipWidthsMore) * static_cast<float>(look.slip_size.across) * hatch.round_mm;
-    return (own[value::kSlip] * hatch.round_mm + own[value::kSlip + 1] * hatch.up_mm) * away - turned_mm;
+        (look.draw.turn.x + kStreakWidthsMore) * static_cast<float>(look.streak_size.across) * hatch.round_mm;
+    return (own[value::kStreak] * hatch.round_mm + own[value::kStreak + 1] * hatch.up_mm) * away - turned_mm;
 }
 
 template <Pot kPot>

@@ -99,7 +99,7 @@ struct Vertices8 {
     for (int channel = 0; channel < 3; ++channel) {
         const auto number = static_cast<std::size_t>(channel);
         const Float8 albedo =
-            shaders::hand_albedo(mesh.albedo[channel], mover.clay[channel], own.tone, own.smear);
+            shaders::hand_albedo(mesh.albedo[channel], mover.smear[channel], own.tone, own.smear);
         const Float8 ambient = shaders::hand_ambient(albedo, metalness, roughness, float8::max(n_v, 0.0F),
                                                      own.open, diffuse[number], reflected[number]);
         const Float8 straight_on = shaders::hand_mirror(mesh.albedo[channel], metalness);

@@ -33,9 +33,9 @@ float noise(int x, int y, std::uint32_t across, std::uint32_t up, std::uint32_t 
     return low + ty * (high - low);
 }
 
-// Height of the slip, about -0.5 to 0.5. The texture is 67 mm high on the pot, some 120 pixels of a picture
-// of 720: what is finer than a millimetre would flicker there as it turns.
-float slip(int x, int y) {
+// Height of the streaks, about -0.5 to 0.5. The texture is 67 mm high on the pot, some 120 pixels of a
+// picture of 720: what is finer than a millimetre would flicker there as it turns.
+float streaks(int x, int y) {
     const float streaks =
         0.46F * noise(x, y, 3, 18, 1) + 0.32F * noise(x, y, 5, 40, 2) + 0.16F * noise(x, y, 11, 64, 3);
     const float grain = 0.06F * noise(x, y, 150, 64, 4);
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> detail_texture() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x)
-            heights[static_cast<std::size_t>(y * kSize + x)] = slip(x, y);
+            heights[static_cast<std::size_t>(y * kSize + x)] = streaks(x, y);
     }
     const auto height = [&](int x, int y) {
         return heights[static_cast<std::size_t>(((y + kSize) % kSize) * kSize + (x + kSize) % kSize)];
@@ -94,13 +94,13 @@ std::vector<std::uint8_t> coarser_detail(std::span<const std::uint8_t> texels, i
     return coarse;
 }
 
-std::vector<std::uint8_t> slip_levels(std::span<const std::uint8_t> texels, int across, int up) {
+std::vector<std::uint8_t> streak_levels(std::span<const std::uint8_t> texels, int across, int up) {
     const auto at = [&](int x, int y, int channel) {
         return static_cast<std::size_t>(4 * ((y + up) % up * across + x) + channel);
     };
     std::vector<std::uint8_t> levels;
-    levels.reserve(kSlipLevels * texels.size());
-    for (int level = 0; level < kSlipLevels; ++level) {
+    levels.reserve(kStreakLevels * texels.size());
+    for (int level = 0; level < kStreakLevels; ++level) {
         const int count = std::min(1 << level, up);
         for (int y = 0; y < up; ++y) {
             for (int x = 0; x < across; ++x) {

@@ -1,4 +1,4 @@
-// The slip that fingers leave on turning clay, as a texture made when the program loads: streaks long round
+// The streaks that fingers leave on what turns, as a texture made when the program loads: long round
 // the pot and thin up it, a fine grain, a few pits. Any thread; a pure function, the same bytes every time.
 #pragma once
 
@@ -22,7 +22,8 @@ constexpr int kDetailTexels = 512;
 // That many, one after another: each texel of a level is the mean of twice as many above one another as in
 // the level before, the first as it is. For walls that are seen so slantwise that several texels lie under a
 // pixel.
-constexpr int kSlipLevels = 4;
-[[nodiscard]] std::vector<std::uint8_t> slip_levels(std::span<const std::uint8_t> texels, int across, int up);
+constexpr int kStreakLevels = 4;
+[[nodiscard]] std::vector<std::uint8_t> streak_levels(std::span<const std::uint8_t> texels, int across,
+                                                      int up);
 
 }  // namespace onggi::render

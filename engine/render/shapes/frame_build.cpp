@@ -88,8 +88,8 @@ void build_scene(const Scene& scene, const StillBounds& still, int width_px, int
     build_backdrop(scene, width_px, height_px, frame);
 }
 
-// How far the slip's texture has turned, in its own widths: two of it go round.
-float slip_turn(vec2 turn) {
+// How far the streaks' texture has turned, in its own widths: two of it go round.
+float streak_turn(vec2 turn) {
     const float angle = std::atan2(turn.y, turn.x);
     return angle / std::numbers::pi_v<float>;
 }
@@ -164,7 +164,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     const LatheMaterial& material = lathe.material;
     built.lathe.dry = vec4(material.albedo, material.streaks);
     built.lathe.wet = vec4(wet_albedo(material.albedo, 1.0F), material.soft_edge);
-    // Water lies thinner and smoother on the clay than the clay itself is; a glaze is thick.
+    // Water lies thinner and smoother on the body than the body itself is; a glaze is thick.
     constexpr float kFilmRoughness = 0.20F;
     // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
     const float film = kFilmRoughness + material.coat * (material.coat_roughness - kFilmRoughness);
@@ -173,7 +173,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     constexpr float kWetSmoothing = 0.72F;
     built.lathe.gloss =
         vec4(material.roughness, material.roughness * kWetSmoothing, film_lobe, material.coat);
-    built.lathe.turn = vec4(slip_turn(lathe.turn), static_cast<float>(built.sectors + 1),
+    built.lathe.turn = vec4(streak_turn(lathe.turn), static_cast<float>(built.sectors + 1),
                             0.02F + 0.02F * material.coat, 1.0F / std::max(material.soft_edge, 1e-4F));
 }
 

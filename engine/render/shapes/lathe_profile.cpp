@@ -95,7 +95,7 @@ std::uint32_t packed_normal(vec2 normal) {
     return sixteen_bits(normal.x) | sixteen_bits(normal.y) << 16U;
 }
 
-// Outwards of a chord walked with the clay on its left hand.
+// Outwards of a chord walked with the solid on its left hand.
 vec2 outward_of(vec2 chord) {
     const float length = glm::length(chord);
     return length > 1e-6F ? vec2(chord.y, -chord.x) / length : vec2(0.0F, 1.0F);

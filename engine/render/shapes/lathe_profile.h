@@ -1,4 +1,4 @@
-// A lathe's outline in the half plane (r, y), walked with the clay on its left hand: up the outside from the
+// A lathe's outline in the half plane (r, y), walked with the solid on its left hand: up the outside from the
 // base, over the rounded edge, and down the inside to the floor and in to the axis, or flat across the top of
 // a solid one. Any thread; pure functions. mm.
 #pragma once

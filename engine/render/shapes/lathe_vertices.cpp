@@ -33,7 +33,7 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         SectorEdge edge{};
         // The last edge of a whole turn is the first, to the bit.
         const float shown = angles_rad[!lathe.cut && i == last ? 0 : i];
-        // Slip lies where it lies on the clay, whichever way the eye looks.
+        // Streaks lie where they lie on the lathe, whichever way the eye looks.
         edge.share = lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / (2.0F * kHalfTurn);
         const std::size_t from = i > 0 ? i - 1 : 0;
         const float chord = (angles_rad[std::min(i + 1, last)] - angles_rad[from]) /

@@ -27,7 +27,7 @@ struct RingChoice {
 };
 
 // Greedy, from the bottom: from each ring on, the longest chord that stays within the tolerance of every
-// radius under it. Where that gives more rings than the cap allows (rough clay has no end of detail), the
+// radius under it. Where that gives more rings than the cap allows (a rough one has no end of detail), the
 // tolerance is relaxed until it does not, and max_step with it if it alone asks for too many.
 // Linear in the number of elements for each of at most some twenty tolerances, most of which stop early.
 [[nodiscard]] RingChoice choose_rings(std::span<const float> radii_mm, const RingBudget& budget);

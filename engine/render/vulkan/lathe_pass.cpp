@@ -59,17 +59,17 @@ Result<void> LathePass::create(const VulkanFrame& frame) {
     vk::write_texels(frame.device, frame.set(), shaders::kBindNormals, normal_texels_.get());
     vk::write_image(frame.device, frame.set(), shaders::kBindDetail, images.detail.view(),
                     pipelines.repeated.get());
-    return upload_slip(frame);
+    return upload_streaks(frame);
 }
 
-Result<void> LathePass::upload_slip(const VulkanFrame& frame) {
+Result<void> LathePass::upload_streaks(const VulkanFrame& frame) {
     const vk::Image& detail = frame.images.detail;
-    const int across = frame.desc.slip_across;
-    const int up = frame.desc.slip_up;
+    const int across = frame.desc.streaks_across;
+    const int up = frame.desc.streaks_up;
     const std::vector<std::uint8_t> texels = coarser_detail(detail_texture(), across, up);
     auto staging = vk::Buffer::create(
         frame.device,
-        {.name = "slip upload", .size = texels.size(), .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+        {.name = "streaks upload", .size = texels.size(), .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
     if (!staging) return staging.error();
     staging->write(std::as_bytes(std::span(texels)));
     return frame.device.run_once([&](VkCommandBuffer once) {

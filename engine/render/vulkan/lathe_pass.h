@@ -1,4 +1,4 @@
-// The clay, drawn by the device from its rings, with what it needs there. Main thread.
+// The lathe, drawn by the device from its rings, with what it needs there. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class LathePass {
     void draw(const VulkanFrame& frame) const;
 
   private:
-    static Result<void> upload_slip(const VulkanFrame& frame);
+    static Result<void> upload_streaks(const VulkanFrame& frame);
 
     vk::Buffer outline_;
     vk::Buffer rows_;

@@ -22,7 +22,7 @@ shaders::MoverDraw mover_draw(const Mover& mover, const MoverMesh& mesh) {
             .row_y = rows[1],
             .row_z = rows[2],
             .albedo = vec4(mesh.albedo, mesh.roughness),
-            .clay = vec4(mover.clay, mover.wetness),
+            .smear = vec4(mover.smear, mover.wetness),
             .surface = vec4(mesh.metalness, 0.0F, 0.0F, 0.0F)};
 }
 

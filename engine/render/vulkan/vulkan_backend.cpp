@@ -106,7 +106,7 @@ void VulkanBackend::record(const Scene& scene, const vk::TargetImage& target) {
     }
     begin_pass(commands, frame_.extent, {colour}, {.view = images.depth.view()});
     // Front to back, so that what is hidden is not shaded.
-    frame_.enter("clay");
+    frame_.enter("lathe");
     lathe_.draw(frame_);
     frame_.enter("hands and tools");
     movers_.draw(frame_, scene);

@@ -27,18 +27,17 @@ Result<void> create_all(const vk::Device& device, std::initializer_list<ImageReq
 
 Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, VulkanImages& images) {
     constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT;
-    return create_all(
-        device,
-        {{images.detail,
-          {.name = "slip",
-           .format = VK_FORMAT_R8G8B8A8_UNORM,
-           .extent = {static_cast<std::uint32_t>(desc.slip_across), static_cast<std::uint32_t>(desc.slip_up)},
-           .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
-         {images.mask,
-          {.name = "shadow mask",
-           .format = kMaskFormat,
-           .extent = {shaders::kMaskTexels, shaders::kMaskTexels},
-           .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}}});
+    return create_all(device, {{images.detail,
+                                {.name = "streaks",
+                                 .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                 .extent = {static_cast<std::uint32_t>(desc.streaks_across),
+                                            static_cast<std::uint32_t>(desc.streaks_up)},
+                                 .usage = kRead | VK_IMAGE_USAGE_TRANSFER_DST_BIT}},
+                               {images.mask,
+                                {.name = "shadow mask",
+                                 .format = kMaskFormat,
+                                 .extent = {shaders::kMaskTexels, shaders::kMaskTexels},
+                                 .usage = kRead | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}}});
 }
 
 Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,

@@ -55,7 +55,7 @@ void make_glide_pipelines(PipelineMaker& maker, const vk::PipelineDesc& plate_su
     }
 }
 
-// The clay. From one that draws into the picture.
+// The lathe. From one that draws into the picture.
 void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool needs_section,
                           const vk::PipelineDesc& into_picture, VulkanPipelines& pipelines) {
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);

@@ -57,9 +57,9 @@ Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const hapti
         stops = stops || key->key == window::Key::kPause;
     }
     if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
-    const wheel::PotView pot = pot_view(snapshot);
+    const wheel::WheelView shown = wheel_view(snapshot);
     const double now_s = jobs::MonotonicClock::now_s();
-    const auto drawn = view.draw(pot, 1.0 / kFrameRateHz, forces.look(snapshot, pot, view, now_s));
+    const auto drawn = view.draw(shown, 1.0 / kFrameRateHz, forces.look(snapshot, shown, view, now_s));
     if (!drawn) return drawn.error();
     if (auto done = view.wait(); !done) return done.error();
     for (const std::string& line : view.take_remarks())

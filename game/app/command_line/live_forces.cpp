@@ -4,7 +4,7 @@
 
 namespace onggi::app {
 
-const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::PotView& pot,
+const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
                                         const wheel::LiveView& view, double now_s) {
     forces_.look(snapshot, now_s);
     if (!shown_ || view.width() <= 0 || view.height() <= 0) return nullptr;
@@ -19,7 +19,7 @@ const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const 
         composer_.ask(asked_);
     }
     stage_.take(composer_.latest(), now_s);
-    const screens::ForceFrame frame = forces_.frame(snapshot, pot, sight_of(view), true);
+    const screens::ForceFrame frame = forces_.frame(snapshot, shown, sight_of(view), true);
     overlay_.list = &stage_.draw({.now_s = now_s, .forces = &frame});
     overlay_.uploads = stage_.uploads();
     overlay_.atlas_side_px = stage_.atlas_side_px();

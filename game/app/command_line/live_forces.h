@@ -19,7 +19,7 @@ class LiveForces {
 
     // Once a frame, shown or not, so that the plots have a past. Null: nothing to lay over the picture. Good
     // until the next call.
-    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::PotView& pot,
+    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
                                               const wheel::LiveView& view, double now_s);
 
   private:

@@ -40,14 +40,12 @@ Result<std::vector<std::byte>> model_for(const std::string& place, const haptic:
 
 Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::HapticState& state,
                                 const haptic::TickResult& last, const haptic::HapticParameters& parameters,
-                                const haptic::PotShape& shape) {
+                                const pot::Pot& pot) {
     haptic::Snapshot snapshot;
     haptic::fill_snapshot(snapshot, state, last, parameters);
-    const haptic::PotShape fired = shrunk(shape, clay::shrunk_scale(snapshot.body, outputs.stage));
-    snapshot.shape = &fired;
-    wheel::PotView pot = pot_view(snapshot);
-    pot.stage = outputs.stage;
-    return wheel::render_still(pot, outputs.size.width, outputs.size.height,
+    const pot::Pot fired = pot::fired(pot, outputs.stage);
+    snapshot.pot = &fired;
+    return wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
                                {.view = outputs.view, .beauty = outputs.beauty});
 }
 
@@ -127,11 +125,11 @@ Result<void> OutputWriter::prepare_text(const std::string& place, std::string_vi
 Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const haptic::TickResult& last,
                                          const jobs::Histogram& tick_ns) {
     Result<void> done;
-    const haptic::PotShape shape = haptic::first_shape(state);
+    const pot::Pot pot = haptic::pot_of(state);
     // The picture first: it is what may be missing its device.
     std::optional<asset::Image> picture;
     if (outputs_.screenshot) {
-        auto drawn = picture_of(outputs_, state, last, parameters_, shape);
+        auto drawn = picture_of(outputs_, state, last, parameters_, pot);
         if (!drawn) return drawn.error();
         picture = std::move(drawn).value();
         done = prepare(*outputs_.screenshot, asset::encode_png(*picture));

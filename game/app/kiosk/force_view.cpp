@@ -20,17 +20,17 @@ struct Ring {
     double high_mm = 0.0;
 };
 
-Ring ring_of(const haptic::PotShape& shape, int place) {
+Ring ring_of(const pot::Pot& shape, int place) {
     const auto at = static_cast<std::size_t>(place);
-    const auto tops = shape.top_mm();
-    Ring ring{.outer_mm = double{shape.outer_mm()[at]}};
+    const auto& tops = shape.top_mm;
+    Ring ring{.outer_mm = double{shape.outer_mm[at]}};
     if (tops.empty()) {
-        const double pitch_mm = shape.height_mm / shape.rings;
+        const double pitch_mm = shape.height_mm / shape.ring_count();
         ring.low_mm = place * pitch_mm;
         ring.high_mm = ring.low_mm + pitch_mm;
         return ring;
     }
-    ring.inner_mm = double{shape.inner_mm()[at]};
+    ring.inner_mm = double{shape.inner_mm[at]};
     ring.low_mm = place == 0 ? 0.0 : double{tops[at - 1]};
     ring.high_mm = double{tops[at]};
     return ring;
@@ -54,7 +54,7 @@ std::vector<vec2> circle(const Sight& sight, double radius_mm, double y_mm, bool
     return line;
 }
 
-void add_rings(screens::ForceTouch& touch, const haptic::PotShape& shape, const RingSpan& span, bool inside,
+void add_rings(screens::ForceTouch& touch, const pot::Pot& shape, const RingSpan& span, bool inside,
                const Sight& sight) {
     if (span.size() <= 0) return;
     const auto line = [&](int place, double y_mm) {
@@ -105,7 +105,7 @@ dvec3 touched_mm(const dvec3& tool_mm, double radius_mm, const dvec3& stiffness_
     return size_n > 0.0 ? tool_mm - stiffness_n * (radius_mm / size_n) : tool_mm;
 }
 
-RingSpan rings_touched(const haptic::PotShape& shape, const clay::ContactForces& forces) {
+RingSpan rings_touched(const pot::Pot& shape, const clay::ContactForces& forces) {
     if (forces.contacts == 0) return {};
     const auto middle_mm = [&](int place) {
         const Ring ring = ring_of(shape, place);
@@ -114,7 +114,7 @@ RingSpan rings_touched(const haptic::PotShape& shape, const clay::ContactForces&
     // The first ring from which on the middles lie above a height.
     const auto first_above = [&](double y_mm) {
         int first = 0;
-        int end = shape.rings;
+        int end = shape.ring_count();
         while (first < end) {
             const int middle = first + (end - first) / 2;
             if (middle_mm(middle) > y_mm) {
@@ -150,7 +150,7 @@ void ForceView::look(const haptic::Snapshot& snapshot, double now_s) {
             full_n_ = std::max(full_n_, glm::length(force_n));
 }
 
-screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const wheel::PotView& pot,
+screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
                                      const Sight& sight, bool with_sum) const {
     screens::ForceFrame frame{.trace = &trace_, .with_sum = with_sum};
     for (std::size_t k = 0; k < screens::kForceCount; ++k)
@@ -163,12 +163,12 @@ screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const whe
                                        shown_n_[hand][static_cast<std::size_t>(screens::Force::kStiffness)]);
         for (std::size_t k = 0; k < screens::kForceCount; ++k)
             touch.arrows[k] = arrow_of(at_mm, shown_n_[hand][k], mm_per_n(), sight);
-        add_rings(touch, *snapshot.shape, rings_touched(*snapshot.shape, forces),
+        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces),
                   view.side == clay::studio::Side::kIn, sight);
         frame.touches.push_back(std::move(touch));
     };
-    add_touch(0, snapshot.result.forces, pot.hand);
-    add_touch(1, snapshot.result.second_forces, pot.second_hand);
+    add_touch(0, snapshot.result.forces, shown.hand);
+    add_touch(1, snapshot.result.second_forces, shown.second_hand);
     return frame;
 }
 

@@ -38,7 +38,7 @@ struct RingSpan {
     int end = 0;
     [[nodiscard]] int size() const { return end - first; }
 };
-[[nodiscard]] RingSpan rings_touched(const haptic::PotShape& shape, const clay::ContactForces& forces);
+[[nodiscard]] RingSpan rings_touched(const pot::Pot& shape, const clay::ContactForces& forces);
 
 class ForceView {
   public:
@@ -49,7 +49,7 @@ class ForceView {
     // read; the plot has each as it was.
     void look(const haptic::Snapshot& snapshot, double now_s);
     // Of the snapshot that was looked at last. with_sum: the sum too, else the three alone.
-    [[nodiscard]] screens::ForceFrame frame(const haptic::Snapshot& snapshot, const wheel::PotView& pot,
+    [[nodiscard]] screens::ForceFrame frame(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
                                             const Sight& sight, bool with_sum) const;
 
     [[nodiscard]] double mm_per_n() const { return kFullArrowMm / full_n_; }

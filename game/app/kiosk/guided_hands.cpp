@@ -22,7 +22,7 @@ constexpr double kAsideMm = 205.0;      // a finger farther out is out of the pi
 
 // What both hands are given for one of them.
 struct Scene {
-    const haptic::PotShape& shape;
+    const pot::Pot& shape;
     double side;    // of the axis, on which the hands work
     dvec2 at_mm;    // of the hands: distance, height
     double gap_mm;  // to the clay
@@ -62,10 +62,10 @@ double on_wall(const Scene& scene) {
 // How far out fingers reach inside at that height: to the wall, or as far as an arm can that comes down
 // through what is narrower above. Behind a shoulder nobody sees whether they touch; through it everybody
 // would.
-double reach_mm(const haptic::PotShape& shape, double y_mm) {
+double reach_mm(const pot::Pot& shape, double y_mm) {
     double reach = wall_at(shape, y_mm).inner_mm;
-    const auto inner = shape.inner_mm();
-    const auto tops = shape.top_mm();
+    const auto& inner = shape.inner_mm;
+    const auto& tops = shape.top_mm;
     for (std::size_t ring = 0; ring < tops.size(); ++ring) {
         const double above_mm = double{tops[ring]} - y_mm;
         if (above_mm > 0.0) reach = std::min(reach, double{inner[ring]} + kLeansOut * above_mm);
@@ -74,70 +74,71 @@ double reach_mm(const haptic::PotShape& shape, double y_mm) {
 }
 
 // A palm on the outer face; and, while it works, fingers behind the wall or a second palm across the lump.
-void hold_wall(wheel::PotView& pot, const Scene& scene) {
+void hold_wall(wheel::WheelView& shown, const Scene& scene) {
     const double y_mm = on_wall(scene);
     const Wall wall = wall_at(scene.shape, y_mm);
     const double out_mm = scene.works ? wall.outer_mm : std::max(wall.outer_mm, scene.at_mm.x - scene.gap_mm);
-    put(pot.hand, scene, Side::kOut, ball_at(scene, Side::kOut, out_mm, y_mm));
+    put(shown.hand, scene, Side::kOut, ball_at(scene, Side::kOut, out_mm, y_mm));
     if (!scene.works) return;
     if (wall.inner_mm > 0.0) {
         const double in_y_mm = std::max(y_mm, scene.shape.floor_mm + kAboveFloorMm);
-        put(pot.second_hand, scene, Side::kIn,
+        put(shown.second_hand, scene, Side::kIn,
             ball_at(scene, Side::kIn, reach_mm(scene.shape, in_y_mm), in_y_mm));
     } else if (is_solid(scene.shape)) {
         Scene across = scene;
         across.side = -scene.side;
-        put(pot.second_hand, across, Side::kOut, ball_at(across, Side::kOut, wall.outer_mm, y_mm));
+        put(shown.second_hand, across, Side::kOut, ball_at(across, Side::kOut, wall.outer_mm, y_mm));
     }
 }
 
-void reach_inside(wheel::PotView& pot, const Scene& scene) {
+void reach_inside(wheel::WheelView& shown, const Scene& scene) {
     if (!scene.works) {
         // Over the mouth, so that it goes straight down.
         Scene above = scene;
         above.gap_mm = 0.0;
         const double inner_mm = std::max(rim_of(scene.shape).inner_mm - scene.gap_mm, scene.radius_mm);
-        put(pot.second_hand, above, Side::kIn,
+        put(shown.second_hand, above, Side::kIn,
             ball_at(above, Side::kIn, inner_mm, scene.shape.height_mm + scene.gap_mm));
-        pot.hand.shown = false;
+        shown.hand.shown = false;
         return;
     }
     const double y_mm = std::max(on_wall(scene), scene.shape.floor_mm + kAboveFloorMm);
     const double held_y_mm = std::min(y_mm, scene.shape.height_mm - kBelowRimMm);
     const Wall wall = wall_at(scene.shape, held_y_mm);
-    put(pot.second_hand, scene, Side::kIn, ball_at(scene, Side::kIn, reach_mm(scene.shape, held_y_mm), y_mm));
-    put(pot.hand, scene, Side::kOut, ball_at(scene, Side::kOut, wall.outer_mm, y_mm));
+    put(shown.second_hand, scene, Side::kIn,
+        ball_at(scene, Side::kIn, reach_mm(scene.shape, held_y_mm), y_mm));
+    put(shown.hand, scene, Side::kOut, ball_at(scene, Side::kOut, wall.outer_mm, y_mm));
 }
 
-void open(wheel::PotView& pot, const Scene& scene) {
+void open(wheel::WheelView& shown, const Scene& scene) {
     const double top_mm = scene.shape.height_mm;
     const double widest_mm = kOpensWithin * rim_of(scene.shape).outer_mm;
     const double tips_mm = scene.works ? std::min(scene.at_mm.y - kThumbMm, top_mm) : top_mm;
     const double x_mm = scene.works ? scene.at_mm.x : std::min(scene.at_mm.x, widest_mm);
-    put(pot.hand, scene, Side::kTop, ball_at(scene, Side::kTop, x_mm, tips_mm));
-    pot.hand.digs = true;
+    put(shown.hand, scene, Side::kTop, ball_at(scene, Side::kTop, x_mm, tips_mm));
+    shown.hand.digs = true;
 }
 
-void press_rim(wheel::PotView& pot, const Scene& scene) {
+void press_rim(wheel::WheelView& shown, const Scene& scene) {
     const Wall rim = rim_of(scene.shape);
-    put(pot.hand, scene, Side::kTop,
+    put(shown.hand, scene, Side::kTop,
         ball_at(scene, Side::kTop, 0.5 * (rim.outer_mm + rim.inner_mm), scene.shape.height_mm));
 }
 
 // Off the clay: where the finger is, beside the pot.
-void hang_about(wheel::PotView& pot, const Scene& scene) {
+void hang_about(wheel::WheelView& shown, const Scene& scene) {
     const double y_mm = std::max(scene.at_mm.y, kAboveWheelMm);
     const double widest_mm = [&] {
-        const auto outer = scene.shape.outer_mm();
+        const auto& outer = scene.shape.outer_mm;
         return outer.empty() ? 0.0 : double{*std::max_element(outer.begin(), outer.end())};
     }();
     const double x_mm = std::min(std::max(scene.at_mm.x, widest_mm), std::max(kAsideMm, widest_mm));
-    put(pot.hand, scene, Side::kOut, ball_at(scene, Side::kOut, x_mm, y_mm));
+    put(shown.hand, scene, Side::kOut, ball_at(scene, Side::kOut, x_mm, y_mm));
 }
 
 }  // namespace
 
-clay::studio::GripOutline grip_outline(const haptic::PotShape& shape, double y_mm) {
+clay::studio::GripOutline grip_outline(const pot::Pot& shape, double y_mm) {
     constexpr double kWithinMm = 0.5;
     const Wall rim = rim_of(shape);
     return {.height_mm = shape.height_mm,
@@ -148,8 +149,8 @@ clay::studio::GripOutline grip_outline(const haptic::PotShape& shape, double y_m
             .rim_inner_mm = rim.inner_mm};
 }
 
-void show_guided_hands(wheel::PotView& pot, const haptic::Snapshot& snapshot) {
-    const haptic::PotShape& shape = *snapshot.shape;
+void show_guided_hands(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
+    const pot::Pot& shape = *snapshot.pot;
     const clay::studio::GripReport& report = snapshot.result.grip;
     const bool presses = snapshot.tool.pressing;
     const bool works = presses && report.grip != Grip::kNone;
@@ -161,23 +162,23 @@ void show_guided_hands(wheel::PotView& pot, const haptic::Snapshot& snapshot) {
                       .gap_mm = presses ? 0.0 : kHoversMm,
                       .radius_mm = snapshot.tool.radius_mm,
                       .works = works};
-    pot.hand.digs = pot.second_hand.digs = false;
-    pot.second_hand.shown = false;
-    pot.second_hand.guided = true;
+    shown.hand.digs = shown.second_hand.digs = false;
+    shown.second_hand.shown = false;
+    shown.second_hand.guided = true;
     const Grip grip =
         works ? report.grip : clay::studio::grip_of_touch(grip_outline(shape, finger_mm.y), finger_mm);
     switch (grip) {
         case Grip::kNone:
-            return hang_about(pot, scene);
+            return hang_about(shown, scene);
         case Grip::kAsking:
         case Grip::kOpen:
-            return open(pot, scene);
+            return open(shown, scene);
         case Grip::kWall:
-            return hold_wall(pot, scene);
+            return hold_wall(shown, scene);
         case Grip::kInside:
-            return reach_inside(pot, scene);
+            return reach_inside(shown, scene);
         case Grip::kRim:
-            return press_rim(pot, scene);
+            return press_rim(shown, scene);
     }
 }
 

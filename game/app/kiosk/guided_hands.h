@@ -4,14 +4,14 @@
 
 #include "game/clay/studio/grip.h"
 #include "game/haptic/messages.h"
-#include "game/wheel/pot_view.h"
+#include "game/wheel/wheel_view.h"
 
 namespace onggi::app {
 
 // What a finger at that height meets; for clay::studio::grip_of_touch().
-[[nodiscard]] clay::studio::GripOutline grip_outline(const haptic::PotShape& shape, double y_mm);
+[[nodiscard]] clay::studio::GripOutline grip_outline(const pot::Pot& shape, double y_mm);
 
 // Both hands of the view, for a snapshot whose tool is guided.
-void show_guided_hands(wheel::PotView& pot, const haptic::Snapshot& snapshot);
+void show_guided_hands(wheel::WheelView& shown, const haptic::Snapshot& snapshot);
 
 }  // namespace onggi::app

@@ -9,8 +9,8 @@ constexpr double kSunkShare = 0.8;     // of the height at which it still stood
 constexpr double kSpreadShare = 1.12;  // of the width: a bowl that spins apart hardly sinks
 constexpr double kFirmly = 0.7;        // of what the clay bears: it stands again
 
-double widest_mm(const haptic::PotShape& shape) {
-    const auto outer = shape.outer_mm();
+double widest_mm(const pot::Pot& shape) {
+    const auto& outer = shape.outer_mm;
     return outer.empty() ? 0.0 : 2.0 * double{*std::max_element(outer.begin(), outer.end())};
 }
 
@@ -28,9 +28,9 @@ void KioskClay::expect_state(const haptic::Snapshot& now) {
 
 bool KioskClay::is_there(const haptic::Snapshot& snapshot) {
     // The rings come at a pace of their own, after the numbers or before them.
-    const haptic::PotShape& shape = *snapshot.shape;
-    if (snapshot.run != run_ || shape.run != run_) return false;
-    if (puts_before_ && (snapshot.states_put == *puts_before_ || shape.states_put == *puts_before_))
+    if (snapshot.run != run_ || snapshot.pot_stamp.run != run_) return false;
+    if (puts_before_ &&
+        (snapshot.states_put == *puts_before_ || snapshot.pot_stamp.states_put == *puts_before_))
         return false;
     puts_before_.reset();
     return true;
@@ -38,11 +38,11 @@ bool KioskClay::is_there(const haptic::Snapshot& snapshot) {
 
 std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk::Warning before) {
     if (!is_there(snapshot)) return std::nullopt;
-    ClayNews news{.steps_done = lesson_.steps_done(*snapshot.shape),
+    ClayNews news{.steps_done = lesson_.steps_done(*snapshot.pot),
                   .warning = warning_of(snapshot.load, before)};
     const clay::studio::Failure& failure = snapshot.load.failure;
-    const double height_mm = snapshot.shape->height_mm;
-    const double width_mm = widest_mm(*snapshot.shape);
+    const double height_mm = snapshot.pot->height_mm;
+    const double width_mm = widest_mm(*snapshot.pot);
     const bool ever_failed = failure.cause != clay::studio::Cause::kNone;
     // Clay that gave way a little and was saved may be pressed down and drawn out as any other; an earlier
     // state that was put back is judged from how it stood then.

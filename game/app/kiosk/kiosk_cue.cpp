@@ -27,14 +27,14 @@ CueHold about(double y_mm, double height_mm) {
     return {.low_mm = low_mm, .high_mm = std::min(low_mm + 2.0 * kHoldMm, height_mm)};
 }
 
-CueHold opening_of(const haptic::PotShape& shape) {
+CueHold opening_of(const pot::Pot& shape) {
     const double mouth_mm = wall_at(shape, shape.height_mm - 0.5).inner_mm;
     return {
         .low_mm = shape.floor_mm, .high_mm = shape.height_mm, .opening_mm = std::max(kThumbsMm, mouth_mm)};
 }
 
 // What hands at work hold, without the rim of their window, where they move next to nothing.
-CueHold hold_of_grip(const clay::studio::GripReport& grip, const haptic::PotShape& shape) {
+CueHold hold_of_grip(const clay::studio::GripReport& grip, const pot::Pot& shape) {
     if (grip.grip == Grip::kOpen) return opening_of(shape);
     CueHold hold{.low_mm = grip.low_mm, .high_mm = std::min(grip.high_mm, shape.height_mm)};
     if (!grip.pulls && (grip.grip == Grip::kWall || grip.grip == Grip::kInside)) {
@@ -67,8 +67,8 @@ CueGuard words_of(GripGuard guard) {
 
 }  // namespace
 
-std::optional<CueHold> hold_of_touch(const haptic::PotShape& shape, const dvec2& finger_mm) {
-    const auto outer = shape.outer_mm();
+std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_mm) {
+    const auto& outer = shape.outer_mm;
     if (outer.empty() || finger_mm.y < 0.0) return std::nullopt;
     const double top_mm = shape.height_mm;
     const Wall rim = wall_at(shape, top_mm - 0.01);
@@ -94,7 +94,7 @@ std::optional<CueHold> hold_of_touch(const haptic::PotShape& shape, const dvec2&
     return std::nullopt;
 }
 
-CueHold hold_of_step(const haptic::PotShape& shape, int step) {
+CueHold hold_of_step(const pot::Pot& shape, int step) {
     constexpr int kOpens = 1;
     return step == kOpens ? opening_of(shape) : about(kLowShare * shape.height_mm, shape.height_mm);
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "game/clay/studio/grip.h"
-#include "game/haptic/pot_shape.h"
+#include "game/pot/pot.h"
 #include "game/screens/cue.h"
 
 namespace onggi::app {
@@ -19,9 +19,9 @@ struct CueHold {
 };
 
 // What a finger at that place of the upright plane would take hold of; nothing where it is off the clay.
-[[nodiscard]] std::optional<CueHold> hold_of_touch(const haptic::PotShape& shape, const dvec2& finger_mm);
+[[nodiscard]] std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_mm);
 // Where a step of the lesson, counted from 0, begins.
-[[nodiscard]] CueHold hold_of_step(const haptic::PotShape& shape, int step);
+[[nodiscard]] CueHold hold_of_step(const pot::Pot& shape, int step);
 
 // From a finger to the hands that lag behind it.
 struct CueThread {
@@ -34,7 +34,7 @@ struct CueThread {
 
 struct CueMoment {
     double now_s = 0.0;
-    const haptic::PotShape& shape;
+    const pot::Pot& shape;
     const clay::studio::GripReport& grip;  // of hands that press, the visitor's or the wheel's own
     bool is_shown = false;                 // they are the wheel's own
     std::optional<int> wanted_step{};      // of the lesson, while its cue is to be seen

@@ -77,7 +77,7 @@ void KioskHand::hover(const dvec2& place_mm) {
     idle_s_ = 0.0;
 }
 
-void KioskHand::steer(const dvec2& step_mm, bool presses, const haptic::PotShape& shape, double side) {
+void KioskHand::steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side) {
     const bool begins = presses && !pad_held_;
     pad_held_ = presses;
     const bool is_moved = is_place(step_mm) && step_mm != dvec2(0.0);
@@ -105,7 +105,7 @@ void KioskHand::ask_for(const WaitingKey& key) {
     if (waiting_.size() < kMostWaiting) waiting_.push_back(key);
 }
 
-void KioskHand::show(ShownStep step, const haptic::PotShape& shape, double side) {
+void KioskHand::show(ShownStep step, const pot::Pot& shape, double side) {
     take_over();
     shows_ = true;
     ++touches_;
@@ -124,7 +124,7 @@ void KioskHand::leave_clay() {
     pad_has_come_ = false;
 }
 
-void KioskHand::work_off_keys(const haptic::PotShape& shape) {
+void KioskHand::work_off_keys(const pot::Pot& shape) {
     while (!waiting_.empty() && !touch_.runs()) {
         const WaitingKey key = waiting_.front();
         waiting_.pop_front();
@@ -140,7 +140,7 @@ void KioskHand::work_off_keys(const haptic::PotShape& shape) {
 }
 
 // By its own touches, by whoever presses, or aside.
-dvec2 KioskHand::finger_now(const haptic::PotShape& shape, double dt_s) {
+dvec2 KioskHand::finger_now(const pot::Pot& shape, double dt_s) {
     if (touch_.runs()) {
         touch_.pass_time(dt_s);
         finger_mm_ = touch_.place_mm();
@@ -163,7 +163,7 @@ bool KioskHand::presses_now() {
     return pressing_.has_value();
 }
 
-haptics::ToolState KioskHand::wish(const HandSettings& settings, const haptic::PotShape& shape, double dt_s) {
+haptics::ToolState KioskHand::wish(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
     help_.pass_time(dt_s);
     haptics::ToolState tool;
     tool.guided = true;

@@ -12,7 +12,7 @@
 #include "game/app/kiosk/kiosk_marker.h"
 #include "game/app/kiosk/kiosk_touch.h"
 #include "game/app/kiosk/outline_help.h"
-#include "game/haptic/pot_shape.h"
+#include "game/pot/pot.h"
 
 namespace onggi::app {
 
@@ -37,13 +37,13 @@ class KioskHand {
     void hover(const dvec2& place_mm);
     // A gamepad, once a frame: the finger goes on by so much, and presses or not. The first step on new clay
     // brings it beside the clay, low on that side: +1 right, -1 left.
-    void steer(const dvec2& step_mm, bool presses, const haptic::PotShape& shape, double side);
+    void steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side);
     // An arrow key, and a button of the pad on the screen.
     void key(HandKey key, double side) { ask_for({key, false, side}); }
     void button(HandKey key, double side) { ask_for({key, true, side}); }
 
     // Plays a step of the lesson on the clay that is there. Any finger, key, button or gamepad takes over.
-    void show(ShownStep step, const haptic::PotShape& shape, double side);
+    void show(ShownStep step, const pot::Pot& shape, double side);
     void stop_showing();
     [[nodiscard]] bool shows() const { return shows_ && touch_.runs(); }
 
@@ -57,8 +57,7 @@ class KioskHand {
     void leave_clay();
 
     // What the tool should do now, dt_s after the last call.
-    [[nodiscard]] haptics::ToolState wish(const HandSettings& settings, const haptic::PotShape& shape,
-                                          double dt_s);
+    [[nodiscard]] haptics::ToolState wish(const HandSettings& settings, const pot::Pot& shape, double dt_s);
 
     [[nodiscard]] bool works() const { return presser_ != Presser::kNobody || touch_.runs(); }
 
@@ -73,8 +72,8 @@ class KioskHand {
 
     void take_over();
     void ask_for(const WaitingKey& key);
-    void work_off_keys(const haptic::PotShape& shape);
-    [[nodiscard]] dvec2 finger_now(const haptic::PotShape& shape, double dt_s);
+    void work_off_keys(const pot::Pot& shape);
+    [[nodiscard]] dvec2 finger_now(const pot::Pot& shape, double dt_s);
     [[nodiscard]] bool presses_now();
 
     Presser presser_ = Presser::kNobody;

@@ -44,7 +44,7 @@ Result<void> KioskKeeper::start() {
     return thread_.start(*this, "keeper");
 }
 
-void KioskKeeper::save(std::shared_ptr<const screens::PotSection> shape, int glaze) {
+void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
     ask({Wish::Kind::kSave, 0, glaze, std::move(shape)});
 }
 

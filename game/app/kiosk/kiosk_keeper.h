@@ -52,7 +52,7 @@ class KioskKeeper final : private jobs::IoWork {
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Wish::Kind::kBefore, tick}); }
     void cut_off() { ask({Wish::Kind::kCutOff}); }
-    void save(std::shared_ptr<const screens::PotSection> shape, int glaze);
+    void save(std::shared_ptr<const pot::Section> shape, int glaze);
     void forget() { ask({Wish::Kind::kForget}); }
     // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
     // its pot is saved.
@@ -96,7 +96,7 @@ class KioskKeeper final : private jobs::IoWork {
         Kind kind = Kind::kUndo;
         std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run
         int glaze = 0;
-        std::shared_ptr<const screens::PotSection> shape{};
+        std::shared_ptr<const pot::Section> shape{};
         std::shared_ptr<const std::string> pot{};
         VisitNote visit{};
         std::shared_ptr<const HouseWish> house{};

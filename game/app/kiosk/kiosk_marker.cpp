@@ -26,7 +26,7 @@ void KioskMarker::come(double side) {
 }
 
 // In small steps, because where a wall leans a millimetre of it is less of its height.
-void KioskMarker::walk(double way_mm, const haptic::PotShape& shape) {
+void KioskMarker::walk(double way_mm, const pot::Pot& shape) {
     constexpr double kFineMm = 0.5;
     const double height_mm = shape.height_mm;
     const double direction = way_mm < 0.0 ? -1.0 : 1.0;
@@ -47,7 +47,7 @@ void KioskMarker::walk(double way_mm, const haptic::PotShape& shape) {
     share_ = height_mm > 0.0 ? y_mm / height_mm : kLowShare;
 }
 
-std::optional<dvec2> KioskMarker::place_mm(const haptic::PotShape& shape) const {
+std::optional<dvec2> KioskMarker::place_mm(const pot::Pot& shape) const {
     if (!is_shown_ || !(shape.height_mm > 0.0)) return std::nullopt;
     if (is_over_) return dvec2(0.0, shape.height_mm);
     const double radius_mm =
@@ -55,14 +55,14 @@ std::optional<dvec2> KioskMarker::place_mm(const haptic::PotShape& shape) const 
     return dvec2(side_ * radius_mm, share_ * shape.height_mm);
 }
 
-TouchPath KioskMarker::move_wall(double direction, const haptic::PotShape& shape) const {
+TouchPath KioskMarker::move_wall(double direction, const pot::Pot& shape) const {
     // Right at the rim a touch may mean to press it down.
     constexpr double kOffRimMm = 6.0;
     const double y_mm = std::clamp(share_ * shape.height_mm, 0.0, std::max(0.0, shape.height_mm - kOffRimMm));
     return sideways_path({side_ * wall_at(shape, y_mm).outer_mm, y_mm}, direction * kIntoWallMm);
 }
 
-std::optional<TouchPath> KioskMarker::key(HandKey key, const haptic::PotShape& shape, double side) {
+std::optional<TouchPath> KioskMarker::key(HandKey key, const pot::Pot& shape, double side) {
     come(side);
     const double direction = key == HandKey::kLeft ? -1.0 : 1.0;
     switch (key) {
@@ -89,7 +89,7 @@ std::optional<TouchPath> KioskMarker::key(HandKey key, const haptic::PotShape& s
     return std::nullopt;
 }
 
-TouchPath KioskMarker::button(HandKey key, const haptic::PotShape& shape, double side) {
+TouchPath KioskMarker::button(HandKey key, const pot::Pot& shape, double side) {
     come(side);
     is_over_ = false;
     switch (key) {

@@ -15,18 +15,18 @@ class KioskMarker {
     // An arrow key: up and down move the marker along the wall; at the rim of an opened pot up pulls, at that
     // of solid clay it goes over the middle, where down opens and the others lead back to the rim. Left and
     // right move the wall to that side, as seen. The first brings the marker: low on that side, +1 right.
-    [[nodiscard]] std::optional<TouchPath> key(HandKey key, const haptic::PotShape& shape, double side);
+    [[nodiscard]] std::optional<TouchPath> key(HandKey key, const pot::Pot& shape, double side);
     // A button on the screen, for who cannot walk a marker: up is higher, down opens solid clay and lowers a
     // pot; left and right are as above.
-    [[nodiscard]] TouchPath button(HandKey key, const haptic::PotShape& shape, double side);
+    [[nodiscard]] TouchPath button(HandKey key, const pot::Pot& shape, double side);
 
-    [[nodiscard]] std::optional<dvec2> place_mm(const haptic::PotShape& shape) const;
+    [[nodiscard]] std::optional<dvec2> place_mm(const pot::Pot& shape) const;
     void hide() { is_shown_ = false; }
 
   private:
     void come(double side);
-    void walk(double way_mm, const haptic::PotShape& shape);
-    [[nodiscard]] TouchPath move_wall(double direction, const haptic::PotShape& shape) const;
+    void walk(double way_mm, const pot::Pot& shape);
+    [[nodiscard]] TouchPath move_wall(double direction, const pot::Pot& shape) const;
     [[nodiscard]] bool is_at_rim() const { return share_ >= 1.0; }
 
     bool is_shown_ = false;

@@ -74,10 +74,10 @@ heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
                                  {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm});
 }
 
-double volume_mm3(const haptic::PotShape& shape) {
-    const auto outer = shape.outer_mm();
-    const auto inner = shape.inner_mm();
-    const auto tops = shape.top_mm();
+double volume_mm3(const pot::Pot& shape) {
+    const auto& outer = shape.outer_mm;
+    const auto& inner = shape.inner_mm;
+    const auto& tops = shape.top_mm;
     const double even_mm = shape.height_mm / static_cast<double>(outer.size());
     double volume = 0.0;
     double below_mm = 0.0;
@@ -93,9 +93,9 @@ double volume_mm3(const haptic::PotShape& shape) {
 
 }  // namespace
 
-int Lesson::steps_done(const haptic::PotShape& shape) {
-    if (shape.rings <= 0) return done_;
-    const auto outer = shape.outer_mm();
+int Lesson::steps_done(const pot::Pot& shape) {
+    if (shape.ring_count() <= 0) return done_;
+    const auto& outer = shape.outer_mm;
     const double foot_mm = double{outer[outer.size() / 6]};
     const double height_mm = shape.height_mm;
     if (!has_start_) {
@@ -105,8 +105,8 @@ int Lesson::steps_done(const haptic::PotShape& shape) {
         size_ = std::cbrt(volume_mm3(shape) / kKilogramMm3);
     }
     const double bore_mm = wall_at(shape, 0.5 * (height_mm + shape.floor_mm)).inner_mm;
-    const bool is_open =
-        shape.is_hollow && height_mm - shape.floor_mm > kOpenedMm * size_ && bore_mm >= kOpenedBoreMm * size_;
+    const bool is_open = shape.can_be_hollow() && height_mm - shape.floor_mm > kOpenedMm * size_ &&
+                         bore_mm >= kOpenedBoreMm * size_;
     if (is_open && opened_height_mm_ == 0.0) opened_height_mm_ = height_mm;
     const bool was_opened = opened_height_mm_ > 0.0;
     const bool pressed = start_foot_mm_ - foot_mm >= kPressedMm * size_ ||
@@ -139,10 +139,10 @@ kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before)
     return load.index < limit ? kiosk::Warning::kNone : warning_for(load.cause, load.strength_kpa);
 }
 
-double thinnest_wall_mm(const haptic::PotShape& shape) {
+double thinnest_wall_mm(const pot::Pot& shape) {
     double thinnest = 0.0;
-    const auto outer = shape.outer_mm();
-    const auto inner = shape.inner_mm();
+    const auto& outer = shape.outer_mm;
+    const auto& inner = shape.inner_mm;
     for (std::size_t i = 0; i < inner.size(); ++i) {
         if (inner[i] <= 0.0F) continue;
         const double wall = double{outer[i]} - double{inner[i]};
@@ -182,7 +182,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
     return pot;
 }
 
-ui::Painting portrait(const screens::PotSection& shape, int glaze, int side_px) {
+ui::Painting portrait(const pot::Section& shape, int glaze, int side_px) {
     const auto side = static_cast<float>(side_px);
     const float scale = std::min(0.62F * side / std::max(1.0F, 2.0F * shape.radius_mm()),
                                  0.66F * side / std::max(1.0F, shape.height_mm()));
@@ -220,7 +220,7 @@ screens::Exhibit exhibit_of(const heritage::Target& target, const Known* known) 
     const heritage::ThrownSize size = size_on_this_wheel(target);
     if (size.fraction < 1.0) exhibit.part = size.part;
     exhibit.glaze = known != nullptr ? known->glaze : kBareGlaze;
-    exhibit.shape = screens::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
+    exhibit.shape = pot::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
     return exhibit;
 }
 

@@ -21,7 +21,7 @@ class Lesson {
   public:
     void begin() { *this = {}; }
     // 0 to kiosk::kTeachingSteps; never less than before.
-    int steps_done(const haptic::PotShape& shape);
+    int steps_done(const pot::Pot& shape);
 
   private:
     bool has_start_ = false;
@@ -39,7 +39,7 @@ class Lesson {
 [[nodiscard]] kiosk::Warning warning_for(clay::studio::Cause cause, double strength_kpa);
 
 // Thickness of the thinnest wall above the floor; 0 where nothing is hollow.
-[[nodiscard]] double thinnest_wall_mm(const haptic::PotShape& shape);
+[[nodiscard]] double thinnest_wall_mm(const pot::Pot& shape);
 
 // The pot as it comes out of the kiln, and what it resembles most of all `targets`, as relatives_of() shows
 // them; no relative where those are not theirs.
@@ -47,7 +47,7 @@ class Lesson {
     const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
     const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives);
 // A portrait on the evening museum's wall, square.
-[[nodiscard]] ui::Painting portrait(const screens::PotSection& shape, int glaze, int side_px);
+[[nodiscard]] ui::Painting portrait(const pot::Section& shape, int glaze, int side_px);
 
 // The pots of the choose screen, of all that the tables hold: those for which the design has words. `places`
 // gets where each stands in the tables.

@@ -31,7 +31,7 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
     const double slip_mm_s = snapshot.wheel_speed_rad_s * std::sqrt(at.x * at.x + at.z * at.z);
     // The paper's clay knows no water; it sounds as clay does that has been wetted once.
     constexpr double kUnknownWetness = 0.6;
-    const bool knows_water = snapshot.shape != nullptr && snapshot.shape->is_hollow;
+    const bool knows_water = snapshot.pot != nullptr && snapshot.pot->can_be_hollow();
     return {.wheel_rev_min = units::rev_min_from_rad_s(snapshot.wheel_speed_rad_s),
             .motor_load = std::clamp(std::abs(snapshot.result.wheel_load_n_mm) / kStallNMm, 0.0, 1.0),
             .contact_n = press_n,

@@ -47,7 +47,7 @@ constexpr double kRimWithin = 0.8;  // of its outer radius: nearer the axis a th
 constexpr double kLowerMmPerS = 12.0;
 constexpr double kLowerStaysS = 0.4;
 
-double scale_of(const haptic::PotShape& shape) {
+double scale_of(const pot::Pot& shape) {
     return std::clamp(wall_at(shape, 1.0).outer_mm / kLumpFootMm, 0.5, 2.0);
 }
 
@@ -58,10 +58,10 @@ double eased(double share) {
 
 }  // namespace
 
-Wall wall_at(const haptic::PotShape& shape, double y_mm) {
-    const auto outer = shape.outer_mm();
+Wall wall_at(const pot::Pot& shape, double y_mm) {
+    const auto& outer = shape.outer_mm;
     if (outer.empty() || y_mm < 0.0 || y_mm >= shape.height_mm) return {};
-    const auto tops = shape.top_mm();
+    const auto& tops = shape.top_mm;
     std::size_t ring = 0;
     if (tops.empty()) {
         ring = static_cast<std::size_t>(y_mm / shape.height_mm * static_cast<double>(outer.size()));
@@ -70,20 +70,20 @@ Wall wall_at(const haptic::PotShape& shape, double y_mm) {
                                         tops.begin());
     }
     ring = std::min(ring, outer.size() - 1);
-    const auto inner = shape.inner_mm();
+    const auto& inner = shape.inner_mm;
     return {double{outer[ring]}, inner.empty() ? 0.0 : double{inner[ring]}};
 }
 
-Wall rim_of(const haptic::PotShape& shape) {
+Wall rim_of(const pot::Pot& shape) {
     constexpr double kWithinMm = 0.5;
     return wall_at(shape, std::max(0.0, shape.height_mm - kWithinMm));
 }
 
-bool is_solid(const haptic::PotShape& shape) {
+bool is_solid(const pot::Pot& shape) {
     return shape.floor_mm > shape.height_mm - kSolidMm;
 }
 
-TouchPath path_of_step(ShownStep step, const haptic::PotShape& shape, double side) {
+TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
     const double scale = scale_of(shape);
     const double low_mm = kLowShare * shape.height_mm;
     const double low_radius_mm = wall_at(shape, low_mm).outer_mm;
@@ -123,7 +123,7 @@ TouchPath sideways_path(const dvec2& place_mm, double step_mm) {
             .presses_from_s = 0.0};
 }
 
-TouchPath pull_path(const haptic::PotShape& shape, double side, double rise_mm) {
+TouchPath pull_path(const pot::Pot& shape, double side, double rise_mm) {
     const double from_mm = std::max(0.5 * shape.height_mm, shape.height_mm - kPullsBelowRimMm);
     const double to_mm = shape.height_mm + (is_solid(shape) ? 2.0 : 1.0) * rise_mm;
     const double x_mm = side * rim_of(shape).outer_mm;
@@ -133,7 +133,7 @@ TouchPath pull_path(const haptic::PotShape& shape, double side, double rise_mm) 
             .presses_from_s = 0.0};
 }
 
-TouchPath open_path(const haptic::PotShape& shape, double side, double step_mm) {
+TouchPath open_path(const pot::Pot& shape, double side, double step_mm) {
     const double top_mm = shape.height_mm;
     if (shape.floor_mm > kDeepestFloorMm) {
         // From the top: what is open already is on the way.
@@ -148,7 +148,7 @@ TouchPath open_path(const haptic::PotShape& shape, double side, double step_mm) 
             .presses_from_s = 0.0};
 }
 
-TouchPath lower_path(const haptic::PotShape& shape, double side, double step_mm) {
+TouchPath lower_path(const pot::Pot& shape, double side, double step_mm) {
     const Wall rim = rim_of(shape);
     const double x_mm = side * std::max(0.5 * (rim.outer_mm + rim.inner_mm), kRimWithin * rim.outer_mm);
     const double top_mm = shape.height_mm;

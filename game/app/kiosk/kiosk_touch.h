@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/math/math.h"
-#include "game/haptic/pot_shape.h"
+#include "game/pot/pot.h"
 
 namespace onggi::app {
 
@@ -18,11 +18,11 @@ struct Wall {
     double outer_mm = 0.0;
     double inner_mm = 0.0;
 };
-[[nodiscard]] Wall wall_at(const haptic::PotShape& shape, double y_mm);
+[[nodiscard]] Wall wall_at(const pot::Pot& shape, double y_mm);
 // Of its uppermost ring.
-[[nodiscard]] Wall rim_of(const haptic::PotShape& shape);
+[[nodiscard]] Wall rim_of(const pot::Pot& shape);
 // As good as without a hollow.
-[[nodiscard]] bool is_solid(const haptic::PotShape& shape);
+[[nodiscard]] bool is_solid(const pot::Pot& shape);
 
 // A step of the lesson.
 enum class ShownStep { kPress, kOpen, kRaise };
@@ -37,15 +37,15 @@ struct TouchPath {
 };
 
 // What plays a step of the lesson on that clay, on the right (+1) or on the left (-1).
-[[nodiscard]] TouchPath path_of_step(ShownStep step, const haptic::PotShape& shape, double side);
+[[nodiscard]] TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side);
 // Moves the wall there by so much: positive to the right, as seen.
 [[nodiscard]] TouchPath sideways_path(const dvec2& place_mm, double step_mm);
 // Takes the wall below the rim and goes past it, so far. Solid clay is opened on the way.
-[[nodiscard]] TouchPath pull_path(const haptic::PotShape& shape, double side, double rise_mm);
+[[nodiscard]] TouchPath pull_path(const pot::Pot& shape, double side, double rise_mm);
 // Over the middle: deepens the hollow by so much, or widens it where it is as deep as it gets.
-[[nodiscard]] TouchPath open_path(const haptic::PotShape& shape, double side, double step_mm);
+[[nodiscard]] TouchPath open_path(const pot::Pot& shape, double side, double step_mm);
 // Presses the rim down by so much.
-[[nodiscard]] TouchPath lower_path(const haptic::PotShape& shape, double side, double step_mm);
+[[nodiscard]] TouchPath lower_path(const pot::Pot& shape, double side, double step_mm);
 
 class KioskTouch {
   public:

@@ -86,8 +86,8 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     stage_.take(composer.latest(), now_s_);
     composer.hold(input_.pointer().rests_on_scene());
     stage_.turn(composer.turned());
-    wheel::PotView pot = pot_view(moment.snapshot);
-    const SceneMarks marks = scene_.marks(state_, moment, pot, stage_);
+    wheel::WheelView shown = wheel_view(moment.snapshot);
+    const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
                                           .band = marks.band ? &*marks.band : nullptr,
@@ -99,8 +99,8 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
                                   .atlas_side_px = stage_.atlas_side_px(),
                                   .scene_rests = stage_.scene_rests(),
                                   .covers = stage_.covers()};
-    if (!wheel_.shows() && !clay_is_open(state_)) pot.hand.shown = pot.second_hand.shown = false;
-    auto drawn = parts_.view.draw(pot, moment.dt_s, &overlay);
+    if (!wheel_.shows() && !clay_is_open(state_)) shown.hand.shown = shown.second_hand.shown = false;
+    auto drawn = parts_.view.draw(shown, moment.dt_s, &overlay);
     if (!drawn) return drawn.error();
     if (*drawn) ++frames_shown_;
     for (const std::string& line : parts_.view.take_remarks())
@@ -114,7 +114,7 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
     const screens::Composed* shown = stage_.shown();
     if (shown == nullptr) return;
     const kiosk::ScreenState& state = shown->view->state;
-    name_window(state, snapshot.shape->height_mm);
+    name_window(state, snapshot.pot->height_mm);
     const auto language = static_cast<std::size_t>(state.comfort.language);
     const bool right_to_left = (*shown->view->languages)[language].right_to_left();
     input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left);

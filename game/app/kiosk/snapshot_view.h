@@ -2,14 +2,11 @@
 #pragma once
 
 #include "game/haptic/messages.h"
-#include "game/wheel/pot_view.h"
+#include "game/wheel/wheel_view.h"
 
 namespace onggi::app {
 
-// Refers to the snapshot's shape, which must be there.
-[[nodiscard]] wheel::PotView pot_view(const haptic::Snapshot& snapshot);
-
-// The shape as large as it is after drying or firing: every length times `scale` (clay::shrunk_scale).
-[[nodiscard]] haptic::PotShape shrunk(haptic::PotShape shape, double scale);
+// Refers to the snapshot's pot, which must be there.
+[[nodiscard]] wheel::WheelView wheel_view(const haptic::Snapshot& snapshot);
 
 }  // namespace onggi::app

@@ -38,7 +38,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             input_.nudge(static_cast<Button>(effect.value));
             break;
         case Effect::Kind::kShowStep:
-            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.shape,
+            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
                                side_of(flow_.state()));
             break;
         case Effect::Kind::kStopShow:
@@ -98,7 +98,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
 
 void VisitEffects::save() {
     if (!pot_) return flow_.dispatch({Event::Kind::kSaveFailed});
-    parts_.keeper.save(std::shared_ptr<const screens::PotSection>(pot_, &pot_->shape), flow_.state().glaze);
+    parts_.keeper.save(std::shared_ptr<const pot::Section>(pot_, &pot_->shape), flow_.state().glaze);
 }
 
 void VisitEffects::keep_house() {

@@ -158,7 +158,7 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
     if (wish.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
     if (!clay_is_open(flow_.state())) return;
     if (wish.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
-    hand_.steer(wish.step_mm, wish.presses, *moment.snapshot.shape, side_of(flow_.state()));
+    hand_.steer(wish.step_mm, wish.presses, *moment.snapshot.pot, side_of(flow_.state()));
     if (wish.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
     if (wish.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
     if (wish.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));

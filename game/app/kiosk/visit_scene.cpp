@@ -27,7 +27,7 @@ void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& s
     if (sight.width_px <= 0 || sight.height_px <= 0) return;
     const bool shows_room =
         shown != nullptr && shown->attract_exhibit < 0 && state.panel == kiosk::Panel::kNone;
-    CameraWish wish = camera_.wish(state, shows_room, snapshot.shape->height_mm, sight);
+    CameraWish wish = camera_.wish(state, shows_room, snapshot.pot->height_mm, sight);
     wish.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
     if (wish == aimed_) return;
     aimed_ = wish;
@@ -41,8 +41,8 @@ SceneEdges VisitScene::edges() const {
     return scene_edges(aimed_.framing, parts_.view.width(), parts_.view.height());
 }
 
-SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& moment, const wheel::PotView& pot,
-                             const screens::Stage& stage) {
+SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& moment,
+                             const wheel::WheelView& shown, const screens::Stage& stage) {
     if (const std::uint64_t lump = wheel_.lumps_asked(); lump != cued_lump_) {
         cued_lump_ = lump;
         cue_.begin();
@@ -50,18 +50,18 @@ SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& momen
     forces_.look(moment.snapshot, moment.now_s);
     return {.band = warning_band(state, moment.snapshot),
             .cue = cue(state, moment, stage),
-            .forces = forces(state, moment.snapshot, pot)};
+            .forces = forces(state, moment.snapshot, shown)};
 }
 
 // While the first moves are learnt, what the hand feels is shown at the clay; numbers and plots only to who
 // asks.
 std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
                                                       const haptic::Snapshot& snapshot,
-                                                      const wheel::PotView& pot) const {
+                                                      const wheel::WheelView& shown) const {
     if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
     const bool asked = state.comfort.forces;
     if (!asked && state.throwing.steps_done >= kiosk::kTeachingSteps) return std::nullopt;
-    return forces_.frame(snapshot, pot, sight_of(parts_.view), asked);
+    return forces_.frame(snapshot, shown, sight_of(parts_.view), asked);
 }
 
 // The clay where it carries most.
@@ -71,11 +71,11 @@ std::optional<screens::Band> VisitScene::warning_band(const kiosk::State& state,
         return std::nullopt;
     constexpr double kHalfHeightMm = 11.0;
     const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
-                                        std::max(kHalfHeightMm, snapshot.shape->height_mm - kHalfHeightMm));
-    return band_round(*snapshot.shape, middle_mm - kHalfHeightMm, middle_mm + kHalfHeightMm);
+                                        std::max(kHalfHeightMm, snapshot.pot->height_mm - kHalfHeightMm));
+    return band_round(*snapshot.pot, middle_mm - kHalfHeightMm, middle_mm + kHalfHeightMm);
 }
 
-std::optional<screens::Band> VisitScene::band_round(const haptic::PotShape& shape, double low_mm,
+std::optional<screens::Band> VisitScene::band_round(const pot::Pot& shape, double low_mm,
                                                     double high_mm) const {
     constexpr int kPoints = 24;
     screens::Band band;
@@ -96,7 +96,7 @@ std::optional<screens::Band> VisitScene::band_round(const haptic::PotShape& shap
 std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const VisitMoment& moment,
                                             const screens::Stage& stage) {
     if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
-    const haptic::PotShape& shape = *moment.snapshot.shape;
+    const pot::Pot& shape = *moment.snapshot.pot;
     const vec2 at_px = input_.pointer().at_px();
     std::optional<dvec2> hovers_mm;
     if (input_.hovers(moment.now_s) && stage.target_at(at_px) < 0) {
@@ -143,7 +143,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
 }
 
 // The arrow of a step: towards the wall, down into the middle, or up beside the wall.
-void VisitScene::add_way(screens::Cue& cue, const haptic::PotShape& shape, int step, double side) const {
+void VisitScene::add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const {
     constexpr float kTowardsU = 150.0F;
     constexpr float kBesideU = 50.0F;
     constexpr float kAboveU = 122.0F;

@@ -38,22 +38,22 @@ class VisitScene {
     [[nodiscard]] SceneEdges edges() const;
     // Once a frame. pot: of the same snapshot.
     [[nodiscard]] SceneMarks marks(const kiosk::State& state, const VisitMoment& moment,
-                                   const wheel::PotView& pot, const screens::Stage& stage);
+                                   const wheel::WheelView& shown, const screens::Stage& stage);
 
   private:
     // What the visitor asked to see, or is being taught by; none: nothing.
     [[nodiscard]] std::optional<screens::ForceFrame> forces(const kiosk::State& state,
                                                             const haptic::Snapshot& snapshot,
-                                                            const wheel::PotView& pot) const;
+                                                            const wheel::WheelView& shown) const;
     [[nodiscard]] std::optional<screens::Band> warning_band(const kiosk::State& state,
                                                             const haptic::Snapshot& snapshot) const;
     // A stretch of the clay from its left edge to its right, as the camera sees it; none where it sees none.
-    [[nodiscard]] std::optional<screens::Band> band_round(const haptic::PotShape& shape, double low_mm,
+    [[nodiscard]] std::optional<screens::Band> band_round(const pot::Pot& shape, double low_mm,
                                                           double high_mm) const;
     // What of the clay the hands hold, or a touch would; none where nobody throws.
     [[nodiscard]] std::optional<screens::Cue> cue(const kiosk::State& state, const VisitMoment& moment,
                                                   const screens::Stage& stage);
-    void add_way(screens::Cue& cue, const haptic::PotShape& shape, int step, double side) const;
+    void add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const;
 
     const VisitParts& parts_;
     const VisitWheel& wheel_;

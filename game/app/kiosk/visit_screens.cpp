@@ -118,7 +118,7 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
         const auto px = parts_.view.project(place_mm);
         return px ? vec2(*px) : vec2(0.0F);
     };
-    const haptic::PotShape& shape = *snapshot.shape;
+    const pot::Pot& shape = *snapshot.pot;
     if (state.throwing.warning != kiosk::Warning::kNone) {
         view.thinnest_mm =
             0.1 * static_cast<double>(std::lround(10.0 * thinnest_wall_mm(shape)));  // as it is said

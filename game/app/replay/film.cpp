@@ -49,15 +49,13 @@ struct FilmMaker::Parts {
     Result<asset::Image> draw(const FilmPicture& shown) {
         haptic::Snapshot snapshot;
         haptic::fill_snapshot(snapshot, replay.state(), replay.last(), replay.parameters());
-        haptic::PotShape shape = haptic::first_shape(replay.state());
-        if (shown.is_finished)
-            shape = shrunk(std::move(shape), clay::shrunk_scale(snapshot.body, desc.finished));
-        snapshot.shape = &shape;
-        wheel::PotView pot = pot_view(snapshot);
-        if (!shown.is_finished) return camera->take(pot, wheel::StillView::kThrowing);
-        pot.stage = desc.finished;
-        pot.wheel_direction = turned(pot.wheel_direction, shown.turned);
-        return camera->take(pot, wheel::StillView::kPortrait);
+        pot::Pot pot = haptic::pot_of(replay.state());
+        if (shown.is_finished) pot = pot::fired(pot, desc.finished);
+        snapshot.pot = &pot;
+        wheel::WheelView view = wheel_view(snapshot);
+        if (!shown.is_finished) return camera->take(view, wheel::StillView::kThrowing);
+        view.wheel_direction = turned(view.wheel_direction, shown.turned);
+        return camera->take(view, wheel::StillView::kPortrait);
     }
 };
 

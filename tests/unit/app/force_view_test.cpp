@@ -21,9 +21,9 @@ Sight from_the_front() {
             .towards_eye = [](const dvec3&) { return dvec3(0.0, 0.0, 1.0); }};
 }
 
-haptic::Snapshot touching(const haptic::PotShape& shape) {
+haptic::Snapshot touching(const pot::Pot& shape) {
     haptic::Snapshot snapshot;
-    snapshot.shape = &shape;
+    snapshot.pot = &shape;
     snapshot.tool.position_mm = {69.0, 100.0, 0.0};
     snapshot.tool.radius_mm = 10.0;
     snapshot.result.forces.contacts = 3;
@@ -34,7 +34,7 @@ haptic::Snapshot touching(const haptic::PotShape& shape) {
 }
 
 TEST(Forces, AreThePapersThreeAndTheirSum) {
-    haptic::PotShape shape;
+    pot::Pot shape;
     const Forces forces = forces_of(touching(shape).result.forces);
     EXPECT_EQ(forces[0], dvec3(0.3, 0.0, 0.0));
     EXPECT_EQ(forces[1], dvec3(0.0, 0.08, 0.0));
@@ -50,7 +50,7 @@ TEST(Forces, BeginWhereTheToolTouchesAndAreAsLongAsTheyAreStrong) {
 }
 
 TEST(Forces, AreNeverLongerThanAnArrowMayBe) {
-    haptic::PotShape shape;
+    pot::Pot shape;
     haptic::Snapshot snapshot = touching(shape);
     ForceView view;
     view.look(snapshot, 1.0 / 60.0);
@@ -59,7 +59,7 @@ TEST(Forces, AreNeverLongerThanAnArrowMayBe) {
     snapshot.result.second_forces.stiffness_n = {-90.0, 0.0, 0.0};
     for (int frame = 2; frame <= 60; ++frame) {
         view.look(snapshot, frame / 60.0);
-        const screens::ForceFrame shown = view.frame(snapshot, pot_view(snapshot), from_the_front(), true);
+        const screens::ForceFrame shown = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
         for (const screens::ForceTouch& touch : shown.touches)
             for (const screens::ForceArrow& arrow : touch.arrows)
                 EXPECT_LE(glm::distance(arrow.from_px, arrow.to_px), ForceView::kFullArrowMm + 1e-3)
@@ -68,14 +68,14 @@ TEST(Forces, AreNeverLongerThanAnArrowMayBe) {
 }
 
 TEST(Forces, AreDrawnInTheirPlaces) {
-    haptic::PotShape shape;
+    pot::Pot shape;
     const haptic::Snapshot snapshot = touching(shape);
     ForceView view;
     for (int frame = 1; frame <= 240; ++frame)  // until what is shown has settled
         view.look(snapshot, frame / 60.0);
     // 0.37 N at most: the plot is 0.5 N high, and so is an arrow of 80 mm.
     EXPECT_NEAR(view.mm_per_n(), 160.0, 1e-6);
-    const screens::ForceFrame frame = view.frame(snapshot, pot_view(snapshot), from_the_front(), true);
+    const screens::ForceFrame frame = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
     ASSERT_EQ(frame.touches.size(), 1U);
     const auto& arrows = frame.touches[0].arrows;
     const auto expect_arrow = [&](screens::Force force, vec2 to_px) {
@@ -99,13 +99,13 @@ TEST(Forces, AreDrawnInTheirPlaces) {
 }
 
 TEST(Forces, AreNotShownWhereNothingIsTouchedNorLingerThere) {
-    haptic::PotShape shape;
+    pot::Pot shape;
     haptic::Snapshot snapshot = touching(shape);
     ForceView view;
     view.look(snapshot, 1.0);
     snapshot.result.forces = {};
     view.look(snapshot, 1.02);
-    const screens::ForceFrame frame = view.frame(snapshot, pot_view(snapshot), from_the_front(), true);
+    const screens::ForceFrame frame = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
     EXPECT_TRUE(frame.touches.empty());
     EXPECT_EQ(frame.size_n[3], 0.0);
 }
@@ -130,8 +130,8 @@ void expect_lit_rings_are_those_in_contact(haptic::HapticState start, std::uniqu
         const haptic::Snapshot& snapshot = work.newest_snapshot();
         ASSERT_EQ(snapshot.periods, static_cast<std::uint64_t>(k) + 1U);
         // A shape that was copied a few ticks ago may be a ring off.
-        if (snapshot.shape->tick != snapshot.tick) continue;
-        const RingSpan lit = rings_touched(*snapshot.shape, snapshot.result.forces);
+        if (snapshot.pot_stamp.tick != snapshot.tick) continue;
+        const RingSpan lit = rings_touched(*snapshot.pot, snapshot.result.forces);
         ASSERT_EQ(lit.size(), snapshot.result.forces.contacts) << "tick " << k;
         touching += lit.size() > 0 ? 1 : 0;
     }
@@ -167,7 +167,7 @@ TEST(LitRings, ReachOverTheRingsThatAStudioHandTouches) {
         ASSERT_GE(forces.contact_high_mm, snapshot.tool.position_mm.y - snapshot.tool.radius_mm - 2.0);
         // The shape is copied in pieces while rings flow: some may be off. Between a hand inside
         // and its shaft above it there are rings that neither touches.
-        const RingSpan lit = rings_touched(*snapshot.shape, forces);
+        const RingSpan lit = rings_touched(*snapshot.pot, forces);
         const double off = 6.0 + 0.2 * forces.contacts;
         ASSERT_GE(lit.size(), forces.contacts - off) << "tick " << k;
         if (snapshot.tool.shaft_mm > 0.0) continue;
@@ -177,17 +177,16 @@ TEST(LitRings, ReachOverTheRingsThatAStudioHandTouches) {
 }
 
 TEST(LitRings, AreAsManyLinesAsCanBeTold) {
-    haptic::PotShape shape;
-    shape.rings = 2000;
+    pot::Pot shape;
     shape.height_mm = 200.0;
-    shape.outer_mm_.assign(2000, 60.0F);
+    shape.outer_mm.assign(2000, 60.0F);
     haptic::Snapshot snapshot = touching(shape);
     snapshot.result.forces.contact_low_mm = 99.7;
     snapshot.result.forces.contact_high_mm = 100.0;
     ForceView view;
     view.look(snapshot, 1.0);
     const auto lines_of = [&] {
-        const screens::ForceFrame frame = view.frame(snapshot, pot_view(snapshot), from_the_front(), true);
+        const screens::ForceFrame frame = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
         return frame.touches.at(0).rings_px;
     };
     ASSERT_EQ(lines_of().size(), 3U) << "one for each ring in contact";

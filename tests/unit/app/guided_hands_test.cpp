@@ -7,6 +7,7 @@
 
 #include "game/app/kiosk/kiosk_touch.h"
 #include "game/app/kiosk/snapshot_view.h"
+#include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {
 namespace {
@@ -15,18 +16,8 @@ using clay::studio::Grip;
 using clay::studio::Side;
 
 // A cylinder of millimetre rings, hollow above floor_mm.
-haptic::PotShape pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {
-    haptic::PotShape shape;
-    shape.rings = static_cast<int>(height_mm);
-    shape.height_mm = height_mm;
-    shape.floor_mm = floor_mm;
-    shape.is_hollow = true;
-    for (int i = 0; i < shape.rings; ++i) {
-        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
-        shape.inner_mm_.push_back(i < floor_mm ? 0.0F : static_cast<float>(outer_mm - wall_mm));
-        shape.top_mm_.push_back(static_cast<float>(i + 1));
-    }
-    return shape;
+pot::Pot pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {
+    return test::millimetre_pot(height_mm, outer_mm, floor_mm, outer_mm - wall_mm);
 }
 
 class GuidedHands : public ::testing::Test {
@@ -35,19 +26,19 @@ class GuidedHands : public ::testing::Test {
         snapshot_.tool.guided = true;
         snapshot_.tool.radius_mm = 12.0;
     }
-    wheel::PotView hovers(const haptic::PotShape& shape, const dvec2& finger_mm) {
-        snapshot_.shape = &shape;
+    wheel::WheelView hovers(const pot::Pot& shape, const dvec2& finger_mm) {
+        snapshot_.pot = &shape;
         snapshot_.tool.pressing = false;
         snapshot_.tool.position_mm = dvec3(finger_mm, 0.0);
         snapshot_.result.grip = {.finger_mm = finger_mm};
-        return pot_view(snapshot_);
+        return wheel_view(snapshot_);
     }
-    wheel::PotView works(const haptic::PotShape& shape, Grip grip, const dvec2& hand_mm) {
-        snapshot_.shape = &shape;
+    wheel::WheelView works(const pot::Pot& shape, Grip grip, const dvec2& hand_mm) {
+        snapshot_.pot = &shape;
         snapshot_.tool.pressing = true;
         snapshot_.tool.position_mm = {0.0, 200.0, 0.0};  // far off: the hands are not there
         snapshot_.result.grip = {.grip = grip, .hand_mm = hand_mm};
-        return pot_view(snapshot_);
+        return wheel_view(snapshot_);
     }
     // The place at which a hand touches.
     static dvec3 touch_of(const wheel::HandView& hand) {
@@ -62,14 +53,14 @@ class GuidedHands : public ::testing::Test {
         }
     }
 
-    const haptic::PotShape lump_ = pot(50, 62, 62, 50);
-    const haptic::PotShape cup_ = pot(100, 60, 8, 11);
+    const pot::Pot lump_ = pot(50, 62, 62, 50);
+    const pot::Pot cup_ = pot(100, 60, 8, 11);
     haptic::Snapshot snapshot_;
 };
 
 TEST_F(GuidedHands, HoldTheWallFromBothSides) {
     for (const double side : {1.0, -1.0}) {
-        const wheel::PotView view = works(cup_, Grip::kWall, {side * 20.0, 40.0});
+        const wheel::WheelView view = works(cup_, Grip::kWall, {side * 20.0, 40.0});
         EXPECT_EQ(view.hand.side, Side::kOut);
         EXPECT_LT(glm::length(touch_of(view.hand) - dvec3(side * 60.0, 40.0, 0.0)), 1e-6) << "on the clay";
         ASSERT_TRUE(view.second_hand.shown);
@@ -77,16 +68,16 @@ TEST_F(GuidedHands, HoldTheWallFromBothSides) {
         EXPECT_LT(glm::length(touch_of(view.second_hand) - dvec3(side * 52.0, 40.0, 0.0)), 1e-6);
         EXPECT_TRUE(view.hand.guided && view.hand.touching && !view.hand.digs);
     }
-    const wheel::PotView low = works(cup_, Grip::kWall, {60.0, -5.0});
+    const wheel::WheelView low = works(cup_, Grip::kWall, {60.0, -5.0});
     EXPECT_GT(low.hand.position_mm.y, 10.0) << "above the wheel";
     EXPECT_GT(low.second_hand.position_mm.y, 11.0) << "above the floor";
-    const wheel::PotView high = works(cup_, Grip::kWall, {60.0, 101.5});
+    const wheel::WheelView high = works(cup_, Grip::kWall, {60.0, 101.5});
     EXPECT_LT(high.hand.position_mm.y, 100.0) << "finger tips at the rim";
     EXPECT_NEAR(high.hand.position_mm.y, high.second_hand.position_mm.y, 1e-9);
 }
 
 TEST_F(GuidedHands, HoldALumpBetweenTwoPalms) {
-    const wheel::PotView view = works(lump_, Grip::kWall, {62.0, 20.0});
+    const wheel::WheelView view = works(lump_, Grip::kWall, {62.0, 20.0});
     ASSERT_TRUE(view.second_hand.shown);
     EXPECT_EQ(view.second_hand.side, Side::kOut);
     EXPECT_EQ(touch_of(view.hand).x, 62.0);
@@ -94,29 +85,29 @@ TEST_F(GuidedHands, HoldALumpBetweenTwoPalms) {
 }
 
 TEST_F(GuidedHands, OpenInTheMiddleReachInsideAndPressTheRim) {
-    const wheel::PotView opens = works(lump_, Grip::kOpen, {5.0, 30.0});
+    const wheel::WheelView opens = works(lump_, Grip::kOpen, {5.0, 30.0});
     EXPECT_TRUE(opens.hand.digs);
     EXPECT_EQ(opens.hand.side, Side::kTop);
     EXPECT_EQ(touch_of(opens.hand).x, 5.0);
     EXPECT_LT(touch_of(opens.hand).y, 30.0);
     EXPECT_FALSE(opens.second_hand.shown);
 
-    const wheel::PotView inside = works(cup_, Grip::kInside, {52.0, 60.0});
+    const wheel::WheelView inside = works(cup_, Grip::kInside, {52.0, 60.0});
     EXPECT_EQ(inside.second_hand.side, Side::kIn);
     EXPECT_EQ(touch_of(inside.second_hand), dvec3(52.0, 60.0, 0.0));
     EXPECT_EQ(inside.hand.side, Side::kOut);
     EXPECT_EQ(touch_of(inside.hand), dvec3(60.0, 60.0, 0.0));
 
-    const wheel::PotView rim = works(cup_, Grip::kRim, {58.0, 100.0});
+    const wheel::WheelView rim = works(cup_, Grip::kRim, {58.0, 100.0});
     EXPECT_EQ(rim.hand.side, Side::kTop);
     EXPECT_FALSE(rim.hand.digs);
     EXPECT_EQ(touch_of(rim.hand), dvec3(56.0, 100.0, 0.0));
 }
 
 TEST_F(GuidedHands, ReachBehindAShoulderWithNoArmThroughIt) {
-    haptic::PotShape jar = pot(120, 70, 8, 11);
-    for (int i = 80; i < jar.rings; ++i)
-        jar.inner_mm_[static_cast<std::size_t>(i)] = 40.0F;
+    pot::Pot jar = pot(120, 70, 8, 11);
+    for (int i = 80; i < jar.ring_count(); ++i)
+        jar.inner_mm[static_cast<std::size_t>(i)] = 40.0F;
     for (const Grip grip : {Grip::kWall, Grip::kInside}) {
         for (double y = 15.0; y < 118.0; y += 3.0) {
             const dvec3 tips = touch_of(works(jar, grip, {70.0, y}).second_hand);
@@ -131,10 +122,10 @@ TEST_F(GuidedHands, ReachBehindAShoulderWithNoArmThroughIt) {
 }
 
 TEST_F(GuidedHands, HangOffTheClayInThePoseOfWhatATouchWouldBegin) {
-    for (const haptic::PotShape* shape : {&lump_, &cup_}) {
+    for (const pot::Pot* shape : {&lump_, &cup_}) {
         for (double x = -130.0; x <= 130.0; x += 3.0) {
             for (double y = 0.0; y < 170.0; y += 3.0) {
-                const wheel::PotView view = hovers(*shape, {x, y});
+                const wheel::WheelView view = hovers(*shape, {x, y});
                 for (const wheel::HandView* hand : {&view.hand, &view.second_hand}) {
                     if (!hand->shown) continue;
                     const dvec3 at = touch_of(*hand);
@@ -155,16 +146,16 @@ TEST_F(GuidedHands, HangOffTheClayInThePoseOfWhatATouchWouldBegin) {
 }
 
 TEST_F(GuidedHands, LieBesideEvenTheWidestPotWhenTheyRest) {
-    const haptic::PotShape plate = pot(40, 135, 8, 10);
-    const wheel::PotView view = hovers(plate, {230.0, 20.0});
+    const pot::Pot plate = pot(40, 135, 8, 10);
+    const wheel::WheelView view = hovers(plate, {230.0, 20.0});
     EXPECT_GE(touch_of(view.hand).x, 135.0);
     EXPECT_LE(hovers(cup_, {260.0, 45.0}).hand.position_mm.x, 240.0) << "but in the picture";
 }
 
 TEST_F(GuidedHands, LeaveADeviceItsBall) {
     snapshot_.tool = {.position_mm = {70.0, 40.0, 20.0}, .radius_mm = 12.0};
-    snapshot_.shape = &cup_;
-    const wheel::PotView view = pot_view(snapshot_);
+    snapshot_.pot = &cup_;
+    const wheel::WheelView view = wheel_view(snapshot_);
     EXPECT_EQ(view.hand.position_mm, dvec3(70.0, 40.0, 20.0));
     EXPECT_FALSE(view.hand.guided);
 }

@@ -22,14 +22,14 @@ class HandOnClay : public ::testing::Test {
         parameters_.studio.forgiving = true;
         state_ = haptic::HapticState(clay::StudioClay(clay::StudioLump{.mass_g = mass_g, .rings = 800}));
         hand_ = {};
-        shape_ = haptic::first_shape(state_);
+        shape_ = haptic::pot_of(state_);
         waits(1.0);
     }
     void frame() {
         const haptics::ToolState tool = hand_.wish({.water = 3}, shape_, kFrameS);
         for (ticks_due_ += kRateHz * kFrameS; ticks_due_ >= 1.0; ticks_due_ -= 1.0)
             last_ = haptic::tick(state_, tool, parameters_);
-        shape_ = haptic::first_shape(state_);
+        shape_ = haptic::pot_of(state_);
     }
     void waits(double seconds) {
         for (int i = 0; i < static_cast<int>(seconds / kFrameS); ++i)
@@ -75,19 +75,19 @@ class HandOnClay : public ::testing::Test {
     haptic::HapticState state_{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters_;
     haptic::TickResult last_;
-    haptic::PotShape shape_;
+    pot::Pot shape_;
     KioskHand hand_;
     double ticks_due_ = 0.0;
 };
 
 TEST_F(HandOnClay, AHandThatHoversOrRestsLeavesItAlone) {
-    const std::vector<float> before = shape_.outer_mm_;
+    const std::vector<float> before = shape_.outer_mm;
     for (double x = -80.0; x < 80.0; x += 2.0) {
         hand_.hover({x, 30.0});
         frame();
     }
     waits(6.0);
-    EXPECT_EQ(shape_.outer_mm_, before);
+    EXPECT_EQ(shape_.outer_mm, before);
 }
 
 TEST_F(HandOnClay, TheLessonThrowsAPotOfSmallAndLargeLumps) {

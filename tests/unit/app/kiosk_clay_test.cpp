@@ -18,31 +18,31 @@ using clay::studio::Cause;
 using kiosk::Warning;
 
 // A lump as wide as that at its foot, or an open pot.
-haptic::PotShape clay_of(std::uint64_t run, double height_mm, double foot_mm, bool is_open) {
-    haptic::PotShape shape;
-    shape.run = run;
-    shape.rings = 60;
-    shape.height_mm = height_mm;
-    shape.is_hollow = is_open;
-    shape.floor_mm = is_open ? 8.0 : height_mm;
-    for (int ring = 0; ring < shape.rings; ++ring) {
-        shape.outer_mm_.push_back(static_cast<float>(foot_mm));
-        shape.inner_mm_.push_back(is_open && ring > 6 ? static_cast<float>(foot_mm - 8.0) : 0.0F);
-        shape.top_mm_.push_back(static_cast<float>(height_mm * (ring + 1) / shape.rings));
+haptic::PotCopy clay_of(std::uint64_t run, double height_mm, double foot_mm, bool is_open) {
+    constexpr int kRings = 60;
+    haptic::PotCopy copy{.pot = {}, .stamp = {.run = run}};
+    pot::Pot& pot = copy.pot;
+    pot.height_mm = height_mm;
+    pot.floor_mm = is_open ? 8.0 : height_mm;
+    for (int ring = 0; ring < kRings; ++ring) {
+        pot.outer_mm.push_back(static_cast<float>(foot_mm));
+        if (is_open) pot.inner_mm.push_back(ring > 6 ? static_cast<float>(foot_mm - 8.0) : 0.0F);
+        pot.top_mm.push_back(static_cast<float>(height_mm * (ring + 1) / kRings));
     }
-    return shape;
+    return copy;
 }
 
-haptic::Snapshot seen(const haptic::PotShape& shape, std::uint64_t tick) {
+haptic::Snapshot seen(const haptic::PotCopy& shape, std::uint64_t tick) {
     haptic::Snapshot snapshot;
-    snapshot.run = shape.run;
-    snapshot.states_put = shape.states_put;
+    snapshot.run = shape.stamp.run;
+    snapshot.states_put = shape.stamp.states_put;
     snapshot.tick = tick;
-    snapshot.shape = &shape;
+    snapshot.pot = &shape.pot;
+    snapshot.pot_stamp = shape.stamp;
     return snapshot;
 }
 
-haptic::Snapshot sunken(const haptic::PotShape& shape, std::uint64_t tick, double load = 1.1) {
+haptic::Snapshot sunken(const haptic::PotCopy& shape, std::uint64_t tick, double load = 1.1) {
     haptic::Snapshot snapshot = seen(shape, tick);
     snapshot.load.failure.cause = Cause::kWeight;
     snapshot.load.index = load;
@@ -52,11 +52,11 @@ haptic::Snapshot sunken(const haptic::PotShape& shape, std::uint64_t tick, doubl
 TEST(KioskClay, SaysOnceThatThePotGaveWayAndWhenThatBegan) {
     KioskClay clay;
     clay.expect_lump(1);
-    const haptic::PotShape standing = clay_of(1, 100.0, 50.0, true);
+    const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     EXPECT_FALSE(clay.look(seen(standing, 4000), Warning::kNone)->gave_way);
-    const haptic::PotShape sagging = clay_of(1, 95.0, 51.0, true);
+    const haptic::PotCopy sagging = clay_of(1, 95.0, 51.0, true);
     EXPECT_FALSE(clay.look(sunken(sagging, 8000), Warning::kNone)->gave_way) << "a little is no failure";
-    const haptic::PotShape low = clay_of(1, 75.0, 60.0, true);
+    const haptic::PotCopy low = clay_of(1, 75.0, 60.0, true);
     EXPECT_EQ(clay.look(sunken(low, 20000), Warning::kNone)->gave_way, Warning::kThin);
     EXPECT_EQ(clay.began_to_fail_tick(), 8000U) << "two seconds before 20000 it was failing already";
     EXPECT_FALSE(clay.look(sunken(low, 20100), Warning::kNone)->gave_way);
@@ -65,7 +65,7 @@ TEST(KioskClay, SaysOnceThatThePotGaveWayAndWhenThatBegan) {
 TEST(KioskClay, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
     KioskClay clay;
     clay.expect_lump(1);
-    const haptic::PotShape standing = clay_of(1, 100.0, 100.0, true);
+    const haptic::PotCopy standing = clay_of(1, 100.0, 100.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     EXPECT_FALSE(clay.look(sunken(clay_of(1, 99.0, 108.0, true), 5000), Warning::kNone)->gave_way);
     EXPECT_TRUE(clay.look(sunken(clay_of(1, 97.0, 113.0, true), 5100), Warning::kNone)->gave_way);
@@ -75,22 +75,22 @@ TEST(KioskClay, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
 TEST(KioskClay, JudgesWhatWasPutBackByHowItStandsThenThoughItGaveWayALittleBefore) {
     KioskClay clay;
     clay.expect_lump(1);
-    haptic::PotShape there = clay_of(1, 80.0, 50.0, true);
+    haptic::PotCopy there = clay_of(1, 80.0, 50.0, true);
     clay.expect_state(seen(there, 9000));
-    there.states_put = 1;
+    there.stamp.states_put = 1;
     EXPECT_FALSE(clay.look(sunken(there, 4000), Warning::kNone)->gave_way);
-    haptic::PotShape wider = clay_of(1, 79.0, 53.0, true);
-    wider.states_put = 1;
+    haptic::PotCopy wider = clay_of(1, 79.0, 53.0, true);
+    wider.stamp.states_put = 1;
     EXPECT_FALSE(clay.look(sunken(wider, 4100), Warning::kNone)->gave_way);
-    haptic::PotShape widest = clay_of(1, 78.0, 57.0, true);
-    widest.states_put = 1;
+    haptic::PotCopy widest = clay_of(1, 78.0, 57.0, true);
+    widest.stamp.states_put = 1;
     EXPECT_TRUE(clay.look(sunken(widest, 4200), Warning::kNone)->gave_way);
 }
 
 TEST(KioskClay, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
     KioskClay clay;
     clay.expect_lump(1);
-    const haptic::PotShape standing = clay_of(1, 100.0, 50.0, true);
+    const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     (void)clay.look(sunken(clay_of(1, 97.0, 51.0, true), 5000), Warning::kNone);
     EXPECT_FALSE(clay.look(sunken(clay_of(1, 95.0, 52.0, true), 6000, 0.5), Warning::kNone)->gave_way);
@@ -140,9 +140,9 @@ TEST(KioskClay, SeesARealBowlSpinApartWhileItStillStandsHigh) {
 TEST(KioskClay, IsSilentWhileTheEarlierStateIsOnItsWay) {
     KioskClay clay;
     clay.expect_lump(1);
-    const haptic::PotShape standing = clay_of(1, 100.0, 50.0, true);
+    const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
-    const haptic::PotShape low = clay_of(1, 60.0, 60.0, true);
+    const haptic::PotCopy low = clay_of(1, 60.0, 60.0, true);
     ASSERT_TRUE(clay.look(sunken(low, 8000), Warning::kNone)->gave_way);
     clay.expect_state(sunken(low, 8100));
     EXPECT_FALSE(clay.look(sunken(low, 8200), Warning::kNone)) << "what sank is still there";
@@ -150,21 +150,21 @@ TEST(KioskClay, IsSilentWhileTheEarlierStateIsOnItsWay) {
     haptic::Snapshot between = seen(low, 4000);
     between.states_put = 1;
     EXPECT_FALSE(clay.look(between, Warning::kNone));
-    haptic::PotShape before = clay_of(1, 98.0, 50.0, true);
-    before.states_put = 1;
+    haptic::PotCopy before = clay_of(1, 98.0, 50.0, true);
+    before.stamp.states_put = 1;
     const auto news = clay.look(seen(before, 4010), Warning::kNone);
     ASSERT_TRUE(news);
     EXPECT_FALSE(news->gave_way);
     // Should it sink again, that is said again.
-    haptic::PotShape again = clay_of(1, 60.0, 60.0, true);
-    again.states_put = 1;
+    haptic::PotCopy again = clay_of(1, 60.0, 60.0, true);
+    again.stamp.states_put = 1;
     EXPECT_TRUE(clay.look(sunken(again, 9000), Warning::kNone)->gave_way);
 }
 
 TEST(KioskClay, GoesOnWhereTheEarlierStateDoesNotCome) {
     KioskClay clay;
     clay.expect_lump(1);
-    const haptic::PotShape standing = clay_of(1, 100.0, 50.0, true);
+    const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     clay.expect_state(seen(standing, 4000));
     EXPECT_FALSE(clay.look(seen(standing, 4001), Warning::kNone));
@@ -175,14 +175,14 @@ TEST(KioskClay, GoesOnWhereTheEarlierStateDoesNotCome) {
 TEST(KioskClay, TeachesByTheNewLumpAndNotByTheLastVisitorsPot) {
     KioskClay clay;
     clay.expect_lump(4);
-    const haptic::PotShape old_pot = clay_of(4, 140.0, 40.0, true);
+    const haptic::PotCopy old_pot = clay_of(4, 140.0, 40.0, true);
     EXPECT_GT(clay.look(seen(old_pot, 90000), Warning::kNone)->steps_done, 1);
     clay.expect_lump(5);
     EXPECT_FALSE(clay.look(seen(old_pot, 90001), Warning::kNone));
     haptic::Snapshot between = seen(old_pot, 1);
     between.run = 5;
     EXPECT_FALSE(clay.look(between, Warning::kNone)) << "the rings are still the old pot's";
-    const haptic::PotShape lump = clay_of(5, 75.0, 60.0, false);
+    const haptic::PotCopy lump = clay_of(5, 75.0, 60.0, false);
     const auto news = clay.look(seen(lump, 2), Warning::kNone);
     ASSERT_TRUE(news);
     EXPECT_EQ(news->steps_done, 0);

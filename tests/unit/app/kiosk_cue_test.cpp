@@ -1,5 +1,6 @@
 // Where the calm cue lies and when it is to be seen, on a clock of its own.
 #include "game/app/kiosk/kiosk_cue.h"
+#include "tests/support/millimetre_pot.h"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +12,6 @@ namespace {
 using clay::studio::Grip;
 using clay::studio::GripGuard;
 using clay::studio::GripReport;
-
-haptic::PotShape clay(double height_mm, double outer_mm, double floor_mm, double bore_mm) {
-    haptic::PotShape shape;
-    shape.rings = static_cast<int>(std::lround(height_mm));
-    shape.height_mm = height_mm;
-    shape.floor_mm = floor_mm;
-    shape.is_hollow = true;
-    for (int ring = 0; ring < shape.rings; ++ring) {
-        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
-        shape.inner_mm_.push_back(ring < floor_mm ? 0.0F : static_cast<float>(bore_mm));
-        shape.top_mm_.push_back(static_cast<float>(ring + 1));
-    }
-    return shape;
-}
 
 class Cue : public testing::Test {
   protected:
@@ -57,7 +44,7 @@ class Cue : public testing::Test {
             place = look({}, {}, dvec2(55.0, 50.0));
         return place;
     }
-    haptic::PotShape shape_ = clay(100, 50, 12, 40);
+    pot::Pot shape_ = test::millimetre_pot(100, 50, 12, 40);
     KioskCue cue_;
     dvec2 hand_mm_{50.0, 20.0};
     double now_s_ = 0.0;
@@ -65,7 +52,7 @@ class Cue : public testing::Test {
 };
 
 TEST_F(Cue, LiesWhereTheLessonWantsTheFingerWithAnArrow) {
-    shape_ = clay(50, 62, 50, 0);
+    shape_ = test::millimetre_pot(50, 62, 50, 0);
     const auto pressed = look({}, 0);
     ASSERT_TRUE(pressed);
     EXPECT_EQ(pressed->step, 0);

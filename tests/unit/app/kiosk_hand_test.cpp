@@ -9,40 +9,31 @@
 #include <vector>
 
 #include "game/app/kiosk/kiosk_pot.h"
+#include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {
 namespace {
 
 // A pot of a hundred rings, a millimetre each: solid to floor_mm, a wall above.
-haptic::PotShape pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {
-    haptic::PotShape shape;
-    shape.rings = static_cast<int>(height_mm);
-    shape.height_mm = height_mm;
-    shape.floor_mm = floor_mm;
-    shape.is_hollow = true;
-    for (int i = 0; i < shape.rings; ++i) {
-        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
-        shape.inner_mm_.push_back(i < floor_mm ? 0.0F : static_cast<float>(outer_mm - wall_mm));
-        shape.top_mm_.push_back(static_cast<float>(i + 1));
-    }
-    return shape;
+pot::Pot pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {
+    return test::millimetre_pot(height_mm, outer_mm, floor_mm, outer_mm - wall_mm);
 }
 
 // Frames of a sixtieth of a second.
-haptics::ToolState after(KioskHand& hand, const haptic::PotShape& shape, double seconds) {
+haptics::ToolState after(KioskHand& hand, const pot::Pot& shape, double seconds) {
     haptics::ToolState tool = hand.wish({}, shape, 1.0 / 60.0);
     for (double gone_s = 1.0 / 60.0; gone_s < seconds - 1e-9; gone_s += 1.0 / 60.0)
         tool = hand.wish({}, shape, 1.0 / 60.0);
     return tool;
 }
-haptics::ToolState next(KioskHand& hand, const haptic::PotShape& shape) {
+haptics::ToolState next(KioskHand& hand, const pot::Pot& shape) {
     return after(hand, shape, 1.0 / 60.0);
 }
 
 class KioskHandTest : public ::testing::Test {
   protected:
-    const haptic::PotShape shape_ = pot(100, 60, 8, 10);
-    const haptic::PotShape lump_ = pot(50, 62, 8, 50);
+    const pot::Pot shape_ = pot(100, 60, 8, 10);
+    const pot::Pot lump_ = pot(50, 62, 8, 50);
     KioskHand hand_;
 };
 
@@ -256,8 +247,8 @@ TEST(KioskPot, BlamesWaterForATwistOnlyWhereTheClayIsSoft) {
 }
 
 TEST(KioskPot, FindsTheThinnestPlaceOfAWall) {
-    haptic::PotShape shape = pot(100, 60, 8, 10);
-    shape.inner_mm_[70] = 57.5F;
+    pot::Pot shape = pot(100, 60, 8, 10);
+    shape.inner_mm[70] = 57.5F;
     EXPECT_NEAR(thinnest_wall_mm(shape), 2.5, 1e-4);
     EXPECT_EQ(thinnest_wall_mm(pot(80, 60, 8, 80)), 0.0);
 }

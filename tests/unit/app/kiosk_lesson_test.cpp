@@ -4,61 +4,49 @@
 #include <cmath>
 
 #include "game/app/kiosk/kiosk_pot.h"
+#include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {
 namespace {
 
-// Rings of a millimetre: solid to the floor, a bore above it. A kilogram is 62 mm wide and 44 high so.
-haptic::PotShape clay(double height_mm, double outer_mm, double floor_mm, double bore_mm) {
-    haptic::PotShape shape;
-    shape.rings = static_cast<int>(std::lround(height_mm));
-    shape.height_mm = height_mm;
-    shape.floor_mm = floor_mm;
-    shape.is_hollow = true;
-    for (int ring = 0; ring < shape.rings; ++ring) {
-        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
-        shape.inner_mm_.push_back(ring < floor_mm ? 0.0F : static_cast<float>(bore_mm));
-        shape.top_mm_.push_back(static_cast<float>(ring + 1));
-    }
-    return shape;
-}
-haptic::PotShape lump() {
-    return clay(44, 62, 44, 0);
+pot::Pot lump() {
+    return test::millimetre_pot(44, 62, 44, 0);
 }
 
 TEST(Lesson, CountsAFootNarrowerByThreeOrAHeightOfSixMoreAsPressed) {
     Lesson lesson;
     EXPECT_EQ(lesson.steps_done(lump()), 0);
-    EXPECT_EQ(lesson.steps_done(clay(44, 59.5, 44, 0)), 0);
-    EXPECT_EQ(lesson.steps_done(clay(44, 58.5, 44, 0)), 1);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(44, 59.5, 44, 0)), 0);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(44, 58.5, 44, 0)), 1);
     Lesson other;
     EXPECT_EQ(other.steps_done(lump()), 0);
-    EXPECT_EQ(other.steps_done(clay(49, 62, 49, 0)), 0);
-    EXPECT_EQ(other.steps_done(clay(51, 62, 51, 0)), 1);
+    EXPECT_EQ(other.steps_done(test::millimetre_pot(49, 62, 49, 0)), 0);
+    EXPECT_EQ(other.steps_done(test::millimetre_pot(51, 62, 51, 0)), 1);
 }
 
 TEST(Lesson, CountsAWideAndDeepHollowAsOpened) {
     Lesson lesson;
     EXPECT_EQ(lesson.steps_done(lump()), 0);
-    EXPECT_EQ(lesson.steps_done(clay(45, 62, 30, 20)), 0) << "not deep enough";
-    EXPECT_EQ(lesson.steps_done(clay(45, 62, 15, 12)), 0) << "a hole for a thumb";
-    EXPECT_EQ(lesson.steps_done(clay(45, 62, 15, 16)), 2) << "which nobody does who has not pressed";
-    EXPECT_EQ(lesson.steps_done(clay(60, 62, 15, 16)), 2);
-    EXPECT_EQ(lesson.steps_done(clay(64, 55, 11, 30)), 3) << "1.4 of 45";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 30, 20)), 0) << "not deep enough";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 12)), 0) << "a hole for a thumb";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 16)), 2)
+        << "which nobody does who has not pressed";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(60, 62, 15, 16)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(64, 55, 11, 30)), 3) << "1.4 of 45";
 }
 
 TEST(Lesson, CountsAWallOfSeventyFiveAsRaisedHoweverItCameToIt) {
     Lesson lesson;
     EXPECT_EQ(lesson.steps_done(lump()), 0);
-    EXPECT_EQ(lesson.steps_done(clay(80, 45, 80, 0)), 1) << "a cone is no wall";
-    EXPECT_EQ(lesson.steps_done(clay(74, 50, 15, 20)), 2);
-    EXPECT_EQ(lesson.steps_done(clay(76, 50, 15, 20)), 3);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(80, 45, 80, 0)), 1) << "a cone is no wall";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(74, 50, 15, 20)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(76, 50, 15, 20)), 3);
 }
 
 TEST(Lesson, NeverGoesBack) {
     Lesson lesson;
     EXPECT_EQ(lesson.steps_done(lump()), 0);
-    EXPECT_EQ(lesson.steps_done(clay(45, 62, 15, 16)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 16)), 2);
     EXPECT_EQ(lesson.steps_done(lump()), 2);
     lesson.begin();
     EXPECT_EQ(lesson.steps_done(lump()), 0);
@@ -73,10 +61,11 @@ TEST(Lesson, AsksLessOfASmallLumpAndMoreOfALargeOne) {
           std::tuple(large, 76.0, 2), std::tuple(large, 103.0, 3)}) {
         Lesson lesson;
         const double fresh_mm = std::round(44.0 * size);
-        EXPECT_EQ(lesson.steps_done(clay(fresh_mm, 62.0 * size, fresh_mm, 0)), 0);
+        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(fresh_mm, 62.0 * size, fresh_mm, 0)), 0);
         const double opened_mm = std::round(55.0 * size);
-        EXPECT_EQ(lesson.steps_done(clay(opened_mm, 62.0 * size, 11.0, 16.0 * size)), 2) << size;
-        EXPECT_EQ(lesson.steps_done(clay(height_mm, 55.0 * size, 11.0, 30.0 * size)), steps)
+        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(opened_mm, 62.0 * size, 11.0, 16.0 * size)), 2)
+            << size;
+        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(height_mm, 55.0 * size, 11.0, 30.0 * size)), steps)
             << size << ' ' << height_mm;
     }
 }

@@ -1,5 +1,6 @@
 // The marker that keys move along the clay, and what they ask for there.
 #include "game/app/kiosk/kiosk_marker.h"
+#include "tests/support/millimetre_pot.h"
 
 #include <gtest/gtest.h>
 
@@ -9,32 +10,21 @@ namespace onggi::app {
 namespace {
 
 // A cone of millimetre rings that widens by `lean` a millimetre; hollow above floor_mm.
-haptic::PotShape cone(double height_mm, double foot_mm, double lean, double floor_mm) {
-    haptic::PotShape shape;
-    shape.rings = static_cast<int>(height_mm);
-    shape.height_mm = height_mm;
-    shape.floor_mm = floor_mm;
-    shape.is_hollow = true;
-    for (int i = 0; i < shape.rings; ++i) {
-        const double outer_mm = foot_mm + lean * i;
-        shape.outer_mm_.push_back(static_cast<float>(outer_mm));
-        shape.inner_mm_.push_back(i < floor_mm ? 0.0F : static_cast<float>(outer_mm - 8.0));
-        shape.top_mm_.push_back(static_cast<float>(i + 1));
-    }
-    return shape;
+pot::Pot cone(double height_mm, double foot_mm, double lean, double floor_mm) {
+    return test::millimetre_pot(height_mm, foot_mm, floor_mm, foot_mm - 8.0, lean);
 }
 
 class KioskMarkerTest : public ::testing::Test {
   protected:
     // Up until it is at the rim.
-    void go_up(const haptic::PotShape& shape) {
+    void go_up(const pot::Pot& shape) {
         for (int step = 0; step < 100 && marker_.place_mm(shape).value_or(dvec2(0.0)).y < shape.height_mm;
              ++step)
             static_cast<void>(marker_.key(HandKey::kUp, shape, 1.0));
     }
 
-    const haptic::PotShape lump_ = cone(50, 62, 0.0, 50);
-    const haptic::PotShape bowl_ = cone(100, 40, 0.75, 12);
+    const pot::Pot lump_ = cone(50, 62, 0.0, 50);
+    const pot::Pot bowl_ = cone(100, 40, 0.75, 12);
     KioskMarker marker_;
 };
 
@@ -92,7 +82,7 @@ TEST_F(KioskMarkerTest, OpensSolidClayFromOverItsMiddle) {
     EXPECT_EQ(down->points.front().place_mm, dvec2(0.0, 50.0));
     EXPECT_LT(down->points.back().place_mm.y, 46.0);
     EXPECT_EQ(down->points.back().place_mm.x, 0.0);
-    const haptic::PotShape opened = cone(55, 62, 0.0, 12);
+    const pot::Pot opened = cone(55, 62, 0.0, 12);
     const auto wider = marker_.key(HandKey::kDown, opened, 1.0);
     ASSERT_TRUE(wider);
     EXPECT_EQ(wider->points.back().place_mm.x, 8.0) << "there is nothing deeper";
@@ -102,7 +92,7 @@ TEST_F(KioskMarkerTest, OpensSolidClayFromOverItsMiddle) {
 
 TEST_F(KioskMarkerTest, GoesUpWithAPotThatGrows) {
     static_cast<void>(marker_.key(HandKey::kLeft, bowl_, 1.0));
-    const haptic::PotShape taller = cone(150, 40, 0.5, 12);
+    const pot::Pot taller = cone(150, 40, 0.5, 12);
     EXPECT_NEAR(marker_.place_mm(taller)->y, 45.0, 1e-9);
     go_up(bowl_);
     EXPECT_EQ(marker_.place_mm(taller)->y, 150.0);
@@ -124,7 +114,7 @@ TEST_F(KioskMarkerTest, GivesOneSwitchHigherLowerWiderAndNarrower) {
 }
 
 TEST_F(KioskMarkerTest, BearsClayThatIsNotThere) {
-    const haptic::PotShape nothing;
+    const pot::Pot nothing;
     for (const HandKey key : {HandKey::kUp, HandKey::kDown, HandKey::kLeft, HandKey::kRight})
         static_cast<void>(marker_.key(key, nothing, 1.0));
     EXPECT_FALSE(marker_.place_mm(nothing));

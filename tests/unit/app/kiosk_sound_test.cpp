@@ -37,9 +37,9 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
     snapshot.result.second_forces.stiffness_n = {0.0, 0.0, -1.0};
     snapshot.result.wheel_load_n_mm = -150.0;
     snapshot.tool.tool = haptic::kTrimmer;
-    haptic::PotShape shape;
-    shape.is_hollow = true;
-    snapshot.shape = &shape;
+    pot::Pot shape;
+    shape.inner_mm = {50.0F};
+    snapshot.pot = &shape;
     snapshot.hand_film = 0.3;
     const sound::SoundScene scene = scene_of(snapshot, 0.5);
     EXPECT_NEAR(scene.contact_n, 3.0, 1e-12);

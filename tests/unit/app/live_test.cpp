@@ -55,7 +55,7 @@ TEST(LiveLoop, ShowsSnapshotsThatGoForward) {
     std::uint64_t last = 0;
     const auto report = run_live(modest_run(300, std::nullopt), [&](const haptic::Snapshot& snapshot) {
         EXPECT_GE(snapshot.tick, last);
-        EXPECT_EQ(snapshot.shape->outer_mm().size(), 2000U);
+        EXPECT_EQ(snapshot.pot->outer_mm.size(), 2000U);
         last = snapshot.tick;
         seen.insert(last);
         return Result<FrameOutcome>(FrameOutcome::kDrawn);

@@ -38,7 +38,7 @@ class TwoCores {
         catch_up();
         const Snapshot& snapshot = work_.newest_snapshot();
         const std::uint64_t tick = snapshot.tick;
-        const std::uint64_t shape_tick = snapshot.shape->tick;
+        const std::uint64_t shape_tick = snapshot.pot_stamp.tick;
         picture_core_.pass(work_ns);
         frames_.finish();
         const std::int64_t shown_ns = picture_core_.now_ns();

@@ -123,7 +123,7 @@ TEST(HapticWork, CountsTheRecordsNobodyFetched) {
 TEST(HapticWork, PublishesWhatAPictureNeeds) {
     Bench bench;
     EXPECT_EQ(bench.work.newest_snapshot().tick, 0U);
-    EXPECT_EQ(bench.work.newest_snapshot().shape->outer_mm().size(), 2000U);
+    EXPECT_EQ(bench.work.newest_snapshot().pot->outer_mm.size(), 2000U);
     bench.run(1700);
     const Snapshot& snapshot = bench.work.newest_snapshot();
     const HapticState& state = bench.work.state();
@@ -134,7 +134,7 @@ TEST(HapticWork, PublishesWhatAPictureNeeds) {
     EXPECT_EQ(snapshot.wheel_direction, dvec2(state.wheel.heading().cosine, state.wheel.heading().sine));
     EXPECT_GT(snapshot.result.forces.contacts, 0);
     EXPECT_EQ(snapshot.result.limited_force_n, bench.device.last_force_n);
-    EXPECT_TRUE(std::equal(snapshot.shape->outer_mm().begin(), snapshot.shape->outer_mm().end(),
+    EXPECT_TRUE(std::equal(snapshot.pot->outer_mm.begin(), snapshot.pot->outer_mm.end(),
                            state.paper()->radii_mm().begin()));
 }
 

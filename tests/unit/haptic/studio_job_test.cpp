@@ -65,15 +65,15 @@ TEST(StudioLoop, AFreshLumpIsTheLumpItBeganWith) {
 }
 
 // What the picture got, against the clay itself.
-void expect_shape_of(const PotShape& shape, const clay::StudioClay& clay, double within_mm) {
-    const auto outer = shape.outer_mm();
-    const auto inner = shape.inner_mm();
-    const auto top = shape.top_mm();
-    ASSERT_EQ(outer.size(), static_cast<std::size_t>(shape.rings));
+void expect_shape_of(const pot::Pot& shape, const clay::StudioClay& clay, double within_mm) {
+    const auto& outer = shape.outer_mm;
+    const auto& inner = shape.inner_mm;
+    const auto& top = shape.top_mm;
+    ASSERT_EQ(outer.size(), static_cast<std::size_t>(shape.ring_count()));
     ASSERT_EQ(inner.size(), outer.size());
     ASSERT_EQ(top.size(), outer.size());
-    ASSERT_EQ(shape.centre_mm().size(), 2 * outer.size());
-    ASSERT_EQ(shape.load_index().size(), outer.size());
+    ASSERT_EQ(shape.centre_mm.size(), outer.size());
+    ASSERT_EQ(shape.load_index.size(), outer.size());
     ASSERT_NEAR(shape.height_mm, clay.height_mm(), within_mm);
     ASSERT_NEAR(shape.floor_mm, clay.floor_mm(), 1.0);
     float below = 0.0F;
@@ -93,7 +93,7 @@ void expect_shape_of(const PotShape& shape, const clay::StudioClay& clay, double
 
 TEST(StudioLoop, HandsTheWholePotOverTwiceAFrame) {
     StudioLoop loop;
-    const PotShape* shape = loop.work.newest_snapshot().shape;
+    const pot::Pot* shape = loop.work.newest_snapshot().pot;
     ASSERT_NE(shape, nullptr);
     expect_shape_of(*shape, *test::studio_start().studio(), 1e-4);
     int shapes = 0;
@@ -102,11 +102,11 @@ TEST(StudioLoop, HandsTheWholePotOverTwiceAFrame) {
         loop.run(1);
         const Snapshot& snapshot = loop.work.newest_snapshot();
         ASSERT_EQ(snapshot.tick, static_cast<std::uint64_t>(k + 1)) << "what is cheap comes every tick";
-        if (snapshot.shape->tick == last) continue;
-        last = snapshot.shape->tick;
+        if (snapshot.pot_stamp.tick == last) continue;
+        last = snapshot.pot_stamp.tick;
         ASSERT_EQ(last, snapshot.tick);
         ++shapes;
-        if (shapes % 10 == 0) expect_shape_of(*snapshot.shape, *loop.work.state().studio(), 1e-4);
+        if (shapes % 10 == 0) expect_shape_of(*snapshot.pot, *loop.work.state().studio(), 1e-4);
     }
     EXPECT_GE(shapes, 900) << "two a frame";
     // Two hands that hold a wall no longer squeeze it higher, so that few rings are split.
@@ -135,14 +135,15 @@ TEST(StudioLoop, GivesTheDentsOfAStandingWheelRoundThePot) {
     // Pressed from +X at 20 mm while the wheel stands.
     for (int k = 0; k < 2000; ++k)
         tick(state, {.position_mm = {59.0, 20.0, 0.0}, .radius_mm = 12.0}, parameters);
-    const PotShape shape = first_shape(state);
-    ASSERT_EQ(shape.dents_mm().size(), static_cast<std::size_t>(kDentRows) * kDentSectors);
-    const auto deepest = std::min_element(shape.dents_mm().begin(), shape.dents_mm().end());
-    const auto at = static_cast<std::size_t>(deepest - shape.dents_mm().begin());
+    const pot::Pot shape = pot_of(state);
+    ASSERT_EQ(shape.dents_mm.size(), static_cast<std::size_t>(kDentRows) * pot::kDentSectors);
+    const auto deepest = std::min_element(shape.dents_mm.begin(), shape.dents_mm.end());
+    const auto at = static_cast<std::size_t>(deepest - shape.dents_mm.begin());
     EXPECT_LT(*deepest, -0.5F);
-    EXPECT_TRUE(at % kDentSectors == 0 || at % kDentSectors == kDentSectors - 1) << at % kDentSectors;
-    EXPECT_NEAR((static_cast<double>(at / kDentSectors) + 0.5) / kDentRows * shape.height_mm, 20.0, 2.0);
-    EXPECT_TRUE(first_shape(test::studio_start()).dents_mm().empty());
+    EXPECT_TRUE(at % pot::kDentSectors == 0 || at % pot::kDentSectors == pot::kDentSectors - 1)
+        << at % pot::kDentSectors;
+    EXPECT_NEAR((static_cast<double>(at / pot::kDentSectors) + 0.5) / kDentRows * shape.height_mm, 20.0, 2.0);
+    EXPECT_TRUE(pot_of(test::studio_start()).dents_mm.empty());
 }
 
 TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {

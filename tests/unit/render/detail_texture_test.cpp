@@ -73,8 +73,8 @@ TEST(DetailTexture, HasLevelsThatEachAverageTwiceAsManyAboveOneAnother) {
     constexpr int kAcross = 256;
     constexpr int kUp = 128;
     const auto texels = coarser_detail(detail_texture(), kAcross, kUp);
-    const auto levels = slip_levels(texels, kAcross, kUp);
-    ASSERT_EQ(levels.size(), kSlipLevels * texels.size());
+    const auto levels = streak_levels(texels, kAcross, kUp);
+    ASSERT_EQ(levels.size(), kStreakLevels * texels.size());
     EXPECT_TRUE(std::equal(texels.begin(), texels.end(), levels.begin())) << "the first is as it is";
     const auto tone = [&](int level, int x, int y) {
         return static_cast<int>(
@@ -89,7 +89,7 @@ TEST(DetailTexture, HasLevelsThatEachAverageTwiceAsManyAboveOneAnother) {
         }
         return sum;
     };
-    for (int level = 1; level < kSlipLevels; ++level)
+    for (int level = 1; level < kStreakLevels; ++level)
         EXPECT_LT(steps(level, 1 << level), steps(0, 1 << level)) << level;
     int sum = 0;
     for (int y = 46; y < 54; ++y)

@@ -5,8 +5,8 @@
 
 #include "engine/math/float8.h"
 #include "engine/math/math.h"
-#include "shaders/clay.h"
 #include "shaders/hand.h"
+#include "shaders/lathe.h"
 #include "shaders/shadow.h"
 
 namespace onggi {

@@ -88,7 +88,7 @@ TEST_F(FrameBuild, MirrorsAGlazeMoreThanWater) {
     EXPECT_LT(build().lathe.gloss.z, glaze_of_water);
 }
 
-TEST_F(FrameBuild, TurnsTheSlipOnceRoundInTwoOfItsTexture) {
+TEST_F(FrameBuild, TurnsTheStreaksOnceRoundInTwoOfItsTexture) {
     scene_.lathe->turn = {0.0F, 1.0F};  // a quarter
     EXPECT_NEAR(build().lathe.turn.x, 0.5F, 1e-6F);
 }

@@ -44,7 +44,7 @@ class LatheCorners : public testing::Test {
         std::span<const std::uint16_t> indices = std::array<std::uint16_t, 4>{0, 1, 2, 3}) const {
         std::vector<LatheCorner> lit;
         light_corners(
-            {.frame = frame_, .draw = draw_, .rows = rows_, .vertices = vertices_, .slip = {256, 128}},
+            {.frame = frame_, .draw = draw_, .rows = rows_, .vertices = vertices_, .streaks = {256, 128}},
             indices, lit);
         return lit;
     }
@@ -91,12 +91,12 @@ TEST_F(LatheCorners, LieWhereTheCameraSeesThem) {
     EXPECT_EQ(few[2].away_mm, 0.0F);
 }
 
-TEST_F(LatheCorners, SayWhichTexelOfTheSlipLiesThere) {
+TEST_F(LatheCorners, SayWhichTexelOfTheStreaksLiesThere) {
     draw_.turn.x = 0.5F;
     const auto lit = corners();
     EXPECT_EQ(lit[1].values[value::kNear], 1.0F / lit[1].away_mm);
     const auto texel = [&](std::size_t corner, std::size_t axis) {
-        return lit[corner].values[value::kSlip + axis] / lit[corner].values[value::kNear];
+        return lit[corner].values[value::kStreak + axis] / lit[corner].values[value::kNear];
     };
     // Twice round, and half a width for the turn; up by 67 mm.
     EXPECT_NEAR(std::fmod(texel(0, 0), 256.0F), 0.0F, 0.01F);

@@ -36,7 +36,7 @@ class LathePixels : public testing::Test {
         draw_.turn = vec4(0.0F, 2.0F, 0.04F, 10.0F);
         draw_.wet.w = 0.1F;
         normals_->fill(0x7FFFFFFFU);  // straight out
-        slip_.fill(0x80808080U);
+        streaks_.fill(0x80808080U);
     }
     void draw(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
               std::size_t plain) {
@@ -44,8 +44,8 @@ class LathePixels : public testing::Test {
                    {.frame = frame_,
                     .draw = draw_,
                     .normals = *normals_,
-                    .slip = slip_,
-                    .slip_size = {4, 4},
+                    .streaks = streaks_,
+                    .streak_size = {4, 4},
                     .order = order_,
                     .shows_load = shows_load_},
                    {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
@@ -89,8 +89,8 @@ class LathePixels : public testing::Test {
     shaders::FrameData frame_{};
     shaders::LatheDraw draw_{};
     std::unique_ptr<NormalTexels> normals_ = std::make_unique<NormalTexels>();
-    static constexpr std::size_t kSlipTexels = 4 * 4;  // of a level
-    std::array<std::uint32_t, kSlipLevels * kSlipTexels> slip_{};
+    static constexpr std::size_t kStreakTexels = 4 * 4;  // of a level
+    std::array<std::uint32_t, kStreakLevels * kStreakTexels> streaks_{};
     ByteOrder order_ = ByteOrder::kRedFirst;
     bool shows_load_ = false;
     std::vector<std::uint32_t> pixels_ =
@@ -171,9 +171,10 @@ TEST_F(LathePixels, HaveNothingOfWhatIsBehindTheEyeOrLooksAwayOrHasNoArea) {
               static_cast<std::ptrdiff_t>(pixels_.size()));
     std::array<std::uint32_t, 4> few{};
     std::array<float, 4> depth{1.0F, 1.0F, 1.0F, 1.0F};
-    draw_lathe(sheet(), kSheet, kSheet.size(),
-               {.frame = frame_, .draw = draw_, .normals = *normals_, .slip = slip_, .slip_size = {4, 4}},
-               {.size = {2, 2}, .pixels = few, .depth = depth});
+    draw_lathe(
+        sheet(), kSheet, kSheet.size(),
+        {.frame = frame_, .draw = draw_, .normals = *normals_, .streaks = streaks_, .streak_size = {4, 4}},
+        {.size = {2, 2}, .pixels = few, .depth = depth});
     EXPECT_EQ(few[0], 0U) << "a canvas that is next to nothing";
 }
 
@@ -213,37 +214,38 @@ TEST_F(LathePixels, GleamWhereAFilmLies) {
                 shown(5.0F * mirror * 0.12F), 0.6F);
 }
 
-TEST_F(LathePixels, HaveTheTexelOfTheSlipThatLiesThere) {
+TEST_F(LathePixels, HaveTheTexelOfTheStreaksThatLiesThere) {
     draw_.dry.w = 0.5F;
     const auto tone = [](float byte) { return 1.0F + 0.5F * (byte / 255.0F - 0.5F) * 1.7F; };
-    slip_[2 * 4 + 3] = 0x808080FFU;
+    streaks_[2 * 4 + 3] = 0x808080FFU;
     const auto of = [&](float across, float up) {
-        return red(
-            {{value::kAmbient, 0.2F}, {value::kSlip, across / kAwayMm}, {value::kSlip + 1, up / kAwayMm}});
+        return red({{value::kAmbient, 0.2F},
+                    {value::kStreak, across / kAwayMm},
+                    {value::kStreak + 1, up / kAwayMm}});
     };
     EXPECT_NEAR(of(3.5F, 2.5F), shown(0.2F * tone(255.0F)), 0.6F);
     EXPECT_NEAR(of(7.5F, 10.5F), shown(0.2F * tone(255.0F)), 0.6F) << "it repeats";
     EXPECT_NEAR(of(2.5F, 2.5F), shown(0.2F * tone(128.0F)), 0.6F);
     EXPECT_NEAR(of(3.5F, 1.5F), shown(0.2F * tone(128.0F)), 0.6F);
     // Thick and thin places of a film.
-    slip_.fill(0xFF808080U);
+    streaks_.fill(0xFF808080U);
     EXPECT_NEAR(red({{value::kMirrored, 5.0F}, {value::kFilm, 0.5F}}),
                 shown(5.0F * 0.04F * (0.12F + 0.88F * 0.5F * (0.62F + 0.75F))), 0.6F);
 }
 
 // A wall that is seen slantwise broke into saw-toothed bands.
-TEST_F(LathePixels, HaveTheMeanOfTheSlipWhereSeveralTexelsLieUnderOne) {
+TEST_F(LathePixels, HaveTheMeanOfTheStreaksWhereSeveralTexelsLieUnderOne) {
     draw_.dry.w = 0.5F;
-    const std::array<std::uint32_t, kSlipLevels> tones{0x80808000U, 0x80808040U, 0x808080A0U, 0x808080FFU};
+    const std::array<std::uint32_t, kStreakLevels> tones{0x80808000U, 0x80808040U, 0x808080A0U, 0x808080FFU};
     for (std::size_t level = 0; level < tones.size(); ++level)
-        std::fill_n(slip_.begin() + static_cast<std::ptrdiff_t>(level * kSlipTexels), kSlipTexels,
+        std::fill_n(streaks_.begin() + static_cast<std::ptrdiff_t>(level * kStreakTexels), kStreakTexels,
                     tones[level]);
     const auto shows = [&](float texels_a_pixel) {
         std::fill(depth_.begin(), depth_.end(), 1.0F);
         std::vector<LatheCorner> corners = sheet();
         for (LatheCorner& own : corners) {
             own.values[value::kAmbient] = 0.2F;
-            own.values[value::kSlip + 1] = (own.at_px.y + 50.0F) * texels_a_pixel / kAwayMm;
+            own.values[value::kStreak + 1] = (own.at_px.y + 50.0F) * texels_a_pixel / kAwayMm;
         }
         draw(corners, kSheet);
         return static_cast<float>(at(30, 20) & 255U);
@@ -256,7 +258,7 @@ TEST_F(LathePixels, HaveTheMeanOfTheSlipWhereSeveralTexelsLieUnderOne) {
     }
 }
 
-TEST_F(LathePixels, LeanAsOutlineDentsAndSlipSay) {
+TEST_F(LathePixels, LeanAsOutlineDentsAndStreaksSay) {
     frame_.key_radiance = vec4(1.0F);
     draw_.dry = vec4(0.5F, 0.5F, 0.5F, 0.0F);
     // From where the wall hardly looks.
@@ -271,13 +273,13 @@ TEST_F(LathePixels, LeanAsOutlineDentsAndSlipSay) {
     EXPECT_NEAR(red({{value::kNormal, 7.5F}}), wanted, 0.6F);
     EXPECT_NEAR(red({{value::kNormal, 8.5F}}), grazed, 0.6F);
     EXPECT_NEAR(red({{value::kNormal, 1e9F}}), grazed, 0.6F) << "beyond the last";
-    // Slip leans it half as much, round the pot or up it.
+    // Streaks lean it half as much, round the pot or up it.
     draw_.dry.w = 1.0F;
-    slip_.fill(0x80FF8080U);
+    streaks_.fill(0x80FF8080U);
     const float up = red({});
     EXPECT_GT(up, grazed + 30.0F);
     EXPECT_LT(up, wanted);
-    slip_.fill(0x8080FF80U);
+    streaks_.fill(0x8080FF80U);
     EXPECT_NEAR(red({}), grazed, 3.0F);
     frame_.key_direction = vec4(-1.0F, 0.0F, 0.0F, 0.05F);
     EXPECT_NEAR(red({}), up, 3.0F);
@@ -307,7 +309,7 @@ TEST_F(LathePixels, ShowHowNearTheClayIsToGivingWay) {
     for (LatheCorner& own : corners) {
         own.values[value::kLoad] = own.at_px.x / static_cast<float>(kWidth);
         // Three tenths of a mm along the hatch to a pixel.
-        own.values[value::kSlip] = (18.0F + 0.01F * own.at_px.x) * own.values[value::kNear];
+        own.values[value::kStreak] = (18.0F + 0.01F * own.at_px.x) * own.values[value::kNear];
         for (std::size_t channel = 0; channel < 3; ++channel)
             own.values[value::kAmbient + channel] = 0.3F;
     }
@@ -332,8 +334,8 @@ TEST_F(LathePixels, HatchTheSameClayHoweverFarItHasTurned) {
         draw_.turn.x = turned;
         for (LatheCorner& own : corners) {
             own.values[value::kLoad] = 0.8F;
-            own.values[value::kSlip] =
-                4.0F * (0.01F * (own.at_px.x + 50.0F) + turned + kSlipWidthsMore) * own.values[value::kNear];
+            own.values[value::kStreak] = 4.0F * (0.01F * (own.at_px.x + 50.0F) + turned + kStreakWidthsMore) *
+                                         own.values[value::kNear];
             own.values[value::kAmbient] = 0.3F;
         }
         draw(corners, kSheet);

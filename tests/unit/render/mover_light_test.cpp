@@ -105,7 +105,7 @@ TEST_F(MoverLight, IsTheClaysWhereClayLies) {
     frame_.irradiance[0] = vec4(1.0F);
     mesh_.albedo = vec3(0.9F);
     mesh_.vertices[0].smear = 255;
-    mover_.clay = vec3(0.2F, 0.1F, 0.05F);
+    mover_.smear = vec3(0.2F, 0.1F, 0.05F);
     EXPECT_NEAR(colour()[0], shown(0.2F), 0.02F);
     EXPECT_NEAR(colour()[2], shown(0.05F), 0.02F);
 }

@@ -33,7 +33,7 @@ Mean mean_of(const ui::Painting& painting, int left, int right) {
     return mean;
 }
 
-const PotSection& moon_jar() {
+const pot::Section& moon_jar() {
     return sample_exhibits()->at(3).shape;
 }
 
@@ -115,11 +115,11 @@ TEST(PotPicture, IsTheSameEachTime) {
 }
 
 TEST(PotPicture, HollowsAnOutline) {
-    const PotSection shape = hollowed({{40, 0}, {50, 50}, {45, 100}}, 5.0F, 8.0F);
+    const pot::Section shape = pot::hollowed({{40, 0}, {50, 50}, {45, 100}}, 5.0F, 8.0F);
     ASSERT_GE(shape.inside.size(), 3U);
     EXPECT_EQ(shape.inside.front(), vec2(40.0F, 100.0F));
     EXPECT_EQ(shape.inside.back(), vec2(0.0F, 8.0F));
-    EXPECT_TRUE(hollowed({{3, 0}, {3, 50}}, 5.0F, 8.0F).inside.empty()) << "too thin to be hollow";
+    EXPECT_TRUE(pot::hollowed({{3, 0}, {3, 50}}, 5.0F, 8.0F).inside.empty()) << "too thin to be hollow";
 }
 
 }  // namespace

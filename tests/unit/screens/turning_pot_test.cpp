@@ -11,7 +11,7 @@
 namespace onggi::screens {
 namespace {
 
-const PotSection& bowl() {
+const pot::Section& bowl() {
     return sample_exhibits()->at(0).shape;
 }
 

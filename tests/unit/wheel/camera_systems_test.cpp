@@ -18,7 +18,7 @@ class CameraOfARoom : public testing::Test {
         place_ = frame(0.0).camera;
     }
     const render::Scene& frame(double dt_s = 1.0 / 60.0) {
-        return opened_.scene->apply({.radii_mm = radii_}, kWidth, kHeight, dt_s);
+        return opened_.scene->apply({.pot = &pot_}, kWidth, kHeight, dt_s);
     }
     WheelScene& scene() { return *opened_.scene; }
     // As if its picture had been made at once.
@@ -28,7 +28,7 @@ class CameraOfARoom : public testing::Test {
         scene().next_view_is_ready();
     }
 
-    std::vector<float> radii_ = std::vector<float>(100, 60.0F);
+    pot::Pot pot_{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
     OpenedScene opened_ = open_scene({}, kWidth, kHeight);
     render::Camera place_;  // where it began
 };

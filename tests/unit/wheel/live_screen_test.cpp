@@ -19,19 +19,19 @@ class ABrokenScreen : public testing::Test {
         ASSERT_TRUE(view) << view.error().message;
         view_ = std::move(*view);
     }
-    PotView pot() const { return {.radii_mm = radii_, .hand = {.position_mm = {72.0, 100.0, 0.0}}}; }
+    WheelView shown() const { return {.pot = &pot_, .hand = {.position_mm = {72.0, 100.0, 0.0}}}; }
     std::vector<std::uint8_t> picture() {
         auto image = view_->read_back();
         EXPECT_TRUE(image) << (image ? "" : image.error().message);
         return image ? image->rgba : std::vector<std::uint8_t>();
     }
     void draw_well() {
-        const auto drawn = view_->draw(pot());
+        const auto drawn = view_->draw(shown());
         ASSERT_TRUE(drawn) << drawn.error().message;
         EXPECT_TRUE(*drawn);
     }
 
-    std::vector<float> radii_ = std::vector<float>(500, 60.0F);
+    pot::Pot pot_{.outer_mm = std::vector<float>(500, 60.0F), .height_mm = 200.0};
     std::unique_ptr<LiveView> view_;
 };
 
@@ -84,7 +84,7 @@ TEST_F(ABrokenScreen, DropsAStepOfQualityWhenMemoryRunsOut) {
     view_->device_health().inject({.call = "vkAllocateMemory", .result = VK_ERROR_OUT_OF_DEVICE_MEMORY});
     const ui::DrawList nothing;
     const render::Overlay overlay{.list = &nothing, .atlas_side_px = 64};  // an atlas has to be allocated
-    const auto drawn = view_->draw(pot(), 1.0 / 60.0, &overlay);
+    const auto drawn = view_->draw(shown(), 1.0 / 60.0, &overlay);
     ASSERT_TRUE(drawn) << drawn.error().message;
     EXPECT_TRUE(*drawn);
     EXPECT_EQ(view_->mended(), 1);
@@ -95,7 +95,7 @@ TEST_F(ABrokenScreen, GivesUpOnADeviceThatIsLostAgainAndAgain) {
     draw_well();
     const auto lose = [&] {
         view_->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_DEVICE_LOST});
-        return view_->draw(pot());
+        return view_->draw(shown());
     };
     for (int time = 0; time < 3; ++time)
         ASSERT_TRUE(lose()) << time;
@@ -108,7 +108,7 @@ TEST_F(ABrokenScreen, GivesUpOnADeviceThatIsLostAgainAndAgain) {
 TEST_F(ABrokenScreen, LeavesOtherErrorsAsTheyAre) {
     draw_well();
     view_->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_UNKNOWN});
-    EXPECT_FALSE(view_->draw(pot()));
+    EXPECT_FALSE(view_->draw(shown()));
     EXPECT_EQ(view_->mended(), 0);
 }
 

@@ -12,10 +12,10 @@ namespace {
 TEST(LiveView, DrawsFramesIntoMemoryWithoutADisplay) {
     auto view = LiveView::open({.width = 320, .height = 240, .headless = true, .validation = true});
     ASSERT_TRUE(view) << view.error().message;
-    std::vector<float> radii(500, 60.0F);
+    pot::Pot pot{.outer_mm = std::vector<float>(500, 60.0F), .height_mm = 200.0};
     asset::Image before;
     for (int frame = 0; frame < 3; ++frame) {
-        const auto drawn = (*view)->draw({.radii_mm = radii});
+        const auto drawn = (*view)->draw({.pot = &pot});
         ASSERT_TRUE(drawn) << drawn.error().message;
         EXPECT_TRUE(*drawn);
         auto image = (*view)->read_back();
@@ -24,7 +24,7 @@ TEST(LiveView, DrawsFramesIntoMemoryWithoutADisplay) {
         EXPECT_EQ(image->rgba.size(), 320U * 240U * 4U);
         EXPECT_NE(image->rgba, before.rgba) << "frame " << frame << " shows what the one before it showed";
         before = std::move(*image);
-        for (float& radius : radii)
+        for (float& radius : pot.outer_mm)
             radius -= 5.0F;
     }
 }
@@ -33,10 +33,10 @@ TEST(LiveView, DrawsFramesIntoMemoryWithoutADisplay) {
 TEST(LiveView, KeepsItsCameraStillOnAProcessor) {
     auto view = LiveView::open({.width = 320, .height = 180, .headless = true, .validation = true});
     ASSERT_TRUE(view) << view.error().message;
-    const std::vector<float> radii(500, 60.0F);
+    const pot::Pot pot{.outer_mm = std::vector<float>(500, 60.0F), .height_mm = 200.0};
     (*view)->sway(true);
     for (int frame = 0; frame < 8; ++frame) {
-        ASSERT_TRUE((*view)->draw({.radii_mm = radii}, 0.5));
+        ASSERT_TRUE((*view)->draw({.pot = &pot}, 0.5));
         if (frame >= 4) {
             EXPECT_FALSE((*view)->frame_stats().still_life_drawn) << frame;
         }
@@ -47,8 +47,8 @@ TEST(LiveView, TakesPotsOfAnyNumberOfElementsOneAfterAnother) {
     auto view = LiveView::open({.width = 160, .height = 120, .headless = true, .validation = true});
     ASSERT_TRUE(view) << view.error().message;
     for (const std::size_t count : {100U, 200000U, 1U, 2000U, 0U}) {
-        const std::vector<float> radii(count, 50.0F);
-        const auto drawn = (*view)->draw({.radii_mm = radii});
+        const pot::Pot pot{.outer_mm = std::vector<float>(count, 50.0F), .height_mm = 200.0};
+        const auto drawn = (*view)->draw({.pot = &pot});
         ASSERT_TRUE(drawn) << count << ": " << drawn.error().message;
         ASSERT_TRUE((*view)->read_back());
     }
@@ -57,14 +57,14 @@ TEST(LiveView, TakesPotsOfAnyNumberOfElementsOneAfterAnother) {
 TEST(LiveView, ShowsTheSamePictureAfterAnotherAndBack) {
     auto view = LiveView::open({.width = 320, .height = 240, .headless = true});
     ASSERT_TRUE(view) << view.error().message;
-    const std::vector<float> lump(2000, 60.0F);
-    const std::vector<float> thin(2000, 20.0F);
-    const auto picture = [&](const std::vector<float>& radii) {
-        EXPECT_TRUE((*view)->draw({.radii_mm = radii, .hand = {.position_mm = {90.0, 100.0, 0.0}}}));
+    const pot::Pot lump{.outer_mm = std::vector<float>(2000, 60.0F), .height_mm = 200.0};
+    const pot::Pot thin{.outer_mm = std::vector<float>(2000, 20.0F), .height_mm = 200.0};
+    const auto picture = [&](const pot::Pot& pot) {
+        EXPECT_TRUE((*view)->draw({.pot = &pot, .hand = {.position_mm = {90.0, 100.0, 0.0}}}));
         return (*view)->read_back().value().rgba;
     };
     // Where the shade hardly changes it stays as it is; what it was before both of them is gone after this.
-    for (const std::vector<float>* shown : {&lump, &thin})
+    for (const pot::Pot* shown : {&lump, &thin})
         static_cast<void>(picture(*shown));
     const auto first = picture(lump);
     EXPECT_NE(picture(thin), first);
@@ -82,9 +82,9 @@ TEST(LiveView, SaysThatThereIsNoDisplay) {
 }
 
 TEST(Still, RefusesSizesThatNoPictureHas) {
-    const std::vector<float> radii(100, 60.0F);
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
     for (const auto& [width, height] : {std::pair{0, 720}, {1280, 15}, {8193, 720}, {-5, -5}}) {
-        const auto image = render_still({.radii_mm = radii}, width, height);
+        const auto image = render_still({.pot = &pot}, width, height);
         ASSERT_FALSE(image);
         EXPECT_EQ(image.error().kind, ErrorKind::kBadInput);
     }

@@ -38,9 +38,8 @@ TEST(PlateLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscape) {
     ASSERT_EQ(missing.size(), 2U);
     EXPECT_EQ(missing[0].name, "throw_9x16");
     EXPECT_EQ(missing[1].name, "look_in_9x16");
-    const std::vector<float> radii(100, 50.0F);
-    const PotView pot{.radii_mm = radii};
-    const auto shown = [&](int width, int height) { return scene.apply(pot, width, height).plate; };
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
+    const auto shown = [&](int width, int height) { return scene.apply({.pot = &pot}, width, height).plate; };
     const auto landscape = shown(1280, 720);
     EXPECT_EQ(shown(720, 1280), landscape) << "until then its middle is shown";
 

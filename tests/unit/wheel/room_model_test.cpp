@@ -69,8 +69,8 @@ TEST_F(ARoomModel, ShowsItsWallsFromBothSidesAndLetsThemCastNoShadow) {
 TEST_F(ARoomModel, IsSeenFromOurCamerasInOurLightWhereItHasNone) {
     OpenedScene opened = open_scene(sheet("wall", 3.0F), 1280, 720);
     EXPECT_EQ(opened.lack, "");
-    const std::vector<float> radii(100, 50.0F);
-    const render::Scene& scene = opened.scene->apply({.radii_mm = radii}, 1280, 720);
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
+    const render::Scene& scene = opened.scene->apply({.pot = &pot}, 1280, 720);
     EXPECT_EQ(scene.plate, nullptr);
     EXPECT_EQ(scene.camera.eye_mm, vec3(0.0F, 285.0F, 805.0F));
     EXPECT_TRUE(scene.irradiance);

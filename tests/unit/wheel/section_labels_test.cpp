@@ -12,29 +12,17 @@
 namespace onggi::wheel {
 namespace {
 
-// The clay's own columns as a snapshot hands them to the picture.
-struct Shape {
-    explicit Shape(const clay::StudioClay& clay) : floor_mm(clay.floor_mm()), height_mm(clay.height_mm()) {
-        for (int i = 0; i < clay.ring_count(); ++i) {
-            const auto ring = static_cast<std::size_t>(i);
-            outer.push_back(static_cast<float>(clay.outer_mm()[ring]));
-            inner.push_back(static_cast<float>(clay.inner_mm()[ring]));
-            top.push_back(static_cast<float>(clay.centre_height_mm(i) + 0.5 * clay.heights_mm()[ring]));
-        }
+// The clay's own columns as the picture reads them.
+pot::Pot pot_of(const clay::StudioClay& clay) {
+    pot::Pot pot{.height_mm = clay.height_mm(), .floor_mm = clay.floor_mm()};
+    for (int i = 0; i < clay.ring_count(); ++i) {
+        const auto ring = static_cast<std::size_t>(i);
+        pot.outer_mm.push_back(static_cast<float>(clay.outer_mm()[ring]));
+        pot.inner_mm.push_back(static_cast<float>(clay.inner_mm()[ring]));
+        pot.top_mm.push_back(static_cast<float>(clay.centre_height_mm(i) + 0.5 * clay.heights_mm()[ring]));
     }
-    [[nodiscard]] PotView view() const {
-        return {.radii_mm = outer,
-                .inner_mm = inner,
-                .top_mm = top,
-                .height_mm = height_mm,
-                .floor_mm = floor_mm};
-    }
-    double floor_mm;
-    double height_mm;
-    std::vector<float> outer;
-    std::vector<float> inner;
-    std::vector<float> top;
-};
+    return pot;
+}
 
 // A wall of 110 mm on a floor of 12, thinner and thinner to 4.5 mm at the rim, with a belly and a neck.
 clay::StudioClay jar() {
@@ -70,16 +58,16 @@ std::vector<ui::Rect> tags(const ui::Sketch& sketch) {
     return boxes;
 }
 
-ui::Sketch labels_of(const PotView& pot, int width, int height) {
+ui::Sketch labels_of(const pot::Pot& pot, int width, int height) {
     ui::Painter painter;
     WheelScene scene;
-    return section_labels(pot, scene.camera_now(width, height), width, height, painter);
+    return section_labels(pot, {1.0, 0.0}, scene.camera_now(width, height), width, height, painter);
 }
 
 TEST(SectionLabels, AreTheThicknessOfTheClayWhereTheyPoint) {
     const clay::StudioClay clay = jar();
-    const Shape shape(clay);
-    const std::vector<SectionMeasure> measures = section_measures(shape.view());
+    const pot::Pot shape = pot_of(clay);
+    const std::vector<SectionMeasure> measures = section_measures(shape);
     ASSERT_GE(measures.size(), 5U);
     std::vector<std::string> expected;
     for (const SectionMeasure& measure : measures) {
@@ -88,14 +76,14 @@ TEST(SectionLabels, AreTheThicknessOfTheClayWhereTheyPoint) {
         EXPECT_NEAR(measure.thickness_mm, of_clay, 1e-5) << measure.height_mm;
         expected.push_back(fmt::format("{:.1f} mm", of_clay));
     }
-    EXPECT_EQ(written(labels_of(shape.view(), 640, 480)), expected);
+    EXPECT_EQ(written(labels_of(shape, 640, 480)), expected);
     EXPECT_GT(std::stod(expected.front()), 4.0);
     EXPECT_LT(std::stod(expected.front()), 5.0) << "below the rim";
 }
 
 TEST(SectionLabels, MeasureRimBellyNeckFootAndFloor) {
-    const Shape shape(jar());
-    const std::vector<SectionMeasure> measures = section_measures(shape.view());
+    const pot::Pot shape = pot_of(jar());
+    const std::vector<SectionMeasure> measures = section_measures(shape);
     const auto measured_near = [&](double y_mm) {
         return std::any_of(measures.begin(), measures.end(), [&](const SectionMeasure& measure) {
             return !measure.of_floor && std::abs(measure.height_mm - y_mm) < 4.0;
@@ -118,7 +106,7 @@ TEST(SectionLabels, FindTheThinnestPlace) {
         if (std::abs(clay.centre_height_mm(static_cast<int>(i)) - 80.0) < 0.5) outer[i] -= 5.0;
     }
     clay.set_profile(outer, inner);
-    const std::vector<std::string> words = written(labels_of(Shape(clay).view(), 640, 480));
+    const std::vector<std::string> words = written(labels_of(pot_of(clay), 640, 480));
     EXPECT_NE(std::find(words.begin(), words.end(), "3.0 mm"), words.end());
 }
 
@@ -126,10 +114,10 @@ TEST(SectionLabels, StandApartInsideThePictureAtEverySize) {
     clay::StudioClay plate;
     plate.set_wall(120.0, 7.0, 9.0, 30.0, 400);
     for (const clay::StudioClay& clay : {jar(), plate}) {
-        const Shape shape(clay);
+        const pot::Pot shape = pot_of(clay);
         for (const auto& [width, height] :
              {std::array{480, 360}, std::array{640, 480}, std::array{405, 720}, std::array{1920, 1080}}) {
-            const std::vector<ui::Rect> boxes = tags(labels_of(shape.view(), width, height));
+            const std::vector<ui::Rect> boxes = tags(labels_of(shape, width, height));
             ASSERT_GE(boxes.size(), 3U);
             for (std::size_t i = 0; i < boxes.size(); ++i) {
                 EXPECT_GE(boxes[i].x, 0.0F);
@@ -146,10 +134,10 @@ TEST(SectionLabels, StandApartInsideThePictureAtEverySize) {
 }
 
 TEST(SectionLabels, AreNotWrittenOnSolidClayOrWhereNobodyCouldReadThem) {
-    const std::vector<float> radii(200, 60.0F);
-    EXPECT_TRUE(labels_of({.radii_mm = radii}, 640, 480).items.empty());
-    EXPECT_TRUE(labels_of(Shape(clay::StudioClay()).view(), 640, 480).items.empty());
-    EXPECT_TRUE(labels_of(Shape(jar()).view(), 64, 48).items.empty());
+    EXPECT_TRUE(
+        labels_of({.outer_mm = std::vector<float>(200, 60.0F), .height_mm = 200.0}, 640, 480).items.empty());
+    EXPECT_TRUE(labels_of(pot_of(clay::StudioClay()), 640, 480).items.empty());
+    EXPECT_TRUE(labels_of(pot_of(jar()), 64, 48).items.empty());
 }
 
 TEST(SectionLabels, AreLaidOverThePictureAndHideNoMoreThanTheyCover) {

@@ -181,8 +181,8 @@ TEST_F(WorkshopFiles, ThatAreSpoiledGiveWayToTheProgramsOwnRoomAndLeaveAReason) 
     put("cameras.json", "{");
     OpenedScene opened = open_scene(folder_.path(), 640, 480);
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
-    const std::vector<float> radii(100, 50.0F);
-    EXPECT_NE(opened.scene->apply({.radii_mm = radii}, 640, 480).plate, nullptr);
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
+    EXPECT_NE(opened.scene->apply({.pot = &pot}, 640, 480).plate, nullptr);
 }
 
 TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLifeAndAReason) {
@@ -191,8 +191,8 @@ TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLif
     OpenedScene opened = open_scene(folder_.path(), 640, 480);
     unsetenv("ONGGI_ASSETS");
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
-    const std::vector<float> radii(100, 50.0F);
-    const render::Scene& scene = opened.scene->apply({.radii_mm = radii}, 640, 480);
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
+    const render::Scene& scene = opened.scene->apply({.pot = &pot}, 640, 480);
     EXPECT_EQ(scene.plate, nullptr);
     EXPECT_GE(scene.still_life->parts.size(), 4U);
 }

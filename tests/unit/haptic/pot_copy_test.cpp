@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "game/haptic/pot_shape.h"
+#include "game/haptic/pot_copy.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::haptic {
@@ -35,29 +35,27 @@ haptics::ToolState finger_at(double t_s) {
     return tool;
 }
 
-class ShapeCopies : public testing::TestWithParam<double> {};
+class PotCopies : public testing::TestWithParam<double> {};
 
-TEST_P(ShapeCopies, AreOfOneMomentHoweverTheClayMoves) {
+TEST_P(PotCopies, AreOfOneMomentHoweverTheClayMoves) {
     HapticParameters parameters;
     parameters.set_rate_hz(GetParam());
     HapticState state(clay::StudioClay(clay::StudioLump{}));
-    PotShape shape = first_shape(state);
-    ShapeCopy copy;
+    pot::Pot pot = pot_of(state);
+    PotCopier copier;
     double last_widest_mm = 0.0;
     int moved = 0;
     for (double t_s = 0.0; t_s < 3.5; t_s += parameters.dt_s()) {
         tick(state, finger_at(t_s), parameters);
-        if (!copy.step(shape, state, parameters.dt_s())) continue;
+        if (!copier.step(pot, state, parameters.dt_s())) continue;
         const clay::studio::Rings& rings = state.studio()->rings();
-        ASSERT_EQ(shape.rings, rings.count);
-        ASSERT_EQ(shape.height_mm, rings.top_mm());
+        ASSERT_EQ(pot.ring_count(), rings.count);
+        ASSERT_EQ(pot.height_mm, rings.top_mm());
         for (int i = 0; i < rings.count; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            ASSERT_EQ(shape.outer_mm()[at], static_cast<float>(rings.outer_mm[at]))
-                << t_s << " s, ring " << i;
-            ASSERT_EQ(shape.inner_mm()[at], static_cast<float>(rings.inner_mm[at]))
-                << t_s << " s, ring " << i;
-            ASSERT_EQ(shape.top_mm()[at], static_cast<float>(rings.bottom_mm(i) + rings.height_mm[at]));
+            ASSERT_EQ(pot.outer_mm[at], static_cast<float>(rings.outer_mm[at])) << t_s << " s, ring " << i;
+            ASSERT_EQ(pot.inner_mm[at], static_cast<float>(rings.inner_mm[at])) << t_s << " s, ring " << i;
+            ASSERT_EQ(pot.top_mm[at], static_cast<float>(rings.bottom_mm(i) + rings.height_mm[at]));
         }
         const double widest_mm =
             *std::max_element(rings.outer_mm.begin(), rings.outer_mm.begin() + rings.count);
@@ -67,22 +65,22 @@ TEST_P(ShapeCopies, AreOfOneMomentHoweverTheClayMoves) {
     EXPECT_GT(moved, 20) << "or nothing was tried";
 }
 
-TEST_P(ShapeCopies, ComeTwiceAFrame) {
+TEST_P(PotCopies, ComeTwiceAFrame) {
     HapticParameters parameters;
     parameters.set_rate_hz(GetParam());
     HapticState state(clay::StudioClay(clay::StudioLump{}));
-    PotShape shape = first_shape(state);
-    ShapeCopy copy;
+    pot::Pot pot = pot_of(state);
+    PotCopier copier;
     int finished = 0;
     for (double t_s = 0.0; t_s < 1.0; t_s += parameters.dt_s()) {
         tick(state, finger_at(0.0), parameters);
-        finished += copy.step(shape, state, parameters.dt_s()) ? 1 : 0;
+        finished += copier.step(pot, state, parameters.dt_s()) ? 1 : 0;
     }
     EXPECT_GE(finished, 110);
     EXPECT_LE(finished, 130);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfBothRates, ShapeCopies, testing::Values(1000.0, 4000.0),
+INSTANTIATE_TEST_SUITE_P(OfBothRates, PotCopies, testing::Values(1000.0, 4000.0),
                          [](const auto& tested) { return std::to_string(static_cast<int>(tested.param)); });
 
 }  // namespace

@@ -1,0 +1,29 @@
+// A pot's section as a line: what a drawing of a vessel in a museum's table shows, and all that a small
+// picture of one needs. Any thread; plain data. mm.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/math/math.h"
+
+namespace onggi::pot {
+
+// Up the outside from the foot, over the rim, down the inside to the axis. An inside that is missing is a
+// solid lump.
+struct Section {
+    std::vector<vec2> outside;  // (radius, height), heights rising
+    std::vector<vec2> inside;   // (radius, height), rim first, heights falling; may be empty
+
+    [[nodiscard]] float height_mm() const;
+    [[nodiscard]] float radius_mm() const;  // the largest
+    [[nodiscard]] std::uint64_t hash() const;
+};
+
+// A wall of this thickness inside an outline that is only known from without.
+[[nodiscard]] Section hollowed(std::vector<vec2> outside, float wall_mm, float floor_mm);
+
+// A fresh lump of one kilogram: about as wide as it is high.
+[[nodiscard]] const Section& fresh_lump();
+
+}  // namespace onggi::pot
