@@ -8,7 +8,7 @@ packages_to_run=(
     g++ cmake ninja-build pkg-config ccache
     libglfw3-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
     libsndfile1-dev libwebsockets-dev libsystemd-dev
-    libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev libwebp-dev lib3mf-dev zlib1g-dev
+    libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev libwebp-dev lib3mf-dev libmeshoptimizer-dev zlib1g-dev
     libpango1.0-dev libfontconfig-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
     mesa-vulkan-drivers)
 packages_to_check=(

@@ -10,6 +10,7 @@ find_package(PNG REQUIRED)
 find_package(TinyGLTF REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebpmux libwebp)
+find_package(meshoptimizer REQUIRED)
 # Debian's lib3MF.pc asks for the -dev packages of what the library uses within itself.
 find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
 find_library(LIB3MF_LIBRARY 3MF REQUIRED)

@@ -57,6 +57,15 @@ Result<ExportKind> export_kind_of(std::string_view path) {
     return bad_input(fmt::format("{}: expected a name that ends in {}", path, known));
 }
 
+Result<std::vector<std::byte>> glb_of(asset::Mesh mesh, asset::Material material,
+                                      std::vector<asset::Extra> extras) {
+    return asset::encode_glb({.name = "pot",
+                              .generator = kProgram,
+                              .mesh = std::move(mesh),
+                              .material = std::move(material),
+                              .extras = std::move(extras)});
+}
+
 std::string printing_note(double thinnest_wall_mm) {
     if (!(thinnest_wall_mm > 0.0 && thinnest_wall_mm < kThinnestPrintedMm)) return {};
     return fmt::format(
@@ -66,7 +75,7 @@ std::string printing_note(double thinnest_wall_mm) {
 }
 
 Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file) {
-    Result<PotSolid> pot = build_pot_solid(rings, file.shrinkage);
+    Result<PotSolid> pot = build_pot_solid(rings, {.shrinkage = file.shrinkage});
     if (!pot) return pot.error();
     if (kind == ExportKind::kStl) return asset::encode_stl(pot->mesh, file.title);
     if (kind == ExportKind::k3mf) {
@@ -74,13 +83,7 @@ Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind
                                  {.title = file.title, .description = file.note, .application = kProgram},
                                  file.picture);
     }
-    asset::GltfContent content;
-    content.name = "pot";
-    content.generator = kProgram;
-    content.mesh = std::move(pot->mesh);
-    content.material = std::move(file.material);
-    content.extras = std::move(file.extras);
-    return asset::encode_glb(content);
+    return glb_of(std::move(pot->mesh), std::move(file.material), std::move(file.extras));
 }
 
 Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind,

@@ -36,6 +36,10 @@ constexpr double kThinnestPrintedMm = 2.0;
 // enough.
 [[nodiscard]] std::string printing_note(double thinnest_wall_mm);
 
+// A pot's mesh as a GLB that says who made it.
+Result<std::vector<std::byte>> glb_of(asset::Mesh mesh, asset::Material material,
+                                      std::vector<asset::Extra> extras);
+
 // The file's bytes, the same for the same rings on every machine. kBadInput as build_pot_solid().
 Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file);
 // A pot of stoneware of which only the shape is known: the paper's clay.

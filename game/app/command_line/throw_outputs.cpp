@@ -14,7 +14,9 @@
 #include "game/app/command_line/tables.h"
 #include "game/app/command_line/target_score.h"
 #include "game/app/kiosk/snapshot_view.h"
+#include "game/look/pot_pictures.h"
 #include "game/share/studio_export.h"
+#include "game/wheel/clay_look.h"
 #include "game/wheel/still.h"
 
 namespace onggi::app {
@@ -53,6 +55,14 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
 
 Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, share::ExportKind kind,
                                            clay::Firing stage, const asset::Image* picture) {
+    if (kind == share::ExportKind::kGlb && state.studio() != nullptr) {
+        const clay::ClayBody body = state.studio()->lump().body;
+        return look::dressed_glb(
+            share::rings_of(state.studio()->rings()),
+            look::lathe_look(wheel::clay_material(body, stage), share::pot_material(body, stage).name),
+            {.extras = share::pot_extras(*state.studio(), stage),
+             .shrinkage = clay::shrunk_scale(body, stage)});
+    }
     if (const clay::StudioClay* studio = state.studio())
         return share::export_pot(*studio, stage, kind, nullptr, picture);
     return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind, picture);

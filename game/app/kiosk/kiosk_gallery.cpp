@@ -13,6 +13,7 @@
 #include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
+#include "game/look/pot_pictures.h"
 #include "game/share/studio_export.h"
 
 namespace onggi::app {
@@ -30,14 +31,6 @@ int number_of(const std::string& name) {
     const char* const end = name.data() + name.size();
     const auto read = std::from_chars(name.data() + kPrefix.size(), end, number);
     return read.ec == std::errc() && read.ptr == end ? number : 0;
-}
-
-asset::Material gltf_material(const finish::GlazeMaterial& glaze) {
-    return {.name = std::string(glaze.id),
-            .base_colour_linear = dvec3(glaze.colour),
-            .roughness = double{glaze.roughness},
-            .metallic = 0.0,
-            .clearcoat = {.factor = double{glaze.clear_coat}, .roughness = double{glaze.coat_roughness}}};
 }
 
 asset::Image straight(ui::Painting painting) {
@@ -160,9 +153,13 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             !written)
             return written.error();
     }
-    const asset::Material material = gltf_material(*pot.glaze);
-    if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,
-                                                          share::ExportKind::kGlb, &material));
+    const double scale = clay::shrunk_scale(pot.clay->lump().body, clay::Firing::kGlaze);
+    const auto height_mm = static_cast<float>(pot.clay->height_mm() * scale);
+    if (auto written =
+            write("pot.glb",
+                  look::dressed_glb(
+                      share::rings_of(pot.clay->rings()), look::glaze_look(*pot.glaze, height_mm),
+                      {.extras = share::pot_extras(*pot.clay, clay::Firing::kGlaze), .shrinkage = scale}));
         !written)
         return written.error();
     if (auto written =
