@@ -8,9 +8,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "game/look/pot_pictures.h"
 #include "game/share/export.h"
 #include "game/share/pot_solid.h"
 #include "game/share/studio_export.h"
+#include "game/wheel/clay_look.h"
 #include "tests/support/pot_samples.h"
 #include "tests/support/studio_samples.h"
 
@@ -63,6 +65,30 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
     return true;
 }
 
+// The same pot wearing its look, as visitors take it home.
+bool add_dressed_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
+                     nlohmann::json& expected) {
+    const clay::ClayBody body = pot.clay.lump().body;
+    const share::PotRings rings = share::rings_of(pot.clay.rings());
+    const double shrinkage = clay::shrunk_scale(body, pot.stage);
+    const auto bytes =
+        look::dressed_glb(rings, look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
+                          {.extras = share::pot_extras(pot.clay, pot.stage), .shrinkage = shrinkage});
+    const auto built =
+        share::build_pot_solid(rings, {.most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+    const std::string name = pot.name + "_dressed";
+    if (!bytes || !built || !write(folder / (name + ".glb"), *bytes)) {
+        fmt::print(stderr, "{}: {}\n", name, bytes ? "cannot be written" : bytes.error().message);
+        return false;
+    }
+    nlohmann::json entry = expected.back();
+    entry["name"] = name;
+    entry["dressed"] = true;
+    entry["triangles"] = built->mesh.triangle_count();
+    expected.push_back(std::move(entry));
+    return true;
+}
+
 bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                     nlohmann::json& expected) {
     if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
@@ -77,9 +103,10 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                         {"diameter_m", 2.0 * *std::max_element(outer.begin(), outer.end()) * scale},
                         {"volume_m3", pot.clay.volume_mm3() * scale * scale * scale},
                         {"hand_made", pot.calm && pot.off_axis_mm == 0.0},
+                        {"wet", pot.stage == clay::Firing::kWet},
                         {"triangles", built->mesh.triangle_count()}});
     say(pot.name, *built);
-    return true;
+    return !(pot.calm && pot.off_axis_mm == 0.0) || add_dressed_pot(folder, pot, expected);
 }
 
 }  // namespace
