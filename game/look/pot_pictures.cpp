@@ -137,7 +137,8 @@ BakedRow baked_row(const share::PictureRow& row, const Outline& outline) {
         return baked;
     }
     const vec2 own = outline.normal(baked.along_mm);
-    constexpr float kSameFace = 0.7F;
+    // Beside a ledge the outline's mean turns into it; the mesh has that edge itself.
+    constexpr float kSameFace = 0.94F;
     if (glm::dot(own, baked.fine) > kSameFace) baked.fine = own;
     return baked;
 }
