@@ -7,8 +7,8 @@ die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
 packages_to_run=(
     g++ cmake ninja-build pkg-config ccache
     libglfw3-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
-    libsndfile1-dev libwebsockets-dev libmicrohttpd-dev libsystemd-dev
-    libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev zlib1g-dev
+    libsndfile1-dev libwebsockets-dev libmicrohttpd-dev libqrcodegencpp-dev libsystemd-dev
+    libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev libwebp-dev lib3mf-dev libmeshoptimizer-dev zlib1g-dev
     libpango1.0-dev libfontconfig-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
     mesa-vulkan-drivers)
 packages_to_check=(
@@ -16,6 +16,7 @@ packages_to_check=(
     xvfb xdotool libx11-dev umockdev libumockdev-dev admesh git
     systemd cage xwayland)
 packages_for_web=(chromium)
+packages_for_slicer=(prusa-slicer)
 
 # install_packages NAME...: installs those that are missing, after saying so.
 install_packages() {

@@ -28,7 +28,7 @@ int add_view(tinygltf::Model& model, const std::vector<T>& values, int target) {
     view.buffer = 0;
     view.byteOffset = data.size();
     view.byteLength = values.size() * sizeof(T);
-    view.target = target;
+    if (target != 0) view.target = target;
     data.resize(data.size() + view.byteLength);
     std::memcpy(data.data() + view.byteOffset, values.data(), view.byteLength);
     model.bufferViews.push_back(std::move(view));
@@ -50,6 +50,35 @@ int add_vectors(tinygltf::Model& model, const std::vector<vec3>& vectors) {
     static_assert(sizeof(vec3) == 3 * sizeof(float), "written as it lies in memory");
     const int view = add_view(model, vectors, TINYGLTF_TARGET_ARRAY_BUFFER);
     return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, vectors.size());
+}
+
+template <typename Vector>
+int add_attribute(tinygltf::Model& model, const std::vector<Vector>& vectors, int type) {
+    const int view = add_view(model, vectors, TINYGLTF_TARGET_ARRAY_BUFFER);
+    return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, type, vectors.size());
+}
+
+// The picture as a texture of the model; its number.
+int add_texture(tinygltf::Model& model, const std::vector<std::byte>& file) {
+    constexpr int kNoTarget = 0;
+    constexpr std::byte kStartOfPng{0x89};
+    if (model.samplers.empty()) {
+        tinygltf::Sampler round_the_pot;
+        round_the_pot.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+        round_the_pot.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+        round_the_pot.wrapS = TINYGLTF_TEXTURE_WRAP_REPEAT;
+        round_the_pot.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+        model.samplers.push_back(std::move(round_the_pot));
+    }
+    tinygltf::Image image;
+    image.bufferView = add_view(model, file, kNoTarget);
+    image.mimeType = file.front() == kStartOfPng ? "image/png" : "image/jpeg";
+    model.images.push_back(std::move(image));
+    tinygltf::Texture texture;
+    texture.sampler = 0;
+    texture.source = static_cast<int>(model.images.size()) - 1;
+    model.textures.push_back(std::move(texture));
+    return static_cast<int>(model.textures.size()) - 1;
 }
 
 // The bounds are those of the floats themselves: glTF 2.0, section 3.6.2.5, wants them exact.
@@ -77,7 +106,9 @@ int add_indices(tinygltf::Model& model, const Mesh& mesh) {
                         mesh.indices.size());
 }
 
-void add_mesh(tinygltf::Model& model, const Mesh& mesh, const std::string& name) {
+// What is not looked at is not written: places in pictures only with pictures, tangents only with one of
+// normals, without which viewers would make up their own.
+void add_mesh(tinygltf::Model& model, const Mesh& mesh, const Textures& textures, const std::string& name) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.material = 0;
@@ -85,6 +116,10 @@ void add_mesh(tinygltf::Model& model, const Mesh& mesh, const std::string& name)
     set_bounds(model.accessors[static_cast<std::size_t>(positions)], mesh.positions_m);
     primitive.attributes["POSITION"] = positions;
     primitive.attributes["NORMAL"] = add_vectors(model, mesh.normals);
+    if (textures.are_there())
+        primitive.attributes["TEXCOORD_0"] = add_attribute(model, mesh.uvs, TINYGLTF_TYPE_VEC2);
+    if (!textures.normal.empty())
+        primitive.attributes["TANGENT"] = add_attribute(model, mesh.tangents, TINYGLTF_TYPE_VEC4);
     primitive.indices = add_indices(model, mesh);
     tinygltf::Mesh out;
     out.name = name;
@@ -99,11 +134,25 @@ void add_material(tinygltf::Model& model, const Material& material) {
     out.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, 1.0};
     out.pbrMetallicRoughness.roughnessFactor = material.roughness;
     out.pbrMetallicRoughness.metallicFactor = material.metallic;
+    const Textures& textures = material.textures;
+    if (!textures.base_colour.empty())
+        out.pbrMetallicRoughness.baseColorTexture.index = add_texture(model, textures.base_colour);
+    if (!textures.normal.empty()) out.normalTexture.index = add_texture(model, textures.normal);
+    if (!textures.surface.empty()) {
+        const int surface = add_texture(model, textures.surface);
+        out.pbrMetallicRoughness.metallicRoughnessTexture.index = surface;
+        out.occlusionTexture.index = surface;
+    }
     if (material.clearcoat.factor > 0.0) {
         constexpr const char* kExtension = "KHR_materials_clearcoat";
         tinygltf::Value::Object coat;
         coat["clearcoatFactor"] = tinygltf::Value(material.clearcoat.factor);
         coat["clearcoatRoughnessFactor"] = tinygltf::Value(material.clearcoat.roughness);
+        if (!material.textures.clearcoat.empty()) {
+            tinygltf::Value::Object texture;
+            texture["index"] = tinygltf::Value(add_texture(model, material.textures.clearcoat));
+            coat["clearcoatTexture"] = tinygltf::Value(std::move(texture));
+        }
         out.extensions[kExtension] = tinygltf::Value(std::move(coat));
         model.extensionsUsed.emplace_back(kExtension);
     }
@@ -177,6 +226,11 @@ Result<std::vector<std::byte>> encode_glb(const GltfContent& content) {
     if (const Result<void> good = check_mesh(content.mesh); !good) return good.error();
     if (const Result<void> good = check_material(content.material); !good) return good.error();
 
+    const Textures& textures = content.material.textures;
+    if ((textures.are_there() && content.mesh.uvs.empty()) ||
+        (!textures.normal.empty() && content.mesh.tangents.empty()))
+        return bad_input("glTF: expected places in the pictures, and tangents where one is of normals");
+
     tinygltf::Model model;
     model.asset.version = "2.0";
     model.asset.generator = valid_utf8(content.generator);
@@ -185,7 +239,7 @@ Result<std::vector<std::byte>> encode_glb(const GltfContent& content) {
     model.buffers.emplace_back();
     const std::string name = valid_utf8(content.name);
     add_material(model, content.material);
-    add_mesh(model, content.mesh, name);
+    add_mesh(model, content.mesh, textures, name);
     tinygltf::Node node;
     node.name = name;
     node.mesh = 0;

@@ -20,13 +20,27 @@ struct Clearcoat {
     double roughness = 0.0;
 };
 
-// The metallic-roughness material of glTF 2.0, section 3.9.2, without textures.
+// The pictures that a material wears, whole files (PNG or JPEG), laid by the mesh's uvs; empty ones are not
+// there. What they say is times the material's numbers.
+struct Textures {
+    std::vector<std::byte> base_colour{};  // sRGB
+    std::vector<std::byte> normal{};       // tangent space, green up
+    std::vector<std::byte> surface{};      // red: occlusion, green: roughness, blue: metal
+    std::vector<std::byte> clearcoat{};    // red: how much of it
+
+    [[nodiscard]] bool are_there() const {
+        return !base_colour.empty() || !normal.empty() || !surface.empty() || !clearcoat.empty();
+    }
+};
+
+// The metallic-roughness material of glTF 2.0, section 3.9.2.
 struct Material {
     std::string name;
     dvec3 base_colour_linear{1.0};  // linear Rec. 709 reflectance, 0 to 1
     double roughness = 1.0;         // 0 mirror to 1 matt
     double metallic = 0.0;
     Clearcoat clearcoat = {};
+    Textures textures = {};
 };
 
 // A field of asset.extras: what a museum's database may read without a 3D library.

@@ -1,4 +1,4 @@
-// A picture in memory; PNG, the form in which pictures leave and enter; and JPEG, which only enters. Any
+// A picture in memory; PNG, the form in which pictures leave and enter; and JPEG. Any
 // thread; touches no file.
 #pragma once
 
@@ -33,6 +33,10 @@ Result<std::vector<std::byte>> encode_png(const Image& image);
 // Any PNG, turned into 8-bit RGBA. `name` is what the message calls the file. kBadInput if the bytes are not
 // a PNG, are cut short, fail a checksum, or claim a side above kMaxImageSide.
 Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name);
+
+// JPEG (ITU-T T.81) of what is seen of the picture, without its alpha: the values as they are, with colour as
+// fine as light. quality 1 to 100. The same picture gives the same bytes. kBadInput as encode_png().
+Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality);
 
 // Any JPEG (ITU-T T.81) of grey or coloured light, turned into 8-bit RGBA with alpha 255; the values stay as
 // the file has them. kBadInput if the bytes are not a JPEG, are cut short or damaged, want more passes than

@@ -15,8 +15,36 @@ struct DestroyDecoder {
     void operator()(void* decoder) const { tjDestroy(decoder); }
 };
 using Decoder = std::unique_ptr<void, DestroyDecoder>;
+using Encoder = Decoder;
 
 }  // namespace
+
+Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality) {
+    const bool is_whole = image.width >= 1 && image.width <= kMaxImageSide && image.height >= 1 &&
+                          image.height <= kMaxImageSide &&
+                          image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                                   static_cast<std::size_t>(image.height);
+    if (!is_whole || quality < 1 || quality > 100) {
+        return bad_input(fmt::format(
+            "JPEG: expected sides of 1 to {} pixels and a quality of 1 to 100, found {} x {} and {}",
+            kMaxImageSide, image.width, image.height, quality));
+    }
+    const Encoder encoder(tjInitCompress());
+    if (!encoder) return failed("JPEG: libjpeg-turbo could not be started");
+    unsigned char* data = nullptr;
+    unsigned long size = 0;  // NOLINT: the library's type
+    constexpr int kTightRows = 0;
+    const int done = tjCompress2(encoder.get(), image.rgba.data(), image.width, kTightRows, image.height,
+                                 TJPF_RGBX, &data, &size, TJSAMP_444, quality, TJFLAG_ACCURATEDCT);
+    std::vector<std::byte> bytes;
+    if (done == 0) {
+        const auto* first = reinterpret_cast<const std::byte*>(data);
+        bytes.assign(first, first + size);
+    }
+    tjFree(data);
+    if (done != 0) return failed(fmt::format("JPEG: {}", tjGetErrorStr2(encoder.get())));
+    return bytes;
+}
 
 Result<Image> decode_jpeg(std::span<const std::byte> bytes, std::string_view name) {
     const Decoder decoder(tjInitDecompress());

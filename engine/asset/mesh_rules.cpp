@@ -29,6 +29,12 @@ Result<void> check_mesh(const Mesh& mesh) {
         return bad_input(fmt::format("mesh: expected a normal for each of {} vertices, found {}", vertices,
                                      mesh.normals.size()));
     }
+    if ((!mesh.uvs.empty() && mesh.uvs.size() != vertices) ||
+        (!mesh.tangents.empty() && mesh.tangents.size() != vertices)) {
+        return bad_input(fmt::format(
+            "mesh: expected a place in the pictures and a tangent for each of {} vertices, found {} and {}",
+            vertices, mesh.uvs.size(), mesh.tangents.size()));
+    }
     for (std::size_t i = 0; i < vertices; ++i) {
         if (!is_finite(mesh.positions_m[i]) || !is_finite(mesh.normals[i])) {
             return bad_input(fmt::format("mesh: vertex {}: expected finite numbers", i));
@@ -41,6 +47,12 @@ Result<void> check_mesh(const Mesh& mesh) {
         }
     }
     return {};
+}
+
+vec3 z_up_mm(const vec3& place_m) {
+    constexpr float kMmPerMetre = 1000.0F;
+    // Adding +0 turns -0 into +0 and changes nothing else.
+    return kMmPerMetre * vec3(place_m.x, -place_m.z, place_m.y) + vec3(0.0F);
 }
 
 }  // namespace onggi::asset

@@ -14,4 +14,8 @@ constexpr std::size_t kMaxTriangles = std::size_t{1} << 24;
 // normal for each vertex, finite numbers, sizes within the limits above.
 Result<void> check_mesh(const Mesh& mesh);
 
+// A place as printers want it: a quarter turn about X, so that a right-handed mesh stays right-handed and
+// outside stays outside. No zero is negative.
+[[nodiscard]] vec3 z_up_mm(const vec3& place_m);
+
 }  // namespace onggi::asset

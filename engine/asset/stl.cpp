@@ -24,15 +24,9 @@ void append_word(std::vector<std::byte>& bytes, std::uint32_t word) {
 }
 
 void append_vector(std::vector<std::byte>& bytes, const vec3& v) {
-    // Adding +0 turns -0 into +0 and changes nothing else.
+    // Of normals: adding +0 turns -0 into +0 and changes nothing else.
     for (const float number : {v.x, v.y, v.z})
         append_word(bytes, std::bit_cast<std::uint32_t>(number + 0.0F));
-}
-
-// A quarter turn about X, so that a right-handed mesh stays right-handed and outside stays outside.
-vec3 z_up_mm(const vec3& m) {
-    constexpr float kMmPerMetre = 1000.0F;
-    return kMmPerMetre * vec3(m.x, -m.z, m.y);
 }
 
 // A text that starts with "solid" would be read as the other, written-out form of STL.

@@ -13,11 +13,6 @@ float linear_of(int value) {
     const float v = static_cast<float>(value) / 255.0F;
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
-std::uint8_t byte_of(float light) {
-    const float v = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
-}
-
 // The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: any
 // first part of it is spread evenly.
 dvec2 spread(int index, double offset) {
@@ -28,6 +23,11 @@ dvec2 spread(int index, double offset) {
 }
 
 }  // namespace
+
+std::uint8_t srgb_byte(float light) {
+    const float v = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
+}
 
 Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {
     Scene sample = scene;
@@ -46,6 +46,21 @@ Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) 
         vec3(glm::normalize(l + off * (std::cos(angle) * side + std::sin(angle) * up)));
     sample.key.angular_radius_rad = 0.5F * scene.key.angular_radius_rad;
     return sample;
+}
+
+void to_exact_srgb(std::span<std::uint8_t> rgba) {
+    static const std::array<std::uint8_t, 256> table = [] {
+        std::array<std::uint8_t, 256> values{};
+        for (std::size_t value = 0; value < values.size(); ++value) {
+            const float root = static_cast<float>(value) / 255.0F;
+            values[value] = srgb_byte(root * root);
+        }
+        return values;
+    }();
+    for (std::size_t pixel = 0; pixel < rgba.size() / 4; ++pixel) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            rgba[4 * pixel + channel] = table[rgba[4 * pixel + channel]];
+    }
 }
 
 Accumulation::Accumulation(int width_px, int height_px)
@@ -74,7 +89,7 @@ asset::Image Accumulation::mean() const {
     const float share = 1.0F / static_cast<float>(count_);
     for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {
         for (std::size_t channel = 0; channel < 3; ++channel)
-            image.rgba[4 * pixel + channel] = byte_of(share * light_[3 * pixel + channel]);
+            image.rgba[4 * pixel + channel] = srgb_byte(share * light_[3 * pixel + channel]);
     }
     return image;
 }

@@ -6,6 +6,7 @@
 #include "game/app/command_line/command_line.h"
 #include "game/app/command_line/devices_command.h"
 #include "game/app/command_line/doctor_command.h"
+#include "game/app/command_line/film_command.h"
 #include "game/app/command_line/kiosk_command.h"
 #include "game/app/command_line/live_command.h"
 #include "game/app/command_line/replay_command.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
     onggi::app::add_throw_command(program, exit_status);
     onggi::app::add_live_command(program, exit_status);
     onggi::app::add_replay_command(program, exit_status);
+    onggi::app::add_film_command(program, exit_status);
     onggi::app::add_share_command(program, exit_status);
     onggi::app::add_devices_command(program, exit_status);
     onggi::app::add_doctor_command(program, exit_status);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/finish/glaze_surface.h"
+
 namespace onggi::screens {
 namespace {
 
@@ -10,28 +12,8 @@ const vec3 kKey = glm::normalize(vec3(-0.62F, 0.50F, 0.60F));
 const vec3 kFill = glm::normalize(vec3(0.85F, 0.15F, 0.50F));
 constexpr vec3 kKeyLight{1.02F, 0.97F, 0.88F};
 
-float hashed(int x, int y) {
-    auto n = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U;
-    n = (n ^ (n >> 13U)) * 1274126177U;
-    return static_cast<float>((n ^ (n >> 16U)) & 0xffffU) / 65535.0F;
-}
-
-// Smooth noise of two numbers, 0 to 1.
-float noise(float x, float y) {
-    const float fx = std::floor(x);
-    const float fy = std::floor(y);
-    const int ix = static_cast<int>(fx);
-    const int iy = static_cast<int>(fy);
-    const float u = glm::smoothstep(0.0F, 1.0F, x - fx);
-    const float v = glm::smoothstep(0.0F, 1.0F, y - fy);
-    return glm::mix(glm::mix(hashed(ix, iy), hashed(ix + 1, iy), u),
-                    glm::mix(hashed(ix, iy + 1), hashed(ix + 1, iy + 1), u), v);
-}
-
-// The fingers' rings: finer than the outline, so they are drawn into the normal and the colour.
-float finger_ring(const PotSurface& at) {
-    return std::sin(at.height_mm * 1.05F + 1.3F * noise(at.height_mm * 0.11F, 2.0F)) * 0.5F +
-           (noise(at.height_mm * 0.8F, at.angle * 0.6F) - 0.5F);
+finish::GlazePlace place_of(const PotSurface& at) {
+    return {.height_mm = at.height_mm, .angle = at.angle, .inside = at.inside};
 }
 
 }  // namespace
@@ -42,7 +24,8 @@ PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, floa
       to_eye_(0.0F, std::sin(elevation_rad), std::cos(elevation_rad)) {}
 
 PotLight PotShading::light(const PotSurface& at) const {
-    const vec3 normal = glm::normalize(at.normal + vec3(0.0F, 0.045F * finger_ring(at), 0.0F));
+    const vec3 normal =
+        glm::normalize(at.normal + vec3(0.0F, finish::kFingerLean * finish::finger_ring(place_of(at)), 0.0F));
     const float facing = glm::dot(normal, kKey);
     const float key = glm::clamp((facing + 0.25F) / 1.25F, 0.0F, 1.0F);
     const float sky = 0.5F + 0.5F * normal.y;
@@ -53,7 +36,7 @@ PotLight PotShading::light(const PotSurface& at) const {
     const float open = at.inside ? depth_light(at) : closed;
     const vec3 light = kKeyLight * (key * key) + vec3(0.30F, 0.29F, 0.28F) * sky +
                        vec3(0.16F, 0.14F, 0.12F) * fill + vec3(0.9F, 0.65F, 0.42F) * shelf;
-    const float coat = is_foot(at) ? 0.0F : glaze_.clear_coat;
+    const float coat = finish::is_bare(glaze_, place_of(at)) ? 0.0F : glaze_.clear_coat;
     if (coat > 0.0F) {
         const float cosine = glm::clamp(glm::dot(normal, to_eye_), 0.0F, 1.0F);
         const float f0 =
@@ -68,26 +51,7 @@ PotLight PotShading::light(const PotSurface& at) const {
 }
 
 vec3 PotShading::colour(const PotSurface& at) const {
-    if (is_foot(at)) return glaze_.body;
-    const float ring = finger_ring(at);
-    float thick =
-        0.5F + 0.5F * noise(at.height_mm * 0.05F, at.angle * 1.5F + 7.0F) - glaze_.breaks * 0.20F * ring;
-    // Glaze draws back from a rim.
-    thick -= glaze_.breaks * 0.9F * std::exp(-(height_mm_ - at.height_mm) / 2.2F);
-    if (glaze_.brushed > 0.0F) {
-        const float streak = noise(at.height_mm * 1.15F, at.angle * 0.9F + 0.04F * at.height_mm) * 0.62F +
-                             noise(at.height_mm * 3.1F, at.angle * 0.5F) * 0.38F;
-        thick = glm::mix(thick, glm::smoothstep(0.30F, 0.58F, streak), glaze_.brushed);
-    }
-    if (glaze_.runs > 0.0F) {
-        const float drop =
-            noise(at.angle * 9.0F, 1.0F) * 0.6F + noise(at.angle * 23.0F, at.height_mm * 0.03F) * 0.4F;
-        const float high = at.height_mm / height_mm_;
-        thick += glaze_.runs * (drop - 0.5F) * 0.9F + glaze_.runs * (high - 0.55F) * 0.5F;
-    }
-    thick = glm::clamp(thick, 0.0F, 1.0F);
-    const float grain = 0.97F + 0.06F * noise(at.height_mm * 2.3F, at.angle * 31.0F);
-    return glm::mix(glaze_.thin_colour, glaze_.colour, thick) * grain;
+    return finish::glaze_colour(glaze_, height_mm_, place_of(at));
 }
 
 // Less light the deeper inside.

@@ -31,9 +31,6 @@ class PotShading {
     [[nodiscard]] vec3 colour(const PotSurface& at) const;
 
   private:
-    [[nodiscard]] bool is_foot(const PotSurface& at) const {
-        return !at.inside && at.height_mm < glaze_.foot_bare_mm;
-    }
     [[nodiscard]] float depth_light(const PotSurface& at) const;
     [[nodiscard]] vec3 reflected(const vec3& direction) const;
 

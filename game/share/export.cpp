@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "engine/asset/stl.h"
+#include "engine/asset/three_mf.h"
 #include "game/share/pot_solid.h"
 
 namespace onggi::share {
@@ -18,7 +20,9 @@ struct KnownEnding {
     std::string_view ending;
     ExportKind kind;
 };
-constexpr std::array<KnownEnding, 2> kKnownEndings{{{".glb", ExportKind::kGlb}, {".stl", ExportKind::kStl}}};
+constexpr std::array<KnownEnding, 3> kKnownEndings{
+    {{".glb", ExportKind::kGlb}, {".stl", ExportKind::kStl}, {".3mf", ExportKind::k3mf}}};
+constexpr const char* kProgram = "Onggi " ONGGI_VERSION;
 
 char to_lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -45,24 +49,45 @@ Result<ExportKind> export_kind_of(std::string_view path) {
     }
     std::string known;
     for (const KnownEnding& one : kKnownEndings)
-        known += fmt::format("{}{}", known.empty() ? "" : " or ", one.ending);
+        known += fmt::format("{}{}",
+                             known.empty()                   ? ""
+                             : &one == &kKnownEndings.back() ? " or "
+                                                             : ", ",
+                             one.ending);
     return bad_input(fmt::format("{}: expected a name that ends in {}", path, known));
 }
 
-Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file) {
-    Result<PotSolid> pot = build_pot_solid(rings, file.shrinkage);
-    if (!pot) return pot.error();
-    if (kind == ExportKind::kStl) return asset::encode_stl(pot->mesh, file.title);
-    asset::GltfContent content;
-    content.name = "pot";
-    content.generator = "Onggi " ONGGI_VERSION;
-    content.mesh = std::move(pot->mesh);
-    content.material = std::move(file.material);
-    content.extras = std::move(file.extras);
-    return asset::encode_glb(content);
+Result<std::vector<std::byte>> glb_of(asset::Mesh mesh, asset::Material material,
+                                      std::vector<asset::Extra> extras) {
+    return asset::encode_glb({.name = "pot",
+                              .generator = kProgram,
+                              .mesh = std::move(mesh),
+                              .material = std::move(material),
+                              .extras = std::move(extras)});
 }
 
-Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind) {
+std::string printing_note(double thinnest_wall_mm) {
+    if (!(thinnest_wall_mm > 0.0 && thinnest_wall_mm < kThinnestPrintedMm)) return {};
+    return fmt::format(
+        "Thinnest wall {:.1f} mm: below {:.0f} mm prints break. At {:.0f} % and above all walls are thick "
+        "enough.",
+        thinnest_wall_mm, kThinnestPrintedMm, std::ceil(100.0 * kThinnestPrintedMm / thinnest_wall_mm));
+}
+
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file) {
+    Result<PotSolid> pot = build_pot_solid(rings, {.shrinkage = file.shrinkage});
+    if (!pot) return pot.error();
+    if (kind == ExportKind::kStl) return asset::encode_stl(pot->mesh, file.title);
+    if (kind == ExportKind::k3mf) {
+        return asset::encode_3mf(pot->mesh,
+                                 {.title = file.title, .description = file.note, .application = kProgram},
+                                 file.picture);
+    }
+    return glb_of(std::move(pot->mesh), std::move(file.material), std::move(file.extras));
+}
+
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind,
+                                          const asset::Image* picture) {
     double widest_mm = 0.0;
     for (const double radius_mm : rings.outer_mm)
         widest_mm = std::max(widest_mm, 2.0 * radius_mm);
@@ -71,7 +96,8 @@ Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind
                        .material = stoneware(),
                        .extras = {{"height_mm", rings.height_mm()},
                                   {"max_diameter_mm", widest_mm},
-                                  {"volume_mm3", rings.volume_mm3}}});
+                                  {"volume_mm3", rings.volume_mm3}},
+                       .picture = picture});
 }
 
 }  // namespace onggi::share

@@ -47,6 +47,7 @@ std::vector<double> dents_at_corners(std::span<const float> row, int count) {
 FaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int corners) {
     FaceRow row;
     row.y_mm = y_mm;
+    row.inside = which == Which::kInner;
     row.radius_mm = which == Which::kOuter ? rings.outer_mm[PotRings::at(ring)]
                                            : std::max(rings.inner(ring), kNarrowestOpeningMm);
     if (!rings.centre_mm.empty()) row.centre_mm = rings.centre_mm[PotRings::at(ring)];

@@ -15,6 +15,7 @@ struct FaceRow {
     double y_mm = 0.0;
     double radius_mm = 0.0;
     dvec2 centre_mm{0.0};
+    bool inside = false;
     std::vector<double> dents_mm;  // one a corner; none where the whole pot is round
 
     [[nodiscard]] double corner_mm(std::size_t k) const {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/core/units.h"
-#include "game/share/unit_circle.h"
+#include "game/share/surface_builder.h"
 
 namespace onggi::share {
 namespace {
@@ -21,19 +21,6 @@ struct Fineness {
 // Both errors grow together; the last three are for what a wild hand leaves.
 constexpr std::array<Fineness, 7> kFinenesses{
     {{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}, {0.125, 48}, {0.25, 48}, {0.5, 48}}};
-
-// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
-// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
-// stays smooth.
-constexpr double kCreaseCosine = 0.9396926207859084;
-
-// A surface walked row by row such that its outside lies to the right of the walk in the plane of radius and
-// height: up the outside, in over the rim, down the inside. Both ends are closed by discs, the first facing
-// down and the last facing up; or the last row meets the first.
-struct Walk {
-    std::vector<FaceRow> rows;
-    bool meets_itself = false;
-};
 
 void append_up(Walk& walk, Face face) {
     std::move(face.begin(), face.end(), std::back_inserter(walk.rows));
@@ -86,130 +73,26 @@ struct Rows {
 };
 
 // At one setting; nothing where its tolerance might push one face through the other, or it does not fit.
-std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness) {
+std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness, std::size_t most_triangles) {
     // Each face may move by the tolerance, and something must be left between them.
     if (!(4.0 * fineness.tolerance_mm <= thinnest_mm(rings))) return std::nullopt;
     auto walks = walks_over(rings, [&](Which which, int first, int end) {
         const Face face = face_of(rings, which, first, end, fineness.corners);
         return fineness.tolerance_mm > 0.0 ? thinned(face, fineness.tolerance_mm) : face;
     });
-    if (triangle_count(walks, fineness.corners) > kMaxTriangles) return std::nullopt;
+    if (triangle_count(walks, fineness.corners) > most_triangles) return std::nullopt;
     return Rows{std::move(walks), fineness, rings.count()};
 }
 
-// The walk's right-hand normal between two rows at a corner, in the plane of that corner and the axis.
-dvec2 normal_between(const FaceRow& from, const FaceRow& to, std::size_t corner, const dvec2& direction) {
-    const double out =
-        to.corner_mm(corner) - from.corner_mm(corner) + glm::dot(to.centre_mm - from.centre_mm, direction);
-    return glm::normalize(dvec2(to.y_mm - from.y_mm, -out));
-}
-
-// Whether the surface turns so much at `row` that it has an edge there.
-bool is_edge(const FaceRow& before, const FaceRow& row, const FaceRow& after,
-             const std::vector<dvec2>& circle) {
-    for (std::size_t k = 0; k < circle.size(); ++k) {
-        const dvec2 below = normal_between(before, row, k, circle[k]);
-        const dvec2 above = normal_between(row, after, k, circle[k]);
-        if (glm::dot(below, above) < kCreaseCosine) return true;
-    }
-    return false;
-}
-
-// Vertices in mm with the normals summed so far, triangles as they come.
-class Builder {
-  public:
-    explicit Builder(int corners) : circle_(unit_circle(corners)) {}
-
-    std::uint32_t add_row(const FaceRow& row) {
-        const auto first = static_cast<std::uint32_t>(positions_mm.size());
-        for (std::size_t k = 0; k < circle_.size(); ++k) {
-            const dvec2 across = row.centre_mm + row.corner_mm(k) * circle_[k];
-            positions_mm.emplace_back(across.x, row.y_mm, -across.y);
-            normals.emplace_back(0.0);
-        }
-        return first;
-    }
-
-    // From one row of the walk to the next. Normals: each four-cornered face gives its area to its corners.
-    void add_band(std::uint32_t from, std::uint32_t to) {
-        for_each_corner([&](std::uint32_t k, std::uint32_t next) {
-            add_triangle(from + k, from + next, to + next);
-            add_triangle(from + k, to + next, to + k);
-            const dvec3 area = glm::cross(positions_mm[to + next] - positions_mm[from + k],
-                                          positions_mm[to + k] - positions_mm[from + next]);
-            for (const std::uint32_t corner : {from + k, from + next, to + k, to + next})
-                normals[corner] += area;
-        });
-    }
-
-    void add_disc(const FaceRow& rim, bool faces_up) {
-        const std::uint32_t ring = add_row(rim);
-        const auto centre = static_cast<std::uint32_t>(positions_mm.size());
-        positions_mm.emplace_back(rim.centre_mm.x, rim.y_mm, -rim.centre_mm.y);
-        normals.emplace_back(0.0);
-        for (std::uint32_t vertex = ring; vertex <= centre; ++vertex)
-            normals[vertex] = dvec3(0.0, faces_up ? 1.0 : -1.0, 0.0);
-        for_each_corner([&](std::uint32_t k, std::uint32_t next) {
-            if (faces_up)
-                add_triangle(ring + k, ring + next, centre);
-            else
-                add_triangle(ring + next, ring + k, centre);
-        });
-    }
-
-    void add_walk(const Walk& walk) {
-        const std::vector<FaceRow>& rows = walk.rows;
-        if (!walk.meets_itself) add_disc(rows.front(), false);
-        std::uint32_t from = add_row(rows.front());
-        for (std::size_t i = 1; i < rows.size(); ++i) {
-            std::uint32_t to = add_row(rows[i]);
-            add_band(from, to);
-            if (i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_))
-                to = add_row(rows[i]);
-            from = to;
-        }
-        if (walk.meets_itself)
-            add_band(add_row(rows.back()), add_row(rows.front()));
-        else
-            add_disc(rows.back(), true);
-    }
-
-    [[nodiscard]] double volume_mm3() const {
-        double six_volumes = 0.0;
-        for (std::size_t i = 0; i < indices.size(); i += 3) {
-            six_volumes += glm::dot(positions_mm[indices[i]],
-                                    glm::cross(positions_mm[indices[i + 1]], positions_mm[indices[i + 2]]));
-        }
-        return six_volumes / 6.0;
-    }
-
-    std::vector<dvec3> positions_mm;
-    std::vector<dvec3> normals;
-    std::vector<std::uint32_t> indices;
-
-  private:
-    template <typename Visit>
-    void for_each_corner(Visit visit) {
-        const auto corners = static_cast<std::uint32_t>(circle_.size());
-        for (std::uint32_t k = 0; k < corners; ++k)
-            visit(k, (k + 1) % corners);
-    }
-    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        indices.insert(indices.end(), {a, b, c});
-    }
-
-    std::vector<dvec2> circle_;
-};
-
-Builder built(const Rows& rows) {
-    Builder builder(rows.fineness.corners);
+SurfaceBuilder built(const Rows& rows, bool unwraps = false) {
+    SurfaceBuilder builder(rows.fineness.corners, unwraps);
     for (const Walk& walk : rows.walks)
         builder.add_walk(walk);
     return builder;
 }
 
 // That is to hold the clay's volume, of everything across the axis.
-double across_scale(const Builder& builder, const PotRings& rings) {
+double across_scale(const SurfaceBuilder& builder, const PotRings& rings) {
     return std::sqrt(rings.volume_mm3 / builder.volume_mm3());
 }
 
@@ -219,16 +102,16 @@ bool is_like(const Rows& rows, const PotRings& rings) {
     return std::fabs(across_scale(built(rows), rings) - 1.0) < kMostOff;
 }
 
-std::optional<Rows> rows_within_budget(const PotRings& rings) {
+std::optional<Rows> rows_within_budget(const PotRings& rings, std::size_t most_triangles) {
     for (const Fineness& fineness : kFinenesses)
-        if (auto rows = rows_at(rings, fineness)) return rows;
+        if (auto rows = rows_at(rings, fineness, most_triangles)) return rows;
     // Rough all over: every second ring, or fourth, while those are like the rest; else what all hold on
     // average.
     for (const Halving how : {Halving::kEverySecond, Halving::kMerged}) {
         for (PotRings fewer = halved(rings, how), last = rings; fewer.count() < last.count();
              last = std::exchange(fewer, halved(fewer, how))) {
             for (const double tolerance_mm : {0.0, kFinenesses.back().tolerance_mm}) {
-                auto rows = rows_at(fewer, {tolerance_mm, kFinenesses.back().corners});
+                auto rows = rows_at(fewer, {tolerance_mm, kFinenesses.back().corners}, most_triangles);
                 if (rows && is_like(*rows, rings)) return rows;
             }
         }
@@ -238,11 +121,11 @@ std::optional<Rows> rows_within_budget(const PotRings& rings) {
 
 }  // namespace
 
-Result<PotSolid> build_pot_solid(const PotRings& rings, double shrinkage) {
+Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& options) {
     if (const Result<void> good = check_rings(rings); !good) return good.error();
-    const std::optional<Rows> rows = rows_within_budget(rings);
+    const std::optional<Rows> rows = rows_within_budget(rings, options.most_triangles);
     if (!rows) return bad_input("pot: expected clay that is not split into thousands of hollows");
-    Builder builder = built(*rows);
+    SurfaceBuilder builder = built(*rows, options.unwraps);
     PotSolid pot;
     pot.corners = rows->fineness.corners;
     pot.tolerance_mm = rows->fineness.tolerance_mm;
@@ -250,8 +133,10 @@ Result<PotSolid> build_pot_solid(const PotRings& rings, double shrinkage) {
     pot.rings = rows->rings;
     pot.across_scale = across_scale(builder, rings);
     if (!std::isfinite(pot.across_scale)) return bad_input("pot: expected clay that encloses a volume");
-    const double up = shrinkage * units::kMetresPerMm;
+    const double up = options.shrinkage * units::kMetresPerMm;
     const double across = up * pot.across_scale;
+    builder.finish_normals();
+    if (options.unwraps) builder.unwrap(options.shrinkage, pot);
     // + 0: no negative zeros, which would part vertices that lie at one place in the eyes of a bitwise
     // checker.
     const vec3 zero(0.0F);
@@ -260,7 +145,7 @@ Result<PotSolid> build_pot_solid(const PotRings& rings, double shrinkage) {
     for (std::size_t i = 0; i < builder.positions_mm.size(); ++i) {
         const dvec3& p = builder.positions_mm[i];
         pot.mesh.positions_m.push_back(vec3(p * dvec3(across, up, across)) + zero);
-        pot.mesh.normals.push_back(vec3(glm::normalize(builder.normals[i])) + zero);
+        pot.mesh.normals.push_back(vec3(builder.normals[i]) + zero);
     }
     pot.mesh.indices = std::move(builder.indices);
     return pot;

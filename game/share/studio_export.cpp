@@ -150,15 +150,17 @@ std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, Firing stage)
 }
 
 Result<std::vector<std::byte>> export_pot(const clay::StudioClay& clay, Firing stage, ExportKind kind,
-                                          const asset::Material* material) {
+                                          const asset::Material* material, const asset::Image* picture) {
     const ClayBody body = clay.lump().body;
     const double scale = clay::shrunk_scale(body, stage);
     return export_pot(rings_of(clay.rings()), kind,
                       {.title = fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage), name_of(body),
                                             clay.height_mm() * scale),
+                       .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm),
                        .material = material != nullptr ? *material : pot_material(body, stage),
                        .extras = pot_extras(clay, stage),
-                       .shrinkage = scale});
+                       .shrinkage = scale,
+                       .picture = picture});
 }
 
 }  // namespace onggi::share

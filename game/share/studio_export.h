@@ -31,8 +31,10 @@ std::string_view name_of(clay::Firing stage);   // "wet", "dry", "bisque", "glaz
 std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, clay::Firing stage);
 
 // The file's bytes, the same for the same clay on every machine. kBadInput as build_pot_solid.
-// `material` replaces that of body and stage: a glaze of the visitor's choice.
+// `material` replaces that of body and stage: a glaze of the visitor's choice. `picture`, if there is one,
+// goes into a 3MF.
 Result<std::vector<std::byte>> export_pot(const clay::StudioClay& clay, clay::Firing stage, ExportKind kind,
-                                          const asset::Material* material = nullptr);
+                                          const asset::Material* material = nullptr,
+                                          const asset::Image* picture = nullptr);
 
 }  // namespace onggi::share

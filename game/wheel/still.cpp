@@ -39,7 +39,10 @@ struct StillCamera::Parts {
     Result<std::vector<std::uint8_t>> draw(const render::Scene& scene) {
         auto drawn = renderer->draw(scene, *target);
         if (!drawn) return drawn.error();
-        return target->read_back();
+        auto pixels = target->read_back();
+        if (pixels && renderer->desc().transfer == render::Transfer::kSquareRoot)
+            render::to_exact_srgb(*pixels);
+        return pixels;
     }
     [[nodiscard]] Result<void> check_silence() const {
         const std::vector<std::string>& messages = instance->messages();
@@ -76,7 +79,11 @@ Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, 
         *parts.device, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
     if (!target) return target.error();
     parts.target = std::move(*target);
-    auto renderer = render::Renderer::create(*parts.device, render::still_desc(parts.target->format()));
+    constexpr bool kOnProcessor = true;
+    const render::RendererDesc desc = options.quick
+                                          ? render::live_desc(parts.target->format(), kOnProcessor, height)
+                                          : render::still_desc(parts.target->format());
+    auto renderer = render::Renderer::create(*parts.device, desc);
     if (!renderer) return renderer.error();
     parts.renderer = std::move(*renderer);
     parts.opened = open_scene(options.workshop, width, height);

@@ -25,6 +25,9 @@ struct StillOptions {
     std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
     bool beauty =
         false;  // the mean of kBeautySamples pictures: finer edges, shadows as soft as the light is wide
+    // As the live window of a processor shows it, whatever the device: ten times as quick, and coarser:
+    // one sample a pixel, with smoothed outlines.
+    bool quick = false;
     bool validation = false;  // with VK_LAYER_KHRONOS_validation; any message is then an error
 };
 

@@ -66,7 +66,7 @@ TEST(Usage, WhatIsNotBuiltIsRefusedNamingWhatIs) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "porridge"}), 2,
                     "(studio, paper), found 'porridge'");
     const TemporaryFolder folder;
-    expect_one_line(run_onggi({"throw", kPressAndHold, "--export", (folder / "pot.3mf").string()}), 2,
+    expect_one_line(run_onggi({"throw", kPressAndHold, "--export", (folder / "pot.obj").string()}), 2,
                     ".glb");
     expect_one_line(run_onggi({"throw", kPressAndHold, "--export", (folder / "pot").string()}), 2, ".stl");
     expect_one_line(run_onggi({"throw", kPressAndHold, "--screenshot", (folder / "pot.bmp").string()}), 2,

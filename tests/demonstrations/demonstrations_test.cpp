@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "game/app/command_line/performance.h"
-#include "game/app/command_line/replay_command.h"
+#include "game/app/replay/replay.h"
 #include "game/clay/studio/pot.h"
 #include "game/share/pot_solid.h"
 #include "game/share/studio_export.h"

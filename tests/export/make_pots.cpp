@@ -8,9 +8,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "game/look/pot_pictures.h"
 #include "game/share/export.h"
 #include "game/share/pot_solid.h"
 #include "game/share/studio_export.h"
+#include "game/wheel/clay_look.h"
 #include "tests/support/pot_samples.h"
 #include "tests/support/studio_samples.h"
 
@@ -26,11 +28,12 @@ bool write(const std::filesystem::path& path, const std::vector<std::byte>& byte
     return file.good();
 }
 
-// Both kinds of file; false after saying what went wrong.
+// All kinds of file; false after saying what went wrong.
 template <typename Export>
-bool write_both(const std::filesystem::path& folder, const std::string& name, Export export_as) {
-    for (const auto& [kind, ending] :
-         {std::pair{share::ExportKind::kGlb, ".glb"}, {share::ExportKind::kStl, ".stl"}}) {
+bool write_all(const std::filesystem::path& folder, const std::string& name, Export export_as) {
+    for (const auto& [kind, ending] : {std::pair{share::ExportKind::kGlb, ".glb"},
+                                       {share::ExportKind::kStl, ".stl"},
+                                       {share::ExportKind::k3mf, ".3mf"}}) {
         const Result<std::vector<std::byte>> bytes = export_as(kind);
         const std::filesystem::path path = folder / (name + ending);
         if (bytes && write(path, *bytes)) continue;
@@ -48,7 +51,7 @@ void say(const std::string& name, const share::PotSolid& built) {
 
 bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample& pot,
                    nlohmann::json& expected) {
-    if (!write_both(folder, pot.name, [&](auto kind) { return share::export_pot(pot.rings(), kind); }))
+    if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.rings(), kind); }))
         return false;
     const auto built = share::build_pot_solid(pot.rings());
     if (!built) return false;
@@ -62,10 +65,33 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
     return true;
 }
 
+// The same pot wearing its look, as visitors take it home.
+bool add_dressed_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
+                     nlohmann::json& expected) {
+    const clay::ClayBody body = pot.clay.lump().body;
+    const share::PotRings rings = share::rings_of(pot.clay.rings());
+    const double shrinkage = clay::shrunk_scale(body, pot.stage);
+    const auto bytes =
+        look::dressed_glb(rings, look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
+                          {.extras = share::pot_extras(pot.clay, pot.stage), .shrinkage = shrinkage});
+    const auto built =
+        share::build_pot_solid(rings, {.most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+    const std::string name = pot.name + "_dressed";
+    if (!bytes || !built || !write(folder / (name + ".glb"), *bytes)) {
+        fmt::print(stderr, "{}: {}\n", name, bytes ? "cannot be written" : bytes.error().message);
+        return false;
+    }
+    nlohmann::json entry = expected.back();
+    entry["name"] = name;
+    entry["dressed"] = true;
+    entry["triangles"] = built->mesh.triangle_count();
+    expected.push_back(std::move(entry));
+    return true;
+}
+
 bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                     nlohmann::json& expected) {
-    if (!write_both(folder, pot.name,
-                    [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
+    if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(pot.clay.lump().body, pot.stage);
     const auto built = share::build_pot_solid(share::rings_of(pot.clay.rings()));
@@ -77,9 +103,10 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                         {"diameter_m", 2.0 * *std::max_element(outer.begin(), outer.end()) * scale},
                         {"volume_m3", pot.clay.volume_mm3() * scale * scale * scale},
                         {"hand_made", pot.calm && pot.off_axis_mm == 0.0},
+                        {"wet", pot.stage == clay::Firing::kWet},
                         {"triangles", built->mesh.triangle_count()}});
     say(pot.name, *built);
-    return true;
+    return !(pot.calm && pot.off_axis_mm == 0.0) || add_dressed_pot(folder, pot, expected);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "game/share/pot_solid.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/studio_samples.h"
+#include "tests/support/three_mf_read.h"
 
 namespace onggi {
 namespace {
@@ -71,6 +72,35 @@ TEST(StudioExport, IsASoundSolidOfTheLedgersVolumeToAMillionth) {
         EXPECT_EQ(support::find_faults(file.mesh, expected_of(pot)), std::vector<std::string>{}) << pot.name;
         EXPECT_LE(file.mesh.indices.size() / 3, share::kMaxTriangles) << pot.name;
     }
+}
+
+TEST(StudioExport, IsTheSolidOfTheStlAs3mf) {
+    for (const StudioSample& pot : samples()) {
+        const auto file = support::read_3mf(bytes_of(pot, ExportKind::k3mf));
+        ASSERT_TRUE(file) << pot.name << ": " << file.error().message;
+        const auto stl = support::read_stl(bytes_of(pot, ExportKind::kStl));
+        ASSERT_TRUE(stl);
+        EXPECT_TRUE(file->is_manifold && file->is_millimetres) << pot.name;
+        EXPECT_EQ(file->objects, 1) << pot.name;
+        EXPECT_EQ(file->items, 1) << pot.name;
+        EXPECT_EQ(file->mesh.indices.size(), stl->indices.size()) << pot.name;
+        const double volume_m3 = support::signed_volume_m3(*stl);
+        EXPECT_NEAR(support::signed_volume_m3(file->mesh), volume_m3, 1e-6 * volume_m3) << pot.name;
+        EXPECT_EQ(file->words.at("Application").rfind("Onggi ", 0), 0U);
+        EXPECT_NE(file->words.at("Title").find("mm high"), std::string::npos);
+        const double thinnest_mm =
+            clay::measure_pot(pot.clay.rings(), pot.clay.lump().body, pot.stage).thinnest_wall_mm;
+        const bool is_thin = thinnest_mm > 0.0 && thinnest_mm < 2.0;
+        EXPECT_EQ(file->words.contains("Description"), is_thin) << pot.name << ": " << thinnest_mm << " mm";
+    }
+}
+
+TEST(PrintingNote, IsThereForThinWallsAloneAndSaysWhatSizeHelps) {
+    EXPECT_EQ(share::printing_note(2.0), "");
+    EXPECT_EQ(share::printing_note(0.0), "") << "nothing is hollow";
+    EXPECT_EQ(
+        share::printing_note(1.5),
+        "Thinnest wall 1.5 mm: below 2 mm prints break. At 134 % and above all walls are thick enough.");
 }
 
 TEST(StudioExport, IsASoundSolidAsStl) {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "game/app/command_line/performance.h"
-#include "game/app/command_line/replay_command.h"
 #include "game/app/command_line/throw_outputs.h"
+#include "game/app/replay/replay.h"
 #include "game/haptic/history.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

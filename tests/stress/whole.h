@@ -16,7 +16,7 @@
 namespace onggi::stress {
 
 inline void expect_whole_pot(const std::filesystem::path& pot) {
-    for (const char* name : {"pot.onggi", "pot.glb", "pot.stl", "pot.png"})
+    for (const char* name : {"pot.onggi", "pot.glb", "pot.stl", "pot.3mf", "pot.png"})
         ASSERT_TRUE(std::filesystem::exists(pot / name)) << pot / name;
     const auto session = record::parse_session(test::content_of(pot / "pot.onggi"), pot.string());
     ASSERT_TRUE(session) << session.error().message;

@@ -165,7 +165,7 @@ keep_the_pot() {
     pot=gallery/$(date +%F)/pot-001
     wait_for "kept pot" test -s "$pot/pot.png"
     local file verdict status=0
-    for file in pot.onggi pot.glb pot.stl pot.png; do
+    for file in pot.onggi pot.glb pot.stl pot.3mf pot.png; do
         [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
     done
     [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"

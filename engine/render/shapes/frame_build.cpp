@@ -22,14 +22,6 @@ mat4 key_projection(const DirectionalLight& light, const StillBounds& still) {
     return glm::ortho(-r, r, -r, r, 0.5F * r, 3.5F * r) * view;
 }
 
-// A wet body is darker and more saturated: light that the water throws back into it is filtered once more.
-// J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A), where p is the
-// share of diffuse light that water reflects back inside; 0.66 of a body full of it.
-vec3 wet_albedo(vec3 albedo, float wetness) {
-    const float p = 0.66F * std::clamp(wetness, 0.0F, 1.0F);
-    return albedo * (1.0F - p) / (vec3(1.0F) - p * albedo);
-}
-
 void build_lights(const Scene& scene, const StillBounds& still, shaders::FrameData& frame) {
     frame.key_view_projection = key_projection(scene.key, still);
     frame.key_direction = vec4(scene.key.towards_light, std::tan(scene.key.angular_radius_rad));
@@ -164,15 +156,11 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     const LatheMaterial& material = lathe.material;
     built.lathe.dry = vec4(material.albedo, material.streaks);
     built.lathe.wet = vec4(wet_albedo(material.albedo, 1.0F), material.soft_edge);
-    // Water lies thinner and smoother on the body than the body itself is; a glaze is thick.
-    constexpr float kFilmRoughness = 0.20F;
     // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
-    const float film = kFilmRoughness + material.coat * (material.coat_roughness - kFilmRoughness);
+    const float film = film_roughness(material);
     const float width = 0.5F * std::tan(scene.key.angular_radius_rad);
     const float film_lobe = std::sqrt(std::sqrt(film * film * film * film + width * width));
-    constexpr float kWetSmoothing = 0.72F;
-    built.lathe.gloss =
-        vec4(material.roughness, material.roughness * kWetSmoothing, film_lobe, material.coat);
+    built.lathe.gloss = vec4(material.roughness, wet_roughness(material), film_lobe, material.coat);
     built.lathe.turn = vec4(streak_turn(lathe.turn), static_cast<float>(built.sectors + 1),
                             0.02F + 0.02F * material.coat, 1.0F / std::max(material.soft_edge, 1e-4F));
 }
@@ -195,6 +183,21 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
 }
 
 }  // namespace
+
+vec3 wet_albedo(vec3 albedo, float wetness) {
+    const float p = 0.66F * std::clamp(wetness, 0.0F, 1.0F);
+    return albedo * (1.0F - p) / (vec3(1.0F) - p * albedo);
+}
+
+float wet_roughness(const LatheMaterial& material) {
+    constexpr float kWetSmoothing = 0.72F;
+    return material.roughness * kWetSmoothing;
+}
+
+float film_roughness(const LatheMaterial& material) {
+    constexpr float kFilmRoughness = 0.20F;
+    return kFilmRoughness + material.coat * (material.coat_roughness - kFilmRoughness);
+}
 
 StillBounds bounds_of(const StillLife& still_life) {
     StillBounds bounds;

@@ -174,17 +174,18 @@ void add_start_pot_options(CLI::App& command, StartPot& options) {
         ->needs(join);
 }
 
-void add_firing_option(CLI::App& command, clay::Firing& stage) {
+void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string& what) {
     std::vector<std::pair<std::string, clay::Firing>> stages;
     for (const clay::Firing known :
          {clay::Firing::kWet, clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze})
         stages.emplace_back(share::name_of(known), known);
     add_choice<clay::Firing>(
         command, "--fired", stages, [&stage](clay::Firing chosen) { stage = chosen; },
-        "the stage that --export and --screenshot show: wet, dry, bisque or glaze (wet)");
+        what + ": wet, dry, bisque or glaze (wet)");
 }
 
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
+    const std::string usual = fmt::format("the picture's size in pixels ({}x{})", size.width, size.height);
     const auto read = [&size](const CLI::results_t& words) {
         const std::string_view text = words.at(0);
         const std::size_t cross = std::min(text.find('x'), text.size());
@@ -200,7 +201,7 @@ CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
         size = {*width, *height};
         return true;
     };
-    return command.add_option("--size", read, "the picture's size in pixels (1280x720)")->type_name("WxH");
+    return command.add_option("--size", read, usual)->type_name("WxH");
 }
 
 void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* picture) {

@@ -44,8 +44,9 @@ void add_input_file(CLI::App& command, InputOptions& options);
 void add_rate_option(CLI::App& command, InputOptions& options);  // --rate HZ
 // --clay, --elements, --clay-mass, --body, --wheel, --forgiving
 void add_clay_options(CLI::App& command, InputOptions& options);
-void add_start_pot_options(CLI::App& command, StartPot& options);    // --on, --join, --mouth
-void add_firing_option(CLI::App& command, clay::Firing& stage);      // --fired STAGE
+void add_start_pot_options(CLI::App& command, StartPot& options);  // --on, --join, --mouth
+// --fired STAGE, which is `what`
+void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string& what);
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size);  // --size WxH
 // --volume, 0 to 1; 0: no sound device is opened at all.
 void add_volume_option(CLI::App& command, std::optional<double>& volume);

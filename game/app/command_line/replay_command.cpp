@@ -9,6 +9,7 @@
 #include "engine/core/quote.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
+#include "game/app/replay/replay.h"
 #include "game/app/system/report.h"
 
 namespace onggi::app {
@@ -18,14 +19,6 @@ struct ReplayOptions {
     std::string file;
     bool validate = false;
 };
-
-std::string sentence_for(const Difference& difference) {
-    if (difference.first_tick == difference.last_tick) {
-        return fmt::format("tick {} is the first that differs: {}", difference.first_tick, difference.what);
-    }
-    return fmt::format("the first tick that differs is one of {} to {}: {}", difference.first_tick,
-                       difference.last_tick, difference.what);
-}
 
 Result<void> validate(const std::string& file) {
     auto loaded = load_session(file);
@@ -47,29 +40,6 @@ Result<void> validate(const std::string& file) {
 }
 
 }  // namespace
-
-std::optional<Difference> find_difference(const record::Session& session, haptic::Start start,
-                                          const std::function<void(std::uint64_t)>& reached) {
-    if (start.state.hash() != session.header().start_state_hash) {
-        return Difference{0, 0, "the start state is not the one that was recorded"};
-    }
-    record::SessionCursor cursor(session);
-    for (const record::Session::Block& block : session.blocks()) {
-        const std::uint64_t end = block.first_tick + block.tick_count;
-        for (std::uint64_t tick = block.first_tick; tick < end; ++tick) {
-            const auto result = haptic::tick(start.state, cursor.at(tick), start.parameters);
-            if (record::force_check(result.forces.total_n()) != session.force_check_at(tick)) {
-                return Difference{tick, tick, "its force is not the one that was recorded"};
-            }
-            if (reached) reached(tick);
-        }
-        if (start.state.hash() != block.state_hash) {
-            return Difference{block.first_tick, end - 1,
-                              "every force is as recorded, but the state after them is not"};
-        }
-    }
-    return std::nullopt;
-}
 
 void add_replay_command(CLI::App& program, int& exit_status) {
     CLI::App* command =

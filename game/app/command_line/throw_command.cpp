@@ -76,14 +76,14 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     ThrowOutputs& outputs = options->outputs;
     add_output("--profile", outputs.profile, "F.csv", "the pot's outline, one row an element");
     add_output("--forces", outputs.forces, "F.csv", "the forces, one row a tick");
-    add_output("--export", outputs.model, "F.glb|F.stl", "the pot as a solid");
+    add_output("--export", outputs.model, "F.glb|F.stl|F.3mf", "the pot as a solid");
     CLI::Option* screenshot =
         add_output("--screenshot", outputs.screenshot, "F.png", "a picture; needs Vulkan");
     add_size_option(*command, outputs.size)->needs(screenshot);
     command->add_flag("--beauty", outputs.beauty, "the picture as the mean of many: finer, and slower")
         ->needs(screenshot);
     add_view_option(*command, outputs.view, screenshot);
-    add_firing_option(*command, outputs.stage);
+    add_firing_option(*command, outputs.stage, "the stage that --export and --screenshot show");
     add_target_option(*command, options->target);
     add_output("--save", outputs.session, "F.onggi", "the session, for replay");
     add_output("--stats", outputs.stats, "F.json", "what the ticks cost");

@@ -14,7 +14,9 @@
 #include "game/app/command_line/tables.h"
 #include "game/app/command_line/target_score.h"
 #include "game/app/kiosk/snapshot_view.h"
+#include "game/look/pot_pictures.h"
 #include "game/share/studio_export.h"
+#include "game/wheel/clay_look.h"
 #include "game/wheel/still.h"
 
 namespace onggi::app {
@@ -32,32 +34,38 @@ Result<void> check_endings(const ThrowOutputs& outputs) {
 }
 
 Result<std::vector<std::byte>> model_for(const std::string& place, const haptic::HapticState& state,
-                                         clay::Firing stage) {
+                                         clay::Firing stage, const asset::Image* picture) {
     const auto kind = share::export_kind_of(place);
     if (!kind) return kind.error();
-    return model_bytes(state, *kind, stage);
+    return model_bytes(state, *kind, stage, picture);
 }
 
-Result<std::vector<std::byte>> picture_bytes(const ThrowOutputs& outputs, const haptic::HapticState& state,
-                                             const haptic::TickResult& last,
-                                             const haptic::HapticParameters& parameters,
-                                             const pot::Pot& pot) {
+Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::HapticState& state,
+                                const haptic::TickResult& last, const haptic::HapticParameters& parameters,
+                                const pot::Pot& pot) {
     haptic::Snapshot snapshot;
     haptic::fill_snapshot(snapshot, state, last, parameters);
     const pot::Pot fired = pot::fired(pot, outputs.stage);
     snapshot.pot = &fired;
-    const auto image = wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
-                                           {.view = outputs.view, .beauty = outputs.beauty});
-    if (!image) return image.error();
-    return asset::encode_png(*image);
+    return wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
+                               {.view = outputs.view, .beauty = outputs.beauty});
 }
 
 }  // namespace
 
 Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, share::ExportKind kind,
-                                           clay::Firing stage) {
-    if (const clay::StudioClay* studio = state.studio()) return share::export_pot(*studio, stage, kind);
-    return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind);
+                                           clay::Firing stage, const asset::Image* picture) {
+    if (kind == share::ExportKind::kGlb && state.studio() != nullptr) {
+        const clay::ClayBody body = state.studio()->lump().body;
+        return look::dressed_glb(
+            share::rings_of(state.studio()->rings()),
+            look::lathe_look(wheel::clay_material(body, stage), share::pot_material(body, stage).name),
+            {.extras = share::pot_extras(*state.studio(), stage),
+             .shrinkage = clay::shrunk_scale(body, stage)});
+    }
+    if (const clay::StudioClay* studio = state.studio())
+        return share::export_pot(*studio, stage, kind, nullptr, picture);
+    return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind, picture);
 }
 
 Result<void> check_outputs(const ThrowOutputs& outputs) {
@@ -129,10 +137,16 @@ Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const
     Result<void> done;
     const pot::Pot pot = haptic::pot_of(state);
     // The picture first: it is what may be missing its device.
-    if (outputs_.screenshot)
-        done = prepare(*outputs_.screenshot, picture_bytes(outputs_, state, last, parameters_, pot));
+    std::optional<asset::Image> picture;
+    if (outputs_.screenshot) {
+        auto drawn = picture_of(outputs_, state, last, parameters_, pot);
+        if (!drawn) return drawn.error();
+        picture = std::move(drawn).value();
+        done = prepare(*outputs_.screenshot, asset::encode_png(*picture));
+    }
     if (done && outputs_.model)
-        done = prepare(*outputs_.model, model_for(*outputs_.model, state, outputs_.stage));
+        done = prepare(*outputs_.model,
+                       model_for(*outputs_.model, state, outputs_.stage, picture ? &*picture : nullptr));
     if (done && outputs_.profile) done = prepare_text(*outputs_.profile, profile_table(state));
     const clay::StudioClay* studio = state.studio();
     std::optional<TargetScore> target;

@@ -24,7 +24,7 @@ namespace onggi::app {
 struct ThrowOutputs {
     std::optional<std::string> profile;     // .csv
     std::optional<std::string> forces;      // .csv
-    std::optional<std::string> model;       // .glb, .stl
+    std::optional<std::string> model;       // .glb, .stl, .3mf
     std::optional<std::string> screenshot;  // .png
     std::optional<std::string> session;     // .onggi
     std::optional<std::string> stats;       // .json
@@ -39,10 +39,12 @@ struct ThrowOutputs {
 // be written.
 [[nodiscard]] Result<void> check_outputs(const ThrowOutputs& outputs);
 
-// The pot on the wheel as a file of that kind, whichever clay it is of; the stage is the studio clay's.
+// The pot on the wheel as a file of that kind, whichever clay it is of; the stage is the studio clay's. A 3MF
+// shows the picture, if there is one.
 [[nodiscard]] Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state,
                                                          share::ExportKind kind,
-                                                         clay::Firing stage = clay::Firing::kWet);
+                                                         clay::Firing stage = clay::Firing::kWet,
+                                                         const asset::Image* picture = nullptr);
 
 // Takes the ticks as they come, and writes everything at the end.
 class OutputWriter {

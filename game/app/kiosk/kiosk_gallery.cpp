@@ -13,6 +13,7 @@
 #include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
+#include "game/look/pot_pictures.h"
 #include "game/share/studio_export.h"
 
 namespace onggi::app {
@@ -30,14 +31,6 @@ int number_of(const std::string& name) {
     const char* const end = name.data() + name.size();
     const auto read = std::from_chars(name.data() + kPrefix.size(), end, number);
     return read.ec == std::errc() && read.ptr == end ? number : 0;
-}
-
-asset::Material gltf_material(const finish::GlazeMaterial& glaze) {
-    return {.name = std::string(glaze.id),
-            .base_colour_linear = dvec3(glaze.colour),
-            .roughness = double{glaze.roughness},
-            .metallic = 0.0,
-            .clearcoat = {.factor = double{glaze.clear_coat}, .roughness = double{glaze.coat_roughness}}};
 }
 
 }  // namespace
@@ -142,13 +135,9 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (!bytes) return bytes.error();
         return files::write_file_atomically(folder->inside() / name, *bytes);
     };
-    // First, so that its pixels are gone before the solids are made.
-    if (auto written = write("pot.png", asset::encode_png(straight_picture(std::move(pot.portrait))));
-        !written)
-        return written.error();
-    const asset::Material material = gltf_material(*pot.glaze);
-    if (auto written = write("pot.glb", share::export_pot(*pot.clay, clay::Firing::kGlaze,
-                                                          share::ExportKind::kGlb, &material));
+}  // namespace
+
+asset::Image straight_picture(ui::Painting painting) {
         !written)
         return written.error();
     if (auto written =

@@ -1,4 +1,4 @@
-// The day's shelf on the disk: a folder a day, a folder a pot, four files in each. A pot is there whole or
+// The day's shelf on the disk: a folder a day, a folder a pot, five files in each. A pot is there whole or
 // not at all. Nothing about the person is stored. Any one thread at a time but the haptic one; blocks.
 #pragma once
 
@@ -36,9 +36,9 @@ class Gallery {
     // `today`: the folder of the day, "2026-11-21".
     explicit Gallery(const kiosk::Config& config);
 
-    // Writes pot.onggi, pot.glb, pot.stl and pot.png; gives the pot's number of the day, from 1. System
-    // lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing is
-    // there.
+    // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png; gives the pot's number of the day, from 1.
+    // System lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing
+    // is there.
     Result<int> keep(PotToKeep pot, const std::string& today);
     // Newest first. Where the disk does not tell of them all, those it tells of, and `trouble` gets one line;
     // else it stays as it is.

@@ -31,7 +31,7 @@ kiosk::Config config_of(const fs::path& folder) {
 
 void put_pot(const fs::path& folder, const std::string& name) {
     fs::create_directories(folder / name);
-    for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.png"})
+    for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.3mf", "pot.png"})
         std::ofstream(folder / name / file) << "clay";
 }
 
@@ -96,7 +96,7 @@ TEST(Gallery, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
     const auto number = gallery.keep(cut.pot(), "2026-11-22");
     ASSERT_TRUE(number) << number.error().message;
     EXPECT_EQ(*number, 8);
-    for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.png"})
+    for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.3mf", "pot.png"})
         EXPECT_GT(fs::file_size(folder.path() / "2026-11-22/pot-008" / file), 50U) << file;
 }
 

@@ -7,23 +7,23 @@
 namespace onggi::share {
 namespace {
 
-TEST(ExportKindOf, KnowsGlbAndStlInAnyCase) {
+TEST(ExportKindOf, KnowsGlbStlAnd3mfInAnyCase) {
     for (const char* path : {"pot.glb", "out/Pot.GLB", "a.b.glb", "pot.stl.glb"}) {
         const Result<ExportKind> kind = export_kind_of(path);
         ASSERT_TRUE(kind) << path;
         EXPECT_EQ(*kind, ExportKind::kGlb);
     }
-    const Result<ExportKind> kind = export_kind_of("pot.Stl");
-    ASSERT_TRUE(kind);
-    EXPECT_EQ(*kind, ExportKind::kStl);
+    EXPECT_EQ(*export_kind_of("pot.Stl"), ExportKind::kStl);
+    EXPECT_EQ(*export_kind_of("pot.3MF"), ExportKind::k3mf);
 }
 
 TEST(ExportKindOf, RejectsOtherEndingsAndNamesThoseKnown) {
-    for (const char* path : {"pot.3mf", "pot", "", ".glb", "glb", "pot.glb.", "pot.gltf"}) {
+    for (const char* path : {"pot.3md", "pot", "", ".glb", "glb", "pot.glb.", "pot.gltf"}) {
         const Result<ExportKind> kind = export_kind_of(path);
         ASSERT_FALSE(kind) << path;
         EXPECT_EQ(kind.error().kind, ErrorKind::kBadInput);
-        EXPECT_EQ(kind.error().message, std::string(path) + ": expected a name that ends in .glb or .stl");
+        EXPECT_EQ(kind.error().message,
+                  std::string(path) + ": expected a name that ends in .glb, .stl or .3mf");
     }
 }
 

@@ -26,6 +26,9 @@ function describe(gltf) {
             metalness: material.metalness,
             side: material.side === THREE.FrontSide ? 'front' : 'other',
             textured: Boolean(material.map || material.normalMap || material.roughnessMap),
+            maps: Object.fromEntries(['map', 'normalMap', 'roughnessMap', 'aoMap', 'clearcoatMap']
+                .map((name) => [name, Boolean(material[name])])),
+            tangents: meshes[0].geometry.hasAttribute('tangent'),
         },
     };
 }

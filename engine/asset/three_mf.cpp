@@ -1,0 +1,209 @@
+// See three_mf.h. The only file that includes lib3mf. Any thread.
+#include "engine/asset/three_mf.h"
+
+#include <Model/COM/NMR_DLLInterfaces.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "engine/asset/mesh_rules.h"
+#include "engine/asset/utf8.h"
+
+namespace onggi::asset {
+namespace {
+
+// What lib3mf hands out, given back however a function ends.
+template <typename T>
+class Handle {
+  public:
+    Handle() = default;
+    ~Handle() {
+        if (held_ != nullptr) NMR::lib3mf_release(held_);
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+
+    T** out() { return &held_; }
+    [[nodiscard]] T* get() const { return held_; }
+
+  private:
+    T* held_ = nullptr;
+};
+
+// The text of an element, which the library writes as it is given; values of attributes it escapes itself.
+std::string xml_text(std::string_view words) {
+    std::string text;
+    for (const char c : valid_utf8(words)) {
+        switch (c) {
+            case '&':
+                text += "&amp;";
+                break;
+            case '<':
+                text += "&lt;";
+                break;
+            case '>':
+                text += "&gt;";
+                break;
+            case '"':
+                text += "&quot;";
+                break;
+            default:
+                // XML 1.0 has no word for the others below the blank.
+                text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        }
+    }
+    return text;
+}
+
+struct Welded {
+    std::vector<NMR::MODELMESHVERTEX> vertices;
+    std::vector<NMR::MODELMESHTRIANGLE> triangles;
+};
+
+Welded welded(const Mesh& mesh) {
+    Welded solid;
+    std::map<std::array<float, 3>, DWORD> known;
+    std::vector<DWORD> place_of;
+    place_of.reserve(mesh.positions_m.size());
+    for (const vec3& position_m : mesh.positions_m) {
+        const vec3 at = z_up_mm(position_m);
+        const auto next = static_cast<DWORD>(solid.vertices.size());
+        const auto [found, is_new] = known.try_emplace({at.x, at.y, at.z}, next);
+        if (is_new) solid.vertices.push_back({{at.x, at.y, at.z}});
+        place_of.push_back(found->second);
+    }
+    solid.triangles.reserve(mesh.triangle_count());
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        solid.triangles.push_back(
+            {{place_of[mesh.indices[i]], place_of[mesh.indices[i + 1]], place_of[mesh.indices[i + 2]]}});
+    }
+    return solid;
+}
+
+// No larger than a thumbnail: each pixel the mean of those it stands for.
+Image thumbnail_of(const Image& picture) {
+    const int by = (std::max(picture.width, picture.height) + kThumbnailSide - 1) / kThumbnailSide;
+    if (by <= 1) return picture;
+    Image small{
+        .width = std::max(1, picture.width / by), .height = std::max(1, picture.height / by), .rgba = {}};
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+            std::array<unsigned, 4> sum{};
+            for (int row = y * by; row < std::min((y + 1) * by, picture.height); ++row) {
+                for (int column = x * by; column < std::min((x + 1) * by, picture.width); ++column) {
+                    const std::size_t at =
+                        4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                             static_cast<std::size_t>(column));
+                    for (std::size_t channel = 0; channel < 4; ++channel)
+                        sum[channel] += picture.rgba[at + channel];
+                }
+            }
+            const auto count = static_cast<unsigned>(std::min((y + 1) * by, picture.height) - y * by) *
+                               static_cast<unsigned>(std::min((x + 1) * by, picture.width) - x * by);
+            for (const unsigned channel : sum)
+                small.rgba.push_back(static_cast<std::uint8_t>((channel + count / 2) / count));
+        }
+    }
+    return small;
+}
+
+struct Sink {
+    std::vector<std::byte> bytes;
+    std::size_t at = 0;
+};
+BOOL write_to(const BYTE* data, DWORD count, void* user) {
+    auto& sink = *static_cast<Sink*>(user);
+    sink.bytes.resize(std::max(sink.bytes.size(), sink.at + count));
+    std::memcpy(sink.bytes.data() + sink.at, data, count);
+    sink.at += count;
+    return 0;
+}
+BOOL seek_to(UINT64 place, void* user) {
+    static_cast<Sink*>(user)->at = static_cast<std::size_t>(place);
+    return 0;
+}
+
+// Every call until one fails; then no more.
+class Calls {
+  public:
+    void operator()(LIB3MFRESULT result, const char* doing) {
+        if (result != LIB3MF_OK && !trouble_)
+            trouble_ = failed(fmt::format("3MF: {}: the library says {:#x}", doing, result));
+    }
+    [[nodiscard]] bool are_good() const { return !trouble_.has_value(); }
+    [[nodiscard]] const Error& trouble() const { return *trouble_; }
+
+  private:
+    std::optional<Error> trouble_;
+};
+
+// The library would invent others with each file: one object, one item, one plate need no more to be told
+// apart.
+constexpr const char* kObjectId = "6f6e6767-6900-4000-8000-000000000001";
+constexpr const char* kItemId = "6f6e6767-6900-4000-8000-000000000002";
+constexpr const char* kBuildId = "6f6e6767-6900-4000-8000-000000000003";
+
+}  // namespace
+
+Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& words, const Image* picture) {
+    if (const Result<void> good = check_mesh(mesh); !good) return good.error();
+    Welded solid = welded(mesh);
+    std::optional<std::vector<std::byte>> thumbnail;
+    if (picture != nullptr) {
+        auto png = encode_png(thumbnail_of(*picture));
+        if (!png) return png.error();
+        thumbnail = std::move(png).value();
+    }
+
+    Calls calls;
+    Handle<NMR::PLib3MFModel> model;
+    calls(NMR::lib3mf_createmodel(model.out()), "making a model");
+    if (!calls.are_good()) return calls.trouble();
+    calls(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "its unit");
+    calls(NMR::lib3mf_model_setbuilduuidutf8(model.get(), kBuildId), "its name");
+    for (const auto& [key, value] : {std::pair("Title", &words.title),
+                                     {"Description", &words.description},
+                                     {"Application", &words.application}}) {
+        if (!value->empty())
+            calls(NMR::lib3mf_model_addmetadatautf8(model.get(), key, xml_text(*value).c_str()), key);
+    }
+    Handle<NMR::PLib3MFModelMeshObject> object;
+    calls(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), "making an object");
+    if (!calls.are_good()) return calls.trouble();
+    calls(NMR::lib3mf_meshobject_setgeometry(
+              object.get(), solid.vertices.data(), static_cast<DWORD>(solid.vertices.size()),
+              solid.triangles.data(), static_cast<DWORD>(solid.triangles.size())),
+          "its triangles");
+    calls(NMR::lib3mf_object_setuuidutf8(object.get(), kObjectId), "its name");
+    calls(NMR::lib3mf_object_setnameutf8(object.get(), valid_utf8(words.title).c_str()), "its title");
+    Handle<NMR::PLib3MFModelBuildItem> item;
+    calls(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()), "putting it up");
+    if (!calls.are_good()) return calls.trouble();
+    calls(NMR::lib3mf_builditem_setuuidutf8(item.get(), kItemId), "its name");
+    Handle<NMR::PLib3MFModelAttachment> shown;
+    if (thumbnail) {
+        constexpr BOOL kCreate = 1;
+        calls(NMR::lib3mf_model_getpackagethumbnailattachment(model.get(), kCreate, shown.out()),
+              "a picture");
+        if (!calls.are_good()) return calls.trouble();
+        calls(NMR::lib3mf_attachment_readfrombuffer(shown.get(), reinterpret_cast<BYTE*>(thumbnail->data()),
+                                                    thumbnail->size()),
+              "its pixels");
+    }
+    Handle<NMR::PLib3MFModelWriter> writer;
+    calls(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "making a file");
+    if (!calls.are_good()) return calls.trouble();
+    Sink sink;
+    calls(NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(&write_to),
+                                             reinterpret_cast<void*>(&seek_to), &sink),
+          "writing");
+    if (!calls.are_good()) return calls.trouble();
+    return std::move(sink.bytes);
+}
+
+}  // namespace onggi::asset

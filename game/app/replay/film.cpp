@@ -1,0 +1,129 @@
+#include "game/app/replay/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "engine/asset/webp_film.h"
+#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/replay/film_plan.h"
+#include "game/app/replay/replay.h"
+#include "game/wheel/still_camera.h"
+
+namespace onggi::app {
+namespace {
+
+// Every picture is packed in each of them while it is there, a dozen ms each: to draw all of them again for
+// another quality would cost more.
+constexpr std::array kQualities{90.0, 75.0, 50.0, 25.0};
+constexpr std::uint64_t kTicksASlice = 2000;
+
+dvec2 turned(const dvec2& direction, double turns) {
+    const double angle = 2.0 * std::numbers::pi * turns;
+    const dvec2 by(std::cos(angle), std::sin(angle));
+    return {direction.x * by.x - direction.y * by.y, direction.x * by.y + direction.y * by.x};
+}
+
+}  // namespace
+
+struct FilmMaker::Parts {
+    Parts(record::Session of, haptic::Start start, const FilmDesc& with)
+        : desc(with),
+          session(std::move(of)),
+          replay(session, std::move(start)),
+          plan(film_plan(session.tick_count(), desc.seconds)) {}
+
+    FilmDesc desc;
+    record::Session session;
+    Replay replay;
+    std::vector<FilmPicture> plan;
+    std::size_t drawn = 0;
+    std::unique_ptr<wheel::StillCamera> camera;
+    std::vector<asset::WebpFilm> films;  // of kQualities
+    asset::Image picture;
+
+    Result<asset::Image> draw(const FilmPicture& shown) {
+        haptic::Snapshot snapshot;
+        haptic::fill_snapshot(snapshot, replay.state(), replay.last(), replay.parameters());
+        pot::Pot pot = haptic::pot_of(replay.state());
+        if (shown.is_finished) pot = pot::fired(pot, desc.finished);
+        snapshot.pot = &pot;
+        wheel::WheelView view = wheel_view(snapshot);
+        if (!shown.is_finished) return camera->take(view, wheel::StillView::kThrowing);
+        view.wheel_direction = turned(view.wheel_direction, shown.turned);
+        return camera->take(view, wheel::StillView::kPortrait);
+    }
+};
+
+FilmMaker::FilmMaker() = default;
+FilmMaker::~FilmMaker() = default;
+
+Result<std::unique_ptr<FilmMaker>> FilmMaker::create(record::Session session, haptic::Start start,
+                                                     const FilmDesc& desc) {
+    if (!(desc.seconds >= kLeastFilmS && desc.seconds <= kLongestFilmS)) {
+        return bad_input(fmt::format("film: expected {} to {} seconds, found {}", kLeastFilmS, kLongestFilmS,
+                                     desc.seconds));
+    }
+    auto camera = wheel::StillCamera::create(desc.width, desc.height, {.quick = desc.quick});
+    if (!camera) return camera.error();
+    std::unique_ptr<FilmMaker> maker(new FilmMaker);
+    maker->parts_ = std::make_unique<Parts>(std::move(session), std::move(start), desc);
+    Parts& parts = *maker->parts_;
+    parts.camera = std::move(*camera);
+    for (const double quality : kQualities) {
+        auto film = asset::WebpFilm::create({desc.width, desc.height, quality});
+        if (!film) return film.error();
+        parts.films.push_back(std::move(film).value());
+    }
+    if (const auto other = parts.replay.compare_start()) return failed(sentence_for(*other));
+    return maker;
+}
+
+Result<bool> FilmMaker::work() {
+    Parts& parts = *parts_;
+    const FilmPicture& next = parts.plan[parts.drawn];
+    const std::uint64_t until = std::min(next.ticks, parts.replay.ticks() + kTicksASlice);
+    while (parts.replay.ticks() < until) {
+        if (const auto difference = parts.replay.step()) return failed(sentence_for(*difference));
+    }
+    if (until < next.ticks) return true;
+    auto picture = parts.draw(next);
+    if (!picture) return picture.error();
+    parts.picture = std::move(picture).value();
+    for (asset::WebpFilm& film : parts.films) {
+        if (auto added = film.add(parts.picture, kFilmPictureMs); !added) return added.error();
+    }
+    return ++parts.drawn < parts.plan.size();
+}
+
+std::size_t FilmMaker::picture_count() const {
+    return parts_->plan.size();
+}
+
+std::size_t FilmMaker::pictures_drawn() const {
+    return parts_->drawn;
+}
+
+const asset::Image& FilmMaker::picture() const {
+    return parts_->picture;
+}
+
+Result<std::vector<std::byte>> FilmMaker::take() {
+    if (auto closed = parts_->camera->close(); !closed) return closed.error();
+    std::size_t least = 0;
+    for (asset::WebpFilm& film : parts_->films) {
+        auto file = film.finish();
+        if (!file || file->size() <= parts_->desc.most_bytes) return file;
+        least = file->size();
+    }
+    return bad_input(
+        fmt::format("film: expected at most {} bytes, found {} in the lowest quality: a smaller size or "
+                    "fewer seconds fit",
+                    parts_->desc.most_bytes, least));
+}
+
+}  // namespace onggi::app

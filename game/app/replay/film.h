@@ -1,0 +1,56 @@
+// The film of a making: a session replayed to the bit, drawn picture by picture, packed as animated WebP. In
+// slices, so that whoever makes it can show how far it is, or stop. Any one thread at a time; has a Vulkan
+// device of its own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/asset/image.h"
+#include "engine/core/result.h"
+#include "engine/record/session.h"
+#include "game/clay/studio/pot.h"
+#include "game/haptic/start_state.h"
+
+namespace onggi::app {
+
+struct FilmDesc {
+    int width = 480;  // pixels, 16 to 8192 each
+    int height = 360;
+    double seconds = 8.0;                        // kLeastFilmS to kLongestFilmS, see film_plan.h
+    clay::Firing finished = clay::Firing::kWet;  // the stage that its last part shows
+    std::size_t most_bytes = 1'500'000;          // of the file
+    // Drawn as the live window of a processor is (see wheel::StillOptions), for beside the frame. Otherwise
+    // each picture is, to the byte, the screenshot of its tick.
+    bool quick = false;
+};
+
+class FilmMaker {
+  public:
+    // Bad input: a size or a length outside its bounds; system lacks: no Vulkan device.
+    [[nodiscard]] static Result<std::unique_ptr<FilmMaker>> create(record::Session session,
+                                                                   haptic::Start start, const FilmDesc& desc);
+    ~FilmMaker();
+    FilmMaker(const FilmMaker&) = delete;
+    FilmMaker& operator=(const FilmMaker&) = delete;
+
+    // Some ticks, or one picture; some tens of ms where it is drawn quickly. True while there is more to do.
+    // kFailed: a tick differs from its recording.
+    [[nodiscard]] Result<bool> work();
+    [[nodiscard]] std::size_t picture_count() const;
+    [[nodiscard]] std::size_t pictures_drawn() const;
+    // The one drawn last; none before the first.
+    [[nodiscard]] const asset::Image& picture() const;
+    // The whole file, once, when no more is to do: in the best of a few qualities that fits. Bad input: none
+    // of them does.
+    [[nodiscard]] Result<std::vector<std::byte>> take();
+
+  private:
+    FilmMaker();
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,50 @@
+#include "game/app/replay/replay.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace onggi::app {
+
+std::string sentence_for(const Difference& difference) {
+    if (difference.first_tick == difference.last_tick) {
+        return fmt::format("tick {} is the first that differs: {}", difference.first_tick, difference.what);
+    }
+    return fmt::format("the first tick that differs is one of {} to {}: {}", difference.first_tick,
+                       difference.last_tick, difference.what);
+}
+
+Replay::Replay(const record::Session& session, haptic::Start start)
+    : session_(session),
+      start_(std::move(start)),
+      cursor_(session) {}
+
+std::optional<Difference> Replay::compare_start() const {
+    if (start_.state.hash() == session_.header().start_state_hash) return std::nullopt;
+    return Difference{0, 0, "the start state is not the one that was recorded"};
+}
+
+std::optional<Difference> Replay::step() {
+    const std::uint64_t tick = ticks_++;
+    last_ = haptic::tick(start_.state, cursor_.at(tick), start_.parameters);
+    if (record::force_check(last_.forces.total_n()) != session_.force_check_at(tick))
+        return Difference{tick, tick, "its force is not the one that was recorded"};
+    const record::Session::Block& block = session_.blocks()[block_];
+    if (ticks_ < block.first_tick + block.tick_count) return std::nullopt;
+    ++block_;
+    if (start_.state.hash() == block.state_hash) return std::nullopt;
+    return Difference{block.first_tick, tick, "every force is as recorded, but the state after them is not"};
+}
+
+std::optional<Difference> find_difference(const record::Session& session, haptic::Start start,
+                                          const std::function<void(std::uint64_t)>& reached) {
+    Replay replay(session, std::move(start));
+    if (auto difference = replay.compare_start()) return difference;
+    while (!replay.is_over()) {
+        if (auto difference = replay.step()) return difference;
+        if (reached) reached(replay.ticks() - 1);
+    }
+    return std::nullopt;
+}
+
+}  // namespace onggi::app

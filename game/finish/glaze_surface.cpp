@@ -1,0 +1,57 @@
+#include "game/finish/glaze_surface.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace onggi::finish {
+namespace {
+
+float hashed(int x, int y) {
+    auto n = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U;
+    n = (n ^ (n >> 13U)) * 1274126177U;
+    return static_cast<float>((n ^ (n >> 16U)) & 0xffffU) / 65535.0F;
+}
+
+// Smooth noise of two numbers, 0 to 1.
+float noise(float x, float y) {
+    const float fx = std::floor(x);
+    const float fy = std::floor(y);
+    const int ix = static_cast<int>(fx);
+    const int iy = static_cast<int>(fy);
+    const float u = glm::smoothstep(0.0F, 1.0F, x - fx);
+    const float v = glm::smoothstep(0.0F, 1.0F, y - fy);
+    return glm::mix(glm::mix(hashed(ix, iy), hashed(ix + 1, iy), u),
+                    glm::mix(hashed(ix, iy + 1), hashed(ix + 1, iy + 1), u), v);
+}
+
+}  // namespace
+
+float finger_ring(const GlazePlace& at) {
+    return std::sin(at.height_mm * 1.05F + 1.3F * noise(at.height_mm * 0.11F, 2.0F)) * 0.5F +
+           (noise(at.height_mm * 0.8F, at.angle * 0.6F) - 0.5F);
+}
+
+vec3 glaze_colour(const GlazeMaterial& glaze, float height_mm, const GlazePlace& at) {
+    if (is_bare(glaze, at)) return glaze.body;
+    const float ring = finger_ring(at);
+    float thick =
+        0.5F + 0.5F * noise(at.height_mm * 0.05F, at.angle * 1.5F + 7.0F) - glaze.breaks * 0.20F * ring;
+    // Glaze draws back from a rim.
+    thick -= glaze.breaks * 0.9F * std::exp(-(height_mm - at.height_mm) / 2.2F);
+    if (glaze.brushed > 0.0F) {
+        const float streak = noise(at.height_mm * 1.15F, at.angle * 0.9F + 0.04F * at.height_mm) * 0.62F +
+                             noise(at.height_mm * 3.1F, at.angle * 0.5F) * 0.38F;
+        thick = glm::mix(thick, glm::smoothstep(0.30F, 0.58F, streak), glaze.brushed);
+    }
+    if (glaze.runs > 0.0F) {
+        const float drop =
+            noise(at.angle * 9.0F, 1.0F) * 0.6F + noise(at.angle * 23.0F, at.height_mm * 0.03F) * 0.4F;
+        const float high = at.height_mm / height_mm;
+        thick += glaze.runs * (drop - 0.5F) * 0.9F + glaze.runs * (high - 0.55F) * 0.5F;
+    }
+    thick = glm::clamp(thick, 0.0F, 1.0F);
+    const float grain = 0.97F + 0.06F * noise(at.height_mm * 2.3F, at.angle * 31.0F);
+    return glm::mix(glaze.thin_colour, glaze.colour, thick) * grain;
+}
+
+}  // namespace onggi::finish

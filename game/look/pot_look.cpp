@@ -1,0 +1,79 @@
+#include "game/look/pot_look.h"
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "engine/render/shapes/detail_texture.h"
+#include "engine/render/shapes/frame_build.h"
+#include "game/finish/glaze_surface.h"
+#include "shaders/lathe.h"
+
+namespace onggi::look {
+namespace {
+
+// The texture of streaks, read as a sampler does, between four texels.
+class Streaks {
+  public:
+    [[nodiscard]] vec4 at(float across, float up) const {
+        const float x = across * render::kDetailTexels - 0.5F;
+        const float y = up * render::kDetailTexels - 0.5F;
+        const auto left = static_cast<int>(std::floor(x));
+        const auto top = static_cast<int>(std::floor(y));
+        const float right_share = x - static_cast<float>(left);
+        const float low_share = y - static_cast<float>(top);
+        return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right_share),
+                        glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_share), low_share);
+    }
+
+  private:
+    [[nodiscard]] vec4 texel(int x, int y) const {
+        constexpr int kLast = render::kDetailTexels - 1;
+        const auto first = static_cast<std::size_t>(4 * ((y & kLast) * render::kDetailTexels + (x & kLast)));
+        vec4 value;
+        for (int channel = 0; channel < 4; ++channel)
+            value[channel] = static_cast<float>(texels_[first + static_cast<std::size_t>(channel)]) / 255.0F;
+        return value;
+    }
+    std::vector<std::uint8_t> texels_ = render::detail_texture();
+};
+
+}  // namespace
+
+PotLook lathe_look(const render::LatheMaterial& material, std::string name) {
+    const auto streaks = std::make_shared<const Streaks>();
+    const vec3 wet = render::wet_albedo(material.albedo, 1.0F);
+    const float wet_roughness = render::wet_roughness(material);
+    const auto at = [=](const Place& place) {
+        // Two of the texture go round, clockwise seen from above, as lathe.vert lays them.
+        const vec4 mark =
+            streaks->at(-place.angle * std::numbers::inv_pi_v<float>, place.along_mm / shaders::kStreakMm);
+        const vec3 body = glm::mix(material.albedo, wet, material.wetness);
+        return Surface{
+            .colour = body * shaders::lathe_tone(material.streaks, mark.x),
+            .roughness = shaders::lathe_roughness(material.roughness, wet_roughness, material.wetness),
+            .coat = shaders::lathe_film(material.film, mark.w, material.coat),
+            .lean_round = -shaders::lathe_lean(material.streaks, mark.y),
+            .lean_up = shaders::lathe_lean(material.streaks, mark.z)};
+    };
+    return {.name = std::move(name), .coat_roughness = render::film_roughness(material), .at = at};
+}
+
+PotLook glaze_look(const finish::GlazeMaterial& glaze, float height_mm) {
+    const auto at = [=](const Place& place) {
+        const finish::GlazePlace here{
+            .height_mm = place.height_mm, .angle = place.angle, .inside = place.inside};
+        constexpr float kBareRoughness = 0.85F;
+        const bool is_bare = finish::is_bare(glaze, here);
+        return Surface{.colour = finish::glaze_colour(glaze, height_mm, here),
+                       .roughness = is_bare ? kBareRoughness : glaze.roughness,
+                       .coat = is_bare ? 0.0F : glaze.clear_coat,
+                       .lean_up = finish::kFingerLean * finish::finger_ring(here)};
+    };
+    return {.name = std::string(glaze.id), .coat_roughness = glaze.coat_roughness, .at = at};
+}
+
+}  // namespace onggi::look

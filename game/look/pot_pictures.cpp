@@ -1,0 +1,228 @@
+#include "game/look/pot_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "engine/asset/mesh_order.h"
+#include "engine/render/beauty.h"
+#include "engine/render/shapes/lathe_light.h"
+#include "engine/render/shapes/lathe_profile.h"
+#include "shaders/lathe.h"
+
+namespace onggi::look {
+namespace {
+
+constexpr int kSubRows = 4;      // of a row of texels: streaks are finer than those
+constexpr float kSpanMm = 0.8F;  // of the outline that one normal stands for
+
+asset::Image blank() {
+    asset::Image image{.width = kPictureSide, .height = kPictureSide, .rgba = {}};
+    image.rgba.reserve(std::size_t{4} * kPictureSide * kPictureSide);
+    return image;
+}
+
+std::uint8_t byte_of(float share) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+}
+
+void add_texel(asset::Image& image, const vec3& value) {
+    image.rgba.insert(image.rgba.end(), {byte_of(value.x), byte_of(value.y), byte_of(value.z), 255});
+}
+
+// The outline as the wheel's picture has it, with its every groove.
+class Outline {
+  public:
+    Outline(const share::PotRings& rings, double shrinkage) {
+        const auto scaled = [&](double length_mm) { return static_cast<float>(length_mm * shrinkage); };
+        for (int i = 0; i < rings.count(); ++i) {
+            outer_.push_back(scaled(rings.outer_mm[share::PotRings::at(i)]));
+            inner_.push_back(scaled(rings.inner(i)));
+            top_.push_back(scaled(rings.edge_mm[share::PotRings::at(i) + 1]));
+        }
+        const bool is_hollow = !rings.inner_mm.empty();
+        render::build_profile(
+            {.radii_mm = outer_,
+             .inner_mm = is_hollow ? std::span<const float>(inner_) : std::span<const float>(),
+             .top_mm = top_},
+            profile_);
+        render::sample_profile(profile_, samples_);
+    }
+
+    [[nodiscard]] float height_mm() const { return profile_.height_mm; }
+    // Where along the outline a place of a wall lies.
+    [[nodiscard]] float along(float y_mm, bool inside) const {
+        const auto first =
+            profile_.points.begin() + static_cast<std::ptrdiff_t>(inside ? profile_.inside : 0);
+        const auto last =
+            profile_.points.begin() + static_cast<std::ptrdiff_t>(inside ? profile_.floor : profile_.edge);
+        if (first == last) return 0.0F;
+        const auto above = std::partition_point(first, last, [&](const render::ProfilePoint& point) {
+            return inside ? point.y_mm > y_mm : point.y_mm < y_mm;
+        });
+        if (above == first) return first->along_mm;
+        if (above == last) return (last - 1)->along_mm;
+        const render::ProfilePoint& before = *(above - 1);
+        const float rise = above->y_mm - before.y_mm;
+        const float share = rise == 0.0F ? 0.0F : (y_mm - before.y_mm) / rise;
+        return before.along_mm + share * (above->along_mm - before.along_mm);
+    }
+    [[nodiscard]] vec2 normal(float along_mm) const {
+        return render::profile_normal(profile_, along_mm, kSpanMm);
+    }
+    // The sky that a place sees, as the wheel's picture darkens it.
+    [[nodiscard]] float open(const share::PictureRow& at) const {
+        const vec2 normal(at.normal);
+        const auto radius_mm = static_cast<float>(at.radius_mm);
+        const auto y_mm = static_cast<float>(at.y_mm);
+        if (!at.inside) {
+            const float seen = normal.y < -0.9F ? 0.5F : render::open_outside(samples_, radius_mm, y_mm);
+            return shaders::lathe_open(seen, y_mm, normal.y, 0.0F);
+        }
+        constexpr float kOffTheWallMm = 0.4F;
+        return render::open_inside(samples_, std::max(radius_mm - kOffTheWallMm, 0.0F), y_mm + 0.1F, normal);
+    }
+
+  private:
+    std::vector<float> outer_;
+    std::vector<float> inner_;
+    std::vector<float> top_;
+    render::LatheProfile profile_;
+    render::LatheSamples samples_;
+};
+
+// The rows between two of which each place of the pictures lies.
+class RowsByPlace {
+  public:
+    explicit RowsByPlace(const std::vector<share::PictureRow>& rows) : rows_(rows) {}
+
+    // v never falls from one call to the next.
+    share::PictureRow at(double v) {
+        while (next_ + 1 < rows_.size() && rows_[next_].v < v)
+            ++next_;
+        const share::PictureRow& below = rows_[next_];
+        const share::PictureRow& above = rows_[next_ == 0 ? 0 : next_ - 1];
+        const double run = below.v - above.v;
+        const double share = run > 0.0 ? std::clamp((v - above.v) / run, 0.0, 1.0) : 1.0;
+        const dvec2 normal = glm::mix(above.normal, below.normal, share);
+        return {.v = v,
+                .radius_mm = glm::mix(above.radius_mm, below.radius_mm, share),
+                .y_mm = glm::mix(above.y_mm, below.y_mm, share),
+                .normal = glm::length(normal) > 0.0 ? glm::normalize(normal) : below.normal,
+                .inside = share < 0.5 ? above.inside : below.inside};
+    }
+
+  private:
+    const std::vector<share::PictureRow>& rows_;
+    std::size_t next_ = 0;
+};
+
+// A row of the pictures, where it is and what its normal is measured against.
+struct BakedRow {
+    share::PictureRow row;
+    float along_mm = 0.0F;
+    vec2 fine{0.0F};  // the outline's own normal
+};
+
+BakedRow baked_row(const share::PictureRow& row, const Outline& outline) {
+    constexpr double kMostUpright = 0.9;
+    BakedRow baked{.row = row,
+                   .along_mm = outline.along(static_cast<float>(row.y_mm), row.inside),
+                   .fine = vec2(row.normal)};
+    // Floors, feet and flat rims are as the mesh has them.
+    if (std::fabs(row.normal.y) > kMostUpright) {
+        baked.along_mm += static_cast<float>(row.inside ? -row.radius_mm : row.radius_mm);
+        return baked;
+    }
+    const vec2 own = outline.normal(baked.along_mm);
+    // Beside a ledge the outline's mean turns into it; the mesh has that edge itself.
+    constexpr float kSameFace = 0.94F;
+    if (glm::dot(own, baked.fine) > kSameFace) baked.fine = own;
+    return baked;
+}
+
+// Of the mesh's normal (r, y) at that row, the way of the pictures' up and the normal itself; the outline's
+// leans from it.
+vec3 in_tangent_space(const BakedRow& baked, float lean_round, float lean_up) {
+    const vec2 out(baked.row.normal);
+    const vec2 along(-out.y, out.x);
+    const vec2 shown = baked.fine + vec2(0.0F, lean_up);
+    return glm::normalize(vec3(lean_round, glm::dot(shown, along), std::max(glm::dot(shown, out), 0.1F)));
+}
+
+}  // namespace
+
+PotPictures bake(const std::vector<share::PictureRow>& rows, const share::PotRings& rings, double shrinkage,
+                 const PotLook& look) {
+    PotPictures pictures{.base_colour = blank(), .normal = blank(), .surface = blank(), .coat = blank()};
+    const Outline outline(rings, shrinkage);
+    RowsByPlace places(rows);
+    for (int y = 0; y < kPictureSide; ++y) {
+        std::array<BakedRow, kSubRows> sub;
+        for (int i = 0; i < kSubRows; ++i) {
+            const double v = (y + (i + 0.5) / kSubRows) / kPictureSide;
+            sub[static_cast<std::size_t>(i)] = baked_row(places.at(v), outline);
+        }
+        const float open = outline.open(sub[kSubRows / 2].row);
+        for (int x = 0; x < kPictureSide; ++x) {
+            const float angle =
+                2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F) / kPictureSide;
+            Surface mean{.colour = vec3(0.0F), .roughness = 0.0F, .coat = 0.0F};
+            vec3 normal(0.0F);
+            for (const BakedRow& baked : sub) {
+                const Surface found = look.at({.height_mm = static_cast<float>(baked.row.y_mm),
+                                               .along_mm = baked.along_mm,
+                                               .angle = angle,
+                                               .inside = baked.row.inside});
+                mean.colour += found.colour / static_cast<float>(kSubRows);
+                mean.roughness += found.roughness / static_cast<float>(kSubRows);
+                mean.coat += found.coat / static_cast<float>(kSubRows);
+                normal += in_tangent_space(baked, found.lean_round, found.lean_up);
+            }
+            for (int channel = 0; channel < 3; ++channel)
+                pictures.base_colour.rgba.push_back(render::srgb_byte(mean.colour[channel]));
+            pictures.base_colour.rgba.push_back(255);
+            add_texel(pictures.normal, 0.5F + 0.5F * glm::normalize(normal));
+            add_texel(pictures.surface, vec3(open, mean.roughness, 0.0F));
+            add_texel(pictures.coat, vec3(mean.coat));
+            pictures.is_coated = pictures.is_coated || mean.coat > 0.0F;
+        }
+    }
+    return pictures;
+}
+
+Result<std::vector<std::byte>> dressed_glb(const share::PotRings& rings, const PotLook& look,
+                                           share::PotFile file) {
+    auto pot = share::build_pot_solid(
+        rings, {.shrinkage = file.shrinkage, .most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+    if (!pot) return pot.error();
+    const PotPictures pictures = bake(pot->picture_rows, rings, file.shrinkage, look);
+    asset::Material material{
+        .name = look.name, .base_colour_linear = dvec3(1.0), .roughness = 1.0, .metallic = 1.0};
+    // Finer where the eye is: colour, then shape.
+    constexpr int kColourQuality = 88;
+    constexpr int kNormalQuality = 85;
+    constexpr int kSurfaceQuality = 75;
+    const auto put = [](std::vector<std::byte>& into, const asset::Image& image,
+                        int quality) -> Result<void> {
+        auto bytes = asset::encode_jpeg(image, quality);
+        if (!bytes) return bytes.error();
+        into = std::move(bytes).value();
+        return {};
+    };
+    asset::Textures& textures = material.textures;
+    Result<void> done = put(textures.base_colour, pictures.base_colour, kColourQuality);
+    if (done) done = put(textures.normal, pictures.normal, kNormalQuality);
+    if (done) done = put(textures.surface, pictures.surface, kSurfaceQuality);
+    if (done && pictures.is_coated) {
+        material.clearcoat = {.factor = 1.0, .roughness = double{look.coat_roughness}};
+        done = put(textures.clearcoat, pictures.coat, kSurfaceQuality);
+    }
+    if (!done) return done.error();
+    asset::order_for_drawing(pot->mesh);
+    return share::glb_of(std::move(pot->mesh), std::move(material), std::move(file.extras));
+}
+
+}  // namespace onggi::look

@@ -1,0 +1,35 @@
+// The pictures that a pot wears when it leaves: its look baked onto its unwrapped solid (share/pot_solid.h
+// says how that lies in them). Any thread but the haptic one; pure: the same pot gives the same bytes.
+#pragma once
+
+#include <vector>
+
+#include "engine/asset/gltf.h"
+#include "engine/asset/image.h"
+#include "engine/core/result.h"
+#include "game/look/pot_look.h"
+#include "game/share/export.h"
+#include "game/share/pot_rings.h"
+#include "game/share/pot_solid.h"
+
+namespace onggi::look {
+
+constexpr int kPictureSide = 1024;  // a power of two, as mipmaps want it
+
+struct PotPictures {
+    asset::Image base_colour;  // sRGB
+    asset::Image normal;       // tangent space: red round the pot, green up the pictures, blue out
+    asset::Image surface;      // red: the sky it sees, green: roughness, blue: metal
+    asset::Image coat;         // red: how much water or glass lies on it
+    bool is_coated = false;
+};
+
+// `rows` are those of the solid, at a size that is the rings' times `shrinkage`.
+[[nodiscard]] PotPictures bake(const std::vector<share::PictureRow>& rows, const share::PotRings& rings,
+                               double shrinkage, const PotLook& look);
+
+// The pot as a GLB that wears its look; extras as share::PotFile has them. kBadInput as build_pot_solid().
+[[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const share::PotRings& rings, const PotLook& look,
+                                                         share::PotFile file);
+
+}  // namespace onggi::look

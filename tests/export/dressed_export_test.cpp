@@ -1,0 +1,174 @@
+// Pots that wear their look: sound solids all the same, within what a phone bears, and what the pictures
+// show.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/clay/studio/pot.h"
+#include "game/finish/glaze.h"
+#include "game/look/pot_pictures.h"
+#include "game/share/studio_export.h"
+#include "game/wheel/clay_look.h"
+#include "tests/support/mesh_check.h"
+#include "tests/support/studio_samples.h"
+
+namespace onggi {
+namespace {
+
+using support::StudioSample;
+
+const std::vector<StudioSample>& samples() {
+    static const std::vector<StudioSample> all = support::all_studio_samples();
+    return all;
+}
+
+const StudioSample& sample(std::string_view name) {
+    return *std::find_if(samples().begin(), samples().end(),
+                         [&](const auto& pot) { return pot.name == name; });
+}
+
+double scale_of(const StudioSample& pot) {
+    return clay::shrunk_scale(pot.clay.lump().body, pot.stage);
+}
+
+std::vector<std::byte> dressed(const StudioSample& pot) {
+    const clay::ClayBody body = pot.clay.lump().body;
+    auto bytes = look::dressed_glb(
+        share::rings_of(pot.clay.rings()), look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
+        {.extras = share::pot_extras(pot.clay, pot.stage), .shrinkage = scale_of(pot)});
+    EXPECT_TRUE(bytes) << pot.name << ": " << (bytes ? "" : bytes.error().message);
+    return bytes ? *bytes : std::vector<std::byte>{};
+}
+
+std::size_t gzipped(const std::vector<std::byte>& bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::vector<Bytef> packed(size);
+    compress2(packed.data(), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 9);
+    return size;
+}
+
+TEST(DressedPot, IsASoundSolidOfTheClaysVolumeWithinWhatAPhoneBears) {
+    for (const StudioSample& pot : samples()) {
+        const auto bytes = dressed(pot);
+        const auto file = support::read_glb(bytes);
+        ASSERT_TRUE(file) << pot.name << ": " << file.error().message;
+        const double metres = 1e-3 * scale_of(pot);
+        support::ExpectedPot expected;
+        expected.volume_m3 = pot.clay.volume_mm3() * metres * metres * metres;
+        expected.volume_tolerance = 1e-6;
+        expected.height_m = pot.clay.height_mm() * metres;
+        const auto outer = pot.clay.outer_mm();
+        expected.max_radius_m = *std::max_element(outer.begin(), outer.end()) * metres;
+        // 48 corners at the coarsest: 0.14 per cent outside the circle.
+        expected.radius_tolerance_m = pot.calm ? 2e-3 * expected.max_radius_m : 0.6e-3;
+        expected.off_axis_m = pot.off_axis_mm * metres;
+        expected.euler = pot.euler;
+        expected.parts = pot.parts;
+        if (!pot.calm) expected.min_normal_agreement = -1.0;
+        EXPECT_EQ(support::find_faults(file->mesh, expected), std::vector<std::string>{}) << pot.name;
+        EXPECT_LE(file->mesh.indices.size() / 3, share::kMaxSharedTriangles) << pot.name;
+        EXPECT_LE(gzipped(bytes), 1'000'000U) << pot.name;
+    }
+}
+
+TEST(DressedPot, WearsPicturesThatGoWithItsAttributes) {
+    const auto file = support::read_glb(dressed(sample("studio_dented")));
+    ASSERT_TRUE(file);
+    const nlohmann::json& attributes = file->json.at("meshes")[0]["primitives"][0]["attributes"];
+    EXPECT_TRUE(attributes.contains("TANGENT"));
+    EXPECT_TRUE(attributes.contains("TEXCOORD_0"));
+    const nlohmann::json& material = file->json.at("materials")[0];
+    EXPECT_TRUE(material.contains("normalTexture"));
+    EXPECT_TRUE(material.contains("occlusionTexture"));
+    for (const nlohmann::json& image : file->json.at("images"))
+        EXPECT_EQ(image.at("mimeType"), "image/jpeg");
+}
+
+TEST(DressedPot, IsTheSameFileTwice) {
+    EXPECT_EQ(dressed(samples().front()), dressed(samples().front()));
+}
+
+// How often a vertex looks away from a face that it belongs to.
+int against_their_faces(const asset::Mesh& mesh) {
+    int count = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const dvec3 a(mesh.positions_m[mesh.indices[i]]);
+        const dvec3 area = glm::cross(dvec3(mesh.positions_m[mesh.indices[i + 1]]) - a,
+                                      dvec3(mesh.positions_m[mesh.indices[i + 2]]) - a);
+        for (std::size_t k = 0; k < 3; ++k)
+            count += glm::dot(dvec3(mesh.normals[mesh.indices[i + k]]), area) <= 0.0;
+    }
+    return count;
+}
+
+// A wall into which a rasp was pressed: a band of narrow dents, deep and askew from row to row.
+share::PotRings pressed_wall() {
+    share::PotRings rings;
+    constexpr int kRings = 400;
+    rings.sectors = 64;
+    for (int i = 0; i <= kRings; ++i)
+        rings.edge_mm.push_back(0.25 * i);
+    double volume = 0.0;
+    for (int i = 0; i < kRings; ++i) {
+        rings.outer_mm.push_back(40.0);
+        rings.inner_mm.push_back(i < 40 ? 0.0 : 34.0);
+        volume += M_PI * 0.25 * (1600.0 - rings.inner(i) * rings.inner(i));
+        for (int sector = 0; sector < rings.sectors; ++sector) {
+            const int at = (sector * 37 + (i / 2) * 101) % 23;
+            rings.dents_mm.push_back(i >= 200 && i < 240 ? 0.5F * static_cast<float>(at - 11) : 0.0F);
+        }
+    }
+    rings.volume_mm3 = volume;
+    return rings;
+}
+
+TEST(DentedPot, HasNoNormalAgainstAFaceOfItsOwn) {
+    for (const share::PotRings& rings :
+         {share::rings_of(sample("studio_dented").clay.rings()), pressed_wall()}) {
+        for (const bool unwraps : {false, true}) {
+            const auto solid = share::build_pot_solid(rings, {.unwraps = unwraps});
+            ASSERT_TRUE(solid) << solid.error().message;
+            EXPECT_EQ(against_their_faces(solid->mesh), 0);
+        }
+    }
+}
+
+// The mean of a part of a picture, in eighths from the top.
+dvec3 mean_of(const asset::Image& image, int from_row, int to_row) {
+    dvec3 sum(0.0);
+    for (int y = from_row; y < to_row; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const auto at = static_cast<std::size_t>(4 * (y * image.width + x));
+            for (int channel = 0; channel < 3; ++channel)
+                sum[channel] += image.rgba[at + static_cast<std::size_t>(channel)];
+        }
+    }
+    return sum / (double(to_row - from_row) * image.width);
+}
+
+TEST(PotPictures, ShowAGlazeABareFootAndADarkInside) {
+    clay::StudioClay pot({.mass_g = 500.0});
+    pot.set_wall(40.0, 5.0, 10.0, 80.0, 400);
+    const share::PotRings rings = share::rings_of(pot.rings());
+    const auto solid =
+        share::build_pot_solid(rings, {.most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+    ASSERT_TRUE(solid);
+    const finish::GlazeMaterial& celadon = finish::glaze_at(0);
+    const look::PotPictures pictures =
+        look::bake(solid->picture_rows, rings, 1.0, look::glaze_look(celadon, 80.0F));
+    // From the top: floor 35 mm, inside 70, rim 5, outside 80, foot 40: 230 mm, 4.45 texels a mm.
+    const dvec3 wall = mean_of(pictures.base_colour, 600, 800);
+    const dvec3 foot = mean_of(pictures.base_colour, 900, 1020);
+    EXPECT_GT(wall.y, wall.x + 3.0) << "celadon is green";
+    EXPECT_GT(foot.x, foot.y + 10.0) << "its body is brown";
+    EXPECT_GT(mean_of(pictures.coat, 600, 800).x, 200.0);
+    EXPECT_EQ(mean_of(pictures.coat, 900, 1020).x, 0.0);
+    EXPECT_GT(mean_of(pictures.surface, 560, 650).x, 2.0 * mean_of(pictures.surface, 100, 200).x) << "sky";
+    EXPECT_NEAR(mean_of(pictures.normal, 600, 800).z, 255.0, 3.0);
+    EXPECT_NEAR(mean_of(pictures.normal, 600, 800).x, 127.5, 2.0);
+}
+
+}  // namespace
+}  // namespace onggi

@@ -1,0 +1,209 @@
+// The film of a session against the screenshots of its ticks, and the thread that makes it.
+#include "game/app/replay/film.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "game/app/command_line/performance.h"
+#include "game/app/command_line/throw_outputs.h"
+#include "game/app/replay/film_plan.h"
+#include "game/app/replay/film_thread.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/webp_frames.h"
+
+namespace onggi::app {
+namespace {
+
+const std::string kTwoHands = test::in_checkout("tests/replay/sessions/two-hands-250hz.onggi");
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+
+LoadedSession two_hands() {
+    auto session = load_session(kTwoHands);
+    if (!session) throw std::runtime_error(session.error().message);
+    return std::move(session).value();
+}
+
+FilmDesc short_film() {
+    return {.width = kWidth, .height = kHeight, .seconds = 1.0};
+}
+
+std::unique_ptr<FilmMaker> maker_of(const FilmDesc& desc) {
+    LoadedSession loaded = two_hands();
+    auto maker = FilmMaker::create(std::move(loaded.session), std::move(loaded.start), desc);
+    if (!maker) throw std::runtime_error(maker.error().message);
+    return std::move(maker).value();
+}
+
+// What `throw --screenshot` leaves after so many ticks of the session.
+asset::Image screenshot_after(std::uint64_t ticks) {
+    const test::TemporaryFolder folder;
+    auto performance = load_performance({.file = kTwoHands});
+    if (!performance) throw std::runtime_error(performance.error().message);
+    ThrowOutputs outputs;
+    outputs.screenshot = (folder / "p.png").string();
+    outputs.size = {kWidth, kHeight};
+    auto writer = OutputWriter::create(outputs, performance->start);
+    haptic::HapticState& state = performance->start.state;
+    const auto& parameters = performance->start.parameters;
+    haptic::TickResult last;
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        last = haptic::tick(state, performance->hand->read(tick, parameters.dt_s()), parameters);
+        EXPECT_TRUE(writer->add_tick(state, last));
+    }
+    const auto finished = writer->finish(state, last, {});
+    if (!finished) throw std::runtime_error(finished.error().message);
+    const std::string file = test::content_of(folder / "p.png");
+    auto image = asset::decode_png(std::as_bytes(std::span(file.data(), file.size())), "p.png");
+    if (!image) throw std::runtime_error(image.error().message);
+    return std::move(image).value();
+}
+
+double mean_difference(const asset::Image& a, const asset::Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        sum += std::abs(static_cast<double>(a.rgba[i]) - static_cast<double>(b.rgba[i]));
+    return sum / static_cast<double>(a.rgba.size());
+}
+
+TEST(Film, ShowsTheScreenshotsOfItsTicksToTheByteAndPacksThemInTheirOrder) {
+    const auto maker = maker_of(short_film());
+    const auto plan = film_plan(two_hands().session.tick_count(), 1.0);
+    ASSERT_EQ(maker->picture_count(), plan.size());
+    std::vector<asset::Image> drawn;
+    for (bool goes_on = true; goes_on;) {
+        const auto worked = maker->work();
+        ASSERT_TRUE(worked) << worked.error().message;
+        goes_on = *worked;
+        if (maker->pictures_drawn() > drawn.size()) drawn.push_back(maker->picture());
+    }
+    ASSERT_EQ(drawn.size(), plan.size());
+    for (const std::size_t at : {std::size_t{0}, std::size_t{4}, std::size_t{9}}) {
+        ASSERT_FALSE(plan[at].is_finished);
+        EXPECT_TRUE(drawn[at] == screenshot_after(plan[at].ticks)) << at;
+    }
+    EXPECT_FALSE(drawn[4] == drawn[9]);
+
+    auto film = maker->take();
+    ASSERT_TRUE(film) << film.error().message;
+    const test::WebpFrames frames = test::webp_frames(*film);
+    ASSERT_EQ(frames.images.size(), drawn.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        EXPECT_LT(mean_difference(frames.images[i], drawn[i]), 3.0) << i;
+        EXPECT_EQ(frames.ends_ms[i], kFilmPictureMs * static_cast<int>(i + 1));
+    }
+}
+
+// Draws all of it, and gives the file.
+Result<std::vector<std::byte>> film_of(const FilmDesc& desc) {
+    const auto maker = maker_of(desc);
+    for (bool goes_on = true; goes_on;) {
+        const auto worked = maker->work();
+        if (!worked) return worked.error();
+        goes_on = *worked;
+    }
+    return maker->take();
+}
+
+TEST(Film, StaysBelowItsBytesInALowerQualityOrSaysThatItCannot) {
+    FilmDesc desc = short_film();
+    desc.quick = true;
+    const auto best = film_of(desc);
+    ASSERT_TRUE(best);
+    EXPECT_EQ(*best, *film_of(desc)) << "the same session, the same film";
+    desc.most_bytes = best->size() / 2;
+    const auto smaller = film_of(desc);
+    ASSERT_TRUE(smaller);
+    EXPECT_LE(smaller->size(), desc.most_bytes);
+    EXPECT_EQ(test::webp_frames(*smaller).images.size(), test::webp_frames(*best).images.size());
+    desc.most_bytes = 1000;
+    const auto none = film_of(desc);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().kind, ErrorKind::kBadInput);
+    EXPECT_NE(none.error().message.find("expected at most 1000 bytes"), std::string::npos);
+}
+
+TEST(Film, DrawnQuicklyShowsTheSame) {
+    FilmDesc quick = short_film();
+    quick.quick = true;
+    const auto film = test::webp_frames(*film_of(quick));
+    const auto fine = test::webp_frames(*film_of(short_film()));
+    ASSERT_EQ(film.images.size(), fine.images.size());
+    for (std::size_t i = 0; i < film.images.size(); ++i)
+        EXPECT_LT(mean_difference(film.images[i], fine.images[i]), 2.0) << i;
+}
+
+TEST(Film, RejectsALengthAndASizeThatCannotBe) {
+    for (FilmDesc desc : {FilmDesc{.seconds = 0.5}, FilmDesc{.seconds = 61.0},
+                          FilmDesc{.seconds = std::nan("")}, FilmDesc{.width = 8}}) {
+        LoadedSession loaded = two_hands();
+        const auto maker = FilmMaker::create(std::move(loaded.session), std::move(loaded.start), desc);
+        ASSERT_FALSE(maker);
+        EXPECT_EQ(maker.error().kind, ErrorKind::kBadInput);
+    }
+}
+
+// A minute at most, of real time: it draws on a thread of its own.
+std::shared_ptr<const FilmThread::Film> wait_for_film(FilmThread& thread) {
+    for (int tenths = 0; tenths < 600; ++tenths) {
+        if (auto film = thread.next_film()) return film;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return nullptr;
+}
+
+TEST(FilmOnItsThread, IsTheSameFilm) {
+    FilmDesc desc = short_film();
+    desc.quick = true;
+    FilmThread thread;
+    LoadedSession loaded = two_hands();
+    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), desc));
+    const auto film = wait_for_film(thread);
+    ASSERT_NE(film, nullptr);
+    ASSERT_TRUE(*film) << film->error().message;
+    EXPECT_EQ(**film, *film_of(desc));
+    EXPECT_EQ(thread.share_made(), 1.0);
+    EXPECT_EQ(thread.next_film(), nullptr);
+}
+
+TEST(FilmOnItsThread, ThatIsCancelledComesToNothingAndAnotherCanBegin) {
+    FilmDesc desc = short_film();
+    desc.quick = true;
+    FilmDesc endless = desc;
+    endless.seconds = kLongestFilmS;
+    FilmThread thread;
+    LoadedSession loaded = two_hands();
+    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), endless));
+    for (int tenths = 0; tenths < 600 && thread.share_made() == 0.0; ++tenths)
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_GT(thread.share_made(), 0.0);
+    EXPECT_LT(thread.share_made(), 1.0);
+    thread.cancel();
+    EXPECT_EQ(thread.next_film(), nullptr);
+    loaded = two_hands();
+    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), desc));
+    const auto film = wait_for_film(thread);
+    ASSERT_NE(film, nullptr);
+    EXPECT_EQ(test::webp_frames(**film).images.size(), 13U);
+}
+
+TEST(FilmOnItsThread, SaysWhyThereIsNone) {
+    FilmDesc desc = short_film();
+    desc.width = 1;
+    FilmThread thread;
+    LoadedSession loaded = two_hands();
+    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), desc));
+    const auto film = wait_for_film(thread);
+    ASSERT_NE(film, nullptr);
+    ASSERT_FALSE(*film);
+    EXPECT_EQ(film->error().kind, ErrorKind::kBadInput);
+}
+
+}  // namespace
+}  // namespace onggi::app

@@ -1,0 +1,21 @@
+// The pictures of an animated WebP, as a viewer shows them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/asset/image.h"
+
+namespace onggi::test {
+
+struct WebpFrames {
+    std::vector<asset::Image> images;
+    std::vector<int> ends_ms;  // when each of them makes room for the next
+    int plays = 0;             // 0: without end
+};
+
+// Throws std::runtime_error where libwebp refuses the bytes.
+[[nodiscard]] WebpFrames webp_frames(std::span<const std::byte> file);
+
+}  // namespace onggi::test

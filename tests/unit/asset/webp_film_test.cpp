@@ -1,0 +1,95 @@
+#include "engine/asset/webp_film.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/webp_frames.h"
+
+namespace onggi::asset {
+namespace {
+
+constexpr int kWidth = 40;
+constexpr int kHeight = 30;
+
+// A slope of colours under a square that moves.
+Image picture(int index) {
+    Image image{.width = kWidth, .height = kHeight, .rgba = {}};
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const bool in_square = std::abs(x - 8 - 3 * index) < 5 && std::abs(y - 15) < 5;
+            image.rgba.push_back(static_cast<std::uint8_t>(in_square ? 230 : 4 * x));
+            image.rgba.push_back(static_cast<std::uint8_t>(in_square ? 40 : 6 * y));
+            image.rgba.push_back(static_cast<std::uint8_t>(in_square ? 20 : 90));
+            image.rgba.push_back(255);
+        }
+    }
+    return image;
+}
+
+std::vector<std::byte> film(double quality, int pictures = 6) {
+    auto made = WebpFilm::create({.width = kWidth, .height = kHeight, .quality = quality});
+    EXPECT_TRUE(made);
+    for (int i = 0; i < pictures; ++i)
+        EXPECT_TRUE(made->add(picture(i), 80));
+    auto file = made->finish();
+    EXPECT_TRUE(file);
+    return std::move(file).value();
+}
+
+double mean_difference(const Image& a, const Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        sum += std::abs(static_cast<double>(a.rgba[i]) - static_cast<double>(b.rgba[i]));
+    return sum / static_cast<double>(a.rgba.size());
+}
+
+TEST(WebpFilm, WithoutLossGivesBackEveryPixel) {
+    const test::WebpFrames frames = test::webp_frames(film(100.0));
+    ASSERT_EQ(frames.images.size(), 6U);
+    for (int i = 0; i < 6; ++i) {
+        EXPECT_EQ(frames.images[static_cast<std::size_t>(i)], picture(i)) << i;
+        EXPECT_EQ(frames.ends_ms[static_cast<std::size_t>(i)], 80 * (i + 1));
+    }
+    EXPECT_EQ(frames.plays, 1);
+}
+
+TEST(WebpFilm, WithLossIsSmallerAndLooksTheSame) {
+    const auto fine = film(90.0);
+    const auto coarse = film(10.0);
+    EXPECT_LT(coarse.size(), fine.size());
+    const test::WebpFrames frames = test::webp_frames(fine);
+    ASSERT_EQ(frames.images.size(), 6U);
+    for (int i = 0; i < 6; ++i)
+        EXPECT_LT(mean_difference(frames.images[static_cast<std::size_t>(i)], picture(i)), 6.0) << i;
+}
+
+TEST(WebpFilm, IsTheSameBytesEveryTime) {
+    EXPECT_EQ(film(75.0), film(75.0));
+}
+
+TEST(WebpFilm, OfOnePictureIsAFilm) {
+    EXPECT_EQ(test::webp_frames(film(100.0, 1)).images.size(), 1U);
+}
+
+TEST(WebpFilm, RejectsWhatItCannotPack) {
+    for (const WebpFilmDesc& desc :
+         {WebpFilmDesc{.width = 0}, WebpFilmDesc{.height = kMaxImageSide + 1}, WebpFilmDesc{.quality = -1.0},
+          WebpFilmDesc{.quality = 101.0}, WebpFilmDesc{.quality = std::nan("")}}) {
+        const auto made = WebpFilm::create(desc);
+        ASSERT_FALSE(made);
+        EXPECT_EQ(made.error().kind, ErrorKind::kBadInput);
+        EXPECT_NE(made.error().message.find("expected"), std::string::npos);
+    }
+    auto made = WebpFilm::create({.width = kWidth, .height = kHeight});
+    ASSERT_TRUE(made);
+    EXPECT_FALSE(made->finish());
+    Image other = picture(0);
+    EXPECT_FALSE(made->add(other, 0));
+    other.rgba.pop_back();
+    EXPECT_FALSE(made->add(other, 80));
+    EXPECT_FALSE(made->add({.width = 1, .height = 1, .rgba = {0, 0, 0, 255}}, 80));
+}
+
+}  // namespace
+}  // namespace onggi::asset
