@@ -311,6 +311,8 @@ Rules rules_of(const Config& config) {
     rules.idle_s = config.visit.idle_s;
     rules.countdown_s = config.visit.countdown_s;
     rules.shows_by_itself = config.visit.shows_by_itself;
+    rules.shares = shares(config);
+    rules.has_wifi = !config.sharing.wifi_name.empty();
     rules.default_volume = config.sound.volume;
     rules.default_text_size = config.screen.text_always_large ? 2 : 1;
     rules.locked = config.staff.locked;

@@ -28,10 +28,28 @@ std::string_view throwing_key(const State& state) {
     return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];
 }
 
+std::string_view phone_key(Phone phone) {
+    switch (phone) {
+        case Phone::kNone:
+            break;
+        case Phone::kPacking:
+            return "home.making";
+        case Phone::kWifi:
+            return "home.w1";
+        case Phone::kReady:
+            return "home.title";
+        case Phone::kResting:
+            return "home.nonet";
+        case Phone::kOver:
+            return "home.expired";
+    }
+    return "keep.title";
+}
+
 std::string_view keeping_key(const Keeping& keeping) {
     switch (keeping.outcome) {
         case Keeping::Outcome::kKept:
-            return "keep.title";
+            return phone_key(keeping.phone);
         case Keeping::Outcome::kFull:
             return "keep.fail";
         case Keeping::Outcome::kSaving:

@@ -74,9 +74,20 @@ struct Pace {
     std::optional<int> seen_since_touch{};  // the step last shown, until the visitor touches the clay
 };
 
+// The way home by phone, of a pot that is kept.
+enum class Phone {
+    kNone,     // not in this house
+    kPacking,  // its files are being made
+    kWifi,     // first the museum's Wi-Fi
+    kReady,
+    kResting,  // nothing to be had: no room on the disk, no network
+    kOver,     // its time is over, or the staff took it back
+};
+
 struct Keeping {
     enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
     int number = 0;  // of the day, when kept
+    Phone phone = Phone::kNone;
 
     friend bool operator==(const Keeping&, const Keeping&) = default;
 };

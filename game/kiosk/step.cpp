@@ -233,11 +233,12 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             break;
         case Event::Kind::kSaved:
         case Event::Kind::kSaveFailed:
-            if (state.screen == Screen::kKeep && state.keeping.outcome == Keeping::Outcome::kSaving) {
-                const bool kept = event.kind == Event::Kind::kSaved;
-                state.keeping = {kept ? Keeping::Outcome::kKept : Keeping::Outcome::kFull,
-                                 kept ? event.value : 0};
-            }
+            take_saved(turn, event);
+            break;
+        case Event::Kind::kShared:
+        case Event::Kind::kShareFailed:
+        case Event::Kind::kShareOver:
+            take_shared(turn, event);
             break;
         case Event::Kind::kDeviceLost:
         case Event::Kind::kDeviceBack:

@@ -43,6 +43,8 @@ enum class Button {
     kTakeGlaze,
     kOtherGlaze,
     kKeep,
+    kOnWifi,      // the phone has joined the museum's: the pot's code now
+    kShareAgain,  // another try, or another code
     kAnother,
     kFinish,
     kStay,
@@ -88,6 +90,9 @@ struct Event {
         kWarned,       // value: a Warning
         kCollapsed,    // value: the Warning that says what it gave way by
         kSaved,        // value: the pot's number of the day
+        kShared,       // value: the pot's number of the day; its code may be shown
+        kShareFailed,  // value: likewise
+        kShareOver,    // value: likewise; there was a code
         kSaveFailed,   // disk full, no permission: the visitor hears of the shelf, the staff of the reason
         kDeviceLost,
         kDeviceBack,
@@ -118,6 +123,7 @@ struct Effect {
         kStopShow,        // they leave the clay as it is
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
         kSave,
+        kShare,      // the kept pot, for phones
         kForgetPot,  // nothing of the visit before may be seen again
         kResume,
         kDropLeftOver,
@@ -156,8 +162,10 @@ struct Rules {
     int default_text_size = 1;
     int target_count = 4;
     int glaze_count = 6;
-    bool locked = false;  // no way out but the staff's
-    int pin = 0;          // of pin_digits; 0 digits: the staff panel cannot be opened
+    bool shares = false;    // a kept pot can be taken home by phone
+    bool has_wifi = false;  // after joining the museum's Wi-Fi
+    bool locked = false;    // no way out but the staff's
+    int pin = 0;            // of pin_digits; 0 digits: the staff panel cannot be opened
     int pin_digits = 0;
     int pin_tries = 3;         // wrong ones in a row; from the last of them on each wrong one costs a wait
     double pin_wait_s = 15.0;  // doubles with each

@@ -119,15 +119,6 @@ void press_your_pot(Turn& turn, const Event& event) {
     }
 }
 
-void press_keep(Turn& turn, const Event& event) {
-    if (turn.state.keeping.outcome == Keeping::Outcome::kSaving) return;  // not before it is known to be safe
-    if (event.button == Button::kAnother) {
-        turn.show(Screen::kChoose);
-    } else if (event.button == Button::kFinish) {
-        turn.end_visit();
-    }
-}
-
 void press_resume(Turn& turn, const Event& event) {
     if (event.button == Button::kResumeGo) {
         turn.state.left_over = false;

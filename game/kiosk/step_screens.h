@@ -38,6 +38,10 @@ void press_staff(Turn& turn, const Event& event);
 void begin_show(Turn& turn);
 void end_show(Turn& turn);
 void pass_show(Turn& turn);
+// Keeping, and the way home by phone; in step_keep.cpp.
+void press_keep(Turn& turn, const Event& event);
+void take_saved(Turn& turn, const Event& event);
+void take_shared(Turn& turn, const Event& event);
 // Cutting, drying and firing go on by themselves.
 void pass_firing(Turn& turn);
 

@@ -1,6 +1,8 @@
 #include "game/screens/icons.h"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,7 @@ struct Stroke {
     std::string_view path;
     std::optional<ui::Colour> fill{};
     float width = 3.6F;
+    std::optional<ui::Colour> own{};  // instead of the icon's colour
 };
 
 constexpr ui::Colour kMetal = ui::hex(0xc9bfae);
@@ -84,6 +87,17 @@ std::vector<Stroke> strokes_of(Icon icon) {
                     {"M22 16 V28 M42 16 V28", {}, 6.0F}};
         case Icon::kCheck:
             return {{"M10 34 L26 50 L55 15", {}, 6.0F}};
+        case Icon::kWifi:
+            return {{"M4 24 C20 8 44 8 60 24 M14 34 C24 24 40 24 50 34 M23 43 C28 38 36 38 41 43"},
+                    {"M29 52 a3 3 0 1 1 6 0 a3 3 0 1 1 -6 0 Z", design::kInk}};
+        case Icon::kNoWifi:
+            return {{"M4 24 C20 8 44 8 60 24 M14 34 C24 24 40 24 50 34 M23 43 C28 38 36 38 41 43"},
+                    {"M29 52 a3 3 0 1 1 6 0 a3 3 0 1 1 -6 0 Z", design::kInk},
+                    {"M9 60 L55 6", {}, 5.0F, design::kRust}};
+        case Icon::kNoCode:
+            return {
+                {"M8 8 H26 V26 H8 Z M38 8 H56 V26 H38 Z M8 38 H26 V56 H8 Z M38 38 H50 M38 47 H44 M48 56 H56"},
+                {"M9 60 L55 6", {}, 5.0F, design::kRust}};
         case Icon::kStepPress:
             return {{"M10 46 C10 30 16 14 32 14 C48 14 54 30 54 46 Z", kStepFill, 3.4F},
                     {"M3 51 H61", {}, 3.4F}};
@@ -104,7 +118,7 @@ void add_strokes(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::C
         sketch.add(ui::Shape{.path = std::string(one.path),
                              .placing = {.at = at, .scale = vec2(side / 64.0F)},
                              .fill = fill,
-                             .stroke = stroke,
+                             .stroke = one.own.value_or(stroke),
                              .stroke_width = one.width});
     }
 }
@@ -118,6 +132,21 @@ void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colo
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
               const std::optional<ui::Colour>& fill) {
     add_strokes(sketch, icon, at, side, stroke, std::optional(fill));
+}
+
+std::string spiral_path(float share) {
+    constexpr int kPoints = 240;
+    constexpr float kTurns = 6.0F;
+    std::string path;
+    for (int i = 0; i <= static_cast<int>(kPoints * share); ++i) {
+        const float along = static_cast<float>(i) / kPoints;
+        const float angle = along * kTurns * 6.2831853F - 1.5707963F;
+        const float radius = 66.0F + along * 92.0F;
+        path +=
+            fmt::format("{}{:.1f} {:.1f} ", i == 0 ? 'M' : 'L', 0.5F * kSpiralSide + radius * std::cos(angle),
+                        0.5F * kSpiralSide + radius * std::sin(angle));
+    }
+    return path;
 }
 
 std::span<const std::string_view> icon_paths(Icon icon) {

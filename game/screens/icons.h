@@ -29,6 +29,9 @@ enum class Icon {
     kCheck,
     kLookIn,
     kShow,
+    kWifi,
+    kNoWifi,
+    kNoCode,
     kStepPress,  // sections of the clay
     kStepOpen,
     kStepRaise,
@@ -40,6 +43,11 @@ void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colo
 // The same with every fill replaced: none, or one colour. For steps that are done or still to come.
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
               const std::optional<ui::Colour>& fill);
+
+// A coil of clay from its middle outwards, as far as the share says, in a square of kSpiralSide; 13 wide
+// where its turns are to touch.
+constexpr float kSpiralSide = 360.0F;
+[[nodiscard]] std::string spiral_path(float share);
 
 // All paths, for the test that reads them.
 [[nodiscard]] std::span<const std::string_view> icon_paths(Icon icon);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "game/screens/screens.h"
 
@@ -80,49 +79,6 @@ void near_words(Page& page, const Rect& rect, const Exhibit& exhibit) {
                              page.t(exhibit.name_key) + "\n" + page.t(exhibit.date_key) + " \u00b7 " +
                              page.t("your.scale");
     page.words(rect, {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
-}
-
-// Dark on light, with the quiet zone that cameras need.
-void phone_card(Page& page, const Rect& card) {
-    const PhoneCode& code = *page.view().phone;
-    page.card(card, design::kPorcelain, design::kPorcelain);
-    const bool beside = card.width > 1.3F * card.height;  // words beside the code
-    const float side = 232.0F;
-    const Rect place =
-        beside ? page.mirrored({page.mirrored(card).x + 30.0F, card.centre().y - 0.5F * side, side, side})
-               : Rect{card.centre().x - 0.5F * side, card.y + 30.0F, side, side};
-    // Whole pixels a module, so that edges are sharp.
-    const float px = std::max(1.0F, std::floor(side * page.px_per_u() / static_cast<float>(code.side)));
-    const float module = px / page.px_per_u();
-    const float whole = module * static_cast<float>(code.side);
-    std::string path;
-    for (int row = 0; row < code.side; ++row) {
-        for (int column = 0; column < code.side; ++column) {
-            if (!code.dark[static_cast<std::size_t>(row * code.side + column)]) continue;
-            path +=
-                fmt::format("M{:.4f} {:.4f} h{:.4f} v{:.4f} h-{:.4f} Z ", module * static_cast<float>(column),
-                            module * static_cast<float>(row), module, module, module);
-        }
-    }
-    ui::Sketch sketch;
-    sketch.add(ui::Shape{.path = path, .fill = ui::hex(0x000000)});
-    page.sprite({place.centre().x - 0.5F * whole, place.centre().y - 0.5F * whole, whole, whole},
-                std::move(sketch));
-    const Rect text = beside ? page.mirrored({page.mirrored(card).x + 30.0F + side + 24.0F, card.y + 50.0F,
-                                              card.width - side - 84.0F, card.height - 80.0F})
-                             : Rect{card.x + 16.0F, place.bottom() + 26.0F, card.width - 32.0F,
-                                    card.bottom() - place.bottom() - 34.0F};
-    const auto align = beside ? ui::Align::kStart : ui::Align::kCentre;
-    const float head =
-        page.words({text.x, text.y, text.width, 0.5F * text.height}, {.text = page.t("keep.qr"),
-                                                                      .size = 28.0F,
-                                                                      .line = 36.0F,
-                                                                      .bold = true,
-                                                                      .colour = design::kInk,
-                                                                      .align = align});
-    page.words(
-        {text.x, text.y + head + 2.0F, text.width, text.height - head - 2.0F},
-        {.text = page.t("keep.qr2"), .size = 26.0F, .line = 34.0F, .colour = design::kInk2, .align = align});
 }
 
 }  // namespace
@@ -211,9 +167,9 @@ void draw_keep(Page& page) {
     const bool square = page.shape() == Shape::kSquare;
     const float shelf_y = tall ? 560.0F : square ? 548.0F : 508.0F;
     const float foot_y = shelf_y + 12.0F;
-    const bool has_phone =
-        view.phone != nullptr && view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
-    const float pot_x = !has_phone ? 0.5F * width : tall ? 0.5F * width : square ? 310.0F : 420.0F;
+    const bool has_phone = view.state.keeping.phone != kiosk::Phone::kNone &&
+                           view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
+    const float pot_x = !has_phone || tall ? 0.5F * width : square ? 270.0F : 390.0F;
     const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
     page.museum({mirrored_x(pot_x), 0.44F * height}, {0.46F * width, 0.6F * height}, 0.32F);
     page.shelf(shelf_y, 32.0F);
@@ -228,7 +184,7 @@ void draw_keep(Page& page) {
             const float half = other.shape.radius_mm() * scale + 12.0F;
             const bool left = i % 2 == 0;
             const float x = left ? reach[0] - half : reach[1] + half;
-            const float taken = tall ? 24.0F : has_phone ? 460.0F : page.is_low() ? 206.0F : 24.0F;
+            const float taken = tall ? 24.0F : has_phone ? 508.0F : page.is_low() ? 206.0F : 24.0F;
             if (x - half < 24.0F || x + half > width - taken) continue;
             page.pot(other.shape, finish::glaze_at(other.glaze), scale, {mirrored_x(x), foot_y}, 0.76F);
             (left ? reach[0] : reach[1]) += left ? -2.0F * half : 2.0F * half;
@@ -245,48 +201,52 @@ void draw_keep(Page& page) {
     const float title_width = tall ? width - 250.0F : width - 260.0F;
     page.words(page.mirrored({32.0F, 24.0F, title_width, tall || full ? 126.0F : 66.0F}),
                {.text = full   ? page.t("keep.fail")
-                        : kept ? page.t("keep.title")
+                        : kept ? page.t(has_phone ? "home.title" : "keep.title")
                                : "",
                 .size = full ? 34.0F : 46.0F,
                 .line = full ? 44.0F : 62.0F,
                 .bold = full,
                 .title = !full,
                 .least_size = full ? 26.0F : 40.0F});
-    // Brought low, it stands under the phone's card, or beside the last token.
+    // Brought low, the token of languages stands under the phone's card, or beside the last token.
+    const Rect phone_card =
+        tall ? Rect{110.0F, 600.0F, 500.0F, 416.0F}
+             : page.mirrored({width - 484.0F, page.is_low() ? 28.0F : 104.0F, 452.0F, 416.0F});
     const float finish_width = tall ? width - 120.0F - (page.is_low() ? 168.0F : 0.0F) : 190.0F;
-    page.languages_token(
-        {tall ? 60.0F + finish_width + 18.0F : width - 182.0F, tall ? 1194.0F : 432.0F, 150.0F, 60.0F});
-    const float words_y = tall ? 930.0F : shelf_y + 54.0F;
+    page.languages_token({tall ? 60.0F + finish_width + 18.0F : width - 182.0F,
+                          tall        ? 1194.0F
+                          : has_phone ? phone_card.bottom() + 18.0F
+                                      : 432.0F,
+                          150.0F, 60.0F});
+    const float words_y = tall ? has_phone ? 1028.0F : 930.0F : shelf_y + 54.0F;
     if (kept) {
         const Rect rect = page.mirrored({36.0F, words_y,
                                          tall     ? width - 72.0F
                                          : square ? 480.0F
                                                   : 620.0F,
-                                         84.0F});
-        page.words(rect, {.text = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number))) +
-                                  "\n" + page.t("keep.priv"),
+                                         has_phone && tall ? 44.0F : 84.0F});
+        const std::string number = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number)));
+        const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");
+        page.words(rect, {.text = has_phone && tall ? promise : number + "\n" + promise,
                           .size = 28.0F,
                           .line = 40.0F,
                           .colour = design::kSlip3,
                           .align = tall ? ui::Align::kCentre : ui::Align::kStart});
     }
-    if (has_phone) {
-        phone_card(page, tall     ? Rect{110.0F, 600.0F, 500.0F, 318.0F}
-                         : square ? page.mirrored({612.0F, page.is_low() ? 28.0F : 124.0F, 380.0F, 392.0F})
-                                  : page.mirrored({844.0F, page.is_low() ? 28.0F : 104.0F, 404.0F, 392.0F}));
-    }
+    if (has_phone) add_phone_card(page, phone_card);
     if (view.state.keeping.outcome == kiosk::Keeping::Outcome::kSaving) return;
+    const bool joins = has_phone && view.state.keeping.phone == kiosk::Phone::kWifi;
+    const kiosk::Button next = joins ? kiosk::Button::kOnWifi : kiosk::Button::kAnother;
+    const std::string& next_name = page.t(joins ? "home.wnext" : "keep.again");
     if (tall) {
-        page.token({60.0F, 1090.0F, width - 120.0F, 84.0F}, Look::kPrimary, kiosk::Button::kAnother,
-                   page.t("keep.again"));
+        page.token({60.0F, 1090.0F, width - 120.0F, 84.0F}, Look::kPrimary, next, next_name);
         page.token(page.mirrored({60.0F, 1190.0F, finish_width, 68.0F}), Look::kOutline,
                    kiosk::Button::kFinish, page.t("keep.end"));
         return;
     }
     const float y = height - (square ? 118.0F : 130.0F);
     const float again = square ? 240.0F : 264.0F;
-    page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary,
-               kiosk::Button::kAnother, page.t("keep.again"));
+    page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary, next, next_name);
     page.token(page.mirrored({width - 50.0F - again - finish_width, y, finish_width, 78.0F}), Look::kOutline,
                kiosk::Button::kFinish, page.t("keep.end"));
 }

@@ -13,21 +13,6 @@ namespace {
 using kiosk::Button;
 using ui::Rect;
 
-// A clay spiral from its middle outwards, as far as the share says.
-std::string spiral(float share) {
-    constexpr int kPoints = 240;
-    constexpr float kTurns = 6.0F;
-    std::string path;
-    for (int i = 0; i <= static_cast<int>(kPoints * share); ++i) {
-        const float along = static_cast<float>(i) / kPoints;
-        const float angle = along * kTurns * 6.2831853F - 1.5707963F;
-        const float radius = 66.0F + along * 92.0F;
-        path += fmt::format("{}{:.1f} {:.1f} ", i == 0 ? 'M' : 'L', 180.0F + radius * std::cos(angle),
-                            180.0F + radius * std::sin(angle));
-    }
-    return path;
-}
-
 void veil(Page& page, float top, float bottom) {
     page.down({0.0F, 0.0F, page.width(), 0.6F * page.height()}, design::kNight.with_alpha(top),
               design::kNight.with_alpha(0.5F * (top + bottom)));
@@ -48,10 +33,10 @@ void draw_idle(Page& page) {
     ui::Sketch sketch;
     sketch.add(ui::Ellipse{{4.0F, 4.0F, 352.0F, 352.0F}, ui::Fill::flat(ui::hex(0x6f5a44))});
     sketch.add(ui::Ellipse{{7.0F, 7.0F, 346.0F, 346.0F}, ui::Fill::flat(ui::hex(0x2b2019))});
-    sketch.add(ui::Shape{.path = spiral(1.0F), .stroke = ui::hex(0x4a3829), .stroke_width = 13.0F});
+    sketch.add(ui::Shape{.path = spiral_path(1.0F), .stroke = ui::hex(0x4a3829), .stroke_width = 13.0F});
     if (share > 0.0F) {
-        sketch.add(ui::Shape{.path = spiral(share), .stroke = ui::hex(0xc79a6c), .stroke_width = 13.0F});
-        sketch.add(ui::Shape{.path = spiral(share),
+        sketch.add(ui::Shape{.path = spiral_path(share), .stroke = ui::hex(0xc79a6c), .stroke_width = 13.0F});
+        sketch.add(ui::Shape{.path = spiral_path(share),
                              .placing = {.at = {-2.0F, -3.0F}},
                              .stroke = ui::hex(0xe6c79d),
                              .stroke_width = 3.0F});

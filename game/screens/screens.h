@@ -23,6 +23,9 @@ void draw_language(Page& page);
 void draw_pin(Page& page);
 void draw_staff(Page& page);
 
+// The card by which the pot goes home by phone, at whatever that has come to.
+void add_phone_card(Page& page, const ui::Rect& card);
+
 // What forces are shown with, and the panel where the visitor asked for it.
 void add_forces(Page& page);
 

@@ -47,6 +47,14 @@ struct PhoneCode {
     std::vector<bool> dark;
 };
 
+// How a kept pot goes home by phone.
+struct PhoneWay {
+    PhoneCode page;                   // the address of the pot's page
+    std::string code;                 // "K73F\u00b7Q9TX", for who types it
+    std::optional<PhoneCode> wifi{};  // to join before, and its name
+    std::string wifi_name{};
+};
+
 // A line of the staff's panel.
 struct StaffLine {
     std::string name;
@@ -64,6 +72,8 @@ struct FramePlot {
 
     friend bool operator==(const FramePlot&, const FramePlot&) = default;
 };
+
+constexpr int kPackingSteps = 3;  // shape, film, for printing
 
 // Two that are equal look the same, and nothing in it changes that is not seen: what asks for a new screen is
 // a View that differs. What turns, blinks or follows the hand is drawn over it, frame by frame.
@@ -95,12 +105,13 @@ struct View {
     std::string heard;                  // key of a caption for sound; empty: none
     std::string staff_title;
     std::vector<StaffLine> staff_lines;
-    std::string staff_pot;                   // that the staff is asked about
-    std::string staff_notice;                // what came of a test
-    FramePlot staff_plot;                    // empty: none on this page
-    bool only_forces = false;                // nothing but them, over a picture that plays by itself
-    bool closed = false;                     // outside the opening hours: attract is dim
-    std::shared_ptr<const PhoneCode> phone;  // the way to take the pot home by phone; null: there is none
+    std::string staff_pot;                  // that the staff is asked about
+    std::string staff_notice;               // what came of a test
+    FramePlot staff_plot;                   // empty: none on this page
+    bool only_forces = false;               // nothing but them, over a picture that plays by itself
+    bool closed = false;                    // outside the opening hours: attract is dim
+    std::shared_ptr<const PhoneWay> phone;  // once its files are all there; null: not yet, or not at all
+    int packed = 0;                         // of kPackingSteps, while they are made
 
     friend bool operator==(const View&, const View&) = default;
 };

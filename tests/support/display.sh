@@ -1,10 +1,10 @@
 # A display of a test's own. Sourced, never run.
 
 # open_display FOLDER WxH: starts Xvfb, waits until it listens and sets `server` (its process) and DISPLAY. What it says
-# lies in FOLDER. The server itself picks a free number and tells it; guessing one would race with other tests. Without
+# lies in FOLDER, and in FOLDER/Xvfb_screen0 what it shows, as xwd writes it. The server itself picks a free number and tells it; guessing one would race with other tests. Without
 # -noreset it starts anew whenever its last client leaves, and turns away who comes just then.
 open_display() {
-    Xvfb -displayfd 1 -noreset -screen 0 "${2}x24" -nolisten tcp >"$1/display" 2>"$1/display.log" &
+    Xvfb -displayfd 1 -noreset -fbdir "$1" -screen 0 "${2}x24" -nolisten tcp >"$1/display" 2>"$1/display.log" &
     server=$!
     for _ in $(seq 300); do
         [ -s "$1/display" ] && break

@@ -4,7 +4,7 @@
 # picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
 # others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
 # have no buttons for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
-# likewise; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
+# likewise; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/throwing.sh"
@@ -44,6 +44,7 @@ idle_s = 180
 folder = "gallery"
 least_free_mb = 1
 TOML
+[ -z "${SHARES:-}" ] || source "$(dirname "${BASH_SOURCE[0]}")/phone.sh"
 open_kiosk() {
     local words=("$onggi" kiosk --config kiosk.toml --size "$size")
     if [ "$hand" = gamepad ] || [ "$hand" = spacemouse ]; then
@@ -173,7 +174,13 @@ keep_the_pot() {
     "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
     sleep 0.6
     on_screen keep
-    press keep finish; on_screen attract
+    if [ -n "${SHARES:-}" ]; then
+        take_it_home
+        press home-ready finish
+    else
+        press keep finish
+    fi
+    on_screen attract
     xdotool key Escape
     wait "$kiosk" || status=$?
     [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"

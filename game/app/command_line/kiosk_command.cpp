@@ -147,6 +147,8 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (auto started = job.start(); !started) return started.error();
     if (auto started = keeper.start(); !started) return started.error();
     keeper.note_start();
+    KioskPhone phone(*settings);
+    if (auto started = phone.start(); !started) return started.error();
     const StopGuard stop_guard(job);
     for (const std::string& line : job.refusals())
         remark(line);
@@ -160,6 +162,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                           .hand = hand,
                           .devices = *devices,
                           .keeper = keeper,
+                          .phone = kiosk::shares(settings->config) ? &phone : nullptr,
                           .sound = sound,
                           .settings = *settings,
                           .show = show,
@@ -169,6 +172,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
         if (played) played = run_visits(visit, job, *settings, sound);
         if (visit.restarts()) end = KioskEnd::kStartAnew;
     }
+    phone.stop();
     keeper.stop();
     job.stop();
     while (const auto answer = keeper.next_answer())

@@ -135,9 +135,22 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (!bytes) return bytes.error();
         return files::write_file_atomically(folder->inside() / name, *bytes);
     };
-}  // namespace
-
-asset::Image straight_picture(ui::Painting painting) {
+    {
+        // First, so that its pixels are gone before the other solids are made.
+        const asset::Image portrait = straight_picture(std::move(pot.portrait));
+        if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
+        if (auto written = write("pot.3mf", share::export_pot(*pot.clay, clay::Firing::kGlaze,
+                                                              share::ExportKind::k3mf, nullptr, &portrait));
+            !written)
+            return written.error();
+    }
+    const double scale = clay::shrunk_scale(pot.clay->lump().body, clay::Firing::kGlaze);
+    const auto height_mm = static_cast<float>(pot.clay->height_mm() * scale);
+    if (auto written =
+            write("pot.glb",
+                  look::dressed_glb(
+                      share::rings_of(pot.clay->rings()), look::glaze_look(*pot.glaze, height_mm),
+                      {.extras = share::pot_extras(*pot.clay, clay::Firing::kGlaze), .shrinkage = scale}));
         !written)
         return written.error();
     if (auto written =

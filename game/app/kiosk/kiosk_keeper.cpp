@@ -274,13 +274,15 @@ void KioskKeeper::save_now(const Wish& wish) {
                   .clay = cut_.get(),
                   .glaze = &finish::glaze_at(wish.glaze),
                   .portrait = portrait(*wish.shape, wish.glaze, kPortraitPx)};
-    const auto number = gallery_.keep(std::move(pot), today());
+    const std::string day = today();
+    const auto number = gallery_.keep(std::move(pot), day);
     if (number) {
         end_journal();
+        const std::string name = fmt::format("{}/pot-{:03}", day, *number);
         answer({.kind = KeeperAnswer::Kind::kSaved,
                 .number = *number,
-                .words = fmt::format(
-                    "kept {}", (gallery_.folder() / today() / fmt::format("pot-{:03}", *number)).string())});
+                .gallery_name = name,
+                .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
     } else {
         answer({.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message});
     }

@@ -29,6 +29,7 @@ struct KeeperAnswer {
     Kind kind = Kind::kRemark;
     std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
     int number = 0;                                  // of a saved one, of the day
+    std::string gallery_name{};                      // likewise: "2026-11-21/pot-014"
     std::string words{};                             // for the log
     std::vector<std::string> pots{};                 // of a survey: newest first
     double free_mb = 0.0;                            // of a survey, as all below

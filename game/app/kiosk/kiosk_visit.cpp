@@ -28,6 +28,7 @@ KioskVisit::KioskVisit(const VisitParts& parts)
              .job = parts.job,
              .devices = parts.devices,
              .keeper = parts.keeper,
+             .phone = parts.phone,
              .sound = parts.sound,
              .config = parts.settings.config,
              .start = parts.start,

@@ -41,7 +41,9 @@ void StaffDesk::test_sound() {
 
 void StaffDesk::delete_pot(int number) {
     if (number < 0 || static_cast<std::size_t>(number) >= pots_.size()) return;
-    parts_.keeper.remove(pots_[static_cast<std::size_t>(number)]);
+    const std::string& name = pots_[static_cast<std::size_t>(number)];
+    parts_.keeper.remove(name);
+    if (parts_.phone != nullptr) parts_.phone->withdraw(name);
 }
 
 void StaffDesk::leave() {

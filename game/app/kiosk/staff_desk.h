@@ -8,6 +8,7 @@
 
 #include "game/app/kiosk/kiosk_health.h"
 #include "game/app/kiosk/kiosk_keeper.h"
+#include "game/app/kiosk/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_sound.h"
 #include "game/app/kiosk/kiosk_staff.h"
 #include "game/app/system/start_log.h"
@@ -21,6 +22,7 @@ struct DeskParts {
     haptic::HapticJob& job;
     HandDevices& devices;
     KioskKeeper& keeper;
+    KioskPhone* phone;  // as VisitParts has it
     KioskSound& sound;
     const kiosk::Config& config;
     StartReport start;

@@ -51,8 +51,12 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kSave:
             save();
             break;
+        case Effect::Kind::kShare:
+            share();
+            break;
         case Effect::Kind::kForgetPot:
             pot_.reset();
+            phone_way_.reset();
             parts_.keeper.forget();
             break;
         case Effect::Kind::kRestart:
@@ -101,12 +105,39 @@ void VisitEffects::save() {
     parts_.keeper.save(std::shared_ptr<const pot::Section>(pot_, &pot_->shape), flow_.state().glaze);
 }
 
+void VisitEffects::share() {
+    phone_way_.reset();
+    const kiosk::State& state = flow_.state();
+    if (!pot_ || parts_.phone == nullptr)
+        return flow_.dispatch({Event::Kind::kShareFailed, Button::kNone, state.keeping.number});
+    parts_.phone->share({.number = state.keeping.number,
+                         .gallery_name = kept_name_,
+                         .pot = pot_,
+                         .glaze = state.glaze,
+                         .language = state.comfort.language});
+}
+
+void VisitEffects::take_phone_answers() {
+    if (parts_.phone == nullptr) return;
+    while (const auto answer = parts_.phone->next_answer()) {
+        if (!answer->words.empty()) flow_.say(answer->words);
+        const bool is_this_pot = answer->gallery_name == kept_name_ && pot_ != nullptr;
+        if (!is_this_pot || answer->kind == PhoneAnswer::Kind::kRemark) continue;
+        if (answer->kind == PhoneAnswer::Kind::kShared) phone_way_ = answer->way;
+        const Event::Kind kind = answer->kind == PhoneAnswer::Kind::kShared   ? Event::Kind::kShared
+                                 : answer->kind == PhoneAnswer::Kind::kFailed ? Event::Kind::kShareFailed
+                                                                              : Event::Kind::kShareOver;
+        flow_.dispatch({kind, Button::kNone, flow_.state().keeping.number});
+    }
+}
+
 void VisitEffects::keep_house() {
     const auto language = static_cast<std::size_t>(flow_.state().house_language);
     parts_.keeper.keep(HouseWish{flow_.state().house_volume, (*parts_.settings.languages)[language].code()});
 }
 
 void VisitEffects::take_answers() {
+    take_phone_answers();
     while (const auto answer = parts_.keeper.next_answer()) {
         if (!answer->words.empty()) flow_.say(answer->words);
         switch (answer->kind) {
@@ -119,6 +150,7 @@ void VisitEffects::take_answers() {
                 if (day_.size() > kMostOnShelf) day_.pop_back();
                 ++kept_;
                 ++pots_kept_;
+                kept_name_ = answer->gallery_name;
                 flow_.dispatch({Event::Kind::kSaved, Button::kNone, answer->number});
                 break;
             case KeeperAnswer::Kind::kSaveFailed:

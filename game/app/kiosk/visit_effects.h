@@ -35,11 +35,15 @@ class VisitEffects {
     // The last few pots that were kept, the newest first.
     [[nodiscard]] const std::vector<screens::ShelfPot>& day() const { return day_; }
     [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
+    // How the kept pot goes home by phone; null where it does not, or not yet.
+    [[nodiscard]] const std::shared_ptr<const screens::PhoneWay>& phone_way() const { return phone_way_; }
     [[nodiscard]] bool quits() const { return quits_; }
     [[nodiscard]] bool restarts() const { return restarts_; }
 
   private:
     void save();
+    void share();
+    void take_phone_answers();
     void keep_house();
 
     const VisitParts& parts_;
@@ -49,6 +53,8 @@ class VisitEffects {
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;
     std::vector<screens::ShelfPot> day_;
+    std::string kept_name_;  // of it, in the gallery
+    std::shared_ptr<const screens::PhoneWay> phone_way_;
     bool thrown_ = false;  // clay was put on in this visit
     int kept_ = 0;         // pots of it
     std::uint64_t pots_kept_ = 0;

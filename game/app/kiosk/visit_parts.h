@@ -8,6 +8,7 @@
 #include "game/app/devices/hand_devices.h"
 #include "game/app/kiosk/demonstrations.h"
 #include "game/app/kiosk/kiosk_keeper.h"
+#include "game/app/kiosk/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_sound.h"
 #include "game/app/kiosk/kiosk_staff.h"
@@ -28,6 +29,7 @@ struct VisitParts {
     haptics::SimulatedDevice& hand;
     HandDevices& devices;
     KioskKeeper& keeper;
+    KioskPhone* phone = nullptr;  // null: nothing is taken home by phone
     KioskSound& sound;
     const KioskSettings& settings;
     const Show& show;

@@ -18,7 +18,7 @@ screens::FiredPot jar(const KioskSettings& settings) {
     for (int i = 0; i <= 40; ++i)
         outside.push_back(
             {50.0F + 20.0F * std::sin(static_cast<float>(i) * 0.08F), static_cast<float>(i) * 4.0F});
-    pot.shape = screens::hollowed(outside, 5.0F, 8.0F);
+    pot.shape = pot::hollowed(outside, 5.0F, 8.0F);
     pot.height_mm = 160.0;
     pot.width_mm = 140.0;
     pot.weight_g = 900.0;

@@ -80,6 +80,9 @@ std::vector<Happening> events() {
         at_once("save failed", Kind::kSaveFailed, 0,
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
                 "saving+pin -> keep+pin, saving+staff -> keep+staff"),
+        at_once("shared", Kind::kShared, 1, ""),
+        at_once("share failed", Kind::kShareFailed, 1, ""),
+        at_once("share over", Kind::kShareOver, 1, ""),
         at_once("device lost", Kind::kDeviceLost, 0, ""),
         at_once("device back", Kind::kDeviceBack, 0, ""),
         at_once("force rests", Kind::kForceRests, 0, ""),
@@ -140,6 +143,8 @@ std::vector<Happening> buttons() {
         {Button::kTakeGlaze, any + ", glaze -> your-pot"},
         {Button::kOtherGlaze, any + ", your-pot -> glaze"},
         {Button::kKeep, any + ", your-pot -> saving"},
+        {Button::kOnWifi, any},
+        {Button::kShareAgain, any},
         {Button::kAnother, any + ", keep -> choose"},
         {Button::kFinish, any + ", keep -> attract"},
         {Button::kStay, any},

@@ -300,13 +300,20 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.pot = std::make_shared<const FiredPot>(pot);
     });
     add("keep", Screen::kKeep, [](View& view) { view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14}; });
-    add("keep-phone", Screen::kKeep, [](View& view) {
-        view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14};
-        PhoneCode code{.side = 25, .dark = {}};
-        for (int i = 0; i < code.side * code.side; ++i)
-            code.dark.push_back((i * 7 + i / code.side * 3) % 5 < 2);
-        view.phone = std::make_shared<const PhoneCode>(std::move(code));
-    });
+    for (const auto& [name, phone] :
+         {std::pair("home-packing", kiosk::Phone::kPacking), std::pair("home-wifi", kiosk::Phone::kWifi),
+          std::pair("home-ready", kiosk::Phone::kReady), std::pair("home-resting", kiosk::Phone::kResting),
+          std::pair("home-over", kiosk::Phone::kOver)}) {
+        add(name, Screen::kKeep, [phone = phone](View& view) {
+            view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14, phone};
+            view.packed = 1;
+            PhoneCode code{.side = 29, .dark = {}};
+            for (int i = 0; i < code.side * code.side; ++i)
+                code.dark.push_back((i * 7 + i / code.side * 3) % 5 < 2);
+            view.phone = std::make_shared<const PhoneWay>(
+                PhoneWay{.page = code, .code = "K73F\u00b7Q9TX", .wifi = code, .wifi_name = "Museum-Guest"});
+        });
+    }
     add("keep-saving", Screen::kKeep, nothing);
     add("keep-full", Screen::kKeep, [](View& view) {
         view.state.keeping = {kiosk::Keeping::Outcome::kFull, 0};

@@ -1,0 +1,121 @@
+#include "game/app/kiosk/kiosk_phone.h"
+
+#include <qrcodegen/qrcodegen.hpp>
+
+#include <utility>
+
+#include "engine/asset/image.h"
+#include "game/app/kiosk/kiosk_share.h"
+#include "game/kiosk/config.h"
+#include "game/sharing/share_link.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr std::int64_t kAsksEveryNs = 30'000'000;
+constexpr std::int64_t kExpireEveryNs = 60'000'000'000;
+constexpr int kPosterPx = 360;
+
+// Error correction M: a seventh of it may be in the shade of a lamp.
+screens::PhoneCode code_of(const std::string& text) {
+    const auto qr = qrcodegen::QrCode::encodeText(text.c_str(), qrcodegen::QrCode::Ecc::MEDIUM);
+    screens::PhoneCode code{.side = qr.getSize(), .dark = {}};
+    for (int row = 0; row < code.side; ++row) {
+        for (int column = 0; column < code.side; ++column)
+            code.dark.push_back(qr.getModule(column, row));
+    }
+    return code;
+}
+
+}  // namespace
+
+Result<void> KioskPhone::start() {
+    if (!kiosk::shares(settings_.config)) return {};
+    return thread_.start(*this, "phone");
+}
+
+std::shared_ptr<const PhoneAnswer> KioskPhone::next_answer() {
+    std::shared_ptr<const PhoneAnswer> next;
+    return answers_.try_pop(next) ? next : nullptr;
+}
+
+void KioskPhone::answer(PhoneAnswer answer) {
+    static_cast<void>(answers_.try_push(std::make_shared<const PhoneAnswer>(std::move(answer))));
+}
+
+std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
+    std::shared_ptr<const PhoneWish> wish;
+    while (wishes_.try_pop(wish)) {
+        if (wish->pot) {
+            share_now(*wish);
+        } else {
+            withdraw_now(wish->gallery_name);
+        }
+    }
+    expire(now_ns);
+    return kAsksEveryNs;
+}
+
+// Not at the start alone: a folder that comes later, on a disk that is plugged in, is as good.
+Result<void> KioskPhone::open() {
+    if (outbox_) return {};
+    auto opened = sharing::Outbox::open(outbox_options(settings_));
+    if (!opened) return opened.error();
+    outbox_.emplace(std::move(*opened));
+    return {};
+}
+
+Result<screens::PhoneWay> KioskPhone::shared(const PhoneWish& wish) {
+    const kiosk::Config& config = settings_.config;
+    if (auto opened = open(); !opened) return opened.error();
+    // Before anything is put there: without an address nobody would find it.
+    const auto base = share_base_url(config);
+    if (!base) return base.error();
+    const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / wish.gallery_name;
+    sharing::SharedPot pot = shared_pot(*wish.pot, wish.glaze, settings_, wish.language);
+    pot.gallery_name = wish.gallery_name;
+    pot.picture.path = folder / "pot.png";
+    pot.model_glb.path = folder / "pot.glb";
+    pot.print_stl.path = folder / "pot.stl";
+    pot.print_3mf.path = folder / "pot.3mf";
+    auto poster = asset::encode_png(share_poster(wish.pot->shape, wish.glaze, kPosterPx));
+    if (!poster) return poster.error();
+    pot.poster.bytes = std::move(*poster);
+    const auto code = outbox_->put(pot, share_time_now(config));
+    if (!code) return code.error();
+    screens::PhoneWay way{.page = code_of(sharing::page_url(*base, *code)), .code = code->shown()};
+    if (const std::string wifi = sharing::wifi_text(config); !wifi.empty()) {
+        way.wifi = code_of(wifi);
+        way.wifi_name = config.sharing.wifi_name;
+    }
+    return way;
+}
+
+void KioskPhone::share_now(const PhoneWish& wish) {
+    PhoneAnswer made{.number = wish.number, .gallery_name = wish.gallery_name};
+    auto way = shared(wish);
+    if (way) {
+        made.kind = PhoneAnswer::Kind::kShared;
+        made.way = std::make_shared<const screens::PhoneWay>(std::move(*way));
+    } else {
+        made.kind = PhoneAnswer::Kind::kFailed;
+        made.words = "sharing: " + way.error().message;
+    }
+    answer(std::move(made));
+}
+
+void KioskPhone::withdraw_now(const std::string& gallery_name) {
+    if (auto opened = open(); !opened) return;
+    const auto gone = outbox_->withdraw_named(gallery_name);
+    if (!gone) return answer({.words = "sharing: " + gone.error().message});
+    if (*gone) answer({.kind = PhoneAnswer::Kind::kOver, .gallery_name = gallery_name});
+}
+
+void KioskPhone::expire(std::int64_t now_ns) {
+    if (!outbox_ || now_ns - expired_ns_ < kExpireEveryNs) return;
+    expired_ns_ = now_ns;
+    const auto gone = outbox_->expire(share_time_now(settings_.config).now_s);
+    if (!gone) answer({.words = "sharing: " + gone.error().message});
+}
+
+}  // namespace onggi::app

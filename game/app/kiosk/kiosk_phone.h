@@ -1,0 +1,77 @@
+// Hands kept pots to the outbox for phones, beside the frame, and says by which code each is found. Asked and
+// answered by the main thread through rings; the work is done on a thread of its own, because a disk may be
+// slow and because no answer of it may hold up a pot that is being kept.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/jobs/io_thread.h"
+#include "engine/jobs/spsc_ring.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/screens/view.h"
+#include "game/sharing/outbox.h"
+
+namespace onggi::app {
+
+// A kept pot, its files and what the page says of it.
+struct PhoneWish {
+    int number = 0;              // of the day
+    std::string gallery_name{};  // "2026-11-21/pot-014"
+    std::shared_ptr<const screens::FiredPot> pot{};
+    int glaze = 0;
+    int language = 0;
+};
+
+struct PhoneAnswer {
+    enum class Kind { kShared, kFailed, kOver, kRemark };
+    Kind kind = Kind::kRemark;
+    int number = 0;                                  // of the wish
+    std::string gallery_name{};                      // likewise; of kOver: whose code is over
+    std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
+    std::string words{};                             // for the log; never the code
+};
+
+class KioskPhone final : private jobs::IoWork {
+  public:
+    // `settings` outlives it.
+    explicit KioskPhone(const KioskSettings& settings) : settings_(settings) {}
+    ~KioskPhone() override { stop(); }
+
+    // Does nothing where the settings share nothing.
+    Result<void> start();
+    void stop() noexcept { thread_.stop(); }
+
+    // Main thread, wait-free. Answered by kShared once every file is on the disk, or by kFailed.
+    void share(PhoneWish wish) { ask(std::move(wish)); }
+    // The staff has deleted that pot. Answered by kOver where it had a code.
+    void withdraw(std::string gallery_name) { ask({.gallery_name = std::move(gallery_name)}); }
+    [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer();
+
+  private:
+    void ask(PhoneWish wish) {
+        static_cast<void>(wishes_.try_push(std::make_shared<const PhoneWish>(std::move(wish))));
+    }
+    // The thread's own.
+    [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
+    void finish() noexcept override {}
+    [[nodiscard]] Result<void> open();
+    [[nodiscard]] Result<screens::PhoneWay> shared(const PhoneWish& wish);
+    void share_now(const PhoneWish& wish);
+    void withdraw_now(const std::string& gallery_name);
+    void expire(std::int64_t now_ns);
+    void answer(PhoneAnswer answer);
+
+    const KioskSettings& settings_;
+    std::optional<sharing::Outbox> outbox_;
+    std::int64_t expired_ns_ = 0;
+    jobs::SpscRing<std::shared_ptr<const PhoneWish>> wishes_{16};
+    jobs::SpscRing<std::shared_ptr<const PhoneAnswer>> answers_{16};
+    jobs::IoThread thread_;
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,55 @@
+// A pot that is kept, and its way home by phone.
+#include "game/kiosk/step_screens.h"
+
+namespace onggi::kiosk {
+namespace {
+
+void share(Turn& turn) {
+    turn.state.keeping.phone = Phone::kPacking;
+    turn.add(Effect::Kind::kShare);
+}
+
+}  // namespace
+
+void take_saved(Turn& turn, const Event& event) {
+    Keeping& keeping = turn.state.keeping;
+    if (turn.state.screen != Screen::kKeep || keeping.outcome != Keeping::Outcome::kSaving) return;
+    if (event.kind == Event::Kind::kSaveFailed) {
+        keeping = {.outcome = Keeping::Outcome::kFull};
+        return;
+    }
+    keeping = {.outcome = Keeping::Outcome::kKept, .number = event.value};
+    if (turn.rules.shares) share(turn);
+}
+
+void take_shared(Turn& turn, const Event& event) {
+    Keeping& keeping = turn.state.keeping;
+    // Of the pot before, whose visitor did not wait for it.
+    if (turn.state.screen != Screen::kKeep || keeping.number != event.value) return;
+    const bool waits = keeping.phone == Phone::kPacking;
+    const bool has_code = keeping.phone == Phone::kWifi || keeping.phone == Phone::kReady;
+    if (event.kind == Event::Kind::kShared && waits) {
+        keeping.phone = turn.rules.has_wifi ? Phone::kWifi : Phone::kReady;
+    } else if (event.kind == Event::Kind::kShareFailed && waits) {
+        keeping.phone = Phone::kResting;
+    } else if (event.kind == Event::Kind::kShareOver && has_code) {
+        keeping.phone = Phone::kOver;
+    }
+}
+
+void press_keep(Turn& turn, const Event& event) {
+    Keeping& keeping = turn.state.keeping;
+    if (keeping.outcome == Keeping::Outcome::kSaving) return;  // not before it is known to be safe
+    if (event.button == Button::kAnother) {
+        turn.show(Screen::kChoose);
+    } else if (event.button == Button::kFinish) {
+        turn.end_visit();
+    } else if (event.button == Button::kOnWifi && keeping.phone == Phone::kWifi) {
+        keeping.phone = Phone::kReady;
+    } else if (event.button == Button::kShareAgain &&
+               (keeping.phone == Phone::kResting || keeping.phone == Phone::kOver)) {
+        share(turn);
+    }
+}
+
+}  // namespace onggi::kiosk

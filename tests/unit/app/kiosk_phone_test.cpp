@@ -1,0 +1,106 @@
+// A kept pot handed to the outbox, on its own thread and a real disk.
+#include "game/app/kiosk/kiosk_phone.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "engine/asset/image.h"
+#include "engine/files/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class KioskPhoneTest : public testing::Test {
+  protected:
+    KioskPhoneTest() {
+        settings_ = load_settings("").value();
+        settings_.config.gallery.folder = (folder_.path() / "gallery").string();
+        settings_.config.sharing.outbox = (folder_.path() / "outbox").string();
+        settings_.config.sharing.public_url = "http://pots.example";
+        const fs::path pot = folder_.path() / "gallery" / kName;
+        fs::create_directories(pot);
+        const asset::Image picture{.width = 2, .height = 2, .rgba = std::vector<std::uint8_t>(16, 200)};
+        EXPECT_TRUE(files::write_file_atomically(pot / "pot.png", asset::encode_png(picture).value()));
+        for (const char* file : {"pot.glb", "pot.stl", "pot.3mf"})
+            std::ofstream(pot / file) << file;
+    }
+    [[nodiscard]] PhoneWish wish() const {
+        auto pot = std::make_shared<screens::FiredPot>();
+        pot->shape = pot::hollowed({{40, 0}, {50, 50}, {45, 100}}, 5.0F, 8.0F);
+        pot->height_mm = 100.0;
+        return {.number = 3, .gallery_name = kName, .pot = pot};
+    }
+    static std::shared_ptr<const PhoneAnswer> answer_of(KioskPhone& phone) {
+        for (int i = 0; i < 3000; ++i) {
+            if (auto answer = phone.next_answer()) return answer;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return nullptr;
+    }
+    [[nodiscard]] std::vector<sharing::OutboxEntry> shared() const {
+        return sharing::Outbox::open({.folder = folder_.path() / "outbox", .languages = settings_.languages})
+            .value()
+            .list()
+            .value();
+    }
+
+    static constexpr const char* kName = "2026-11-22/pot-003";
+    test::TemporaryFolder folder_;
+    KioskSettings settings_;
+};
+
+TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
+    settings_.config.sharing.wifi_name = "Museum-Guest";
+    KioskPhone phone(settings_);
+    ASSERT_TRUE(phone.start());
+    phone.share(wish());
+    const auto answer = answer_of(phone);
+    ASSERT_TRUE(answer);
+    ASSERT_EQ(answer->kind, PhoneAnswer::Kind::kShared) << answer->words;
+    EXPECT_EQ(answer->number, 3);
+    const auto entries = shared();
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].gallery_name, kName);
+    EXPECT_EQ(answer->way->code, entries[0].code.shown());
+    ASSERT_GE(answer->way->page.side, 21);
+    EXPECT_TRUE(answer->way->page.dark[0]) << "a corner of a QR code is dark";
+    ASSERT_TRUE(answer->way->wifi);
+    EXPECT_EQ(answer->way->wifi_name, "Museum-Guest");
+    for (const char* file : {"pot.glb", "pot.stl", "pot.3mf", "index.html"})
+        EXPECT_TRUE(fs::exists(folder_.path() / "outbox" / entries[0].code.text() / file)) << file;
+}
+
+TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
+    fs::remove(folder_.path() / "gallery" / kName / "pot.stl");
+    KioskPhone phone(settings_);
+    ASSERT_TRUE(phone.start());
+    phone.share(wish());
+    const auto answer = answer_of(phone);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, PhoneAnswer::Kind::kFailed);
+    EXPECT_NE(answer->words.find("pot.stl"), std::string::npos) << answer->words;
+    EXPECT_TRUE(shared().empty());
+}
+
+TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
+    KioskPhone phone(settings_);
+    ASSERT_TRUE(phone.start());
+    phone.share(wish());
+    ASSERT_TRUE(answer_of(phone));
+    phone.withdraw("2026-11-22/pot-002");
+    phone.withdraw(kName);
+    const auto answer = answer_of(phone);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->kind, PhoneAnswer::Kind::kOver);
+    EXPECT_EQ(answer->gallery_name, kName);
+    EXPECT_TRUE(shared().empty());
+}
+
+}  // namespace
+}  // namespace onggi::app

@@ -1,0 +1,32 @@
+# A kept pot goes home by phone: whoever visits points one at the screen. Sourced by visitor.sh, never run. A server of
+# the kiosk's own listens here; what it needs besides is zbarimg, which reads the code off the screen, and curl.
+phones=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+cat >>kiosk.toml <<TOML
+[sharing]
+listen = "127.0.0.1"
+port = $phones
+outbox = "outbox"
+TOML
+mkdir -p outbox
+"$onggi" share --outbox outbox --listen 127.0.0.1 --port "$phones" >share.log 2>&1 &
+phone_server=$!
+trap 'kill $kiosk $server $phone_server 2>/dev/null || true' EXIT
+
+address=
+reads_the_code() {
+    address=$(zbarimg -q --raw xwd:Xvfb_screen0 2>/dev/null | grep -m 1 '^http') && [ -n "$address" ]
+}
+# The code that the screen shows leads to the page, in the visitor's language, and to the gallery's own files.
+take_it_home() {
+    wait_for "a code that a phone can read" reads_the_code
+    local code=${address##*/} file
+    [ -d "outbox/$code" ] || fail "expected the code of a pot in the outbox, found '$address'"
+    curl -sSf --max-time 20 "$address/" >page.html || curl -sSf --max-time 20 -L "$address" >page.html ||
+        fail "expected a page at $address, found none"
+    grep -q "<html lang=\"$language\"" page.html || fail "expected a page in '$language', found $(head -c 200 page.html)"
+    for file in pot.glb pot.stl pot.3mf; do
+        curl -sSf --max-time 20 "${address%/}/$file" | cmp - "$pot/$file" ||
+            fail "expected the gallery's $file at $address, found another"
+    done
+    printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
+}
