@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -108,35 +107,14 @@ void add_packing(Page& page, const Rect& card) {
                                                          .colour = design::kInk,
                                                          .align = Align::kCentre});
     constexpr float kCoil = 172.0F;
-    const int packed = std::clamp(page.view().packed, 0, kPackingSteps);
-    const float share = (static_cast<float>(packed) + 0.5F) / static_cast<float>(kPackingSteps);
+    constexpr float kDone = 0.55F;  // some seconds, of which nobody counts
     ui::Sketch sketch;
     const ui::Placing placing{.at = vec2(0.0F), .scale = vec2(kCoil / kSpiralSide)};
-    for (const auto& [part, colour] :
-         {std::pair(1.0F, design::kRule), std::pair(std::min(share, 1.0F), design::kBareClay)}) {
+    for (const auto& [part, colour] : {std::pair(1.0F, design::kRule), std::pair(kDone, design::kBareClay)}) {
         sketch.add(ui::Shape{
             .path = spiral_path(part), .placing = placing, .stroke = colour, .stroke_width = 12.0F});
     }
-    page.sprite({card.centre().x - 0.5F * kCoil, card.y + 84.0F, kCoil, kCoil}, std::move(sketch));
-    constexpr std::array<const char*, kPackingSteps> kKeys{"home.m1", "home.m2", "home.m3"};
-    const float column = (card.width - 40.0F) / static_cast<float>(kPackingSteps);
-    for (int step = 0; step < kPackingSteps; ++step) {
-        const float x = page.mirrored(card).x + 20.0F + static_cast<float>(step) * column;
-        const Rect place = page.mirrored({x, card.y + 284.0F, column, 40.0F});
-        const bool now = step == packed;
-        page.words(place, {.text = page.t(kKeys[static_cast<std::size_t>(step)]),
-                           .size = 26.0F,
-                           .line = 36.0F,
-                           .bold = now,
-                           .colour = step > packed ? design::kInk2 : design::kInk,
-                           .align = Align::kCentre});
-        const Rect mark{place.centre().x - 36.0F, place.bottom() + 2.0F, 72.0F, 5.0F};
-        if (now) page.down(mark, design::kBareClay, design::kBareClay);
-        if (step >= packed) continue;
-        ui::Sketch tick;
-        add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, 22.0F, design::kInk);
-        page.sprite({place.centre().x - 11.0F, place.bottom() + 1.0F, 22.0F, 22.0F}, std::move(tick));
-    }
+    page.sprite({card.centre().x - 0.5F * kCoil, card.y + 116.0F, kCoil, kCoil}, std::move(sketch));
     page.words(line_below(card, card.y + 356.0F, 36.0F), {.text = page.t("home.gone"),
                                                           .size = 26.0F,
                                                           .line = 34.0F,

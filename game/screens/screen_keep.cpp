@@ -209,9 +209,12 @@ void draw_keep(Page& page) {
                 .title = !full,
                 .least_size = full ? 26.0F : 40.0F});
     // Brought low, the token of languages stands under the phone's card, or beside the last token.
-    const Rect phone_card =
-        tall ? Rect{110.0F, 600.0F, 500.0F, 416.0F}
-             : page.mirrored({width - 484.0F, page.is_low() ? 28.0F : 104.0F, 452.0F, 416.0F});
+    // A code is only looked at and may stand high; what can be pressed may not.
+    const kiosk::Phone phone = view.state.keeping.phone;
+    const bool asks = phone == kiosk::Phone::kResting || phone == kiosk::Phone::kOver;
+    const float card_y = !page.is_low() ? 104.0F : asks ? 0.5F * height - 232.0F : 28.0F;
+    const Rect phone_card = tall ? Rect{110.0F, 600.0F, 500.0F, 416.0F}
+                                 : page.mirrored({width - 484.0F, card_y, 452.0F, asks ? 330.0F : 416.0F});
     const float finish_width = tall ? width - 120.0F - (page.is_low() ? 168.0F : 0.0F) : 190.0F;
     page.languages_token({tall ? 60.0F + finish_width + 18.0F : width - 182.0F,
                           tall        ? 1194.0F

@@ -73,8 +73,6 @@ struct FramePlot {
     friend bool operator==(const FramePlot&, const FramePlot&) = default;
 };
 
-constexpr int kPackingSteps = 3;  // shape, film, for printing
-
 // Two that are equal look the same, and nothing in it changes that is not seen: what asks for a new screen is
 // a View that differs. What turns, blinks or follows the hand is drawn over it, frame by frame.
 struct View {
@@ -111,7 +109,6 @@ struct View {
     bool only_forces = false;               // nothing but them, over a picture that plays by itself
     bool closed = false;                    // outside the opening hours: attract is dim
     std::shared_ptr<const PhoneWay> phone;  // once its files are all there; null: not yet, or not at all
-    int packed = 0;                         // of kPackingSteps, while they are made
 
     friend bool operator==(const View&, const View&) = default;
 };

@@ -52,7 +52,6 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.exhibits = parts_.settings.exhibits;
     view.pot = effects_.pot();
     view.phone = effects_.phone_way();
-    view.packed = state.keeping.phone == kiosk::Phone::kPacking ? 1 : 0;  // its shape is in the gallery
     add_shelf(view, state);
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();

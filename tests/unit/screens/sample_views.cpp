@@ -306,7 +306,6 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
           std::pair("home-over", kiosk::Phone::kOver)}) {
         add(name, Screen::kKeep, [phone = phone](View& view) {
             view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14, phone};
-            view.packed = 1;
             PhoneCode code{.side = 29, .dark = {}};
             for (int i = 0; i < code.side * code.side; ++i)
                 code.dark.push_back((i * 7 + i / code.side * 3) % 5 < 2);
