@@ -21,7 +21,7 @@ take_it_home() {
     wait_for "a code that a phone can read" reads_the_code
     local code=${address##*/} file
     [ -d "outbox/$code" ] || fail "expected the code of a pot in the outbox, found '$address'"
-    curl -sSf --max-time 20 "$address/" >page.html || curl -sSf --max-time 20 -L "$address" >page.html ||
+    curl -sSf --max-time 20 -L "$address" >page.html ||
         fail "expected a page at $address, found none"
     grep -q "<html lang=\"$language\"" page.html || fail "expected a page in '$language', found $(head -c 200 page.html)"
     for file in pot.glb pot.stl pot.3mf; do
