@@ -109,6 +109,8 @@ TEST(KilledServer, ServesWholePotsAfterEveryStart) {
             alive = client.is_open() && client.say("GET " + target + " HTTP/1.1\r\nHost: pots\r\n\r\n");
             const HttpAnswer answer = alive ? client.answer() : HttpAnswer{};
             alive = answer.status != 0;
+            // On a quick machine this asks more often than one address may: nothing of a pot comes then.
+            if (answer.status == 429) continue;
             // Cut short in the middle a phone knows by the length; what came is of the pot.
             EXPECT_TRUE(!alive || answer.headers.at("content-length") == std::to_string(whole.size()));
             EXPECT_TRUE(whole.starts_with(answer.body));
