@@ -19,13 +19,14 @@ reads_the_code() {
 # The code that the screen shows leads to the page, in the visitor's language, and to the gallery's own files.
 take_it_home() {
     wait_for "a code that a phone can read" reads_the_code
+    address=${address%/}
     local code=${address##*/} file
-    [ -d "outbox/$code" ] || fail "expected the code of a pot in the outbox, found '$address'"
-    curl -sSf --max-time 20 -L "$address" >page.html ||
+    [[ $code =~ ^[0-9A-Z]{8}$ && -d outbox/$code ]] || fail "expected the code of a pot in the outbox, found '$address'"
+    curl -sSf --max-time 20 "$address/" >page.html ||
         fail "expected a page at $address, found none"
     grep -q "<html lang=\"$language\"" page.html || fail "expected a page in '$language', found $(head -c 200 page.html)"
     for file in pot.glb pot.stl pot.3mf; do
-        curl -sSf --max-time 20 "${address%/}/$file" | cmp - "$pot/$file" ||
+        curl -sSf --max-time 20 "$address/$file" | cmp - "$pot/$file" ||
             fail "expected the gallery's $file at $address, found another"
     done
     printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
