@@ -332,13 +332,6 @@ std::vector<RealTimeLack> RealTimeReport::lacks() const {
     return lacks;
 }
 
-Granted let_others_go_first() {
-    constexpr int kLastInLine = 19;
-    // Of one thread, as Linux takes it: POSIX would mean the whole process.
-    const auto thread = static_cast<id_t>(gettid());
-    return outcome(setpriority(PRIO_PROCESS, thread, kLastInLine) == 0 ? 0 : errno);
-}
-
 void name_this_thread(const char* name) {
     pthread_setname_np(pthread_self(), name);
 }

@@ -121,10 +121,6 @@ void give_back_code();
 // The calling thread, alone: SCHED_FIFO at that priority. For the few others whose lateness matters.
 Granted ask_for_fifo(int priority);
 
-// The calling thread, and those that it starts from now on: whoever else wants a core gets it first. Linux
-// refuses nobody that.
-Granted let_others_go_first();
-
 // Finds out what would be granted, on a thread of its own that ends at once; the process is left as it was,
 // but for memory locked before, which is unlocked. Any thread that is not real-time; takes a few ms.
 [[nodiscard]] RealTimeReport probe_real_time(const RealTimeRequest& request);

@@ -1,4 +1,4 @@
-// The film of a session against the screenshots of its ticks, and the thread that makes it.
+// The film of a session against the screenshots of its ticks.
 #include "game/app/replay/film.h"
 
 #include <gtest/gtest.h>
@@ -7,12 +7,10 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/throw_outputs.h"
 #include "game/app/replay/film_plan.h"
-#include "game/app/replay/film_thread.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/webp_frames.h"
@@ -147,62 +145,6 @@ TEST(Film, RejectsALengthAndASizeThatCannotBe) {
         ASSERT_FALSE(maker);
         EXPECT_EQ(maker.error().kind, ErrorKind::kBadInput);
     }
-}
-
-// A minute at most, of real time: it draws on a thread of its own.
-std::shared_ptr<const FilmThread::Film> wait_for_film(FilmThread& thread) {
-    for (int tenths = 0; tenths < 600; ++tenths) {
-        if (auto film = thread.next_film()) return film;
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    return nullptr;
-}
-
-TEST(FilmOnItsThread, IsTheSameFilm) {
-    FilmDesc desc = short_film();
-    desc.quick = true;
-    FilmThread thread;
-    LoadedSession loaded = two_hands();
-    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), desc));
-    const auto film = wait_for_film(thread);
-    ASSERT_NE(film, nullptr);
-    ASSERT_TRUE(*film) << film->error().message;
-    EXPECT_EQ(**film, *film_of(desc));
-    EXPECT_EQ(thread.share_made(), 1.0);
-    EXPECT_EQ(thread.next_film(), nullptr);
-}
-
-TEST(FilmOnItsThread, ThatIsCancelledComesToNothingAndAnotherCanBegin) {
-    FilmDesc desc = short_film();
-    desc.quick = true;
-    FilmDesc endless = desc;
-    endless.seconds = kLongestFilmS;
-    FilmThread thread;
-    LoadedSession loaded = two_hands();
-    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), endless));
-    for (int tenths = 0; tenths < 600 && thread.share_made() == 0.0; ++tenths)
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    EXPECT_GT(thread.share_made(), 0.0);
-    EXPECT_LT(thread.share_made(), 1.0);
-    thread.cancel();
-    EXPECT_EQ(thread.next_film(), nullptr);
-    loaded = two_hands();
-    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), desc));
-    const auto film = wait_for_film(thread);
-    ASSERT_NE(film, nullptr);
-    EXPECT_EQ(test::webp_frames(**film).images.size(), 13U);
-}
-
-TEST(FilmOnItsThread, SaysWhyThereIsNone) {
-    FilmDesc desc = short_film();
-    desc.width = 1;
-    FilmThread thread;
-    LoadedSession loaded = two_hands();
-    ASSERT_TRUE(thread.begin(std::move(loaded.session), std::move(loaded.start), desc));
-    const auto film = wait_for_film(thread);
-    ASSERT_NE(film, nullptr);
-    ASSERT_FALSE(*film);
-    EXPECT_EQ(film->error().kind, ErrorKind::kBadInput);
 }
 
 }  // namespace
