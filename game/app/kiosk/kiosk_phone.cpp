@@ -2,6 +2,7 @@
 
 #include <qrcodegen/qrcodegen.hpp>
 
+#include <map>
 #include <utility>
 
 #include "engine/asset/image.h"
@@ -13,7 +14,7 @@ namespace onggi::app {
 namespace {
 
 constexpr std::int64_t kAsksEveryNs = 30'000'000;
-constexpr std::int64_t kExpireEveryNs = 60'000'000'000;
+constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
 constexpr int kPosterPx = 360;
 
 // Error correction M: a seventh of it may be in the shade of a lamp.
@@ -52,7 +53,7 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
             withdraw_now(wish->gallery_name);
         }
     }
-    expire(now_ns);
+    look_after(now_ns);
     return kAsksEveryNs;
 }
 
@@ -97,6 +98,7 @@ void KioskPhone::share_now(const PhoneWish& wish) {
     if (way) {
         made.kind = PhoneAnswer::Kind::kShared;
         made.way = std::make_shared<const screens::PhoneWay>(std::move(*way));
+        note({.codes = 1});
     } else {
         made.kind = PhoneAnswer::Kind::kFailed;
         made.words = "sharing: " + way.error().message;
@@ -111,11 +113,40 @@ void KioskPhone::withdraw_now(const std::string& gallery_name) {
     if (*gone) answer({.kind = PhoneAnswer::Kind::kOver, .gallery_name = gallery_name});
 }
 
-void KioskPhone::expire(std::int64_t now_ns) {
-    if (!outbox_ || now_ns - expired_ns_ < kExpireEveryNs) return;
-    expired_ns_ = now_ns;
+void KioskPhone::look_after(std::int64_t now_ns) {
+    if (now_ns - looked_after_ns_ < kLooksEveryNs) return;
+    looked_after_ns_ = now_ns;
+    expire();
+    count_opened();
+}
+
+void KioskPhone::expire() {
+    if (auto opened = open(); !opened) return;  // said when somebody wants it
     const auto gone = outbox_->expire(share_time_now(settings_.config).now_s);
     if (!gone) answer({.words = "sharing: " + gone.error().message});
+}
+
+void KioskPhone::count_opened() {
+    using sharing::ShareEvent;
+    const std::string& pipe = settings_.config.sharing.counter;
+    if (pipe.empty()) return;
+    if (!counter_) {
+        auto opened = sharing::CounterReader::open(pipe);
+        if (!opened) return;
+        counter_.emplace(std::move(*opened));
+    }
+    std::map<ShareEvent, int> counts = counter_->take();
+    if (counts.empty()) return;
+    note({.pages = counts[ShareEvent::kPageOpened],
+          .models = counts[ShareEvent::kModelTaken],
+          .prints = counts[ShareEvent::kPrintTaken],
+          .films = counts[ShareEvent::kFilmTaken]});
+}
+
+// What could not be written down is said, and no more.
+void KioskPhone::note(const PhoneNote& phones) {
+    if (const auto noted = note_phones(statistics_folder(settings_.config), phones); !noted)
+        answer({.words = noted.error().message});
 }
 
 }  // namespace onggi::app

@@ -1,6 +1,7 @@
-// Hands kept pots to the outbox for phones, beside the frame, and says by which code each is found. Asked and
-// answered by the main thread through rings; the work is done on a thread of its own, because a disk may be
-// slow and because no answer of it may hold up a pot that is being kept.
+// Hands kept pots to the outbox for phones, beside the frame, and says by which code each is found; takes
+// away what is over and counts what is opened. Asked and answered by the main thread through rings; the work
+// is done on a thread of its own, because a disk may be slow and because no answer of it may hold up a pot
+// that is being kept.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,9 @@
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/kiosk_statistics.h"
 #include "game/screens/view.h"
+#include "game/sharing/open_counter.h"
 #include "game/sharing/outbox.h"
 
 namespace onggi::app {
@@ -63,12 +66,16 @@ class KioskPhone final : private jobs::IoWork {
     [[nodiscard]] Result<screens::PhoneWay> shared(const PhoneWish& wish);
     void share_now(const PhoneWish& wish);
     void withdraw_now(const std::string& gallery_name);
-    void expire(std::int64_t now_ns);
+    void look_after(std::int64_t now_ns);
+    void expire();
+    void count_opened();
+    void note(const PhoneNote& phones);
     void answer(PhoneAnswer answer);
 
     const KioskSettings& settings_;
     std::optional<sharing::Outbox> outbox_;
-    std::int64_t expired_ns_ = 0;
+    std::optional<sharing::CounterReader> counter_;
+    std::int64_t looked_after_ns_ = 0;
     jobs::SpscRing<std::shared_ptr<const PhoneWish>> wishes_{16};
     jobs::SpscRing<std::shared_ptr<const PhoneAnswer>> answers_{16};
     jobs::IoThread thread_;

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kVisits = "visits.csv";
 constexpr const char* kBreaks = "attract_breaks.csv";
 constexpr const char* kStarts = "starts.csv";
+constexpr const char* kPhones = "phones.csv";
 constexpr int kMostKept = 1000;  // in one visit; more no hand of this program wrote
 
 // A line that begins with the day and the hour; `rest` follows.
@@ -84,6 +85,12 @@ Result<void> note_attract_break(const fs::path& folder) {
 
 Result<void> note_start(const fs::path& folder) {
     return append(folder, kStarts, "day,hour", "");
+}
+
+Result<void> note_phones(const fs::path& folder, const PhoneNote& note) {
+    return append(
+        folder, kPhones, "day,hour,codes,pages,models,prints,films",
+        fmt::format(",{},{},{},{},{}", note.codes, note.pages, note.models, note.prints, note.films));
 }
 
 UseOfHour UseOfDay::total() const {

@@ -1,6 +1,7 @@
 // The measured use of a kiosk: local CSV files, a line a visit, a line whenever somebody interrupts the
-// attract screen, a line a start of the program. Nothing says who it was: a day, an hour, no minute, no
-// number, no shape. Any one thread at a time but the haptic one; blocks.
+// attract screen, a line a start of the program, a line a minute in which phones were busy. Nothing says who
+// it was: a day, an hour, no minute, no number, no shape. Any one thread at a time but the haptic one;
+// blocks.
 #pragma once
 
 #include <array>
@@ -26,6 +27,19 @@ Result<void> note_visit(const std::filesystem::path& folder, const VisitNote& no
 Result<void> note_attract_break(const std::filesystem::path& folder);
 // And to starts.csv: the program has started.
 Result<void> note_start(const std::filesystem::path& folder);
+
+// What phones were shown and took: counts, nothing of whom.
+struct PhoneNote {
+    int codes = 0;  // shown on the screen
+    int pages = 0;  // opened
+    int models = 0;
+    int prints = 0;
+    int films = 0;
+
+    friend bool operator==(const PhoneNote&, const PhoneNote&) = default;
+};
+// To phones.csv, which nobody else writes: another thread may note visits meanwhile.
+Result<void> note_phones(const std::filesystem::path& folder, const PhoneNote& note);
 
 struct UseOfHour {
     int breaks = 0;  // of the attract screen

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "engine/asset/image.h"
@@ -74,6 +75,27 @@ TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
     EXPECT_EQ(answer->way->wifi_name, "Museum-Guest");
     for (const char* file : {"pot.glb", "pot.stl", "pot.3mf", "index.html"})
         EXPECT_TRUE(fs::exists(folder_.path() / "outbox" / entries[0].code.text() / file)) << file;
+}
+
+TEST_F(KioskPhoneTest, CountsTheCodesItShowsAndThePagesThatAreOpened) {
+    settings_.config.sharing.counter = (folder_.path() / "opened").string();
+    const auto reader_first = sharing::CounterReader::open(settings_.config.sharing.counter);
+    ASSERT_TRUE(reader_first) << "so that what is counted before the kiosk is up waits in the pipe";
+    sharing::CounterWriter server(settings_.config.sharing.counter);
+    server.count(sharing::ShareEvent::kPageOpened);
+    server.count(sharing::ShareEvent::kPageOpened);
+    KioskPhone phone(settings_);
+    ASSERT_TRUE(phone.start());
+    phone.share(wish());
+    ASSERT_TRUE(answer_of(phone));
+    std::string noted;
+    for (int i = 0; i < 3000 && noted.find(",0,2,0,0,0\n") == std::string::npos; ++i) {
+        std::ifstream file(folder_.path() / "gallery/statistics/phones.csv");
+        noted.assign(std::istreambuf_iterator<char>(file), {});
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_NE(noted.find(",1,0,0,0,0\n"), std::string::npos) << noted;
+    EXPECT_NE(noted.find(",0,2,0,0,0\n"), std::string::npos) << noted;
 }
 
 TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {

@@ -42,6 +42,17 @@ TEST(KioskStatistics, KeepsADayAndAnHourOfBreaksAndStarts) {
     EXPECT_TRUE(std::regex_match(text_of(folder.path() / "starts.csv"), one));
 }
 
+TEST(KioskStatistics, KeepsCountsOfPhonesAndNothingOfWhom) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(note_phones(folder.path(), {.codes = 1}));
+    ASSERT_TRUE(note_phones(folder.path(), {.pages = 3, .models = 2, .prints = 1}));
+    const std::regex expected(
+        "day,hour,codes,pages,models,prints,films\n"
+        "\\d{4}-\\d\\d-\\d\\d,\\d\\d,1,0,0,0,0\n"
+        "\\d{4}-\\d\\d-\\d\\d,\\d\\d,0,3,2,1,0\n");
+    EXPECT_TRUE(std::regex_match(text_of(folder.path() / "phones.csv"), expected));
+}
+
 TEST(KioskStatistics, SaysWhereItCouldNotWrite) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "taken") << "a file where a folder is wanted";
