@@ -87,9 +87,6 @@ std::vector<Stroke> strokes_of(Icon icon) {
                     {"M22 16 V28 M42 16 V28", {}, 6.0F}};
         case Icon::kCheck:
             return {{"M10 34 L26 50 L55 15", {}, 6.0F}};
-        case Icon::kWifi:
-            return {{"M4 24 C20 8 44 8 60 24 M14 34 C24 24 40 24 50 34 M23 43 C28 38 36 38 41 43"},
-                    {"M29 52 a3 3 0 1 1 6 0 a3 3 0 1 1 -6 0 Z", design::kInk}};
         case Icon::kNoWifi:
             return {{"M4 24 C20 8 44 8 60 24 M14 34 C24 24 40 24 50 34 M23 43 C28 38 36 38 41 43"},
                     {"M29 52 a3 3 0 1 1 6 0 a3 3 0 1 1 -6 0 Z", design::kInk},

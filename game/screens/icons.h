@@ -29,7 +29,6 @@ enum class Icon {
     kCheck,
     kLookIn,
     kShow,
-    kWifi,
     kNoWifi,
     kNoCode,
     kStepPress,  // sections of the clay

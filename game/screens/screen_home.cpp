@@ -56,56 +56,40 @@ Rect line_below(const Rect& card, float y, float height) {
     return {card.x + 20.0F, y, card.width - 40.0F, height};
 }
 
+// What is to be read first, and what goes with it.
+Words strong(std::string text) {
+    return {.text = std::move(text),
+            .size = 28.0F,
+            .line = 38.0F,
+            .bold = true,
+            .colour = design::kInk,
+            .align = Align::kCentre};
+}
+Words quiet(std::string text) {
+    return {.text = std::move(text),
+            .size = 26.0F,
+            .line = 34.0F,
+            .colour = design::kInk2,
+            .align = Align::kCentre};
+}
+
 void add_ready(Page& page, const Rect& card, const PhoneWay& way) {
     const Rect code = add_code(page, way.page, {card.centre().x, card.y + 28.0F}, card.width);
-    page.words(line_below(card, code.bottom() + 12.0F, 40.0F), {.text = page.t("home.point"),
-                                                                .size = 28.0F,
-                                                                .line = 38.0F,
-                                                                .bold = true,
-                                                                .colour = design::kInk,
-                                                                .align = Align::kCentre});
-    page.fixed_words(line_below(card, code.bottom() + 52.0F, 40.0F), {.text = way.code,
-                                                                      .size = 30.0F,
-                                                                      .line = 38.0F,
-                                                                      .bold = true,
-                                                                      .colour = design::kInk,
-                                                                      .align = Align::kCentre});
-    page.words(line_below(card, code.bottom() + 92.0F, 36.0F), {.text = page.t("home.gone"),
-                                                                .size = 26.0F,
-                                                                .line = 34.0F,
-                                                                .colour = design::kInk2,
-                                                                .align = Align::kCentre});
+    page.words(line_below(card, code.bottom() + 12.0F, 40.0F), strong(page.t("home.point")));
+    page.fixed_words(line_below(card, code.bottom() + 52.0F, 40.0F), strong(way.code));
+    page.words(line_below(card, code.bottom() + 92.0F, 36.0F), quiet(page.t("home.gone")));
 }
 
 void add_wifi(Page& page, const Rect& card, const PhoneWay& way) {
-    page.words(line_below(card, card.y + 18.0F, 44.0F), {.text = page.t("home.w1"),
-                                                         .size = 28.0F,
-                                                         .line = 40.0F,
-                                                         .bold = true,
-                                                         .colour = design::kInk,
-                                                         .align = Align::kCentre});
+    page.words(line_below(card, card.y + 18.0F, 44.0F), strong(page.t("home.w1")));
     const Rect code = add_code(page, *way.wifi, {card.centre().x, card.y + 74.0F}, card.width);
-    page.fixed_words(line_below(card, code.bottom() + 14.0F, 38.0F), {.text = way.wifi_name,
-                                                                      .size = 28.0F,
-                                                                      .line = 36.0F,
-                                                                      .bold = true,
-                                                                      .colour = design::kInk,
-                                                                      .align = Align::kCentre});
+    page.fixed_words(line_below(card, code.bottom() + 14.0F, 38.0F), strong(way.wifi_name));
     page.fixed_words(line_below(card, code.bottom() + 52.0F, 34.0F),
-                     {.text = page.digits("1") + " / " + page.digits("2"),
-                      .size = 26.0F,
-                      .line = 32.0F,
-                      .colour = design::kInk2,
-                      .align = Align::kCentre});
+                     quiet(page.digits("1") + " / " + page.digits("2")));
 }
 
 void add_packing(Page& page, const Rect& card) {
-    page.words(line_below(card, card.y + 26.0F, 44.0F), {.text = page.t("home.making"),
-                                                         .size = 28.0F,
-                                                         .line = 40.0F,
-                                                         .bold = true,
-                                                         .colour = design::kInk,
-                                                         .align = Align::kCentre});
+    page.words(line_below(card, card.y + 26.0F, 44.0F), strong(page.t("home.making")));
     constexpr float kCoil = 172.0F;
     constexpr float kDone = 0.55F;  // some seconds, of which nobody counts
     ui::Sketch sketch;
@@ -115,11 +99,7 @@ void add_packing(Page& page, const Rect& card) {
             .path = spiral_path(part), .placing = placing, .stroke = colour, .stroke_width = 12.0F});
     }
     page.sprite({card.centre().x - 0.5F * kCoil, card.y + 116.0F, kCoil, kCoil}, std::move(sketch));
-    page.words(line_below(card, card.y + 356.0F, 36.0F), {.text = page.t("home.gone"),
-                                                          .size = 26.0F,
-                                                          .line = 34.0F,
-                                                          .colour = design::kInk2,
-                                                          .align = Align::kCentre});
+    page.words(line_below(card, card.y + 356.0F, 36.0F), quiet(page.t("home.gone")));
 }
 
 // What stands in the way, kindly, and what can be done about it.
@@ -128,17 +108,8 @@ void add_waiting(Page& page, const Rect& card, Icon icon, const char* title, con
     ui::Sketch sketch;
     add_icon(sketch, icon, {0.0F, 0.0F}, 68.0F, design::kInk);
     page.sprite({card.centre().x - 34.0F, card.y + 28.0F, 68.0F, 68.0F}, std::move(sketch));
-    page.words(line_below(card, card.y + 106.0F, 44.0F), {.text = page.t(title),
-                                                          .size = 28.0F,
-                                                          .line = 40.0F,
-                                                          .bold = true,
-                                                          .colour = design::kInk,
-                                                          .align = Align::kCentre});
-    page.words(line_below(card, card.y + 150.0F, 72.0F), {.text = page.t(line),
-                                                          .size = 26.0F,
-                                                          .line = 34.0F,
-                                                          .colour = design::kInk2,
-                                                          .align = Align::kCentre});
+    page.words(line_below(card, card.y + 106.0F, 44.0F), strong(page.t(title)));
+    page.words(line_below(card, card.y + 150.0F, 72.0F), quiet(page.t(line)));
     page.token({card.centre().x - 140.0F, card.y + 238.0F, 280.0F, 66.0F}, Look::kToken, Button::kShareAgain,
                page.t(action));
 }

@@ -1,6 +1,9 @@
 #include "game/sharing/page_folder.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include <ctime>
 
 #include "engine/files/atomic_file.h"
 #include "engine/files/gzip.h"
@@ -20,39 +23,23 @@ std::vector<std::byte> bytes_of(std::string_view text) {
     return {begin, begin + text.size()};
 }
 
-// The date of a day since 1970: "2026-11-25" (H. Hinnant, days_from_civil turned round).
-std::string date_of(std::int64_t day) {
-    constexpr std::int64_t kDaysOfEra = 146097;  // 400 years
-    constexpr std::int64_t kEpoch = 719468;      // from 0000-03-01
-    const std::int64_t since = day + kEpoch;
-    const std::int64_t era = (since >= 0 ? since : since - (kDaysOfEra - 1)) / kDaysOfEra;
-    const std::int64_t of_era = since - era * kDaysOfEra;
-    const std::int64_t year_of_era = (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
-    const std::int64_t of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    const std::int64_t march_month = (5 * of_year + 2) / 153;
-    const std::int64_t day_of_month = of_year - (153 * march_month + 2) / 5 + 1;
-    const std::int64_t month = march_month < 10 ? march_month + 3 : march_month - 9;
-    const std::int64_t year = year_of_era + era * 400 + (month <= 2 ? 1 : 0);
-    return fmt::format("{:04}-{:02}-{:02}", year, month, day_of_month);
-}
+constexpr std::int64_t kDayS = 86400;
 
 // Rounded down, also before 1970.
 std::int64_t day_of(std::int64_t local_s) {
-    constexpr std::int64_t kDayS = 86400;
     return (local_s >= 0 ? local_s : local_s - (kDayS - 1)) / kDayS;
 }
 
 }  // namespace
 
 GoneAt gone_at(const ShareTime& time) {
-    constexpr std::int64_t kDayS = 86400;
     const std::int64_t goes = time.expires_s + time.utc_offset_s;
     // Midnight is the end of a day, not the beginning of one.
     const std::int64_t day = day_of(goes - 1);
     const std::int64_t minutes = (goes - day * kDayS) / 60;
     const std::string clock = fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
     if (day == day_of(time.now_s + time.utc_offset_s)) return {clock, true};
-    return {date_of(day) + ", " + clock, false};
+    return {fmt::format("{:%Y-%m-%d}, {}", fmt::gmtime(static_cast<std::time_t>(day * kDayS)), clock), false};
 }
 
 Result<void> PageFolder::add(const FileContent& content, const std::string& name) {

@@ -1,31 +1,22 @@
 // What an honest phone gets.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <csignal>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "game/sharing/open_counter.h"
 #include "tests/sharing/http_client.h"
 #include "tests/sharing/served_outbox.h"
+#include "tests/support/gunzip.h"
 
 namespace onggi::test {
 namespace {
 
 std::string unpacked(const std::string& packed) {
-    z_stream stream{};
-    inflateInit2(&stream, 15 + 16);
-    std::string plain(1 << 20, '\0');
-    std::string input = packed;
-    stream.next_in = reinterpret_cast<Bytef*>(input.data());
-    stream.avail_in = static_cast<uInt>(input.size());
-    stream.next_out = reinterpret_cast<Bytef*>(plain.data());
-    stream.avail_out = static_cast<uInt>(plain.size());
-    EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
-    plain.resize(stream.total_out);
-    inflateEnd(&stream);
-    return plain;
+    constexpr std::size_t kMost = std::size_t{1} << 20U;
+    return gunzipped(std::as_bytes(std::span(packed)), kMost);
 }
 
 TEST(ShareServer, GivesAPotToWhoHasItsCode) {

@@ -35,27 +35,34 @@ haptics::ToolState finger_at(double t_s) {
     return tool;
 }
 
-class PotCopies : public testing::TestWithParam<double> {};
+class PotCopies : public testing::TestWithParam<double> {
+  protected:
+    PotCopies() { parameters_.set_rate_hz(GetParam()); }
+    // Whether a copy was finished in this tick.
+    bool copies_after(const haptics::ToolState& tool) {
+        tick(state_, tool, parameters_);
+        return copier_.step(pot_, state_, parameters_.dt_s());
+    }
+
+    HapticParameters parameters_;
+    HapticState state_{clay::StudioClay(clay::StudioLump{})};
+    pot::Pot pot_ = pot_of(state_);
+    PotCopier copier_;
+};
 
 TEST_P(PotCopies, AreOfOneMomentHoweverTheClayMoves) {
-    HapticParameters parameters;
-    parameters.set_rate_hz(GetParam());
-    HapticState state(clay::StudioClay(clay::StudioLump{}));
-    pot::Pot pot = pot_of(state);
-    PotCopier copier;
     double last_widest_mm = 0.0;
     int moved = 0;
-    for (double t_s = 0.0; t_s < 3.5; t_s += parameters.dt_s()) {
-        tick(state, finger_at(t_s), parameters);
-        if (!copier.step(pot, state, parameters.dt_s())) continue;
-        const clay::studio::Rings& rings = state.studio()->rings();
-        ASSERT_EQ(pot.ring_count(), rings.count);
-        ASSERT_EQ(pot.height_mm, rings.top_mm());
+    for (double t_s = 0.0; t_s < 3.5; t_s += parameters_.dt_s()) {
+        if (!copies_after(finger_at(t_s))) continue;
+        const clay::studio::Rings& rings = state_.studio()->rings();
+        ASSERT_EQ(pot_.ring_count(), rings.count);
+        ASSERT_EQ(pot_.height_mm, rings.top_mm());
         for (int i = 0; i < rings.count; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            ASSERT_EQ(pot.outer_mm[at], static_cast<float>(rings.outer_mm[at])) << t_s << " s, ring " << i;
-            ASSERT_EQ(pot.inner_mm[at], static_cast<float>(rings.inner_mm[at])) << t_s << " s, ring " << i;
-            ASSERT_EQ(pot.top_mm[at], static_cast<float>(rings.bottom_mm(i) + rings.height_mm[at]));
+            ASSERT_EQ(pot_.outer_mm[at], static_cast<float>(rings.outer_mm[at])) << t_s << " s, ring " << i;
+            ASSERT_EQ(pot_.inner_mm[at], static_cast<float>(rings.inner_mm[at])) << t_s << " s, ring " << i;
+            ASSERT_EQ(pot_.top_mm[at], static_cast<float>(rings.bottom_mm(i) + rings.height_mm[at]));
         }
         const double widest_mm =
             *std::max_element(rings.outer_mm.begin(), rings.outer_mm.begin() + rings.count);
@@ -66,15 +73,9 @@ TEST_P(PotCopies, AreOfOneMomentHoweverTheClayMoves) {
 }
 
 TEST_P(PotCopies, ComeTwiceAFrame) {
-    HapticParameters parameters;
-    parameters.set_rate_hz(GetParam());
-    HapticState state(clay::StudioClay(clay::StudioLump{}));
-    pot::Pot pot = pot_of(state);
-    PotCopier copier;
     int finished = 0;
-    for (double t_s = 0.0; t_s < 1.0; t_s += parameters.dt_s()) {
-        tick(state, finger_at(0.0), parameters);
-        finished += copier.step(pot, state, parameters.dt_s()) ? 1 : 0;
+    for (double t_s = 0.0; t_s < 1.0; t_s += parameters_.dt_s()) {
+        finished += copies_after(finger_at(0.0)) ? 1 : 0;
     }
     EXPECT_GE(finished, 110);
     EXPECT_LE(finished, 130);
