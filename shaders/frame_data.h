@@ -18,23 +18,23 @@ namespace onggi::shaders {
 
 ONGGI_CONST int kProfileTexels =
     4096;  // of the texture of the outline's normals, by length along it: finer than a pixel
-ONGGI_CONST int kOutlineSamples = 512;  // of the outline, evenly by height: what rays are walked against
-ONGGI_CONST int kPanels = 3;            // soft lights of the sky
-ONGGI_CONST int kSpheres = 4;           // that cast a shadow
-ONGGI_CONST int kShadowSteps = 32;      // of a ray past the lathe to the ground, up its height
-ONGGI_CONST int kMaskTexels = 96;       // the shadow mask, each way
-ONGGI_CONST int kKeyMapTexels = 512;    // the still life's shadow map, each way
+ONGGI_CONST int kOutlineSamples = 512;   // of the outline, evenly by height: what rays are walked against
+ONGGI_CONST int kPanels = 3;             // soft lights of the sky
+ONGGI_CONST int kSpheres = 4;            // that cast a shadow
+ONGGI_CONST int kShadowSteps = 32;       // of a ray past the lathe to the ground, up its height
+ONGGI_CONST int kMaskTexels = 96;        // the shadow mask, each way
+ONGGI_CONST int kShadowMapTexels = 512;  // the still life's shadow map, each way
 
 // Bindings of the one descriptor set, and how many the layers of a room that is kept need of them.
 ONGGI_CONST int kBindFrame = 0;
-ONGGI_CONST int kBindKeyMap = 1;
+ONGGI_CONST int kBindShadowMap = 1;
 ONGGI_CONST int kBindOutline = 2;
 ONGGI_CONST int kBindRows = 3;
 ONGGI_CONST int kBindNormals = 4;
 ONGGI_CONST int kBindDetail = 5;
 ONGGI_CONST int kBindMask = 6;
-ONGGI_CONST int kBindPlateKey = 7;
-ONGGI_CONST int kBindPlateAmbient = 8;
+ONGGI_CONST int kBindBackgroundKey = 7;
+ONGGI_CONST int kBindBackgroundAmbient = 8;
 ONGGI_CONST int kBindNextKey = 9;
 ONGGI_CONST int kBindNextAmbient = 10;
 ONGGI_CONST int kBindFromDepth = 11;
@@ -70,11 +70,11 @@ struct FrameData {
     vec4 backdrop_glow;   // rgb; w radius
     vec4 backdrop_shape;  // centre of the glow; half width and half height of the picture, the shorter is 1
     vec4 picture;         // width and height in pixels, and one over them
-    vec4 plate_window;    // pixel * xy + zw is the place in the plate
-    mat4 plate_from;      // the view and projection of the plate, and of the one the camera glides to
-    mat4 plate_to;
-    vec4 glide;   // x share of the second plate
-    vec4 levels;  // of the plates' light: rgb all but the key, w the key
+    vec4 background_window;  // pixel * xy + zw is the place in the background
+    mat4 background_from;    // the view and projection of the background, and of the one the camera glides to
+    mat4 background_to;
+    vec4 transition;  // x fraction of the second background
+    vec4 levels;      // of the backgrounds' light: rgb all but the key, w the key
 };
 
 // A row of vertices: all that is the same the whole way round.
@@ -87,8 +87,8 @@ struct RowData {
 // A vertex: what the turn, dents and the light's direction make of its row here.
 struct VertexData {
     vec4 place;  // xyz mm; w the key light that gets here
-    vec4 lean;  // xz the horizontal way outwards, unit; y how dents lean the wall, as a slope; w the share of
-                // a turn
+    vec4 lean;  // xz the horizontal way outwards, unit; y how dents lean the wall, as a slope; w the fraction
+                // of a turn
 };
 
 // Push constants of a mesh.
@@ -100,8 +100,8 @@ struct MeshDraw {
 };
 
 // Push constants of a hand or a tool.
-struct MoverDraw {
-    vec4 row_x;  // of the 3 x 4 matrix that places it, see Mover
+struct PropDraw {
+    vec4 row_x;  // of the 3 x 4 matrix that places it, see Prop
     vec4 row_y;
     vec4 row_z;
     vec4 albedo;   // rgb; w roughness

@@ -72,11 +72,11 @@ void main() {
     float body_under = ggx_under(n_h, n_v, light_l, ambient.w);
     float sheen_under = ggx_under(n_h, n_v, light_l, gloss_of.y);
     float body_sheen = body_under * sheen_under;
-    float share = 1.0 / (body_sheen * t);
-    float lit = lathe_lit(soft_cosine(n_l, light_from.w, radiance.w), mirrored.w, s, body_sheen, share,
+    float fraction = 1.0 / (body_sheen * t);
+    float lit = lathe_lit(soft_cosine(n_l, light_from.w, radiance.w), mirrored.w, s, body_sheen, fraction,
                          body_albedo.w);
     float gloss = lathe_gloss(ggx_over(light_l, ambient.w), body_under, ggx_over(light_l, gloss_of.y), sheen_under,
-                             gloss_of.w, film, share * t);
+                             gloss_of.w, film, fraction * t);
     vec3 light = albedo * (ambient.rgb + radiance.rgb * (lit * seen)) + radiance.rgb * (gloss * seen) +
                  mirrored.rgb * lathe_mirror(gloss_of.w, n_v, film);
     out_colour = vec4(encode(light), 1.0);

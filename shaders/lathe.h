@@ -41,17 +41,17 @@ FORMULA REAL fujii_s(REAL l_v, REAL n_l, REAL n_v) {
 FORMULA REAL fujii_t(REAL s, REAL n_l, REAL n_v) {
     return select(s > 0.0F, max(max(n_l, n_v), 0.1F), 1.0F);
 }
-// body_sheen: both lobes' denominators; `share`: one over that and t.
-FORMULA REAL lathe_lit(REAL cosine, REAL rough, REAL s, REAL body_sheen, REAL share, REAL left) {
-    return max(cosine * (1.0F + 0.9F * rough * s * body_sheen * share) * left, 0.0F);
+// body_sheen: both lobes' denominators; `fraction`: one over that and t.
+FORMULA REAL lathe_lit(REAL cosine, REAL rough, REAL s, REAL body_sheen, REAL fraction, REAL left) {
+    return max(cosine * (1.0F + 0.9F * rough * s * body_sheen * fraction) * left, 0.0F);
 }
 // The gleam of the body and that of the film, numerators and denominators; share_t: one over both
 // denominators; straight_on: what the film mirrors so.
 FORMULA REAL lathe_gloss(REAL body_over, REAL body_under, REAL sheen_over, REAL sheen_under, REAL straight_on,
-                         REAL film, REAL share_t) {
+                         REAL film, REAL fraction_t) {
     return (body_over * sheen_under * (0.04F * kPi) * (1.0F - film) +
             sheen_over * body_under * (straight_on * kPi) * film) *
-           share_t;
+           fraction_t;
 }
 // Of the sky.
 FORMULA REAL lathe_mirror(REAL straight_on, REAL n_v, REAL film) {

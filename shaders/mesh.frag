@@ -12,7 +12,7 @@
 #ifndef ONGGI_LAYERS
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
 #endif
-layout(set = 0, binding = kBindKeyMap) uniform sampler2DShadow key_map;
+layout(set = 0, binding = kBindShadowMap) uniform sampler2DShadow shadow_map;
 layout(push_constant) uniform DrawBlock {
     MeshDraw draw;
 };
@@ -26,21 +26,21 @@ layout(location = 1) out vec4 out_ambient;  // without it; alpha: how much the f
 layout(location = 2) out vec4 out_coords;   // where to look in the shadow mask
 #endif
 
-// The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its share
+// The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its fraction
 // of the square, since not every device filters depth (lavapipe does not).
 float past_still_life() {
     vec4 at = frame.key_view_projection * vec4(position, 1.0);
-    vec2 texel = (at.xy * 0.5 + 0.5) * kKeyMapTexels - 0.5;
+    vec2 texel = (at.xy * 0.5 + 0.5) * kShadowMapTexels - 0.5;
     vec2 base = floor(texel);
-    vec2 share = texel - base;
+    vec2 fraction = texel - base;
     float depth = min(at.z, 1.0);  // ground further off than the map's far plane is not in shade for that
     float seen = 0.0;
     for (int y = -3; y <= 4; ++y) {
-        float weight_y = y == -3 ? 1.0 - share.y : (y == 4 ? share.y : 1.0);
+        float weight_y = y == -3 ? 1.0 - fraction.y : (y == 4 ? fraction.y : 1.0);
         for (int x = -3; x <= 4; ++x) {
-            float weight_x = x == -3 ? 1.0 - share.x : (x == 4 ? share.x : 1.0);
+            float weight_x = x == -3 ? 1.0 - fraction.x : (x == 4 ? fraction.x : 1.0);
             seen += weight_x * weight_y *
-                    texture(key_map, vec3((base + vec2(x, y) + 0.5) / kKeyMapTexels, depth));
+                    texture(shadow_map, vec3((base + vec2(x, y) + 0.5) / kShadowMapTexels, depth));
         }
     }
     return seen / 49.0;
@@ -94,12 +94,12 @@ void main() {
     for (int i = -3; i <= 3; ++i) {
         if (!is_turned && i != 0) continue;
         vec3 fan = is_turned ? normalize(leaning + radial * (float(i) * 0.075)) : leaning;
-        float share = is_turned ? 1.0 / 7.0 : 1.0;
+        float fraction = is_turned ? 1.0 / 7.0 : 1.0;
         float fan_l = dot(fan, l);
         if (fan_l > 0.0) {
-            gloss += share * ggx(max(dot(fan, h), 0.0), max(dot(fan, v), 1e-3), fan_l, roughness);
+            gloss += fraction * ggx(max(dot(fan, h), 0.0), max(dot(fan, v), 1e-3), fan_l, roughness);
         }
-        reflected += share * sky_radiance(reflect(-v, fan), roughness);
+        reflected += fraction * sky_radiance(reflect(-v, fan), roughness);
     }
     gloss *= seen;
     vec3 key_light = frame.key_radiance.rgb * (body * lit + f0 * gloss * 3.14159265);

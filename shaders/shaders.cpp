@@ -3,11 +3,9 @@
 // Written by glslangValidator while building; see CMakeLists.txt.
 #include "backdrop_frag.h"
 #include "backdrop_layers_frag.h"
-#include "glide_frag.h"
-#include "glide_surface_frag.h"
-#include "glide_surface_vert.h"
-#include "glide_vert.h"
-#include "key_map_vert.h"
+#include "background_frag.h"
+#include "background_surface_frag.h"
+#include "background_surface_vert.h"
 #include "lathe_frag.h"
 #include "lathe_load_frag.h"
 #include "lathe_load_vert.h"
@@ -18,13 +16,15 @@
 #include "mesh_frag.h"
 #include "mesh_layers_frag.h"
 #include "mesh_vert.h"
-#include "mover_frag.h"
-#include "mover_vert.h"
 #include "places_frag.h"
-#include "plate_frag.h"
-#include "plate_surface_frag.h"
-#include "plate_surface_vert.h"
+#include "prop_frag.h"
+#include "prop_vert.h"
 #include "screen_vert.h"
+#include "shadow_map_vert.h"
+#include "transition_frag.h"
+#include "transition_surface_frag.h"
+#include "transition_surface_vert.h"
+#include "transition_vert.h"
 #include "ui_frag.h"
 #include "ui_picture_frag.h"
 #include "ui_vert.h"
@@ -37,24 +37,24 @@ const Spirv kBackdropLayersFrag = backdrop_layers_frag;
 const Spirv kMeshVert = mesh_vert;
 const Spirv kMeshFrag = mesh_frag;
 const Spirv kMeshLayersFrag = mesh_layers_frag;
-const Spirv kKeyMapVert = key_map_vert;
+const Spirv kShadowMapVert = shadow_map_vert;
 const Spirv kLatheVert = lathe_vert;
 const Spirv kLatheFrag = lathe_frag;
-const Spirv kMoverVert = mover_vert;
-const Spirv kMoverFrag = mover_frag;
+const Spirv kPropVert = prop_vert;
+const Spirv kPropFrag = prop_frag;
 const Spirv kMaskFrag = mask_frag;
 const Spirv kLatheLoadVert = lathe_load_vert;
 const Spirv kLatheLoadFrag = lathe_load_frag;
 const Spirv kLatheSectionVert = lathe_section_vert;
 const Spirv kLatheSectionFrag = lathe_section_frag;
-const Spirv kGlideVert = glide_vert;
-const Spirv kGlideFrag = glide_frag;
-const Spirv kGlideSurfaceVert = glide_surface_vert;
-const Spirv kGlideSurfaceFrag = glide_surface_frag;
-const Spirv kPlateFrag = plate_frag;
+const Spirv kTransitionVert = transition_vert;
+const Spirv kTransitionFrag = transition_frag;
+const Spirv kTransitionSurfaceVert = transition_surface_vert;
+const Spirv kTransitionSurfaceFrag = transition_surface_frag;
+const Spirv kBackgroundFrag = background_frag;
 const Spirv kPlacesFrag = places_frag;
-const Spirv kPlateSurfaceVert = plate_surface_vert;
-const Spirv kPlateSurfaceFrag = plate_surface_frag;
+const Spirv kBackgroundSurfaceVert = background_surface_vert;
+const Spirv kBackgroundSurfaceFrag = background_surface_frag;
 const Spirv kUiVert = ui_vert;
 const Spirv kUiFrag = ui_frag;
 const Spirv kUiPictureFrag = ui_picture_frag;

@@ -8,7 +8,7 @@ vec3 sky_radiance(vec3 d, float roughness) {
     for (int i = 0; i < kPanels; ++i) {
         float s = frame.panel_direction[i].w;
         radiance += frame.panel_radiance[i].rgb *
-                    panel_share(s, panel_seen_through(s, roughness), dot(frame.panel_direction[i].xyz, d));
+                    panel_fraction(s, panel_seen_through(s, roughness), dot(frame.panel_direction[i].xyz, d));
     }
     return radiance;
 }

@@ -20,7 +20,7 @@ FORMULA REAL panel_seen_through(REAL sharpness, REAL roughness) {
     REAL blur = 2.0F / max(alpha * alpha, 1e-4F);
     return sharpness * blur / (sharpness + blur);
 }
-FORMULA REAL panel_share(REAL sharpness, REAL soft, REAL cosine) {
+FORMULA REAL panel_fraction(REAL sharpness, REAL soft, REAL cosine) {
     return (soft / sharpness) * exp_below_0(soft * (cosine - 1.0F));
 }
 

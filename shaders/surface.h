@@ -33,7 +33,7 @@ FORMULA REAL half_of(REAL l_v) {
     return inversesqrt(max(2.0F + 2.0F * l_v, 1e-4F));
 }
 
-// Schlick's share of what is mirrored at a grazing angle.
+// Schlick's fraction of what is mirrored at a grazing angle.
 FORMULA REAL grazing(REAL cosine) {
     REAL m = 1.0F - cosine;
     REAL m2 = m * m;

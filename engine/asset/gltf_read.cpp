@@ -115,13 +115,15 @@ Result<tinygltf::Model> parse(std::span<const std::byte> bytes) {
 // Materials as glTF 2.0, section 3.9.2, gives them, brought within their range.
 Material material_of(const tinygltf::Material& from) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
-    const auto share = [](double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 1.0; };
+    const auto fraction = [](double value) {
+        return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 1.0;
+    };
     Material material{.name = valid_utf8(from.name),
                       .base_colour_linear = dvec3(1.0),
-                      .roughness = share(pbr.roughnessFactor),
-                      .metallic = share(pbr.metallicFactor)};
+                      .roughness = fraction(pbr.roughnessFactor),
+                      .metallic = fraction(pbr.metallicFactor)};
     for (int i = 0; i < 3 && static_cast<std::size_t>(i) < pbr.baseColorFactor.size(); ++i)
-        material.base_colour_linear[i] = share(pbr.baseColorFactor[static_cast<std::size_t>(i)]);
+        material.base_colour_linear[i] = fraction(pbr.baseColorFactor[static_cast<std::size_t>(i)]);
     return material;
 }
 

@@ -142,8 +142,8 @@ class Calls {
     std::optional<Error> trouble_;
 };
 
-// The library would invent others with each file: one object, one item, one plate need no more to be told
-// apart.
+// The library would invent others with each file: one object, one item, one plate need no more to be
+// told apart.
 constexpr const char* kObjectId = "6f6e6767-6900-4000-8000-000000000001";
 constexpr const char* kItemId = "6f6e6767-6900-4000-8000-000000000002";
 constexpr const char* kBuildId = "6f6e6767-6900-4000-8000-000000000003";

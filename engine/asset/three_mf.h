@@ -21,10 +21,10 @@ struct ThreeMfWords {  // any bytes, made valid text
 // Largest side of the picture in the file, pixels.
 constexpr int kThumbnailSide = 256;
 
-// One object of millimetres, +Z up as encode_stl(), on the build plate once. Vertices at one place become
-// one, because the format joins triangles by number. `picture`, if any, becomes the package's thumbnail, made
-// smaller where it is larger. The same input gives the same bytes. kBadInput as for encode_stl() and
-// encode_png(); kFailed if the library fails.
+// One object of millimetres, +Z up as encode_stl(), on the build plate once. Vertices at one place
+// become one, because the format joins triangles by number. `picture`, if any, becomes the package's
+// thumbnail, made smaller where it is larger. The same input gives the same bytes. kBadInput as for
+// encode_stl() and encode_png(); kFailed if the library fails.
 Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& words,
                                           const Image* picture = nullptr);
 

@@ -130,7 +130,7 @@ void Hands::write(const dvec3& force_n) noexcept {
         // In and out of use, so that motors cool while another works.
         const dvec3 wanted_n = hand == holder_ ? force_n : dvec3(0.0);
         const dvec3 given_n = apply_stages(kMotorStages, wanted_n, input, motors.limits, motors.state);
-        motors.given_share =
+        motors.given_fraction =
             hand == holder_ && written_n > 0.0 ? std::sqrt(glm::dot(given_n, given_n)) / written_n : 0.0;
         hands_[hand]->write(given_n);
     }
@@ -148,7 +148,7 @@ HandSigns Hands::signs() const noexcept {
     signs.position_is_new = signs.position_is_new && seen_[holder_].is_here;
     signs.hand_is_there = signs.hand_is_there && seen_[holder_].is_here;
     signs.hand = holder_;
-    signs.force_share *= motors_[holder_].given_share;
+    signs.force_fraction *= motors_[holder_].given_fraction;
     return signs;
 }
 

@@ -41,7 +41,7 @@ class Hands final : public HapticDevice {
     [[nodiscard]] std::vector<DeviceCapabilities> capabilities_of_hands() const override;
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
-    // The holder's; nobody is there, and nothing is new, while it is gone. The share counts what write()
+    // The holder's; nobody is there, and nothing is new, while it is gone. The fraction counts what write()
     // leaves of a force.
     [[nodiscard]] HandSigns signs() const noexcept override;
     void silence() noexcept override;
@@ -80,7 +80,7 @@ class Hands final : public HapticDevice {
     struct Motors {
         SafetyLimits limits;
         SafetyState state;
-        double given_share = 0.0;  // of the force written last
+        double given_fraction = 0.0;  // of the force written last
     };
     std::vector<Motors> motors_;
 };

@@ -42,7 +42,7 @@ struct HandSigns {
     std::size_t hand = 0;         // which of capabilities_of_hands() has the tool
     // Of the force written last, what went out to the motors, 0 to 1: a device may have ramps and limits of
     // its own, and the work that a force does is judged by what really went out.
-    double force_share = 1.0;
+    double force_fraction = 1.0;
 };
 
 // What the tool is at, besides the force: for devices that show more than a force. 0 where it is unknown.

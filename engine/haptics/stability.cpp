@@ -93,9 +93,9 @@ DeviceCapabilities judged(const DeviceCapabilities& device) {
 // A load must not take the time of a search.
 template <typename Try>
 bool is_stable_up_to(double most, Try&& is_good) {
-    constexpr double kShares[] = {0.125, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0};
-    return std::all_of(std::begin(kShares), std::end(kShares),
-                       [&](double share) { return is_good(share * most); });
+    constexpr double kFractions[] = {0.125, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0};
+    return std::all_of(std::begin(kFractions), std::end(kFractions),
+                       [&](double fraction) { return is_good(fraction * most); });
 }
 
 template <typename Try>

@@ -23,11 +23,11 @@ class Histogram {
     [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
     [[nodiscard]] std::uint64_t max() const noexcept { return max_; }
 
-    // The value below or at which the share lies, 0 < share <= 1: the upper edge of its bucket (never better
-    // than the truth, at most 3 % worse), and never above the largest value seen. 0 while empty.
-    [[nodiscard]] std::uint64_t percentile(double share) const noexcept {
+    // The value below or at which the fraction lies, 0 < fraction <= 1: the upper edge of its bucket (never
+    // better than the truth, at most 3 % worse), and never above the largest value seen. 0 while empty.
+    [[nodiscard]] std::uint64_t percentile(double fraction) const noexcept {
         if (count_ == 0) return 0;
-        const double wanted = share * static_cast<double>(count_);
+        const double wanted = fraction * static_cast<double>(count_);
         std::uint64_t seen = 0;
         for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
             seen += buckets_[bucket];

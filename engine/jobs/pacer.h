@@ -24,8 +24,8 @@ enum class WaitMode {
 // and never so long that the spinning takes half the core.
 [[nodiscard]] inline std::int64_t default_guard_ns(double rate_hz) {
     constexpr double kLongestNs = 150'000.0;
-    constexpr double kShareOfPeriod = 0.4;
-    return static_cast<std::int64_t>(std::min(kLongestNs, kShareOfPeriod * 1e9 / rate_hz));
+    constexpr double kFractionOfPeriod = 0.4;
+    return static_cast<std::int64_t>(std::min(kLongestNs, kFractionOfPeriod * 1e9 / rate_hz));
 }
 
 struct PacerOptions {

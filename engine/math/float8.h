@@ -57,8 +57,8 @@ template <typename A, typename B>
 [[gnu::always_inline]] inline auto clamp(const auto& a, float low, float high) {
     return min(max(a, low), high);
 }
-[[gnu::always_inline]] inline auto mix(const auto& a, const auto& b, const auto& share) {
-    return a + (b - a) * share;
+[[gnu::always_inline]] inline auto mix(const auto& a, const auto& b, const auto& fraction) {
+    return a + (b - a) * fraction;
 }
 [[gnu::always_inline]] inline auto abs(const auto& a) {
     return select(a < 0.0F, -a, a);
@@ -76,8 +76,8 @@ template <typename A, typename B>
     return 1.0F / sqrt(a);
 }
 // From 0 to 1 without a corner at either.
-[[gnu::always_inline]] inline auto eased(const auto& share) {
-    return share * share * (3.0F - 2.0F * share);
+[[gnu::always_inline]] inline auto eased(const auto& fraction) {
+    return fraction * fraction * (3.0F - 2.0F * fraction);
 }
 [[gnu::always_inline]] inline auto smoothstep(const auto& from, const auto& to, const auto& at) {
     return eased(clamp((at - from) / (to - from), 0.0F, 1.0F));

@@ -86,10 +86,10 @@ void Accumulation::add(std::span<const std::uint8_t> rgba) {
 asset::Image Accumulation::mean() const {
     asset::Image image{.width = width_px_, .height = height_px_, .rgba = {}};
     image.rgba.resize(light_.size() / 3 * 4, 255);
-    const float share = 1.0F / static_cast<float>(count_);
+    const float fraction = 1.0F / static_cast<float>(count_);
     for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {
         for (std::size_t channel = 0; channel < 3; ++channel)
-            image.rgba[4 * pixel + channel] = srgb_byte(share * light_[3 * pixel + channel]);
+            image.rgba[4 * pixel + channel] = srgb_byte(fraction * light_[3 * pixel + channel]);
     }
     return image;
 }

@@ -71,30 +71,30 @@ std::optional<Projected> project(const Camera& camera, int width_px, int height_
 
 namespace {
 
-// How many times the plate is enlarged to fill the picture both ways.
-double plate_scale(int plate_width_px, int plate_height_px, int width_px, int height_px) {
-    return std::max(static_cast<double>(width_px) / plate_width_px,
-                    static_cast<double>(height_px) / plate_height_px);
+// How many times the background is enlarged to fill the picture both ways.
+double background_scale(int background_width_px, int background_height_px, int width_px, int height_px) {
+    return std::max(static_cast<double>(width_px) / background_width_px,
+                    static_cast<double>(height_px) / background_height_px);
 }
 
 }  // namespace
 
-Camera plate_camera(const Camera& of_plate, int plate_width_px, int plate_height_px, int width_px,
-                    int height_px) {
-    const double scale = plate_scale(plate_width_px, plate_height_px, width_px, height_px);
-    Camera camera = of_plate;
-    camera.vertical_fov_rad =
-        static_cast<float>(2.0 * std::atan(half_height_of(of_plate) * height_px / (scale * plate_height_px)));
+Camera background_camera(const Camera& of_background, int background_width_px, int background_height_px,
+                         int width_px, int height_px) {
+    const double scale = background_scale(background_width_px, background_height_px, width_px, height_px);
+    Camera camera = of_background;
+    camera.vertical_fov_rad = static_cast<float>(
+        2.0 * std::atan(half_height_of(of_background) * height_px / (scale * background_height_px)));
     return camera;
 }
 
-vec4 plate_window(const Camera& of_plate, int plate_width_px, int plate_height_px, const Camera& shown,
-                  int width_px, int height_px) {
-    const double scale =
-        plate_scale(plate_width_px, plate_height_px, width_px, height_px) *
-        half_height_of(plate_camera(of_plate, plate_width_px, plate_height_px, width_px, height_px)) /
-        half_height_of(shown);
-    const dvec2 pixel(1.0 / (scale * plate_width_px), 1.0 / (scale * plate_height_px));
+vec4 background_window(const Camera& of_background, int background_width_px, int background_height_px,
+                       const Camera& shown, int width_px, int height_px) {
+    const double scale = background_scale(background_width_px, background_height_px, width_px, height_px) *
+                         half_height_of(background_camera(of_background, background_width_px,
+                                                          background_height_px, width_px, height_px)) /
+                         half_height_of(shown);
+    const dvec2 pixel(1.0 / (scale * background_width_px), 1.0 / (scale * background_height_px));
     const dvec2 middle = 0.5 * dvec2(width_px, height_px) * (dvec2(1.0) + dvec2(shown.lens_shift));
     return vec4(vec2(pixel), vec2(0.5 - middle.x * pixel.x, 0.5 - middle.y * pixel.y));
 }

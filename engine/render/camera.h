@@ -45,16 +45,17 @@ struct Projected {
 [[nodiscard]] std::optional<Projected> project(const Camera& camera, int width_px, int height_px,
                                                dvec3 point_mm);
 
-// The camera of a picture that shows the middle of a plate: the plate is scaled until it fills the picture
-// both ways, and what is too much of it is cut off.
-[[nodiscard]] Camera plate_camera(const Camera& of_plate, int plate_width_px, int plate_height_px,
-                                  int width_px, int height_px);
+// The camera of a picture that shows the middle of a background: the background is scaled until it fills the
+// picture both ways, and what is too much of it is cut off.
+[[nodiscard]] Camera background_camera(const Camera& of_background, int background_width_px,
+                                       int background_height_px, int width_px, int height_px);
 
-// pixel * xy + zw of a picture is the place in the plate, 0 to 1 from its top left corner. `shown` stands
-// where the plate was taken and looks the same way; it may be narrower or wider than plate_camera()'s, and
-// shifted.
-[[nodiscard]] vec4 plate_window(const Camera& of_plate, int plate_width_px, int plate_height_px,
-                                const Camera& shown, int width_px, int height_px);
+// pixel * xy + zw of a picture is the place in the background, 0 to 1 from its top left corner. `shown`
+// stands where the background was taken and looks the same way; it may be narrower or wider than
+// background_camera()'s, and shifted.
+[[nodiscard]] vec4 background_window(const Camera& of_background, int background_width_px,
+                                     int background_height_px, const Camera& shown, int width_px,
+                                     int height_px);
 // The camera nearer by that factor, as a zoom lens is.
 [[nodiscard]] Camera zoomed(const Camera& camera, double factor);
 

@@ -1,5 +1,5 @@
-// The photographs of a plate on their way to the renderer. There they stay; what lies here is let go, for it
-// is as much again: 7 MB a plate of 1280x720. Made by any thread, then of the main thread.
+// The photographs of a background on their way to the renderer. There they stay; what lies here is let go,
+// for it is as much again: 7 MB a background of 1280x720. Made by any thread, then of the main thread.
 #pragma once
 
 #include <functional>

@@ -150,8 +150,8 @@ void add_rounded(Profile& profile, vec2 before, vec2 corner, vec2 after, float r
     const vec2 first = corner + in * reach - centre;
     const vec2 last = corner + out * reach - centre;
     for (int step = 0; step <= steps; ++step) {
-        const float share = static_cast<float>(step) / static_cast<float>(steps);
-        profile.points.push_back(centre + radius_mm * glm::normalize(glm::mix(first, last, share)));
+        const float fraction = static_cast<float>(step) / static_cast<float>(steps);
+        profile.points.push_back(centre + radius_mm * glm::normalize(glm::mix(first, last, fraction)));
     }
 }
 

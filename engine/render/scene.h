@@ -13,8 +13,8 @@
 
 #include "engine/math/math.h"
 #include "engine/render/camera.h"
-#include "engine/render/mover.h"
 #include "engine/render/photographs.h"
+#include "engine/render/prop.h"
 
 namespace onggi::render {
 
@@ -100,7 +100,7 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh{};
         Material material{};
         vec3 position_mm{0.0F};
-        bool in_relief = false;    // the plate's relief shows it well enough while the camera moves
+        bool in_relief = false;    // the background's relief shows it well enough while the camera moves
         bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
     std::vector<Part> parts;
@@ -137,8 +137,8 @@ struct Backdrop {
     float glow_radius = 1.0F;
 };
 
-// How far away what a plate shows is, along the camera's view, at the corners of a grid over the plate; rows
-// from the top.
+// How far away what a background shows is, along the camera's view, at the corners of a grid over the
+// background; rows from the top.
 struct Relief {
     int columns = 0;
     int rows = 0;
@@ -148,8 +148,8 @@ struct Relief {
 // Two photographs of what stands still, with the key light and without it, of one size: values as encode() of
 // shaders/tone.glsl gives them with exact sRGB. They stand in for the still life's colours and the
 // backdrop's; the still life then only says where things are. A picture of another shape shows their middle,
-// see plate_camera().
-struct Plate {
+// see background_camera().
+struct Background {
     int width_px = 0;  // of both
     int height_px = 0;
     std::shared_ptr<Photographs> photographs;
@@ -157,21 +157,21 @@ struct Plate {
     Relief relief;
 };
 
-// The camera has left a plate's place, perhaps towards another's. Then no plate is right as it is: both are
-// bent over the plate's relief, and the second is mixed into the first. Where everything is drawn in every
-// frame; a backend that keeps what stands still shows the first plate alone, as it is.
-struct Glide {
-    std::shared_ptr<const Plate> towards;  // may be the plate itself
-    float share = 0.0F;                    // of the second, 0 to 1
+// The camera has left a background's place, perhaps towards another's. Then no background is right as it is:
+// both are bent over the background's relief, and the second is mixed into the first. Where everything is
+// drawn in every frame; a backend that keeps what stands still shows the first background alone, as it is.
+struct CameraTransition {
+    std::shared_ptr<const Background> towards;  // may be the background itself
+    float fraction = 0.0F;                      // of the second, 0 to 1
 };
 
 // Where the camera will be cut to as soon as it may, see FrameStats::next_view_ready.
 struct NextView {
     Camera camera;
-    std::shared_ptr<const Plate> plate;
+    std::shared_ptr<const Background> background;
 };
 
-// How much of the light there is; the evening dims it. All 1: as the lights say and the plates show.
+// How much of the light there is; the evening dims it. All 1: as the lights say and the backgrounds show.
 struct LightLevels {
     vec3 ambient{1.0F};  // everything but the key light
     float key = 1.0F;
@@ -195,19 +195,19 @@ struct Scene {
     LightLevels levels;
     Backdrop backdrop;
     std::shared_ptr<const StillLife> still_life;
-    std::shared_ptr<const Plate> plate;  // none: the still life in its own colours
-    std::optional<Glide> glide;          // none: the camera stands where the plate was taken
-    std::optional<NextView> next_view;   // none: it will stay, or glide
+    std::shared_ptr<const Background> background;  // none: the still life in its own colours
+    std::optional<CameraTransition> transition;    // none: the camera stands where the background was taken
+    std::optional<NextView> next_view;             // none: it will stay, or glide
     // What there is of this view in the picture, 0 to 1, since the camera was cut to it; the rest is the last
     // picture of the view before. None: all of it. Of a backend that keeps what stands still.
     std::optional<float> fade_in;
-    std::vector<std::shared_ptr<const Plate>>
-        plates_at_hand;  // kept where they are drawn from: another view may begin with any frame
+    std::vector<std::shared_ptr<const Background>>
+        backgrounds_at_hand;  // kept where they are drawn from: another view may begin with any frame
     ShadowRegion shadow_region;
     std::optional<Lathe> lathe;
     std::vector<Sphere> spheres;  // at most kMaxSpheres cast shadows
-    std::shared_ptr<const MoverLibrary> mover_library;
-    std::vector<Mover> movers;  // these cast no shadow themselves
+    std::shared_ptr<const PropLibrary> prop_library;
+    std::vector<Prop> props;  // these cast no shadow themselves
 };
 
 }  // namespace onggi::render

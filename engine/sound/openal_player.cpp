@@ -113,8 +113,8 @@ class OpenAlPlace final : public SoundPlace {
         if (const std::string obstacle = why_no_sound(); !obstacle.empty()) return system_lacks(obstacle);
         Device device(alcOpenDevice(nullptr));
         if (device == nullptr) return system_lacks("expected to open the default device, found it refuses");
-        const std::array<ALCint, 3> wish{ALC_FREQUENCY, static_cast<ALCint>(kSampleRateHz), 0};
-        Context context(alcCreateContext(device.get(), wish.data()));
+        const std::array<ALCint, 3> request{ALC_FREQUENCY, static_cast<ALCint>(kSampleRateHz), 0};
+        Context context(alcCreateContext(device.get(), request.data()));
         if (context == nullptr || alcMakeContextCurrent(context.get()) != ALC_TRUE)
             return system_lacks("expected a place to play in on the default device, found none");
         return std::unique_ptr<SoundPlayer>(

@@ -137,9 +137,9 @@ Result<SpokenLine> read_wave(std::string_view bytes, const std::string& file) {
     for (std::size_t i = 0; i < count; ++i) {
         const double place = static_cast<double>(i) * step;
         const auto first = static_cast<sf_count_t>(place);
-        const auto share = static_cast<float>(place - static_cast<double>(first));
+        const auto fraction = static_cast<float>(place - static_cast<double>(first));
         const float a = frames.at(first);
-        line.samples.push_back(a + share * (frames.at(first + 1) - a));
+        line.samples.push_back(a + fraction * (frames.at(first + 1) - a));
     }
     return line;
 }

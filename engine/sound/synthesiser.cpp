@@ -105,9 +105,9 @@ double Synthesiser::fire(double noise) noexcept {
 Sample Synthesiser::chime() noexcept {
     if (chime_age_s_ >= kChimeEndsS) return {};
     const int tone = chime_age_s_ < kChimeToneS ? 0 : chime_age_s_ < 2.0 * kChimeToneS ? 1 : 2;
-    const double share = chime_age_s_ / kChimeToneS - tone;
+    const double fraction = chime_age_s_ / kChimeToneS - tone;
     chime_age_s_ += 1.0 / kSampleRateHz;
-    const double hill = 4.0 * share * (1.0 - share);  // silent, and level, at both ends
+    const double hill = 4.0 * fraction * (1.0 - fraction);  // silent, and level, at both ends
     const auto heard =
         static_cast<float>(0.25 * hill * hill * sine_of_turns(chime_.step(440.0 + 220.0 * tone)));
     return {.left = tone == 1 ? 0.0F : heard, .right = tone == 0 ? 0.0F : heard};

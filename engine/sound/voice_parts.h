@@ -13,11 +13,11 @@ constexpr double kSampleRateHz = 48000.0;
 class Glide {
   public:
     explicit Glide(double seconds, double start = 0.0)
-        : share_(1.0 / (1.0 + seconds * kSampleRateHz)),
+        : fraction_(1.0 / (1.0 + seconds * kSampleRateHz)),
           value_(start) {}
 
     double towards(double target) noexcept {
-        value_ += share_ * (target - value_);
+        value_ += fraction_ * (target - value_);
         // What is nearly nothing is nothing: arithmetic on denormal numbers is slow.
         if (value_ < 1e-9 && value_ > -1e-9) value_ = 0.0;
         return value_;
@@ -25,7 +25,7 @@ class Glide {
     [[nodiscard]] double value() const noexcept { return value_; }
 
   private:
-    double share_;
+    double fraction_;
     double value_;
 };
 

@@ -24,9 +24,9 @@ struct Colour {
             static_cast<float>(rgb & 255U) / 255.0F, alpha};
 }
 
-[[nodiscard]] constexpr Colour mix(const Colour& from, const Colour& to, float share) {
-    return {from.r + (to.r - from.r) * share, from.g + (to.g - from.g) * share,
-            from.b + (to.b - from.b) * share, from.a + (to.a - from.a) * share};
+[[nodiscard]] constexpr Colour mix(const Colour& from, const Colour& to, float fraction) {
+    return {from.r + (to.r - from.r) * fraction, from.g + (to.g - from.g) * fraction,
+            from.b + (to.b - from.b) * fraction, from.a + (to.a - from.a) * fraction};
 }
 
 // What is seen of `top` laid over an opaque `below`.

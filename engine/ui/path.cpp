@@ -29,7 +29,7 @@ class PathReader {
                 return wrong("a path beginning with M");
             }
             if (steps_.empty() && command_ != 'M' && command_ != 'm') return wrong("a path beginning with M");
-            if (auto done = obey(); !done) return done.error();
+            if (auto done = take_command(); !done) return done.error();
         }
         return std::move(steps_);
     }
@@ -69,7 +69,7 @@ class PathReader {
         here_ = to;
     }
 
-    Result<void> obey() {
+    Result<void> take_command() {
         vec2 a{0.0F};
         vec2 b{0.0F};
         vec2 to{0.0F};

@@ -156,37 +156,37 @@ std::string version_name(std::uint32_t api_version) {
                        VK_API_VERSION_PATCH(api_version));
 }
 
-std::string device_wish_of_environment() {
-    const char* wish = std::getenv("ONGGI_VULKAN_DEVICE");
-    return wish == nullptr ? std::string() : std::string(wish);
+std::string device_request_of_environment() {
+    const char* request = std::getenv("ONGGI_VULKAN_DEVICE");
+    return request == nullptr ? std::string() : std::string(request);
 }
 
-Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view wish) {
+Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view request) {
     if (devices.empty()) {
         return system_lacks(
             "Vulkan: expected a device, found none; install a driver (mesa-vulkan-drivers draws without a "
             "GPU)");
     }
-    int wished_index = -1;
-    const char* const wish_end = wish.data() + wish.size();
-    const auto parsed = std::from_chars(wish.data(), wish_end, wished_index);
-    const bool wish_is_index = !wish.empty() && parsed.ec == std::errc() && parsed.ptr == wish_end;
+    int requested_index = -1;
+    const char* const request_end = request.data() + request.size();
+    const auto parsed = std::from_chars(request.data(), request_end, requested_index);
+    const bool request_is_index = !request.empty() && parsed.ec == std::errc() && parsed.ptr == request_end;
 
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const DeviceDescription& device = devices[i];
         if (!device.lacks.empty()) continue;
-        if (wish_is_index && device.index != wished_index) continue;
-        if (!wish_is_index && lower(device.name).find(lower(wish)) == std::string::npos) continue;
+        if (request_is_index && device.index != requested_index) continue;
+        if (!request_is_index && lower(device.name).find(lower(request)) == std::string::npos) continue;
         if (!best || rank_of(device.type) > rank_of(devices[*best].type)) best = i;
     }
     if (best) return *best;
-    if (!wish.empty()) {
+    if (!request.empty()) {
         return bad_input(
             fmt::format("ONGGI_VULKAN_DEVICE '{}': expected the index or a part of the name of a Vulkan "
                         "device that can be "
                         "used, found {}",
-                        wish, names_of(devices)));
+                        request, names_of(devices)));
     }
     return system_lacks(
         fmt::format("Vulkan: expected a device with all that is needed, found {}; install a newer driver "
@@ -194,18 +194,18 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
                     names_of(devices)));
 }
 
-Result<std::vector<DeviceDescription>> describe_devices(std::string_view wish) {
+Result<std::vector<DeviceDescription>> describe_devices(std::string_view request) {
     auto instance = Instance::create({});
     if (!instance) return instance.error();
     std::vector<DeviceDescription> devices = describe_all(enumerate((*instance)->handle()), VK_NULL_HANDLE);
-    if (const auto chosen = choose(devices, wish)) devices[*chosen].chosen = true;
+    if (const auto chosen = choose(devices, request)) devices[*chosen].chosen = true;
     return devices;
 }
 
-Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface, std::string_view wish) {
+Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface, std::string_view request) {
     const std::vector<VkPhysicalDevice> handles = enumerate(instance.handle());
     const std::vector<DeviceDescription> devices = describe_all(handles, surface);
-    const auto chosen = choose(devices, wish);
+    const auto chosen = choose(devices, request);
     if (!chosen) return chosen.error();
     ChosenDevice device{.handle = handles[*chosen],
                         .description = devices[*chosen],

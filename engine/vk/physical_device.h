@@ -30,15 +30,16 @@ struct DeviceDescription {
 
 // Which of these to use, as an index into `devices`. wish: an index ("0"), or a part of a name in any case
 // ("nvidia"); empty: the best by type (discrete, integrated, virtual, CPU), the first of equals.
-// System lacks: none that can be used. Bad input: the wish fits none.
-Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view wish);
+// System lacks: none that can be used. Bad input: the request fits none.
+Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view request);
 
 // What ONGGI_VULKAN_DEVICE wishes; empty when it is not set.
-[[nodiscard]] std::string device_wish_of_environment();
+[[nodiscard]] std::string device_request_of_environment();
 
 // Every device, the one that would be chosen marked. Makes and drops an instance of its own; an empty list
 // where there is no device or no driver.
-Result<std::vector<DeviceDescription>> describe_devices(std::string_view wish = device_wish_of_environment());
+Result<std::vector<DeviceDescription>> describe_devices(
+    std::string_view request = device_request_of_environment());
 
 struct ChosenDevice {
     VkPhysicalDevice handle = VK_NULL_HANDLE;
@@ -48,6 +49,6 @@ struct ChosenDevice {
 
 // surface: VK_NULL_HANDLE when nothing is presented.
 Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface,
-                                   std::string_view wish = device_wish_of_environment());
+                                   std::string_view request = device_request_of_environment());
 
 }  // namespace onggi::vk

@@ -29,7 +29,7 @@ struct ContactQuery {
     float tool_radius_mm;     // r1
     float reach_mm;           // r3 - r1, the surface of the tool nearest the axis, rounded to float
     float reach_rest_mm;      // what that rounding left over
-    float share;              // of the depth, taken by Eq. (2)
+    float fraction;           // of the depth, taken by Eq. (2)
     float minimum_radius_mm;  // R_min
     bool deform;              // the wheel turns
 };

@@ -35,7 +35,7 @@ __attribute__((target("avx2,popcnt"))) void find_contacts_avx2(const ContactQuer
     const __m256 r1 = _mm256_set1_ps(query.tool_radius_mm);
     const __m256 reach = _mm256_set1_ps(query.reach_mm);
     const __m256 reach_rest = _mm256_set1_ps(query.reach_rest_mm);
-    const __m256 share = _mm256_set1_ps(query.share);
+    const __m256 fraction = _mm256_set1_ps(query.fraction);
 
     // Elements are numbered from the nearest one: small numbers, exact as floats.
     const __m256i before_first = _mm256_set1_epi32(query.first - query.nearest - 1);
@@ -87,7 +87,7 @@ __attribute__((target("avx2,popcnt"))) void find_contacts_avx2(const ContactQuer
 
             if (deform) {
                 // Eq. (2), with the rounding error carried on to the next tick.
-                const __m256 taken = _mm256_mul_ps(share, depth);
+                const __m256 taken = _mm256_mul_ps(fraction, depth);
                 const __m256 step = _mm256_sub_ps(carry, taken);
                 __m256 moved = _mm256_add_ps(radius, step);
                 __m256 rest = _mm256_sub_ps(step, _mm256_sub_ps(moved, radius));

@@ -24,7 +24,7 @@ void find_contacts_plain(const ContactQuery& query, ContactSums& sums) noexcept 
 
         if (query.deform) {
             // Eq. (2), with the rounding error carried on to the next tick.
-            const float taken = query.share * depth;
+            const float taken = query.fraction * depth;
             const float step = carry - taken;
             Deformed deformed{.radius_mm = radius + step, .carry_mm = 0.0F, .depth_mm = depth - taken};
             deformed.carry_mm = step - (deformed.radius_mm - radius);

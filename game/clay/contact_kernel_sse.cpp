@@ -23,7 +23,7 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
     const __m128 r1 = _mm_set1_ps(query.tool_radius_mm);
     const __m128 reach = _mm_set1_ps(query.reach_mm);
     const __m128 reach_rest = _mm_set1_ps(query.reach_rest_mm);
-    const __m128 share = _mm_set1_ps(query.share);
+    const __m128 fraction = _mm_set1_ps(query.fraction);
 
     // Elements are numbered from the nearest one: small numbers, exact as floats.
     const __m128i before_first = _mm_set1_epi32(query.first - query.nearest - 1);
@@ -58,7 +58,7 @@ __attribute__((target("sse4.1"))) void find_contacts_sse(const ContactQuery& que
 
             if (deform) {
                 // Eq. (2), with the rounding error carried on to the next tick.
-                const __m128 taken = _mm_mul_ps(share, depth);
+                const __m128 taken = _mm_mul_ps(fraction, depth);
                 const __m128 step = _mm_sub_ps(carry, taken);
                 __m128 moved = _mm_add_ps(radius, step);
                 __m128 rest = _mm_sub_ps(step, _mm_sub_ps(moved, radius));

@@ -8,7 +8,7 @@
 //   depth = ((R - reach) + (carry - reach_rest)) - sag          -proximity of Eq. (1)
 //   in contact where depth > 0 and first <= i < end
 //
-//   taken = share depth                                         Eq. (2)
+//   taken = fraction depth                                         Eq. (2)
 //   step  = carry - taken
 //   R'    = R + step
 //   carry'= step - (R' - R)                                     what rounding R' left over, exactly

@@ -135,17 +135,17 @@ void PaperClay::use_kernel(KernelVariant variant) {
 }
 
 // Eq. (2)'s 1/(c1 r1) at the rate f. Tool and rate seldom change, so the last answer is kept.
-double PaperClay::deformation_share(double tool_radius_mm, const PaperParameters& parameters) noexcept {
+double PaperClay::deformation_fraction(double tool_radius_mm, const PaperParameters& parameters) noexcept {
     const double c1_r1 = parameters.softness_c1_per_mm * tool_radius_mm;
-    if (c1_r1 != share_of_c1_r1_ || parameters.rate_hz != share_of_rate_hz_) {
-        share_of_c1_r1_ = c1_r1;
-        share_of_rate_hz_ = parameters.rate_hz;
-        const double paper_share = 1.0 / c1_r1;
-        share_ = parameters.rate_hz == kPaperRateHz
-                     ? paper_share
-                     : 1.0 - power(1.0 - paper_share, kPaperRateHz / parameters.rate_hz);
+    if (c1_r1 != fraction_of_c1_r1_ || parameters.rate_hz != fraction_of_rate_hz_) {
+        fraction_of_c1_r1_ = c1_r1;
+        fraction_of_rate_hz_ = parameters.rate_hz;
+        const double paper_fraction = 1.0 / c1_r1;
+        fraction_ = parameters.rate_hz == kPaperRateHz
+                        ? paper_fraction
+                        : 1.0 - power(1.0 - paper_fraction, kPaperRateHz / parameters.rate_hz);
     }
-    return share_;
+    return fraction_;
 }
 
 ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& parameters) noexcept {
@@ -180,7 +180,7 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
         .tool_radius_mm = static_cast<float>(r1),
         .reach_mm = reach_rounded_mm,
         .reach_rest_mm = static_cast<float>(reach_mm - static_cast<double>(reach_rounded_mm)),
-        .share = tool.wheel_turning ? static_cast<float>(deformation_share(r1, parameters)) : 0.0F,
+        .fraction = tool.wheel_turning ? static_cast<float>(deformation_fraction(r1, parameters)) : 0.0F,
         .minimum_radius_mm = static_cast<float>(parameters.minimum_radius_mm),
         .deform = tool.wheel_turning,
     };

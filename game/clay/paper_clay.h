@@ -92,9 +92,9 @@ struct ContactForces {
 //   c1, c2, c3, K fields of PaperParameters
 //   n             contacts, and in Eq. (7) the axis +Y
 //
-// Differs: Eq. (2) as printed removes the share 1/(c1 r1) of the depth a tick: a faster rate, softer clay.
-//   The share taken here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the same clay at
-//   every other rate.
+// Differs: Eq. (2) as printed removes the fraction 1/(c1 r1) of the depth a tick: a faster rate, softer clay.
+//   The fraction taken here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the same clay
+//   at every other rate.
 // Differs: Eq. (2) stops at R_min, so that no element vanishes.
 // Differs: p1 of Eq. (4) lies on the tool, not on the element. Both agree at first touch; on the element the
 //   direction divides by zero at r3 = R_i and pulls inward beyond it.
@@ -140,7 +140,7 @@ class PaperClay {
     [[nodiscard]] KernelVariant kernel() const { return kernel_; }
 
   private:
-    double deformation_share(double tool_radius_mm, const PaperParameters& parameters) noexcept;
+    double deformation_fraction(double tool_radius_mm, const PaperParameters& parameters) noexcept;
     void update_largest_radius();
 
     int element_count_ = 0;
@@ -152,10 +152,10 @@ class PaperClay {
     dvec3 radial_unit_{1.0, 0.0, 0.0};  // e_r
     float largest_radius_mm_ = 0.0F;    // no element is larger: radii only shrink
     KernelVariant kernel_;
-    // The last share of Eq. (2) and what it was worked out from. A memory, not a state: never hashed.
-    double share_of_c1_r1_ = 0.0;
-    double share_of_rate_hz_ = 0.0;
-    double share_ = 0.0;
+    // The last fraction of Eq. (2) and what it was worked out from. A memory, not a state: never hashed.
+    double fraction_of_c1_r1_ = 0.0;
+    double fraction_of_rate_hz_ = 0.0;
+    double fraction_ = 0.0;
 };
 
 }  // namespace onggi::clay

@@ -61,16 +61,16 @@ DeviceForce device_force(const clay::ContactForces& forces, const dvec3& velocit
     if (forces.contacts == 0) return force;
     const bool too_stiff =
         feel.most_stiffness_n_per_mm > 0.0 && forces.local_stiffness_n_per_mm > feel.most_stiffness_n_per_mm;
-    const double share = too_stiff ? feel.most_stiffness_n_per_mm / forces.local_stiffness_n_per_mm : 1.0;
-    const dvec3 stiffness_n = forces.stiffness_n * share;
+    const double fraction = too_stiff ? feel.most_stiffness_n_per_mm / forces.local_stiffness_n_per_mm : 1.0;
+    const dvec3 stiffness_n = forces.stiffness_n * fraction;
     if (friction_follows_pressure) {
-        force.driven_n = forces.friction_n * share;
+        force.driven_n = forces.friction_n * fraction;
     } else {
         const double pressed_n = std::sqrt(glm::dot(stiffness_n, stiffness_n));
         force.driven_n = forces.friction_n * std::min(1.0, pressed_n / feel.friction_reference_n);
     }
     force.wanted_n = stiffness_n - velocity_mm_s * viscosity_c2_n_s_per_mm + force.driven_n;
-    const double shown_n_per_mm = forces.local_stiffness_n_per_mm * share;
+    const double shown_n_per_mm = forces.local_stiffness_n_per_mm * fraction;
     if (feel.most_wire_stiffness_n_per_mm > 0.0 && shown_n_per_mm > feel.most_wire_stiffness_n_per_mm) {
         const double wire = feel.most_wire_stiffness_n_per_mm / shown_n_per_mm;
         // Along the wall it is the device's own friction.

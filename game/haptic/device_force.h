@@ -23,7 +23,7 @@ struct DeviceFeel {
 
 struct DeviceForce {
     dvec3 wanted_n{0.0};  // what the safety chain is given
-    dvec3 driven_n{0.0};  // the wheel's share of it: its motor may do work on the hand
+    dvec3 driven_n{0.0};  // the wheel's fraction of it: its motor may do work on the hand
 };
 
 // Of the clay's forces in this tick and the tool's velocity from a windowed estimator.
@@ -34,10 +34,10 @@ struct DeviceForce {
 //   whole friction is there at once, a kick along the wall. A device gets it times min(1, |F_s|/F_ref): in
 //   full once the tool presses with F_ref.
 // Differs: clay that is stiffer than the device can show stably is shown as stiff as it can; its friction
-//   follows the pressure and is lessened by the same share.
+//   follows the pressure and is lessened by the same fraction.
 // Differs: a joystick's own spring answers the hand at the stick's speed, but its height, and where it has no
 //   such spring (shows_wall false) its radius, are forces over a slow bus: those axes get all their forces by
-//   the share that makes the clay as stiff as is stable over that bus. The sum is bent towards the spring.
+//   the fraction that makes the clay as stiff as is stable over that bus. The sum is bent towards the spring.
 [[nodiscard]] DeviceForce device_force(const clay::ContactForces& forces, const dvec3& velocity_mm_s,
                                        double viscosity_c2_n_s_per_mm, bool friction_follows_pressure,
                                        const DeviceFeel& feel, bool shows_wall = false) noexcept;

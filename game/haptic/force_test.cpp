@@ -16,9 +16,9 @@ dvec3 test_force_n(double time_s) noexcept {
     dvec3 force_n(0.0);
     if (!(time_s >= 0.0) || time_s >= kTestPushes * kTestPushS) return force_n;
     const int push = std::min(static_cast<int>(time_s / kTestPushS), kTestPushes - 1);
-    const double share = std::clamp(time_s / kTestPushS - push, 0.0, 1.0);
+    const double fraction = std::clamp(time_s / kTestPushS - push, 0.0, 1.0);
     // 1 in the middle, 0 with no slope at both ends.
-    const double hill = 4.0 * share * (1.0 - share);
+    const double hill = 4.0 * fraction * (1.0 - fraction);
     force_n[kAxes[static_cast<std::size_t>(push)]] = kTestForceN * hill * hill;
     return force_n;
 }

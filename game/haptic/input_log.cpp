@@ -84,7 +84,7 @@ Result<void> InputLog::shrink(std::size_t count) {
 
 std::size_t InputLog::bytes() const {
     std::size_t bytes = newest_.size() * sizeof(LoggedInput);
-    for (const files::PutAside::Piece& piece : packed_)
+    for (const files::SpillFile::Piece& piece : packed_)
         bytes += sizeof piece + piece.in_memory.size();
     return bytes;
 }

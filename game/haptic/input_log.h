@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/files/put_aside.h"
+#include "engine/files/spill_file.h"
 #include "engine/math/math.h"
 
 namespace onggi::haptic {
@@ -49,7 +49,7 @@ class InputLog {
     class Reader {
       public:
         Reader(const InputLog& log, std::size_t first) : log_(log), next_(first) {}
-        // Good until the next call. Precondition: there is one more. Errors: those of PutAside::get().
+        // Good until the next call. Precondition: there is one more. Errors: those of SpillFile::get().
         [[nodiscard]] Result<const LoggedInput*> next();
 
       private:
@@ -65,8 +65,8 @@ class InputLog {
     [[nodiscard]] static std::vector<LoggedInput> unpacked(const Packed& bytes);
     [[nodiscard]] Result<std::vector<LoggedInput>> block(std::size_t which) const;
 
-    files::PutAside aside_;
-    std::vector<files::PutAside::Piece> packed_;  // of kBlock inputs each
+    files::SpillFile aside_;
+    std::vector<files::SpillFile::Piece> packed_;  // of kBlock inputs each
     std::vector<LoggedInput> newest_;
     LoggedInput last_;
 };

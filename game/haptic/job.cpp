@@ -52,7 +52,7 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
 bool HapticWork::tick(const jobs::Period& period) noexcept {
     skipped_periods_ += period.skipped;
     ++periods_;
-    obey_commands();
+    apply_commands();
     put_on_states();
     if (run_is_over()) put_on_fresh_lump();
 
@@ -81,7 +81,7 @@ const Snapshot& HapticWork::newest_snapshot() noexcept {
     return newest_;
 }
 
-void HapticWork::obey_commands() noexcept {
+void HapticWork::apply_commands() noexcept {
     Command command{};
     while (commands_.try_pop(command)) {
         switch (command) {

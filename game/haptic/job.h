@@ -82,7 +82,7 @@ class HapticWork final : public jobs::PeriodicWork {
     [[nodiscard]] bool run_is_over() const noexcept {
         return options_.run_ticks != 0 && ticks_of_run() >= options_.run_ticks;
     }
-    void obey_commands() noexcept;
+    void apply_commands() noexcept;
     // What the loop, the device and the watchdog know that the clay need not.
     [[nodiscard]] DeviceTick device_tick(const jobs::Period& period) noexcept;
     void put_on_fresh_lump() noexcept;

@@ -23,12 +23,12 @@ struct PotCopy {
     PotStamp stamp;
 };
 
-// Copies the clay into a pot at a pace of simulated time: the dents, which change slowly, a share each tick;
-// the rings in the last of them, because clay that moves meanwhile would leave a step in the wall wherever
-// one tick's share met the next. Haptic thread; no allocation.
+// Copies the clay into a pot at a pace of simulated time: the dents, which change slowly, a fraction each
+// tick; the rings in the last of them, because clay that moves meanwhile would leave a step in the wall
+// wherever one tick's fraction met the next. Haptic thread; no allocation.
 class PotCopier {
   public:
-    // One tick's share into `pot`, which comes from pot_of() and must stay the same until it is finished.
+    // One tick's fraction into `pot`, which comes from pot_of() and must stay the same until it is finished.
     // True when it is.
     bool step(pot::Pot& pot, const HapticState& state, double dt_s) noexcept;
     // Begins anew: another clay is on the wheel.

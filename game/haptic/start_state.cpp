@@ -36,9 +36,9 @@ template <typename Parameters>
 auto stored_studio_numbers(Parameters& clay) {
     return std::array{&clay.flow_time_s,
                       &clay.yield_depth_mm,
-                      &clay.wall_share_k0,
+                      &clay.wall_fraction_k0,
                       &clay.thin_wall_mm,
-                      &clay.hoop_share_chi,
+                      &clay.hoop_fraction_chi,
                       &clay.field_length_beta,
                       &clay.floor_mm,
                       &clay.largest_strain_rate,

@@ -21,18 +21,18 @@ clay::StudioTool studio_tool(haptics::ToolKind kind) noexcept {
     return clay::StudioTool::kHand;
 }
 
-clay::SideWish side_wish(haptics::SideHint hint) noexcept {
+clay::WantedSide side_request(haptics::SideHint hint) noexcept {
     switch (hint) {
         case haptics::SideHint::kByTheWayItCame:
-            return clay::SideWish::kNone;
+            return clay::WantedSide::kNone;
         case haptics::SideHint::kOutside:
-            return clay::SideWish::kOut;
+            return clay::WantedSide::kOut;
         case haptics::SideHint::kInside:
-            return clay::SideWish::kIn;
+            return clay::WantedSide::kIn;
         case haptics::SideHint::kRim:
-            return clay::SideWish::kTop;
+            return clay::WantedSide::kTop;
     }
-    return clay::SideWish::kNone;
+    return clay::WantedSide::kNone;
 }
 
 clay::Wire studio_wire(haptics::WorkCommand command) noexcept {
@@ -90,7 +90,7 @@ dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const Ha
                                         .dt_s = dt_s,
                                         .velocity_mm_s = velocity_mm_s,
                                         .driven_force_n = force.driven_n + device.test_force_n,
-                                        .applied_share = device.signs.force_share,
+                                        .applied_fraction = device.signs.force_fraction,
                                         .late = device.late,
                                         .position_is_new = device.signs.position_is_new,
                                         .hand_is_there = device.signs.hand_is_there,
@@ -151,7 +151,7 @@ clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept {
     input.hand = {.position_mm = tool.position_mm,
                   .radius_mm = tool.radius_mm,
                   .shaft_mm = tool.shaft_mm,
-                  .side = side_wish(tool.side),
+                  .side = side_request(tool.side),
                   .tool = studio_tool(tool.tool)};
     input.second = {.position_mm = tool.second.position_mm,
                     .radius_mm = tool.second.radius_mm,

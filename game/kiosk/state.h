@@ -144,8 +144,8 @@ struct State : ScreenState {
     double staff_used_s = 0.0;  // the panel locks again a while after
     Pace pace;
     PinGuard pin_guard;
-    int house_volume = 3;    // as house_language
-    bool left_over = false;  // an interrupted pot waits to be offered
+    int house_volume = 3;              // as house_language
+    bool interrupted_session = false;  // an interrupted pot waits to be offered
 };
 
 // One word for each, for titles and logs: "attract".

@@ -90,7 +90,7 @@ void Turn::end_visit() {
     state.comfort.volume = state.house_volume = before.house_volume;
     state.comfort.language = state.house_language = before.house_language;
     state.force_rests = before.force_rests;
-    state.left_over = before.left_over;  // until somebody has decided
+    state.interrupted_session = before.interrupted_session;  // until somebody has decided
     add(Effect::Kind::kForgetPot);
     add(Effect::Kind::kSetVolume, state.house_volume);
     add(Effect::Kind::kStartDemo);
@@ -134,7 +134,7 @@ void wake(Turn& turn) {
         return;
     }
     if (state.panel == Panel::kNone && state.screen == Screen::kAttract) {
-        turn.begin_visit(state.left_over ? Screen::kResume : Screen::kChoose);
+        turn.begin_visit(state.interrupted_session ? Screen::kResume : Screen::kChoose);
     }
 }
 
@@ -267,8 +267,8 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
         case Event::Kind::kFaultOver:
             if (state.screen == Screen::kFault) turn.end_visit();
             break;
-        case Event::Kind::kLeftOver:
-            state.left_over = true;
+        case Event::Kind::kInterruptedSession:
+            state.interrupted_session = true;
             break;
         case Event::Kind::kCornerHeld:
             if (rules.pin_digits > 0 && state.panel != Panel::kStaff) {

@@ -100,9 +100,9 @@ struct Event {
         kForceBack,
         kFault,  // the wheel cannot work
         kFaultOver,
-        kLeftOver,    // an interrupted pot was found
-        kCornerHeld,  // the staff's corner, for long enough
-        kCloseAsked,  // the window's cross, Esc, Alt+F4, Ctrl+Q, Ctrl+C
+        kInterruptedSession,  // an interrupted pot was found
+        kCornerHeld,          // the staff's corner, for long enough
+        kCloseAsked,          // the window's cross, Esc, Alt+F4, Ctrl+Q, Ctrl+C
     };
     Kind kind = Kind::kTick;
     Button button = Button::kNone;
@@ -126,7 +126,7 @@ struct Effect {
         kShare,      // the kept pot, for phones
         kForgetPot,  // nothing of the visit before may be seen again
         kResume,
-        kDropLeftOver,
+        kDropInterrupted,
         kSetVolume,   // value: 0 to kMostVolume
         kKeepHouse,   // the house's volume and language, as the staff has set them: for all visits to come
         kVisitBegan,  // for the measured use: no person, only counts

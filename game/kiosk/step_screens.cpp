@@ -121,14 +121,14 @@ void press_your_pot(Turn& turn, const Event& event) {
 
 void press_resume(Turn& turn, const Event& event) {
     if (event.button == Button::kResumeGo) {
-        turn.state.left_over = false;
+        turn.state.interrupted_session = false;
         turn.state.throwing = {};
         turn.state.pace = {.progress_s = turn.now_s};
         turn.add(Effect::Kind::kResume);
         turn.show(Screen::kThrow);
     } else if (event.button == Button::kResumeFresh) {
-        turn.state.left_over = false;
-        turn.add(Effect::Kind::kDropLeftOver);
+        turn.state.interrupted_session = false;
+        turn.add(Effect::Kind::kDropInterrupted);
         turn.show(Screen::kThrow);
         turn.put_on_clay(std::nullopt);
     }
@@ -158,7 +158,7 @@ void pass_firing(Turn& turn) {
 void press_screen(Turn& turn, const Event& event) {
     switch (turn.state.screen) {
         case Screen::kAttract:
-            turn.begin_visit(turn.state.left_over ? Screen::kResume : Screen::kChoose);
+            turn.begin_visit(turn.state.interrupted_session ? Screen::kResume : Screen::kChoose);
             break;
         case Screen::kChoose:
             press_choose(turn, event);
@@ -231,7 +231,7 @@ void press_language(Turn& turn, const Event& event) {
             turn.lay_over(Panel::kNone);
             // A visit has begun with the choice of a language.
             if (turn.state.screen == Screen::kAttract) {
-                turn.begin_visit(turn.state.left_over ? Screen::kResume : Screen::kChoose);
+                turn.begin_visit(turn.state.interrupted_session ? Screen::kResume : Screen::kChoose);
             }
             break;
         default:

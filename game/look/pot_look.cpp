@@ -23,10 +23,11 @@ class Streaks {
         const float y = up * render::kDetailTexels - 0.5F;
         const auto left = static_cast<int>(std::floor(x));
         const auto top = static_cast<int>(std::floor(y));
-        const float right_share = x - static_cast<float>(left);
-        const float low_share = y - static_cast<float>(top);
-        return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right_share),
-                        glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_share), low_share);
+        const float right_fraction = x - static_cast<float>(left);
+        const float low_fraction = y - static_cast<float>(top);
+        return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right_fraction),
+                        glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_fraction),
+                        low_fraction);
     }
 
   private:

@@ -24,8 +24,8 @@ asset::Image blank() {
     return image;
 }
 
-std::uint8_t byte_of(float share) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+std::uint8_t byte_of(float fraction) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
 }
 
 void add_texel(asset::Image& image, const vec3& value) {
@@ -35,12 +35,12 @@ void add_texel(asset::Image& image, const vec3& value) {
 // The outline as the wheel's picture has it, with its every groove.
 class Outline {
   public:
-    Outline(const share::PotRings& rings, double shrinkage) {
+    Outline(const exporter::PotRings& rings, double shrinkage) {
         const auto scaled = [&](double length_mm) { return static_cast<float>(length_mm * shrinkage); };
         for (int i = 0; i < rings.count(); ++i) {
-            outer_.push_back(scaled(rings.outer_mm[share::PotRings::at(i)]));
+            outer_.push_back(scaled(rings.outer_mm[exporter::PotRings::at(i)]));
             inner_.push_back(scaled(rings.inner(i)));
-            top_.push_back(scaled(rings.edge_mm[share::PotRings::at(i) + 1]));
+            top_.push_back(scaled(rings.edge_mm[exporter::PotRings::at(i) + 1]));
         }
         const bool is_hollow = !rings.inner_mm.empty();
         render::build_profile(
@@ -66,14 +66,14 @@ class Outline {
         if (above == last) return (last - 1)->along_mm;
         const render::ProfilePoint& before = *(above - 1);
         const float rise = above->y_mm - before.y_mm;
-        const float share = rise == 0.0F ? 0.0F : (y_mm - before.y_mm) / rise;
-        return before.along_mm + share * (above->along_mm - before.along_mm);
+        const float fraction = rise == 0.0F ? 0.0F : (y_mm - before.y_mm) / rise;
+        return before.along_mm + fraction * (above->along_mm - before.along_mm);
     }
     [[nodiscard]] vec2 normal(float along_mm) const {
         return render::profile_normal(profile_, along_mm, kSpanMm);
     }
     // The sky that a place sees, as the wheel's picture darkens it.
-    [[nodiscard]] float open(const share::PictureRow& at) const {
+    [[nodiscard]] float open(const exporter::PictureRow& at) const {
         const vec2 normal(at.normal);
         const auto radius_mm = static_cast<float>(at.radius_mm);
         const auto y_mm = static_cast<float>(at.y_mm);
@@ -96,37 +96,37 @@ class Outline {
 // The rows between two of which each place of the pictures lies.
 class RowsByPlace {
   public:
-    explicit RowsByPlace(const std::vector<share::PictureRow>& rows) : rows_(rows) {}
+    explicit RowsByPlace(const std::vector<exporter::PictureRow>& rows) : rows_(rows) {}
 
     // v never falls from one call to the next.
-    share::PictureRow at(double v) {
+    exporter::PictureRow at(double v) {
         while (next_ + 1 < rows_.size() && rows_[next_].v < v)
             ++next_;
-        const share::PictureRow& below = rows_[next_];
-        const share::PictureRow& above = rows_[next_ == 0 ? 0 : next_ - 1];
+        const exporter::PictureRow& below = rows_[next_];
+        const exporter::PictureRow& above = rows_[next_ == 0 ? 0 : next_ - 1];
         const double run = below.v - above.v;
-        const double share = run > 0.0 ? std::clamp((v - above.v) / run, 0.0, 1.0) : 1.0;
-        const dvec2 normal = glm::mix(above.normal, below.normal, share);
+        const double fraction = run > 0.0 ? std::clamp((v - above.v) / run, 0.0, 1.0) : 1.0;
+        const dvec2 normal = glm::mix(above.normal, below.normal, fraction);
         return {.v = v,
-                .radius_mm = glm::mix(above.radius_mm, below.radius_mm, share),
-                .y_mm = glm::mix(above.y_mm, below.y_mm, share),
+                .radius_mm = glm::mix(above.radius_mm, below.radius_mm, fraction),
+                .y_mm = glm::mix(above.y_mm, below.y_mm, fraction),
                 .normal = glm::length(normal) > 0.0 ? glm::normalize(normal) : below.normal,
-                .inside = share < 0.5 ? above.inside : below.inside};
+                .inside = fraction < 0.5 ? above.inside : below.inside};
     }
 
   private:
-    const std::vector<share::PictureRow>& rows_;
+    const std::vector<exporter::PictureRow>& rows_;
     std::size_t next_ = 0;
 };
 
 // A row of the pictures, where it is and what its normal is measured against.
 struct BakedRow {
-    share::PictureRow row;
+    exporter::PictureRow row;
     float along_mm = 0.0F;
     vec2 fine{0.0F};  // the outline's own normal
 };
 
-BakedRow baked_row(const share::PictureRow& row, const Outline& outline) {
+BakedRow baked_row(const exporter::PictureRow& row, const Outline& outline) {
     constexpr double kMostUpright = 0.9;
     BakedRow baked{.row = row,
                    .along_mm = outline.along(static_cast<float>(row.y_mm), row.inside),
@@ -154,8 +154,8 @@ vec3 in_tangent_space(const BakedRow& baked, float lean_round, float lean_up) {
 
 }  // namespace
 
-PotPictures bake(const std::vector<share::PictureRow>& rows, const share::PotRings& rings, double shrinkage,
-                 const PotLook& look) {
+PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::PotRings& rings,
+                 double shrinkage, const PotLook& look) {
     PotPictures pictures{.base_colour = blank(), .normal = blank(), .surface = blank(), .coat = blank()};
     const Outline outline(rings, shrinkage);
     RowsByPlace places(rows);
@@ -193,10 +193,11 @@ PotPictures bake(const std::vector<share::PictureRow>& rows, const share::PotRin
     return pictures;
 }
 
-Result<std::vector<std::byte>> dressed_glb(const share::PotRings& rings, const PotLook& look,
-                                           share::PotFile file) {
-    auto pot = share::build_pot_solid(
-        rings, {.shrinkage = file.shrinkage, .most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+Result<std::vector<std::byte>> dressed_glb(const exporter::PotRings& rings, const PotLook& look,
+                                           exporter::PotFile file) {
+    auto pot = exporter::build_pot_solid(
+        rings,
+        {.shrinkage = file.shrinkage, .most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
     if (!pot) return pot.error();
     const PotPictures pictures = bake(pot->picture_rows, rings, file.shrinkage, look);
     asset::Material material{
@@ -222,7 +223,7 @@ Result<std::vector<std::byte>> dressed_glb(const share::PotRings& rings, const P
     }
     if (!done) return done.error();
     asset::order_for_drawing(pot->mesh);
-    return share::glb_of(std::move(pot->mesh), std::move(material), std::move(file.extras));
+    return exporter::glb_of(std::move(pot->mesh), std::move(material), std::move(file.extras));
 }
 
 }  // namespace onggi::look

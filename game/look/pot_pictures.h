@@ -7,10 +7,10 @@
 #include "engine/asset/gltf.h"
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
+#include "game/exporter/export.h"
+#include "game/exporter/pot_rings.h"
+#include "game/exporter/pot_solid.h"
 #include "game/look/pot_look.h"
-#include "game/share/export.h"
-#include "game/share/pot_rings.h"
-#include "game/share/pot_solid.h"
 
 namespace onggi::look {
 
@@ -25,11 +25,11 @@ struct PotPictures {
 };
 
 // `rows` are those of the solid, at a size that is the rings' times `shrinkage`.
-[[nodiscard]] PotPictures bake(const std::vector<share::PictureRow>& rows, const share::PotRings& rings,
+[[nodiscard]] PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::PotRings& rings,
                                double shrinkage, const PotLook& look);
 
-// The pot as a GLB that wears its look; extras as share::PotFile has them. kBadInput as build_pot_solid().
-[[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const share::PotRings& rings, const PotLook& look,
-                                                         share::PotFile file);
+// The pot as a GLB that wears its look; extras as exporter::PotFile has them. kBadInput as build_pot_solid().
+[[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const exporter::PotRings& rings, const PotLook& look,
+                                                         exporter::PotFile file);
 
 }  // namespace onggi::look

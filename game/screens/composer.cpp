@@ -47,16 +47,16 @@ std::int64_t Composer::turn_pots(std::int64_t now_ns) {
 }
 
 std::int64_t Composer::round(std::int64_t now_ns) noexcept {
-    const std::shared_ptr<const View> wish = wishes_.latest();
-    if (!wish || wish == shown_) return turn_pots(now_ns);
+    const std::shared_ptr<const View> request = requests_.latest();
+    if (!request || request == shown_) return turn_pots(now_ns);
     if (!painter_) {
         painter_ = std::make_unique<ui::Painter>();
         store_ = std::make_unique<PaintingStore>(*painter_);
     }
-    const bool is_other_screen = !shown_ || shown_->state.screen != wish->state.screen;
-    shown_ = wish;
+    const bool is_other_screen = !shown_ || shown_->state.screen != request->state.screen;
+    shown_ = request;
     const auto composed =
-        std::make_shared<const Composed>(Composed{wish, compose(*wish, *painter_, *store_)});
+        std::make_shared<const Composed>(Composed{request, compose(*request, *painter_, *store_)});
     turning_.clear();
     for (const Item& item : composed->composition.items) {
         if (item.turning) turning_.emplace_back(item.key, item.turning);

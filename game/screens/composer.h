@@ -1,5 +1,5 @@
 // Composes and paints screens beside the frame: a first label costs tens of milliseconds, and a pot as many.
-// The newest wish wins; what lies between is never painted. Main thread, except where it says otherwise.
+// The newest request wins; what lies between is never painted. Main thread, except where it says otherwise.
 #pragma once
 
 #include <atomic>
@@ -50,7 +50,7 @@ class Composer final : private jobs::IoWork {
     void stop() noexcept { thread_.stop(); }
 
     // Wait-free.
-    void ask(std::shared_ptr<const View> view) noexcept { wishes_.put(view); }
+    void ask(std::shared_ptr<const View> view) noexcept { requests_.put(view); }
     // A finger lies on the pots: they stand still.
     void hold(bool held) noexcept { held_.store(held, std::memory_order_relaxed); }
     // The pots of latest(), turned on; null while nothing turns.
@@ -64,7 +64,7 @@ class Composer final : private jobs::IoWork {
     void finish() noexcept override;
     [[nodiscard]] std::int64_t turn_pots(std::int64_t now_ns);
 
-    jobs::Mailbox<std::shared_ptr<const View>> wishes_;
+    jobs::Mailbox<std::shared_ptr<const View>> requests_;
     jobs::Mailbox<std::shared_ptr<const Composed>> done_;
     jobs::Mailbox<std::shared_ptr<const TurnedPots>> turned_;
     std::atomic<bool> held_{false};

@@ -24,19 +24,19 @@ std::size_t points_of(const Band& band) {
 // Slanting stripes between the edges of a band.
 void draw_hatch(DrawList& list, const Band& band, const Colour& colour, float drift, float u) {
     const std::size_t count = points_of(band);
-    const auto along = [&](const std::vector<vec2>& edge, float share) {
-        const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(count - 1);
+    const auto along = [&](const std::vector<vec2>& edge, float fraction) {
+        const float at = std::clamp(fraction, 0.0F, 1.0F) * static_cast<float>(count - 1);
         const auto first = std::min(static_cast<std::size_t>(at), count - 2);
         return glm::mix(edge[first], edge[first + 1], at - static_cast<float>(first));
     };
     const float width = std::max(1.0F, glm::length(band.upper.back() - band.upper.front()));
     const float step = kHatchStepU * u / width;
     const float slant = 0.9F * glm::length(band.lower[count / 2] - band.upper[count / 2]) / width;
-    for (float share = -slant + drift * step; share < 1.0F; share += step) {
-        const float end = share + 0.4F * step;
+    for (float fraction = -slant + drift * step; fraction < 1.0F; fraction += step) {
+        const float end = fraction + 0.4F * step;
         if (end <= 0.0F && end + slant <= 0.0F) continue;
-        const std::array corners{along(band.upper, share + slant), along(band.upper, end + slant),
-                                 along(band.lower, end), along(band.lower, share)};
+        const std::array corners{along(band.upper, fraction + slant), along(band.upper, end + slant),
+                                 along(band.lower, end), along(band.lower, fraction)};
         list.add_polygon(corners, colour);
     }
 }

@@ -56,7 +56,7 @@ inline constexpr float kLeastTarget = 50.0F;  // the ends of a stepper, the staf
 // A 24 inch panel of 1080 lines, on which u was chosen.
 inline constexpr float kMmPerU = 0.4151F;
 // Height of a capital in ems, of the lowest of the families: Noto Sans and Serif.
-inline constexpr double kCapitalShare = 0.719;
+inline constexpr double kCapitalFraction = 0.719;
 
 // Families in the order in which they are asked; Arabic has its own first, so that its digits and marks
 // match.

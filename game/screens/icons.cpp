@@ -131,11 +131,11 @@ void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colo
     add_strokes(sketch, icon, at, side, stroke, std::optional(fill));
 }
 
-std::string spiral_path(float share) {
+std::string spiral_path(float fraction) {
     constexpr int kPoints = 240;
     constexpr float kTurns = 6.0F;
     std::string path;
-    for (int i = 0; i <= static_cast<int>(kPoints * share); ++i) {
+    for (int i = 0; i <= static_cast<int>(kPoints * fraction); ++i) {
         const float along = static_cast<float>(i) / kPoints;
         const float angle = along * kTurns * 6.2831853F - 1.5707963F;
         const float radius = 66.0F + along * 92.0F;

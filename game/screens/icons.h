@@ -43,10 +43,10 @@ void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colo
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
               const std::optional<ui::Colour>& fill);
 
-// A coil of clay from its middle outwards, as far as the share says, in a square of kSpiralSide; 13 wide
+// A coil of clay from its middle outwards, as far as the fraction says, in a square of kSpiralSide; 13 wide
 // where its turns are to touch.
 constexpr float kSpiralSide = 360.0F;
-[[nodiscard]] std::string spiral_path(float share);
+[[nodiscard]] std::string spiral_path(float fraction);
 
 // All paths, for the test that reads them.
 [[nodiscard]] std::span<const std::string_view> icon_paths(Icon icon);

@@ -20,7 +20,7 @@ double px_per_mm(int width_px, int height_px, double diagonal_inch) {
 }
 
 double capital_degrees(double size_u, double mm_per_u, double distance_mm) {
-    return kDegreesPerRad * std::atan(size_u * mm_per_u * design::kCapitalShare / distance_mm);
+    return kDegreesPerRad * std::atan(size_u * mm_per_u * design::kCapitalFraction / distance_mm);
 }
 
 double smallest_text_degrees(int width_px, int height_px, double px_per_mm, double distance_mm) {
@@ -35,7 +35,7 @@ double smallest_target_mm(int width_px, int height_px, double px_per_mm) {
 float legible_scale(double mm_per_u, double distance_mm) {
     constexpr double kMostScale = 2.0;
     const double capital_mm = distance_mm * std::tan(kLeastCapitalDegrees / kDegreesPerRad);
-    const double size_u = capital_mm / (design::kCapitalShare * mm_per_u);
+    const double size_u = capital_mm / (design::kCapitalFraction * mm_per_u);
     return static_cast<float>(std::clamp(size_u / double{design::kLeastTextSize}, 1.0, kMostScale));
 }
 

@@ -29,14 +29,15 @@ void draw_idle(Page& page) {
     const bool tall = page.shape() == Shape::kTall;
     veil(page, 0.90F, 0.95F);
     const vec2 centre(0.5F * width, tall ? 400.0F : 0.36F * height - 10.0F);
-    const float share = std::clamp(static_cast<float>(view.seconds_left / view.countdown_s), 0.0F, 1.0F);
+    const float fraction = std::clamp(static_cast<float>(view.seconds_left / view.countdown_s), 0.0F, 1.0F);
     ui::Sketch sketch;
     sketch.add(ui::Ellipse{{4.0F, 4.0F, 352.0F, 352.0F}, ui::Fill::flat(ui::hex(0x6f5a44))});
     sketch.add(ui::Ellipse{{7.0F, 7.0F, 346.0F, 346.0F}, ui::Fill::flat(ui::hex(0x2b2019))});
     sketch.add(ui::Shape{.path = spiral_path(1.0F), .stroke = ui::hex(0x4a3829), .stroke_width = 13.0F});
-    if (share > 0.0F) {
-        sketch.add(ui::Shape{.path = spiral_path(share), .stroke = ui::hex(0xc79a6c), .stroke_width = 13.0F});
-        sketch.add(ui::Shape{.path = spiral_path(share),
+    if (fraction > 0.0F) {
+        sketch.add(
+            ui::Shape{.path = spiral_path(fraction), .stroke = ui::hex(0xc79a6c), .stroke_width = 13.0F});
+        sketch.add(ui::Shape{.path = spiral_path(fraction),
                              .placing = {.at = {-2.0F, -3.0F}},
                              .stroke = ui::hex(0xe6c79d),
                              .stroke_width = 3.0F});

@@ -186,18 +186,18 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
         covers_ = now_->composition.covers;
         add(*now_, frame, {});
     } else {
-        const float share = static_cast<float>(along * (2.0 - along));  // eased out
+        const float fraction = static_cast<float>(along * (2.0 - along));  // eased out
         const bool from_wall = before_->composition.covers;
         const bool to_wall = now_->composition.covers;
         covers_ = from_wall && to_wall;
         scene_rests_ = from_wall != to_wall;
         // Nothing has faded yet: as it was before, and time to make the scene that comes.
-        const bool still_covers = from_wall && !to_wall && share <= 0.0F;
+        const bool still_covers = from_wall && !to_wall && fraction <= 0.0F;
         if (still_covers) {
             covers_ = true;
             add(*before_, frame, {});
         } else {
-            add_changing(frame, share);
+            add_changing(frame, fraction);
         }
     }
     uploads_ = atlas_.take_uploads();
@@ -205,8 +205,8 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
 }
 
 // Both compositions, the one on its way in and the other on its way out.
-void Stage::add_changing(const StageFrame& frame, float share) {
-    const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - share);
+void Stage::add_changing(const StageFrame& frame, float fraction) {
+    const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - fraction);
     const bool from_wall = before_->composition.covers;
     const bool to_wall = now_->composition.covers;
     // A wall is the first item. Another wall, or one where there was none, comes over what was there.
@@ -214,10 +214,10 @@ void Stage::add_changing(const StageFrame& frame, float share) {
     add(*now_, frame, {.part = Part::kAlike});
     if (is_other_wall) {
         add(*before_, frame, {.part = Part::kOthers});
-        add(*now_, frame, {share, rise, Part::kOthers});
+        add(*now_, frame, {fraction, rise, Part::kOthers});
     } else {
-        add(*now_, frame, {from_wall && !to_wall ? 1.0F : share, rise, Part::kOthers});
-        add(*before_, frame, {1.0F - share, 0.0F, Part::kOthers});
+        add(*now_, frame, {from_wall && !to_wall ? 1.0F : fraction, rise, Part::kOthers});
+        add(*before_, frame, {1.0F - fraction, 0.0F, Part::kOthers});
     }
 }
 

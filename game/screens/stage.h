@@ -57,7 +57,7 @@ class Stage {
         Part part = Part::kAll;
     };
     void add(const Composed& composed, const StageFrame& frame, const Fade& fade);
-    void add_changing(const StageFrame& frame, float share);
+    void add_changing(const StageFrame& frame, float fraction);
     void find_alike();
     // The cue comes, stays or goes.
     void follow_cue(const StageFrame& frame, double step_s);

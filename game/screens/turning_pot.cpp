@@ -14,7 +14,7 @@ constexpr float kHalfTurn = std::numbers::pi_v<float>;
 constexpr int kColumns = 512;  // of the colours, round the pot; a power of two
 constexpr int kRows = 320;     // and up it
 // The colours of a pot that was painted to be seen from one side do not meet at its back: they are mixed over
-// this share of the way round.
+// this fraction of the way round.
 constexpr float kSeam = 0.12F;
 
 // encoded_pot_light(), channel by channel, from a table: pixels are painted by the hundred thousand.
@@ -101,13 +101,13 @@ void TurningPot::fill_colours(const pot::Section& shape, const finish::GlazeMate
         at.inside = true;  // glazed down to the foot; the foot has a row of its own
         at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
         for (int column = 0; column < kColumns; ++column) {
-            const float share = (static_cast<float>(column) + 0.5F) / kColumns;
-            at.angle = 2.0F * kHalfTurn * share - kHalfTurn;
+            const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
+            at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
             vec3 colour = shading.colour(at);
-            if (share < kSeam) {
+            if (fraction < kSeam) {
                 // From what would come next on the far side of the seam.
                 at.angle += 2.0F * kHalfTurn;
-                colour = glm::mix(shading.colour(at), colour, glm::smoothstep(0.0F, kSeam, share));
+                colour = glm::mix(shading.colour(at), colour, glm::smoothstep(0.0F, kSeam, fraction));
             }
             colours_[static_cast<std::size_t>(row * kColumns + column)] = colour;
         }
@@ -125,13 +125,13 @@ std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {
         // Between two columns, so that it turns smoothly; rows are finer than pixels.
         const float along = pixel.column + shift;
         const auto whole = static_cast<std::uint32_t>(along);
-        const float share = along - static_cast<float>(whole);
+        const float fraction = along - static_cast<float>(whole);
         const auto row = static_cast<std::size_t>(pixel.row + 0.5F) * kColumns;
         const vec3& first = colours_[row + (whole & (kColumns - 1U))];
         const vec3& second = colours_[row + ((whole + 1U) & (kColumns - 1U))];
         std::uint8_t* const to = painting->rgba.data() + pixel.place;
         for (int channel = 0; channel < 3; ++channel) {
-            const float own = first[channel] + share * (second[channel] - first[channel]);
+            const float own = first[channel] + fraction * (second[channel] - first[channel]);
             const float light = own * pixel.factor[channel] + pixel.gloss[channel];
             to[channel] = static_cast<std::uint8_t>(encode(light) * pixel.cover + 0.5F);
         }

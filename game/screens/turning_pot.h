@@ -36,7 +36,7 @@ class TurningPot {
         float column = 0.0F;      // of them, before it turns
         vec3 factor{0.0F};
         vec3 gloss{0.0F};
-        float cover = 1.0F;  // share of the pixel
+        float cover = 1.0F;  // fraction of the pixel
     };
     // Those of a band's pixels.
     void add_pixels(const PotSamples& samples, const PotShading& shading, const pot::Section& shape,

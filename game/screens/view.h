@@ -65,7 +65,7 @@ struct StaffLine {
     friend bool operator==(const StaffLine&, const StaffLine&) = default;
 };
 
-// Times of the frames of some seconds, each the worst of its share of them; the oldest first. ms.
+// Times of the frames of some seconds, each the worst of its fraction of them; the oldest first. ms.
 struct FramePlot {
     std::vector<float> frame_ms;   // from one frame to the next
     std::vector<float> device_ms;  // that the graphics device took; 0: not measured

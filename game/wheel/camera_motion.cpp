@@ -7,7 +7,7 @@
 namespace onggi::wheel {
 namespace {
 
-constexpr double kGlideS = 1.1;
+constexpr double kTransitionS = 1.1;
 
 }  // namespace
 
@@ -20,16 +20,16 @@ Settling settled(const Settling& now, double goal, double rate_per_s, double dt_
             .speed = (now.speed - rate_per_s * push * dt_s) * decay};
 }
 
-Travelling travelled(const Travelling& from, double goal, double share, double whole_s) {
-    // A polynomial of the fifth degree of the share s: value, speed and acceleration here, and none but the
-    // goal's value there. T. Flash, N. Hogan, "The coordination of arm movements", 1985.
+Travelling travelled(const Travelling& from, double goal, double fraction, double whole_s) {
+    // A polynomial of the fifth degree of the fraction s: value, speed and acceleration here, and none but
+    // the goal's value there. T. Flash, N. Hogan, "The coordination of arm movements", 1985.
     const double away = goal - from.value;
     const double speed = from.speed * whole_s;
     const double push = 0.5 * from.acceleration * whole_s * whole_s;
     const double c3 = 10.0 * away - 6.0 * speed - 3.0 * push;
     const double c4 = -15.0 * away + 8.0 * speed + 3.0 * push;
     const double c5 = 6.0 * away - 3.0 * speed - push;
-    const double s = share;
+    const double s = fraction;
     return {.value = from.value + s * (speed + s * (push + s * (c3 + s * (c4 + s * c5)))),
             .speed = (speed + s * (2.0 * push + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)))) / whole_s,
             .acceleration =
@@ -76,7 +76,7 @@ void CameraMotion::go_to(const CameraPose& pose) {
     const double turn = 2.0 * std::numbers::pi;
     now_[0].value += turn * std::round((goal_[0] - now_[0].value) / turn);
     from_ = now_;
-    left_s_ = kGlideS;
+    left_s_ = kTransitionS;
 }
 
 void CameraMotion::advance(double dt_s) {
@@ -84,7 +84,7 @@ void CameraMotion::advance(double dt_s) {
     left_s_ -= dt_s;
     if (at_rest()) return arrive();
     for (std::size_t i = 0; i < kNumbers; ++i)
-        now_[i] = travelled(from_[i], goal_[i], 1.0 - left_s_ / kGlideS, kGlideS);
+        now_[i] = travelled(from_[i], goal_[i], 1.0 - left_s_ / kTransitionS, kTransitionS);
 }
 
 void CameraMotion::arrive() {
@@ -102,7 +102,7 @@ CameraPose CameraMotion::pose() const {
             .lens_shift = {now_[7].value, now_[8].value}};
 }
 
-double share_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose) {
+double fraction_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose) {
     const dvec2 whole(to.out_mm - from.out_mm, to.up_mm - from.up_mm);
     const dvec2 done(pose.out_mm - from.out_mm, pose.up_mm - from.up_mm);
     const double length = glm::dot(whole, whole);

@@ -24,13 +24,14 @@ struct Travelling {
     double speed = 0.0;         // a second
     double acceleration = 0.0;  // a second squared
 };
-// After this share, 0 to 1, of the whole way's seconds, the way of the least jerk.
-[[nodiscard]] Travelling travelled(const Travelling& from, double goal, double share, double whole_s);
+// After this fraction, 0 to 1, of the whole way's seconds, the way of the least jerk.
+[[nodiscard]] Travelling travelled(const Travelling& from, double goal, double fraction, double whole_s);
 
-// Where in the picture the plate's own picture is put: the design of a screen leaves it more or less room.
+// Where in the picture the background's own picture is put: the design of a screen leaves it more or less
+// room.
 struct Framing {
     dvec2 shift{0.0};   // of the picture, in halves of it, x right and y down
-    double zoom = 1.0;  // of the plate about its middle, before it is shifted
+    double zoom = 1.0;  // of the background about its middle, before it is shifted
 
     friend bool operator==(const Framing&, const Framing&) = default;
 };
@@ -72,8 +73,8 @@ class CameraMotion {
     double left_s_ = 0.0;  // of the way to the goal
 };
 
-// How far `pose` has come from one pose to another, 0 to 1: the share of the second plate in a glide. Eased,
-// so that each plate is seen alone near its own camera.
-[[nodiscard]] double share_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose);
+// How far `pose` has come from one pose to another, 0 to 1: the fraction of the second background in a glide.
+// Eased, so that each background is seen alone near its own camera.
+[[nodiscard]] double fraction_between(const CameraPose& from, const CameraPose& to, const CameraPose& pose);
 
 }  // namespace onggi::wheel

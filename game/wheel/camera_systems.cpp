@@ -8,13 +8,15 @@ namespace onggi::wheel {
 namespace {
 
 constexpr double kSwayRad = 0.021;     // a little over a degree
-constexpr double kSwayZoom = 0.045;    // nearer by that, so that nothing from outside the plate comes in
+constexpr double kSwayZoom = 0.045;    // nearer by that, so that nothing from outside the background comes in
 constexpr double kSwayRadPerS = 0.21;  // half a minute there and back
 
 constexpr double kFadeS = 0.25;
 
-render::Camera framed(const render::Plate& plate, const Framing& framing, int width_px, int height_px) {
-    return framed(render::plate_camera(plate.camera, plate.width_px, plate.height_px, width_px, height_px),
+render::Camera framed(const render::Background& background, const Framing& framing, int width_px,
+                      int height_px) {
+    return framed(render::background_camera(background.camera, background.width_px, background.height_px,
+                                            width_px, height_px),
                   framing);
 }
 
@@ -33,13 +35,13 @@ void stand_at(PhotographedRoom& room, const Goal& goal) {
 
 void sway(PhotographedRoom& room, double dt_s) {
     constexpr double kSwayRatePerS = 1.5;
-    room.sway_share = settled(room.sway_share, room.sways ? 1.0 : 0.0, kSwayRatePerS, dt_s);
-    if (room.jumps || room.moves_less) room.sway_share = {.value = room.sways ? 1.0 : 0.0};
-    if (!room.sways && room.sway_share.value < 1e-3) room.sway_share = {};
-    room.sway_s = room.sway_share.value > 0.0 || room.sways ? room.sway_s + dt_s : 0.0;
+    room.sway_fraction = settled(room.sway_fraction, room.sways ? 1.0 : 0.0, kSwayRatePerS, dt_s);
+    if (room.jumps || room.moves_less) room.sway_fraction = {.value = room.sways ? 1.0 : 0.0};
+    if (!room.sways && room.sway_fraction.value < 1e-3) room.sway_fraction = {};
+    room.sway_s = room.sway_fraction.value > 0.0 || room.sways ? room.sway_s + dt_s : 0.0;
 }
 
-void glide(PhotographedRoom& room, const Goal& goal, double dt_s) {
+void transition(PhotographedRoom& room, const Goal& goal, double dt_s) {
     room.next.reset();
     room.fade_left_s = 0.0;
     if (goal.camera != room.to && goal.camera != room.from) {
@@ -87,12 +89,12 @@ render::Camera framed(const render::Camera& camera, const Framing& framing) {
 
 void move_camera(ecs::Registry& registry, FrameContext& context) {
     registry.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
-        const ShownPlate plate = shown_plate(room, context.width_px, context.height_px);
-        if (plate.camera == nullptr) return;
-        const Goal goal{plate.camera->name,
-                        pose_of(framed(*plate.plate, room.framing, context.width_px, context.height_px))};
+        const ShownBackground background = shown_background(room, context.width_px, context.height_px);
+        if (background.camera == nullptr) return;
+        const Goal goal{background.camera->name, pose_of(framed(*background.background, room.framing,
+                                                                context.width_px, context.height_px))};
         const bool is_same_size = context.width_px == room.width_px && context.height_px == room.height_px;
-        const bool is_known = room.plates.contains(room.from) && room.plates.contains(room.to);
+        const bool is_known = room.backgrounds.contains(room.from) && room.backgrounds.contains(room.to);
         const bool is_cut = !room.glides || room.moves_less;
         const bool stops_gliding = is_cut && !(room.motion.at_rest() && room.from == room.to);
         if (!is_known || !is_same_size || stops_gliding || room.jumps || context.dt_s <= 0.0) {
@@ -103,7 +105,7 @@ void move_camera(ecs::Registry& registry, FrameContext& context) {
         } else if (is_cut) {
             cut(room, goal, context.dt_s);
         } else {
-            glide(room, goal, context.dt_s);
+            transition(room, goal, context.dt_s);
         }
         room.next_is_ready = false;
         sway(room, context.dt_s);
@@ -113,39 +115,39 @@ void move_camera(ecs::Registry& registry, FrameContext& context) {
 
 void extract_camera(ecs::Registry& registry, FrameContext& context) {
     render::Scene& scene = context.scene;
-    const auto in_picture = [&](const render::Plate& plate, const Framing& framing) {
-        return framed(plate, framing, context.width_px, context.height_px);
+    const auto in_picture = [&](const render::Background& background, const Framing& framing) {
+        return framed(background, framing, context.width_px, context.height_px);
     };
-    scene.plate.reset();
+    scene.background.reset();
     registry.each<CameraRig>([&](ecs::Entity, const CameraRig& rig) {
         scene.camera = camera_of(rig, context.width_px, context.height_px);
     });
-    scene.glide.reset();
+    scene.transition.reset();
     scene.next_view.reset();
     scene.fade_in.reset();
-    scene.plates_at_hand.clear();
+    scene.backgrounds_at_hand.clear();
     registry.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
-        if (room.plates.empty()) {
+        if (room.backgrounds.empty()) {
             // Modelled, not photographed: from the same places.
-            const PlateCamera* place =
+            const BackgroundCamera* place =
                 room.workshop->camera_for(room.view, context.width_px, context.height_px);
             if (place == nullptr) return;
-            scene.camera = framed(render::plate_camera(place->camera, place->width_px, place->height_px,
-                                                       context.width_px, context.height_px),
+            scene.camera = framed(render::background_camera(place->camera, place->width_px, place->height_px,
+                                                            context.width_px, context.height_px),
                                   room.framing);
             return;
         }
-        for (const auto& [name, plate] : room.plates)
-            scene.plates_at_hand.push_back(plate);
-        const auto from = room.plates.find(room.from);
-        const auto to = room.plates.find(room.to);
-        if (from == room.plates.end() || to == room.plates.end()) return;
-        scene.plate = from->second;
-        if (room.from == room.to && room.motion.at_rest() && room.sway_share.value == 0.0) {
+        for (const auto& [name, background] : room.backgrounds)
+            scene.backgrounds_at_hand.push_back(background);
+        const auto from = room.backgrounds.find(room.from);
+        const auto to = room.backgrounds.find(room.to);
+        if (from == room.backgrounds.end() || to == room.backgrounds.end()) return;
+        scene.background = from->second;
+        if (room.from == room.to && room.motion.at_rest() && room.sway_fraction.value == 0.0) {
             scene.camera = in_picture(*from->second, room.framed_so);
             if (room.next) {
-                const auto next = room.plates.find(room.next->camera);
-                if (next != room.plates.end()) {
+                const auto next = room.backgrounds.find(room.next->camera);
+                if (next != room.backgrounds.end()) {
                     scene.next_view =
                         render::NextView{in_picture(*next->second, room.next->framing), next->second};
                 }
@@ -154,30 +156,31 @@ void extract_camera(ecs::Registry& registry, FrameContext& context) {
             return;
         }
         const CameraPose pose = room.motion.pose();
-        const double sway = room.sway_share.value * std::sin(room.sway_s * kSwayRadPerS);
+        const double sway = room.sway_fraction.value * std::sin(room.sway_s * kSwayRadPerS);
         CameraPose swayed = pose;
         swayed.azimuth_rad += kSwayRad * sway;
-        swayed.vertical_fov_rad *= 1.0 - kSwayZoom * room.sway_share.value;
+        swayed.vertical_fov_rad *= 1.0 - kSwayZoom * room.sway_fraction.value;
         scene.camera = camera_at(swayed);
         const auto pose_from = pose_of(in_picture(*from->second, room.framing));
         const auto pose_to = pose_of(in_picture(*to->second, room.framing));
-        scene.glide = render::Glide{.towards = to->second,
-                                    .share = static_cast<float>(share_between(pose_from, pose_to, pose))};
+        scene.transition = render::CameraTransition{
+            .towards = to->second,
+            .fraction = static_cast<float>(fraction_between(pose_from, pose_to, pose))};
     });
 }
 
-ShownPlate shown_plate(const PhotographedRoom& room, int width_px, int height_px) {
+ShownBackground shown_background(const PhotographedRoom& room, int width_px, int height_px) {
     if (!room.workshop) return {};
-    const auto loaded = [&](const PlateCamera& camera) -> ShownPlate {
-        const auto found = room.plates.find(camera.name);
-        return found == room.plates.end() ? ShownPlate{} : ShownPlate{&camera, found->second};
+    const auto loaded = [&](const BackgroundCamera& camera) -> ShownBackground {
+        const auto found = room.backgrounds.find(camera.name);
+        return found == room.backgrounds.end() ? ShownBackground{} : ShownBackground{&camera, found->second};
     };
-    const PlateCamera* nearest = room.workshop->camera_for(room.view, width_px, height_px);
+    const BackgroundCamera* nearest = room.workshop->camera_for(room.view, width_px, height_px);
     if (nearest == nullptr) nearest = room.workshop->camera_for(View::kThrowing, width_px, height_px);
-    if (const ShownPlate shown = loaded(*nearest); shown.camera != nullptr) return shown;
-    for (const PlateCamera& camera : room.workshop->cameras) {
+    if (const ShownBackground shown = loaded(*nearest); shown.camera != nullptr) return shown;
+    for (const BackgroundCamera& camera : room.workshop->cameras) {
         if (!camera.name.starts_with(name_of(room.view))) continue;
-        if (const ShownPlate shown = loaded(camera); shown.camera != nullptr) return shown;
+        if (const ShownBackground shown = loaded(camera); shown.camera != nullptr) return shown;
     }
     return {};
 }

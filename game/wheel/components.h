@@ -51,7 +51,7 @@ struct Wire {
 
 // What tools look like; see load_tool_models(). Of the ball alone: all are balls.
 struct ToolShelf {
-    std::shared_ptr<const render::MoverLibrary> library;
+    std::shared_ptr<const render::PropLibrary> library;
 
     [[nodiscard]] bool has_tools() const { return library->size() > 1; }
 };
@@ -67,7 +67,7 @@ struct CameraRig {
     double width_mm = 330.0;
 };
 
-// Where the camera of a plate stands, and how much of the plate it shows.
+// Where the camera of a background stands, and how much of the background it shows.
 struct ViewPlace {
     std::string camera;
     Framing framing{};
@@ -75,15 +75,15 @@ struct ViewPlace {
     friend bool operator==(const ViewPlace&, const ViewPlace&) = default;
 };
 
-// The photographed workshop, beside the rig: while it has a plate to show, the camera stands where that was
-// taken, or is on its way from one to another. Where there is no time for a moving camera it is cut to the
-// other as soon as its picture is made, which then fades in.
+// The photographed workshop, beside the rig: while it has a background to show, the camera stands where that
+// was taken, or is on its way from one to another. Where there is no time for a moving camera it is cut to
+// the other as soon as its picture is made, which then fades in.
 struct PhotographedRoom {
     std::shared_ptr<const Workshop> workshop;
     View view = View::kThrowing;
     Framing framing{};
     bool jumps = false;  // with the next frame it is where it is wanted
-    std::map<std::string, std::shared_ptr<const render::Plate>> plates{};  // by their camera's name
+    std::map<std::string, std::shared_ptr<const render::Background>> backgrounds{};  // by their camera's name
     bool glides = true;       // there is time for a moving camera
     bool moves_less = false;  // who looks on asked for less motion: cut, and nothing fades
     bool sways = false;       // while nobody throws: a few degrees to either side, slowly
@@ -96,8 +96,8 @@ struct PhotographedRoom {
     double fade_left_s = 0.0;         // until the view it was cut to is all that is seen
     int width_px = 0;                 // of the picture they were framed for
     int height_px = 0;
-    Settling sway_share{};  // 0 to 1
-    double sway_s = 0.0;    // how long it has swayed
+    Settling sway_fraction{};  // 0 to 1
+    double sway_s = 0.0;       // how long it has swayed
 };
 
 // The time of day: 0 the daylight in which one works, 1 the evening in which one looks at what one has made.

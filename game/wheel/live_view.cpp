@@ -7,8 +7,8 @@
 
 #include "engine/jobs/thread_setup.h"
 #include "engine/window/window.h"
+#include "game/wheel/background_loader.h"
 #include "game/wheel/live_screen.h"
-#include "game/wheel/plate_loader.h"
 #include "game/wheel/workshop_scene.h"
 
 namespace onggi::wheel {
@@ -22,8 +22,8 @@ struct LiveView::Impl {
     bool close_requested = false;
     bool may_sway = false;
 
-    PlateLoader plates;
-    window::Size plates_for{};  // the shape that was last asked for
+    BackgroundLoader backgrounds;
+    window::Size backgrounds_for{};  // the shape that was last asked for
     std::vector<std::string> remarks;
 
     [[nodiscard]] int width() const { return static_cast<int>(screen->extent().width); }
@@ -56,7 +56,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
                                        : open_scene(options.workshop, width(), height());
     scene = std::move(opened.scene);
     workshop_lack = std::move(opened.lack);
-    plates_for = {width(), height()};
+    backgrounds_for = {width(), height()};
 
     // Looking for a device ran the code of every driver there is.
     jobs::give_back_code();
@@ -75,7 +75,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         if (!warmed) return warmed.error();
         if (auto waited = screen->wait(); !waited) return waited;
     }
-    // And those of a moving camera: on its way from one plate, and between two.
+    // And those of a moving camera: on its way from one background, and between two.
     if (render::has_time_for_moving_camera(screen->quality())) {
         scene->look_at(View::kLookingIn);
         for (const double dt_s : {1e-3, 0.4, 0.0}) {
@@ -90,22 +90,23 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     return done;
 }
 
-// Another shape of window may want other plates. Until they are read, those that are there show their middle.
+// Another shape of window may want other backgrounds. Until they are read, those that are there show their
+// middle.
 void LiveView::Impl::follow_shape() {
-    if (auto loaded = plates.take()) {
-        for (auto& [camera, plate] : loaded->plates)
-            scene->add_plate(camera, std::move(plate));
+    if (auto loaded = backgrounds.take()) {
+        for (auto& [camera, background] : loaded->backgrounds)
+            scene->add_background(camera, std::move(background));
         remarks.insert(remarks.end(), loaded->lacks.begin(), loaded->lacks.end());
-        scene->drop_plates_of_other_shapes(width(), height());
+        scene->drop_backgrounds_of_other_shapes(width(), height());
     }
-    const bool is_same = plates_for.width == width() && plates_for.height == height();
-    if (is_same || plates.busy() || !scene->has_plates()) return;
-    plates_for = {width(), height()};
-    std::vector<PlateCamera> missing;
-    for (const PlateCamera* camera : scene->missing_plates(width(), height()))
+    const bool is_same = backgrounds_for.width == width() && backgrounds_for.height == height();
+    if (is_same || backgrounds.busy() || !scene->has_backgrounds()) return;
+    backgrounds_for = {width(), height()};
+    std::vector<BackgroundCamera> missing;
+    for (const BackgroundCamera* camera : scene->missing_backgrounds(width(), height()))
         missing.push_back(*camera);
     if (missing.empty()) return;
-    if (auto started = plates.load(scene->workshop(), std::move(missing)); !started)
+    if (auto started = backgrounds.load(scene->workshop(), std::move(missing)); !started)
         remarks.push_back(started.error().message);
 }
 
@@ -113,7 +114,7 @@ Result<bool> LiveView::Impl::draw(const WheelView& shown, double dt_s, const ren
     if (width() == 0 || height() == 0) return false;
     follow_shape();
     const bool moves = render::has_time_for_moving_camera(screen->quality());
-    scene->glide(moves);
+    scene->transition(moves);
     scene->sway(may_sway && moves);
     auto drawn = screen->draw(scene->apply(shown, width(), height(), dt_s), overlay, dt_s);
     if (drawn && *drawn && screen->stats().next_view_ready) scene->next_view_is_ready();

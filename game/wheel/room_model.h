@@ -1,5 +1,5 @@
-// A room as a glTF model, for where no plates of it were taken: a museum's own, before its plates are made.
-// Any thread but the haptic one; blocks. mm.
+// A room as a glTF model, for where no backgrounds of it were taken: a museum's own, before its backgrounds
+// are made. Any thread but the haptic one; blocks. mm.
 #pragma once
 
 #include <filesystem>

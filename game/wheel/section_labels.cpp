@@ -169,8 +169,8 @@ class Section {
         constexpr double kTurn = 2.0 * std::numbers::pi;
         const double turned = std::atan2(wheel_direction_.y, wheel_direction_.x);
         const double turns = (towards_rad_ + (left ? std::numbers::pi : 0.0) - turned) / kTurn;
-        const auto place = [](double share, std::size_t count) {
-            const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(count);
+        const auto place = [](double fraction, std::size_t count) {
+            const double at = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count);
             return std::min(static_cast<std::size_t>(at), count - 1);
         };
         const std::size_t row = place(y_mm / pot_.height_mm, rows);

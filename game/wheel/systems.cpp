@@ -66,11 +66,11 @@ ecs::Schedule<FrameContext> wheel_schedule() {
 }
 
 render::LightLevels light_levels(double evening) {
-    const auto share = static_cast<float>(std::clamp(evening, 0.0, 1.0));
+    const auto fraction = static_cast<float>(std::clamp(evening, 0.0, 1.0));
     constexpr vec3 kEveningAmbient(0.36F, 0.30F, 0.26F);
     constexpr float kEveningKey = 0.30F;
-    return {.ambient = glm::mix(vec3(1.0F), kEveningAmbient, share),
-            .key = 1.0F + (kEveningKey - 1.0F) * share};
+    return {.ambient = glm::mix(vec3(1.0F), kEveningAmbient, fraction),
+            .key = 1.0F + (kEveningKey - 1.0F) * fraction};
 }
 
 }  // namespace onggi::wheel

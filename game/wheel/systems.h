@@ -38,19 +38,19 @@ void extract_tools(ecs::Registry& registry, FrameContext& context);
 
 [[nodiscard]] ecs::Schedule<FrameContext> wheel_schedule();
 
-// The plate that a picture of this shape shows, and the camera that took it: of the nearest shape if it is
-// there, else any of the same view. Both null if there is none.
-struct ShownPlate {
-    const PlateCamera* camera = nullptr;
-    std::shared_ptr<const render::Plate> plate;
+// The background that a picture of this shape shows, and the camera that took it: of the nearest shape if it
+// is there, else any of the same view. Both null if there is none.
+struct ShownBackground {
+    const BackgroundCamera* camera = nullptr;
+    std::shared_ptr<const render::Background> background;
 };
-[[nodiscard]] ShownPlate shown_plate(const PhotographedRoom& room, int width_px, int height_px);
+[[nodiscard]] ShownBackground shown_background(const PhotographedRoom& room, int width_px, int height_px);
 
 // What an evening of 0 to 1 leaves of the light: the sun is gone, the window is dim, a warm lamp stays on the
 // wheel.
 [[nodiscard]] render::LightLevels light_levels(double evening);
 
-// A plate's camera as the framing asks for it.
+// A background's camera as the framing asks for it.
 [[nodiscard]] render::Camera framed(const render::Camera& camera, const Framing& framing);
 
 // The rig's camera for a picture of this shape.

@@ -26,13 +26,13 @@ constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
                                     .max_nodes = 64,
                                     .max_depth = 16};
 
-std::uint8_t byte_of(float share) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+std::uint8_t byte_of(float fraction) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
 }
 
-render::MoverMesh mesh_of(const asset::GltfPart& part, const asset::Material& material) {
+render::PropMesh mesh_of(const asset::GltfPart& part, const asset::Material& material) {
     constexpr float kMmAMetre = 1000.0F;
-    render::MoverMesh mesh;
+    render::PropMesh mesh;
     for (std::size_t i = 0; i < part.mesh.positions_m.size(); ++i) {
         // Without colours: as it is, clean, in the open.
         const vec4 wear = part.colours.empty() ? vec4(0.5F, 0.0F, 0.0F, 1.0F) : part.colours[i];
@@ -51,9 +51,9 @@ render::MoverMesh mesh_of(const asset::GltfPart& part, const asset::Material& ma
 }
 
 // Its image in the plane z = 0: a right hand's tool becomes a left hand's.
-render::MoverModel mirrored(render::MoverModel model) {
-    for (render::MoverMesh& mesh : model.meshes) {
-        for (render::MoverMesh::Vertex& vertex : mesh.vertices) {
+render::PropModel mirrored(render::PropModel model) {
+    for (render::PropMesh& mesh : model.meshes) {
+        for (render::PropMesh::Vertex& vertex : mesh.vertices) {
             vertex.position_mm.z = -vertex.position_mm.z;
             vertex.normal.z = -vertex.normal.z;
         }
@@ -64,12 +64,12 @@ render::MoverModel mirrored(render::MoverModel model) {
     return model;
 }
 
-Result<render::MoverModel> read_model(const std::filesystem::path& path) {
+Result<render::PropModel> read_model(const std::filesystem::path& path) {
     const auto bytes = files::read_file(path, kLimits.max_bytes);
     if (!bytes) return bytes.error();
     const auto read = asset::decode_glb(std::as_bytes(std::span(*bytes)), path.string(), kLimits);
     if (!read) return read.error();
-    render::MoverModel model;
+    render::PropModel model;
     const asset::Material plain{.name = "plain"};
     for (const asset::GltfPart& part : read->parts) {
         const bool has_material = part.material >= 0;
@@ -80,15 +80,15 @@ Result<render::MoverModel> read_model(const std::filesystem::path& path) {
     return model;
 }
 
-render::MoverModel wooden_ball() {
+render::PropModel wooden_ball() {
     const render::Mesh sphere = render::sphere_mesh(36, 60);
-    render::MoverMesh mesh;
+    render::PropMesh mesh;
     mesh.albedo = vec3(0.56F, 0.37F, 0.19F);
     mesh.roughness = 0.28F;
     mesh.indices = sphere.indices;
     for (const render::Mesh::Vertex& vertex : sphere.vertices)
         mesh.vertices.push_back({.position_mm = kBallRadiusMm * vertex.position_mm, .normal = vertex.normal});
-    render::MoverModel model;
+    render::PropModel model;
     model.meshes.push_back(std::move(mesh));
     render::measure(model);
     return model;
@@ -96,12 +96,12 @@ render::MoverModel wooden_ball() {
 
 }  // namespace
 
-std::shared_ptr<const render::MoverLibrary> ball_alone() {
-    return std::make_shared<const render::MoverLibrary>(render::MoverLibrary{wooden_ball()});
+std::shared_ptr<const render::PropLibrary> ball_alone() {
+    return std::make_shared<const render::PropLibrary>(render::PropLibrary{wooden_ball()});
 }
 
-Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models(const std::filesystem::path& folder) {
-    auto library = std::make_shared<render::MoverLibrary>(*ball_alone());
+Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::filesystem::path& folder) {
+    auto library = std::make_shared<render::PropLibrary>(*ball_alone());
     for (const char* file : kFiles) {
         auto model = read_model(folder / (std::string(file) + ".glb"));
         if (!model) return model.error();
@@ -109,10 +109,10 @@ Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models(const std::
     }
     for (std::size_t i = 0; i < kToolModels; ++i)
         library->push_back(mirrored((*library)[i]));
-    return std::shared_ptr<const render::MoverLibrary>(std::move(library));
+    return std::shared_ptr<const render::PropLibrary>(std::move(library));
 }
 
-Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models() {
+Result<std::shared_ptr<const render::PropLibrary>> load_tool_models() {
     const auto folder = files::find_asset("tools");
     if (!folder) return folder.error();
     return load_tool_models(*folder);

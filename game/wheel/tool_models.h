@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "engine/core/result.h"
-#include "engine/render/mover.h"
+#include "engine/render/prop.h"
 
 namespace onggi::wheel {
 
@@ -33,12 +33,12 @@ constexpr float kBallRadiusMm = 10.0F;
 }
 
 // A library of the ball alone, which needs no file.
-[[nodiscard]] std::shared_ptr<const render::MoverLibrary> ball_alone();
+[[nodiscard]] std::shared_ptr<const render::PropLibrary> ball_alone();
 
 // The ball, and the folder's GLB files. What a read or a file's contents have against it comes back as it is.
-Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models(const std::filesystem::path& folder);
+Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::filesystem::path& folder);
 
 // Those of the folder that the program brings; system lacks where there is none.
-Result<std::shared_ptr<const render::MoverLibrary>> load_tool_models();
+Result<std::shared_ptr<const render::PropLibrary>> load_tool_models();
 
 }  // namespace onggi::wheel

@@ -18,8 +18,8 @@ std::size_t ring_at(const pot::Pot& pot, double height_mm) {
             std::upper_bound(pot.top_mm.begin(), pot.top_mm.end(), static_cast<float>(height_mm));
         ring = static_cast<std::size_t>(above - pot.top_mm.begin());
     } else {
-        const double share = std::clamp(height_mm / std::max(pot.height_mm, 1e-6), 0.0, 1.0);
-        ring = static_cast<std::size_t>(share * static_cast<double>(count));
+        const double fraction = std::clamp(height_mm / std::max(pot.height_mm, 1e-6), 0.0, 1.0);
+        ring = static_cast<std::size_t>(fraction * static_cast<double>(count));
     }
     return std::min(ring, count - 1);
 }
@@ -84,10 +84,10 @@ void move_tools(ecs::Registry& registry, FrameContext& context) {
 void extract_tools(ecs::Registry& registry, FrameContext& context) {
     render::Scene& scene = context.scene;
     scene.spheres.clear();
-    scene.movers.clear();
+    scene.props.clear();
     bool has_tools = false;
     registry.each<ToolShelf>([&](ecs::Entity, const ToolShelf& shelf) {
-        scene.mover_library = shelf.library;
+        scene.prop_library = shelf.library;
         has_tools = shelf.has_tools();
     });
     vec3 clay(0.3F);
@@ -98,7 +98,7 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
         clay = material.albedo * (1.0F - 0.4F * wetness);
     });
     const auto add = [&](ToolModel model, bool left, const mat4& place) {
-        scene.movers.push_back(
+        scene.props.push_back(
             {.model = library_place(model, left), .place = place, .smear = clay, .wetness = wetness});
     };
     registry.each<Tool>([&](ecs::Entity, const Tool& tool) {

@@ -35,38 +35,40 @@ WheelScene::WheelScene(std::shared_ptr<const Workshop> workshop, RoomModel model
     }
 }
 
-std::vector<const PlateCamera*> WheelScene::missing_plates(int width_px, int height_px) {
-    std::vector<const PlateCamera*> missing;
+std::vector<const BackgroundCamera*> WheelScene::missing_backgrounds(int width_px, int height_px) {
+    std::vector<const BackgroundCamera*> missing;
     registry_.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
         for (const View view : {View::kThrowing, View::kLookingIn}) {
-            const PlateCamera* camera = room.workshop->camera_for(view, width_px, height_px);
-            if (camera != nullptr && !room.plates.contains(camera->name)) missing.push_back(camera);
+            const BackgroundCamera* camera = room.workshop->camera_for(view, width_px, height_px);
+            if (camera != nullptr && !room.backgrounds.contains(camera->name)) missing.push_back(camera);
         }
     });
     return missing;
 }
 
-void WheelScene::add_plate(const std::string& camera_name, std::shared_ptr<const render::Plate> plate) {
+void WheelScene::add_background(const std::string& camera_name,
+                                std::shared_ptr<const render::Background> background) {
     registry_.each<PhotographedRoom>(
-        [&](ecs::Entity, PhotographedRoom& room) { room.plates[camera_name] = std::move(plate); });
+        [&](ecs::Entity, PhotographedRoom& room) { room.backgrounds[camera_name] = std::move(background); });
 }
 
-void WheelScene::drop_plates_of_other_shapes(int width_px, int height_px) {
+void WheelScene::drop_backgrounds_of_other_shapes(int width_px, int height_px) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
-        std::map<std::string, std::shared_ptr<const render::Plate>> kept;
+        std::map<std::string, std::shared_ptr<const render::Background>> kept;
         for (const View view : {View::kThrowing, View::kLookingIn}) {
-            const PlateCamera* camera = room.workshop->camera_for(view, width_px, height_px);
-            const auto found = camera == nullptr ? room.plates.end() : room.plates.find(camera->name);
-            if (found != room.plates.end()) kept.insert(*found);
+            const BackgroundCamera* camera = room.workshop->camera_for(view, width_px, height_px);
+            const auto found =
+                camera == nullptr ? room.backgrounds.end() : room.backgrounds.find(camera->name);
+            if (found != room.backgrounds.end()) kept.insert(*found);
         }
-        if (!kept.empty()) room.plates = std::move(kept);
+        if (!kept.empty()) room.backgrounds = std::move(kept);
     });
 }
 
-bool WheelScene::has_plates() {
+bool WheelScene::has_backgrounds() {
     bool has = false;
     registry_.each<PhotographedRoom>(
-        [&](ecs::Entity, const PhotographedRoom& room) { has = has || !room.plates.empty(); });
+        [&](ecs::Entity, const PhotographedRoom& room) { has = has || !room.backgrounds.empty(); });
     return has;
 }
 
@@ -85,7 +87,7 @@ void WheelScene::set_framing(const Framing& framing) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.framing = framing; });
 }
 
-void WheelScene::glide(bool glides) {
+void WheelScene::transition(bool glides) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.glides = glides; });
 }
 
@@ -119,7 +121,7 @@ const render::Scene& WheelScene::apply(const WheelView& shown, int width_px, int
     return context_.scene;
 }
 
-void WheelScene::set_tools(std::shared_ptr<const render::MoverLibrary> library) {
+void WheelScene::set_tools(std::shared_ptr<const render::PropLibrary> library) {
     registry_.get<ToolShelf>(shelf_).library = std::move(library);
 }
 
@@ -138,10 +140,10 @@ std::optional<dvec2> WheelScene::project_framed(View view, const Framing& framin
                                                 int height_px, const dvec3& place_mm) {
     std::optional<dvec2> pixel;
     registry_.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
-        const PlateCamera* taken = room.workshop->camera_for(view, width_px, height_px);
+        const BackgroundCamera* taken = room.workshop->camera_for(view, width_px, height_px);
         if (taken == nullptr) return;
         const render::Camera camera = framed(
-            render::plate_camera(taken->camera, taken->width_px, taken->height_px, width_px, height_px),
+            render::background_camera(taken->camera, taken->width_px, taken->height_px, width_px, height_px),
             framing);
         if (const auto seen = render::project(camera, width_px, height_px, place_mm)) pixel = seen->pixel;
     });

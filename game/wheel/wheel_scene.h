@@ -19,23 +19,23 @@ namespace onggi::wheel {
 
 class WheelScene {
   public:
-    // With a workshop: the room as its plates show it, as soon as there are some; until then, and without,
-    // the small still life of workshop.h.
-    // With a model of the room besides, that is drawn, from the workshop's cameras and in its light.
+    // With a workshop: the room as its backgrounds show it, as soon as there are some; until then, and
+    // without, the small still life of workshop.h. With a model of the room besides, that is drawn, from the
+    // workshop's cameras and in its light.
     explicit WheelScene(std::shared_ptr<const Workshop> workshop = nullptr, RoomModel model = {});
 
-    // Cameras whose plates a picture of this shape wants to show and has not got.
-    [[nodiscard]] std::vector<const PlateCamera*> missing_plates(int width_px, int height_px);
-    void add_plate(const std::string& camera_name, std::shared_ptr<const render::Plate> plate);
+    // Cameras whose backgrounds a picture of this shape wants to show and has not got.
+    [[nodiscard]] std::vector<const BackgroundCamera*> missing_backgrounds(int width_px, int height_px);
+    void add_background(const std::string& camera_name, std::shared_ptr<const render::Background> background);
     // Forgets those that a picture of this shape does not show, as far as it has others to show instead.
-    void drop_plates_of_other_shapes(int width_px, int height_px);
-    [[nodiscard]] bool has_plates();
+    void drop_backgrounds_of_other_shapes(int width_px, int height_px);
+    [[nodiscard]] bool has_backgrounds();
     [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null: there is none
     void look_at(View view);                                   // the camera goes there, in about a second
     void set_framing(const Framing& framing);                  // likewise
     // Whether there is time for a moving camera, which there is else: without, it is cut to the next view
     // when a frame has said that it is ready (see render::FrameStats), and that fades in.
-    void glide(bool glides);
+    void transition(bool glides);
     void next_view_is_ready();
     void move_less(bool less);  // it is cut, and nothing fades
     void jump();                // with the next frame the camera is where it is wanted: nobody sees it now
@@ -47,7 +47,7 @@ class WheelScene {
     const render::Scene& apply(const WheelView& shown, int width_px, int height_px, double dt_s = 0.0);
 
     // What hands and tools look like from now on; null: balls.
-    void set_tools(std::shared_ptr<const render::MoverLibrary> library);
+    void set_tools(std::shared_ptr<const render::PropLibrary> library);
     [[nodiscard]] bool has_tools();  // else balls stand in for them
 
     // Where a pointer at this pixel puts the tool, mm; see LiveView::tool_target_mm.

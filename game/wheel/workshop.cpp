@@ -169,21 +169,21 @@ void furnish(ecs::Registry& registry) {
 }
 
 void stand_in(ecs::Registry& registry, const Workshop& workshop) {
-    constexpr bool kShadowIsInThePlate = false;
+    constexpr bool kShadowIsInTheBackground = false;
     for (const render::Profile& profile : photographed_wheel()) {
         const ecs::Entity part = registry.create();
         registry.add(part, Transform{});
         registry.add(
             part,
             StillPart{.mesh = std::make_shared<const render::Mesh>(render::turned_mesh(profile, kSectors)),
-                      .casts_shadow = kShadowIsInThePlate});
+                      .casts_shadow = kShadowIsInTheBackground});
     }
     const ecs::Entity deck = registry.create();
     registry.add(deck, Transform{});
     registry.add(deck, StillPart{.mesh = std::make_shared<const render::Mesh>(
                                      level_sheet(-600.0F, 600.0F, -700.0F, 360.0F, -58.0F)),
                                  .in_relief = true,  // with what stands on it
-                                 .casts_shadow = kShadowIsInThePlate});
+                                 .casts_shadow = kShadowIsInTheBackground});
 
     add_light(registry, workshop);
 }

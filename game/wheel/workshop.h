@@ -14,7 +14,7 @@ namespace onggi::wheel {
 void furnish(ecs::Registry& registry);
 
 // The same for a photographed workshop: its light, and the surfaces on which a pot's shadow can fall. They
-// have no looks of their own: the plates lie on them.
+// have no looks of their own: the backgrounds lie on them.
 void stand_in(ecs::Registry& registry, const Workshop& workshop);
 
 // A modelled room in the workshop's light, with our wheel if it has none of its own.

@@ -16,7 +16,7 @@ namespace onggi::wheel {
 namespace {
 
 constexpr std::size_t kMostJsonBytes = 1 << 20;
-constexpr std::size_t kMostPlateBytes = std::size_t{32} << 20;
+constexpr std::size_t kMostBackgroundBytes = std::size_t{32} << 20;
 constexpr std::size_t kMostCameras = 64;
 constexpr Bounds kPlaceMm{-1e5, 1e5};
 constexpr Bounds kLight{0.0, 1e3};
@@ -35,34 +35,35 @@ vec3 unit_vector(JsonFields& fields, const nlohmann::json& in, const std::string
     return {0.0F, 1.0F, 0.0F};
 }
 
-// The name becomes a file's: it may lead nowhere but into the plates' folder.
+// The name becomes a file's: it may lead nowhere but into the backgrounds' folder.
 bool is_plain_name(const std::string& name) {
     return !name.empty() && name.size() <= 64 &&
            name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
 
-PlateCamera read_camera(JsonFields& fields, const std::string& name, const nlohmann::json& in) {
+BackgroundCamera read_camera(JsonFields& fields, const std::string& name, const nlohmann::json& in) {
     const std::string place = "cameras." + name;
     if (!is_plain_name(name))
         fields.complain("cameras", "names of at most 64 letters a-z, digits and _", in_quotes(name));
-    PlateCamera plate{.name = name, .camera = {}, .width_px = 0, .height_px = 0};
-    plate.camera.eye_mm = fields.triple(in, place, "eye_mm", kPlaceMm);
-    plate.camera.target_mm = fields.triple(in, place, "target_mm", kPlaceMm);
+    BackgroundCamera background{.name = name, .camera = {}, .width_px = 0, .height_px = 0};
+    background.camera.eye_mm = fields.triple(in, place, "eye_mm", kPlaceMm);
+    background.camera.target_mm = fields.triple(in, place, "target_mm", kPlaceMm);
     constexpr Bounds kFovRad{0.02, 2.6};
-    plate.camera.vertical_fov_rad = static_cast<float>(fields.number(in, place, "vertical_fov_rad", kFovRad));
+    background.camera.vertical_fov_rad =
+        static_cast<float>(fields.number(in, place, "vertical_fov_rad", kFovRad));
     const nlohmann::json& size = fields.array(in, place, "size", 2);
     if (size.is_array()) {
         constexpr Bounds kSide{16, asset::kMaxImageSide};
-        plate.width_px = fields.whole_number(size[0], place + ".size", kSide);
-        plate.height_px = fields.whole_number(size[1], place + ".size", kSide);
+        background.width_px = fields.whole_number(size[0], place + ".size", kSide);
+        background.height_px = fields.whole_number(size[1], place + ".size", kSide);
     }
-    const vec3 ahead = plate.camera.target_mm - plate.camera.eye_mm;
+    const vec3 ahead = background.camera.target_mm - background.camera.eye_mm;
     const float distance_mm = glm::length(ahead);
     if (!fields.error() && glm::length(vec2(ahead.x, ahead.z)) < 1.0F)
         fields.complain(place, "a camera that does not look straight up or down", "one that does");
-    plate.camera.near_mm = 0.2F * distance_mm;
-    plate.camera.far_mm = 6.0F * distance_mm;
-    return plate;
+    background.camera.near_mm = 0.2F * distance_mm;
+    background.camera.far_mm = 6.0F * distance_mm;
+    return background;
 }
 
 void read_light(JsonFields& fields, const nlohmann::json& in, Workshop& workshop) {
@@ -105,12 +106,12 @@ struct Negative {
 };
 
 Result<Negative> load_negative(const std::filesystem::path& path) {
-    auto bytes = files::read_file(path, kMostPlateBytes);
+    auto bytes = files::read_file(path, kMostBackgroundBytes);
     if (!bytes) return bytes.error();
     return Negative{shown(path), std::move(*bytes)};
 }
 
-Result<asset::Image> developed(const Negative& negative, const PlateCamera& camera) {
+Result<asset::Image> developed(const Negative& negative, const BackgroundCamera& camera) {
     auto image = asset::decode_jpeg(std::as_bytes(std::span(negative.bytes)), negative.name);
     if (!image) return image.error();
     if (image->width != camera.width_px || image->height != camera.height_px) {
@@ -124,7 +125,7 @@ Result<asset::Image> developed(const Negative& negative, const PlateCamera& came
 // The negatives stay, a twentieth of the pictures: a device that is lost gets these again, whatever has
 // become of the files.
 Result<std::shared_ptr<render::Photographs>> load_photographs(const std::filesystem::path& folder,
-                                                              const PlateCamera& camera) {
+                                                              const BackgroundCamera& camera) {
     auto key = load_negative(folder / (camera.name + "_key.jpg"));
     if (!key) return key.error();
     auto key_image = developed(*key, camera);
@@ -144,11 +145,11 @@ Result<std::shared_ptr<render::Photographs>> load_photographs(const std::filesys
         });
 }
 
-// NAME_relief.png, as maker/relief.py writes it. A room may come without: then the plate is flat.
+// NAME_relief.png, as maker/relief.py writes it. A room may come without: then the background is flat.
 Result<render::Relief> load_relief(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) return render::Relief{};
-    const auto bytes = files::read_file(path, kMostPlateBytes);
+    const auto bytes = files::read_file(path, kMostBackgroundBytes);
     if (!bytes) return bytes.error();
     const auto image = asset::decode_png(std::as_bytes(std::span(*bytes)), shown(path));
     if (!image) return image.error();
@@ -173,11 +174,11 @@ std::string_view name_of(View view) {
     return view == View::kThrowing ? "throw" : "look_in";
 }
 
-const PlateCamera* Workshop::camera_for(View view, int width_px, int height_px) const {
+const BackgroundCamera* Workshop::camera_for(View view, int width_px, int height_px) const {
     const double wanted = std::log(static_cast<double>(width_px) / height_px);
-    const PlateCamera* nearest = nullptr;
+    const BackgroundCamera* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
-    for (const PlateCamera& camera : cameras) {
+    for (const BackgroundCamera& camera : cameras) {
         if (!camera.name.starts_with(name_of(view))) continue;
         const double shape = std::log(static_cast<double>(camera.width_px) / camera.height_px);
         if (std::abs(shape - wanted) < least) {
@@ -217,19 +218,20 @@ Result<Workshop> load_workshop(const std::filesystem::path& folder) {
     return workshop;
 }
 
-Result<std::shared_ptr<const render::Plate>> load_plate(const Workshop& workshop, const PlateCamera& camera) {
-    auto plate = std::make_shared<render::Plate>();
+Result<std::shared_ptr<const render::Background>> load_background(const Workshop& workshop,
+                                                                  const BackgroundCamera& camera) {
+    auto background = std::make_shared<render::Background>();
     const std::filesystem::path folder = workshop.folder / "plates";
     auto photographs = load_photographs(folder, camera);
     if (!photographs) return photographs.error();
     auto relief = load_relief(folder / (camera.name + "_relief.png"));
     if (!relief) return relief.error();
-    plate->camera = camera.camera;
-    plate->relief = std::move(*relief);
-    plate->width_px = camera.width_px;
-    plate->height_px = camera.height_px;
-    plate->photographs = std::move(*photographs);
-    return std::shared_ptr<const render::Plate>(std::move(plate));
+    background->camera = camera.camera;
+    background->relief = std::move(*relief);
+    background->width_px = camera.width_px;
+    background->height_px = camera.height_px;
+    background->photographs = std::move(*photographs);
+    return std::shared_ptr<const render::Background>(std::move(background));
 }
 
 }  // namespace onggi::wheel

@@ -1,6 +1,6 @@
 // The photographed workshop as it lies on the disk: cameras.json, light.json, plates/NAME_key.jpg and
-// plates/NAME_ambient.jpg (assets/workshop/README.md says what they mean). Any thread but the haptic one;
-// blocks. mm, rad, linear light.
+// plates/NAME_ambient.jpg (assets/workshop/README.md says what they mean). Any thread but the haptic
+// one; blocks. mm, rad, linear light.
 #pragma once
 
 #include <array>
@@ -22,33 +22,33 @@ enum class View {
 };
 [[nodiscard]] std::string_view name_of(View view);
 
-// A fixed camera, and the size of the plates it took.
-struct PlateCamera {
+// A fixed camera, and the size of the backgrounds it took.
+struct BackgroundCamera {
     std::string name;
     render::Camera camera;
     int width_px = 0;
     int height_px = 0;
 };
 
-// The light that reaches a pot in this room, without the plates themselves.
+// The light that reaches a pot in this room, without the backgrounds themselves.
 struct Workshop {
     std::filesystem::path folder;
-    std::vector<PlateCamera> cameras;
+    std::vector<BackgroundCamera> cameras;
     render::DirectionalLight key;
     std::array<vec3, 9> irradiance{};  // see render::sky_irradiance()
     render::Environment environment;
 
     // The camera of this view whose shape is nearest to the picture's; null if the view has none.
-    [[nodiscard]] const PlateCamera* camera_for(View view, int width_px, int height_px) const;
+    [[nodiscard]] const BackgroundCamera* camera_for(View view, int width_px, int height_px) const;
 };
 
 // Reads both JSON files. Bad input: a file that is missing, too large or no JSON, or a field that is missing
 // or out of range; the message names file and field. There is a throwing camera at the least.
 [[nodiscard]] Result<Workshop> load_workshop(const std::filesystem::path& folder);
 
-// The plates of one camera. Bad input: a file that is missing or damaged, or has another size than
+// The backgrounds of one camera. Bad input: a file that is missing or damaged, or has another size than
 // cameras.json says.
-[[nodiscard]] Result<std::shared_ptr<const render::Plate>> load_plate(const Workshop& workshop,
-                                                                      const PlateCamera& camera);
+[[nodiscard]] Result<std::shared_ptr<const render::Background>> load_background(
+    const Workshop& workshop, const BackgroundCamera& camera);
 
 }  // namespace onggi::wheel

@@ -31,16 +31,16 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
     }
     // A room that has been modelled and not photographed yet.
     std::error_code error;
-    const bool has_plates = std::filesystem::exists(folder / "plates", error);
-    if (!has_plates && std::filesystem::exists(folder / "room.glb", error)) {
+    const bool has_backgrounds = std::filesystem::exists(folder / "plates", error);
+    if (!has_backgrounds && std::filesystem::exists(folder / "room.glb", error)) {
         auto model = load_room_model(folder / "room.glb");
         if (!model) return model.error();
         return std::make_unique<WheelScene>(shared, std::move(*model));
     }
-    for (const PlateCamera* camera : scene->missing_plates(width_px, height_px)) {
-        auto plate = load_plate(*shared, *camera);
-        if (!plate) return plate.error();
-        scene->add_plate(camera->name, std::move(*plate));
+    for (const BackgroundCamera* camera : scene->missing_backgrounds(width_px, height_px)) {
+        auto background = load_background(*shared, *camera);
+        if (!background) return background.error();
+        scene->add_background(camera->name, std::move(*background));
     }
     return scene;
 }

@@ -2,7 +2,7 @@
 // 2000 elements, thinned, turned into triangles and written as GLB in memory.
 #include <benchmark/benchmark.h>
 
-#include "game/share/export.h"
+#include "game/exporter/export.h"
 #include "tests/bench/bench_failure.h"
 #include "tests/support/pot_samples.h"
 
@@ -13,7 +13,8 @@ void export_glb(benchmark::State& state) {
     const support::PotSample pot = support::thrown_vase();
     std::size_t bytes = 0;
     for ([[maybe_unused]] auto iteration : state) {
-        const Result<std::vector<std::byte>> glb = share::export_pot(pot.rings(), share::ExportKind::kGlb);
+        const Result<std::vector<std::byte>> glb =
+            exporter::export_pot(pot.rings(), exporter::ExportKind::kGlb);
         if (!glb || glb->size() < 100000) {
             fail(state, "the export gave no pot");
             return;

@@ -41,9 +41,9 @@ TEST(Live, PlaysAGestureOnceAndWritesStatsOthersCanRead) {
     EXPECT_LE(safety.at("largest_force_n").get<double>(), 3.3 * (1.0 + 1e-12));
     EXPECT_GE(safety.at("largest_force_n").get<double>(), safety.at("mean_force_n").get<double>());
     for (const char* table : {"tick_ns", "wake_latency_us", "frame_ms"}) {
-        const auto& shares = stats.at(table);
-        EXPECT_LE(shares.at("p50").get<double>(), shares.at("p99").get<double>()) << table;
-        EXPECT_LE(shares.at("p99").get<double>(), shares.at("max").get<double>()) << table;
+        const auto& fractions = stats.at(table);
+        EXPECT_LE(fractions.at("p50").get<double>(), fractions.at("p99").get<double>()) << table;
+        EXPECT_LE(fractions.at("p99").get<double>(), fractions.at("max").get<double>()) << table;
     }
 }
 

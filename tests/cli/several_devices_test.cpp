@@ -39,16 +39,17 @@ class SeveralDevices : public testing::Test {
                         "ASAN_OPTIONS=detect_leaks=0"};
     }
 
-    [[nodiscard]] ProgramOptions with_wish(const std::string& wish) const {
+    [[nodiscard]] ProgramOptions with_request(const std::string& request) const {
         ProgramOptions options{.folder = folder_.path(), .environment = environment_};
-        options.environment.push_back("ONGGI_VULKAN_DEVICE=" + wish);
+        options.environment.push_back("ONGGI_VULKAN_DEVICE=" + request);
         return options;
     }
-    [[nodiscard]] ProgramRun draw(const std::string& wish, const std::string& name) const {
-        return run_onggi({"throw", kPressAndHold, "--screenshot", name, "--size", "80x48"}, with_wish(wish));
+    [[nodiscard]] ProgramRun draw(const std::string& request, const std::string& name) const {
+        return run_onggi({"throw", kPressAndHold, "--screenshot", name, "--size", "80x48"},
+                         with_request(request));
     }
-    [[nodiscard]] std::string doctor_of(const std::string& wish, const std::string& line) const {
-        const ProgramRun run = run_onggi({"doctor"}, with_wish(wish));
+    [[nodiscard]] std::string doctor_of(const std::string& request, const std::string& line) const {
+        const ProgramRun run = run_onggi({"doctor"}, with_request(request));
         EXPECT_EQ(run.exit_code, 0) << run.err;
         const std::size_t at = run.out.find(line);
         if (at == std::string::npos) return {};
@@ -62,19 +63,19 @@ class SeveralDevices : public testing::Test {
 };
 
 TEST_F(SeveralDevices, AreNamedAndOneOfThemIsChosen) {
-    for (const int wished : {0, 1}) {
+    for (const int requested : {0, 1}) {
         for (const int device : {0, 1}) {
             const std::string line =
-                doctor_of(std::to_string(wished), "device " + std::to_string(device) + ": ");
+                doctor_of(std::to_string(requested), "device " + std::to_string(device) + ": ");
             EXPECT_NE(line.find("llvmpipe"), std::string::npos) << line;
-            EXPECT_EQ(line.ends_with(", chosen"), device == wished) << line;
-            EXPECT_EQ(line.starts_with("good"), device == wished) << line;
+            EXPECT_EQ(line.ends_with(", chosen"), device == requested) << line;
+            EXPECT_EQ(line.starts_with("good"), device == requested) << line;
         }
     }
     EXPECT_TRUE(doctor_of("", "device 0: ").ends_with(", chosen")) << "of two that are alike the first";
 }
 
-TEST_F(SeveralDevices, AWishForNoneOfThemIsOneLineWithAllThereAre) {
+TEST_F(SeveralDevices, ARequestForNoneOfThemIsOneLineWithAllThereAre) {
     const ProgramRun run = draw("2", "p.png");
     expect_one_line(run, 2, "ONGGI_VULKAN_DEVICE '2'");
     EXPECT_NE(run.err.find("0 llvmpipe"), std::string::npos) << run.err;

@@ -9,8 +9,8 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/replay/replay.h"
 #include "game/clay/studio/pot.h"
-#include "game/share/pot_solid.h"
-#include "game/share/studio_export.h"
+#include "game/exporter/pot_solid.h"
+#include "game/exporter/studio_export.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/places.h"
 
@@ -81,7 +81,7 @@ TEST_P(Demonstration, LeavesThePotItIsThereForAsASoundSolid) {
     }
 
     for (const auto stage : {clay::Firing::kWet, clay::Firing::kGlaze}) {
-        const auto bytes = share::export_pot(clay, stage, share::ExportKind::kGlb);
+        const auto bytes = exporter::export_pot(clay, stage, exporter::ExportKind::kGlb);
         ASSERT_TRUE(bytes) << bytes.error().message;
         const auto file = support::read_glb(*bytes);
         ASSERT_TRUE(file) << file.error().message;
@@ -95,7 +95,7 @@ TEST_P(Demonstration, LeavesThePotItIsThereForAsASoundSolid) {
         solid.off_axis_m = 2e-3;
         if (fails) solid.min_normal_agreement = -1.0;  // a heap has folds
         EXPECT_EQ(support::find_faults(file->mesh, solid), std::vector<std::string>{});
-        EXPECT_LE(file->mesh.indices.size() / 3, share::kMaxTriangles);
+        EXPECT_LE(file->mesh.indices.size() / 3, exporter::kMaxTriangles);
     }
 }
 

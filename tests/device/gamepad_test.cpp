@@ -137,21 +137,21 @@ TEST_F(GamepadsThroughGlfw, MoveTheTool) {
     pad.move(ABS_X, 32767);
     ASSERT_TRUE(first_comes_to([](const Gamepad& one) { return one.left_x > 0.99F; }));
     app::GamepadHand hand;
-    const app::GamepadWish wish = hand.wish(now(), 0.1);
-    EXPECT_TRUE(wish.is_used);
-    EXPECT_NEAR(wish.step_mm.x, 16.0, 0.5) << "160 mm/s to the right";
-    EXPECT_FALSE(wish.presses);
+    const app::GamepadRequest request = hand.request(now(), 0.1);
+    EXPECT_TRUE(request.is_used);
+    EXPECT_NEAR(request.step_mm.x, 16.0, 0.5) << "160 mm/s to the right";
+    EXPECT_FALSE(request.presses);
     pad.press(BTN_A, true);
     ASSERT_TRUE(first_comes_to([](const Gamepad& one) { return one.buttons == Gamepad::kA; }));
-    EXPECT_TRUE(hand.wish(now(), 0.1).presses);
+    EXPECT_TRUE(hand.request(now(), 0.1).presses);
     pad.press(BTN_A, false);
     pad.move(ABS_RZ, 255);
     ASSERT_TRUE(
         first_comes_to([](const Gamepad& one) { return one.right_trigger > 0.99F && one.buttons == 0; }));
-    EXPECT_TRUE(hand.wish(now(), 0.1).presses) << "the right trigger does, too";
+    EXPECT_TRUE(hand.request(now(), 0.1).presses) << "the right trigger does, too";
     pad.pull_out();
     ASSERT_TRUE(comes_true([](const std::vector<Gamepad>& pads) { return pads.empty(); }));
-    EXPECT_FALSE(hand.wish(now(), 0.1).presses);
+    EXPECT_FALSE(hand.request(now(), 0.1).presses);
 }
 
 }  // namespace

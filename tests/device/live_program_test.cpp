@@ -38,8 +38,8 @@ std::string solid(std::initializer_list<std::string_view> reports) {
 
 // The joystick's input report: the stick's X and Y as shares of 32767.
 std::string stick(double x, double y) {
-    const auto field = [](double share) {
-        const auto value = static_cast<std::uint16_t>(static_cast<std::int16_t>(share * 32767.0));
+    const auto field = [](double fraction) {
+        const auto value = static_cast<std::uint16_t>(static_cast<std::int16_t>(fraction * 32767.0));
         return fmt::format("{:02x} {:02x} ", value & 0xffU, value >> 8U);
     };
     std::string text = "01 00 00 00 00 00 00 00 00 " + field(x) + field(y);

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "game/clay/studio/pot.h"
+#include "game/exporter/studio_export.h"
 #include "game/finish/glaze.h"
 #include "game/look/pot_pictures.h"
-#include "game/share/studio_export.h"
 #include "game/wheel/clay_look.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/studio_samples.h"
@@ -36,8 +36,8 @@ double scale_of(const StudioSample& pot) {
 std::vector<std::byte> dressed(const StudioSample& pot) {
     const clay::ClayBody body = pot.clay.lump().body;
     auto bytes = look::dressed_glb(
-        share::rings_of(pot.clay.rings()), look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
-        {.extras = share::pot_extras(pot.clay, pot.stage), .shrinkage = scale_of(pot)});
+        exporter::rings_of(pot.clay.rings()), look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
+        {.extras = exporter::pot_extras(pot.clay, pot.stage), .shrinkage = scale_of(pot)});
     EXPECT_TRUE(bytes) << pot.name << ": " << (bytes ? "" : bytes.error().message);
     return bytes ? *bytes : std::vector<std::byte>{};
 }
@@ -68,7 +68,7 @@ TEST(DressedPot, IsASoundSolidOfTheClaysVolumeWithinWhatAPhoneBears) {
         expected.parts = pot.parts;
         if (!pot.calm) expected.min_normal_agreement = -1.0;
         EXPECT_EQ(support::find_faults(file->mesh, expected), std::vector<std::string>{}) << pot.name;
-        EXPECT_LE(file->mesh.indices.size() / 3, share::kMaxSharedTriangles) << pot.name;
+        EXPECT_LE(file->mesh.indices.size() / 3, exporter::kMaxSharedTriangles) << pot.name;
         EXPECT_LE(gzipped(bytes), 1'000'000U) << pot.name;
     }
 }
@@ -104,8 +104,8 @@ int against_their_faces(const asset::Mesh& mesh) {
 }
 
 // A wall into which a rasp was pressed: a band of narrow dents, deep and askew from row to row.
-share::PotRings pressed_wall() {
-    share::PotRings rings;
+exporter::PotRings pressed_wall() {
+    exporter::PotRings rings;
     constexpr int kRings = 400;
     rings.sectors = 64;
     for (int i = 0; i <= kRings; ++i)
@@ -125,10 +125,10 @@ share::PotRings pressed_wall() {
 }
 
 TEST(DentedPot, HasNoNormalAgainstAFaceOfItsOwn) {
-    for (const share::PotRings& rings :
-         {share::rings_of(sample("studio_dented").clay.rings()), pressed_wall()}) {
+    for (const exporter::PotRings& rings :
+         {exporter::rings_of(sample("studio_dented").clay.rings()), pressed_wall()}) {
         for (const bool unwraps : {false, true}) {
-            const auto solid = share::build_pot_solid(rings, {.unwraps = unwraps});
+            const auto solid = exporter::build_pot_solid(rings, {.unwraps = unwraps});
             ASSERT_TRUE(solid) << solid.error().message;
             EXPECT_EQ(against_their_faces(solid->mesh), 0);
         }
@@ -151,9 +151,9 @@ dvec3 mean_of(const asset::Image& image, int from_row, int to_row) {
 TEST(PotPictures, ShowAGlazeABareFootAndADarkInside) {
     clay::StudioClay pot({.mass_g = 500.0});
     pot.set_wall(40.0, 5.0, 10.0, 80.0, 400);
-    const share::PotRings rings = share::rings_of(pot.rings());
+    const exporter::PotRings rings = exporter::rings_of(pot.rings());
     const auto solid =
-        share::build_pot_solid(rings, {.most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+        exporter::build_pot_solid(rings, {.most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
     ASSERT_TRUE(solid);
     const finish::GlazeMaterial& celadon = finish::glaze_at(0);
     const look::PotPictures pictures =

@@ -8,10 +8,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "game/exporter/export.h"
+#include "game/exporter/pot_solid.h"
+#include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
-#include "game/share/export.h"
-#include "game/share/pot_solid.h"
-#include "game/share/studio_export.h"
 #include "game/wheel/clay_look.h"
 #include "tests/support/pot_samples.h"
 #include "tests/support/studio_samples.h"
@@ -31,9 +31,9 @@ bool write(const std::filesystem::path& path, const std::vector<std::byte>& byte
 // All kinds of file; false after saying what went wrong.
 template <typename Export>
 bool write_all(const std::filesystem::path& folder, const std::string& name, Export export_as) {
-    for (const auto& [kind, ending] : {std::pair{share::ExportKind::kGlb, ".glb"},
-                                       {share::ExportKind::kStl, ".stl"},
-                                       {share::ExportKind::k3mf, ".3mf"}}) {
+    for (const auto& [kind, ending] : {std::pair{exporter::ExportKind::kGlb, ".glb"},
+                                       {exporter::ExportKind::kStl, ".stl"},
+                                       {exporter::ExportKind::k3mf, ".3mf"}}) {
         const Result<std::vector<std::byte>> bytes = export_as(kind);
         const std::filesystem::path path = folder / (name + ending);
         if (bytes && write(path, *bytes)) continue;
@@ -43,7 +43,7 @@ bool write_all(const std::filesystem::path& folder, const std::string& name, Exp
     return true;
 }
 
-void say(const std::string& name, const share::PotSolid& built) {
+void say(const std::string& name, const exporter::PotSolid& built) {
     fmt::print("{}: {} rings, {} rows of {}, {} triangles, tolerance {} mm, scale {:.6f}\n", name,
                built.rings, built.rows, built.corners, built.mesh.triangle_count(), built.tolerance_mm,
                built.across_scale);
@@ -51,9 +51,9 @@ void say(const std::string& name, const share::PotSolid& built) {
 
 bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample& pot,
                    nlohmann::json& expected) {
-    if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.rings(), kind); }))
+    if (!write_all(folder, pot.name, [&](auto kind) { return exporter::export_pot(pot.rings(), kind); }))
         return false;
-    const auto built = share::build_pot_solid(pot.rings());
+    const auto built = exporter::build_pot_solid(pot.rings());
     if (!built) return false;
     expected.push_back({{"name", pot.name},
                         {"height_m", pot.height_mm * 1e-3},
@@ -69,13 +69,13 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
 bool add_dressed_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                      nlohmann::json& expected) {
     const clay::ClayBody body = pot.clay.lump().body;
-    const share::PotRings rings = share::rings_of(pot.clay.rings());
+    const exporter::PotRings rings = exporter::rings_of(pot.clay.rings());
     const double shrinkage = clay::shrunk_scale(body, pot.stage);
     const auto bytes =
         look::dressed_glb(rings, look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
-                          {.extras = share::pot_extras(pot.clay, pot.stage), .shrinkage = shrinkage});
+                          {.extras = exporter::pot_extras(pot.clay, pot.stage), .shrinkage = shrinkage});
     const auto built =
-        share::build_pot_solid(rings, {.most_triangles = share::kMaxSharedTriangles, .unwraps = true});
+        exporter::build_pot_solid(rings, {.most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
     const std::string name = pot.name + "_dressed";
     if (!bytes || !built || !write(folder / (name + ".glb"), *bytes)) {
         fmt::print(stderr, "{}: {}\n", name, bytes ? "cannot be written" : bytes.error().message);
@@ -91,10 +91,11 @@ bool add_dressed_pot(const std::filesystem::path& folder, const support::StudioS
 
 bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                     nlohmann::json& expected) {
-    if (!write_all(folder, pot.name, [&](auto kind) { return share::export_pot(pot.clay, pot.stage, kind); }))
+    if (!write_all(folder, pot.name,
+                   [&](auto kind) { return exporter::export_pot(pot.clay, pot.stage, kind); }))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(pot.clay.lump().body, pot.stage);
-    const auto built = share::build_pot_solid(share::rings_of(pot.clay.rings()));
+    const auto built = exporter::build_pot_solid(exporter::rings_of(pot.clay.rings()));
     if (!built) return false;
     const auto outer = pot.clay.outer_mm();
     // Clay off its axis is wider across than twice its radius; the browser's check is for calm pots.

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "game/share/export.h"
+#include "game/exporter/export.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/pot_samples.h"
 
@@ -15,7 +15,7 @@ using support::SolidMesh;
 class MeshCheck : public testing::Test {
   protected:
     MeshCheck() : pot_(support::vase(2000)) {
-        const auto bytes = share::export_pot(pot_.rings(), share::ExportKind::kGlb);
+        const auto bytes = exporter::export_pot(pot_.rings(), exporter::ExportKind::kGlb);
         if (bytes) glb_ = *bytes;
         if (const auto file = support::read_glb(glb_)) mesh_ = file->mesh;
         double max_radius_mm = 0.0;

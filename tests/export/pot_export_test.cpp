@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "game/share/export.h"
+#include "game/exporter/export.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/pot_samples.h"
 
 namespace onggi {
 namespace {
 
-using share::ExportKind;
+using exporter::ExportKind;
 using support::PotSample;
 
 constexpr double kMetresPerMm = 1e-3;
@@ -24,8 +24,8 @@ double radius_at(const PotSample& pot, double y_mm) {
     const double at = std::clamp(y_mm / pot.height_mm * count - 0.5, 0.0, count - 1.0);
     const auto below = static_cast<std::size_t>(at);
     const std::size_t above = std::min(below + 1, pot.radii_mm.size() - 1);
-    const double share = at - static_cast<double>(below);
-    return (1.0 - share) * double{pot.radii_mm[below]} + share * double{pot.radii_mm[above]};
+    const double fraction = at - static_cast<double>(below);
+    return (1.0 - fraction) * double{pot.radii_mm[below]} + fraction * double{pot.radii_mm[above]};
 }
 
 double max_radius_mm(const PotSample& pot) {
@@ -53,7 +53,7 @@ support::ExpectedPot expected_of(const PotSample& pot) {
 class ExportedPot : public testing::TestWithParam<PotSample> {
   protected:
     [[nodiscard]] std::vector<std::byte> bytes(ExportKind kind) const {
-        const Result<std::vector<std::byte>> exported = share::export_pot(GetParam().rings(), kind);
+        const Result<std::vector<std::byte>> exported = exporter::export_pot(GetParam().rings(), kind);
         EXPECT_TRUE(exported) << (exported ? "" : exported.error().message);
         return exported ? *exported : std::vector<std::byte>{};
     }

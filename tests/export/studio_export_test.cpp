@@ -1,13 +1,13 @@
 // Every studio pot leaves as a sound solid that holds the clay its ledger says, with its measures, at the
 // size and with the surface of its stage.
-#include "game/share/studio_export.h"
+#include "game/exporter/studio_export.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "game/share/pot_solid.h"
+#include "game/exporter/pot_solid.h"
 #include "tests/support/mesh_check.h"
 #include "tests/support/studio_samples.h"
 #include "tests/support/three_mf_read.h"
@@ -15,7 +15,7 @@
 namespace onggi {
 namespace {
 
-using share::ExportKind;
+using exporter::ExportKind;
 using support::StudioSample;
 
 constexpr double kMetresPerMm = 1e-3;
@@ -54,7 +54,7 @@ const std::vector<StudioSample>& samples() {
 }
 
 std::vector<std::byte> bytes_of(const StudioSample& pot, ExportKind kind) {
-    const auto bytes = share::export_pot(pot.clay, pot.stage, kind);
+    const auto bytes = exporter::export_pot(pot.clay, pot.stage, kind);
     EXPECT_TRUE(bytes) << pot.name << ": " << (bytes ? "" : bytes.error().message);
     return bytes ? *bytes : std::vector<std::byte>{};
 }
@@ -70,7 +70,7 @@ TEST(StudioExport, IsASoundSolidOfTheLedgersVolumeToAMillionth) {
         ASSERT_EQ(pot.clay.ledger_error_mm3(), 0.0) << pot.name;
         const support::GlbFile file = glb_of(pot);
         EXPECT_EQ(support::find_faults(file.mesh, expected_of(pot)), std::vector<std::string>{}) << pot.name;
-        EXPECT_LE(file.mesh.indices.size() / 3, share::kMaxTriangles) << pot.name;
+        EXPECT_LE(file.mesh.indices.size() / 3, exporter::kMaxTriangles) << pot.name;
     }
 }
 
@@ -96,10 +96,10 @@ TEST(StudioExport, IsTheSolidOfTheStlAs3mf) {
 }
 
 TEST(PrintingNote, IsThereForThinWallsAloneAndSaysWhatSizeHelps) {
-    EXPECT_EQ(share::printing_note(2.0), "");
-    EXPECT_EQ(share::printing_note(0.0), "") << "nothing is hollow";
+    EXPECT_EQ(exporter::printing_note(2.0), "");
+    EXPECT_EQ(exporter::printing_note(0.0), "") << "nothing is hollow";
     EXPECT_EQ(
-        share::printing_note(1.5),
+        exporter::printing_note(1.5),
         "Thinnest wall 1.5 mm: below 2 mm prints break. At 134 % and above all walls are thick enough.");
 }
 
@@ -159,9 +159,9 @@ TEST(StudioExport, StaysWithinTwentyMicrometresOfBothWalls) {
 
 TEST(StudioExport, OfCalmPotsIsOfOneOfTheTwoFinestSettings) {
     for (const StudioSample& pot : samples()) {
-        const auto solid = share::build_pot_solid(share::rings_of(pot.clay.rings()));
+        const auto solid = exporter::build_pot_solid(exporter::rings_of(pot.clay.rings()));
         ASSERT_TRUE(solid) << pot.name;
-        EXPECT_LE(solid->mesh.triangle_count(), share::kMaxTriangles) << pot.name;
+        EXPECT_LE(solid->mesh.triangle_count(), exporter::kMaxTriangles) << pot.name;
         if (!pot.calm) continue;
         EXPECT_GE(solid->corners, 96) << pot.name;
         EXPECT_LE(solid->tolerance_mm, 0.016) << pot.name;
@@ -204,7 +204,7 @@ TEST(StudioExport, PutsOffCentreClayOnTheSideWhereItIs) {
     clay::StudioClay pot({.mass_g = 500.0});
     pot.set_wall(40.0, 5.0, 10.0, 50.0, 200);
     pot.set_centre({1.0, 3.0});
-    const auto solid = share::build_pot_solid(share::rings_of(pot.rings()));
+    const auto solid = exporter::build_pot_solid(exporter::rings_of(pot.rings()));
     ASSERT_TRUE(solid);
     dvec3 low(1e9);
     dvec3 high(-1e9);
@@ -235,14 +235,14 @@ TEST(StudioExport, TellsItsMeasuresAndItsLedger) {
                       extras.at("ledger_trimmings_mm3").get<double>() +
                       extras.at("ledger_slip_mm3").get<double>())
             << pot.name;
-        EXPECT_EQ(extras.at("stage"), share::name_of(pot.stage)) << pot.name;
+        EXPECT_EQ(extras.at("stage"), exporter::name_of(pot.stage)) << pot.name;
     }
 }
 
 TEST(StudioExport, TellsTheWallEveryFiveMillimetresOfACylinder) {
     clay::StudioClay pot({.mass_g = 500.0});
     pot.set_wall(45.0, 6.5, 12.0, 112.0, 1000);
-    const auto extras = share::pot_extras(pot, clay::Firing::kWet);
+    const auto extras = exporter::pot_extras(pot, clay::Firing::kWet);
     const auto find = [&](std::string_view name) {
         return std::find_if(extras.begin(), extras.end(),
                             [&](const auto& extra) { return extra.first == name; })
@@ -266,15 +266,15 @@ TEST(StudioExport, ShinesWhenWetOrGlazedAndNotBetween) {
     for (const auto body :
          {clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware}) {
         const auto coat = [&](clay::Firing stage) {
-            return share::pot_material(body, stage).clearcoat.factor;
+            return exporter::pot_material(body, stage).clearcoat.factor;
         };
         EXPECT_GT(coat(clay::Firing::kWet), 0.0);
         EXPECT_EQ(coat(clay::Firing::kDry), 0.0);
         EXPECT_EQ(coat(clay::Firing::kBisque), 0.0);
         EXPECT_EQ(coat(clay::Firing::kGlaze), 1.0);
         // Wet clay is darker than dry.
-        const dvec3 wet = share::pot_material(body, clay::Firing::kWet).base_colour_linear;
-        const dvec3 dry = share::pot_material(body, clay::Firing::kDry).base_colour_linear;
+        const dvec3 wet = exporter::pot_material(body, clay::Firing::kWet).base_colour_linear;
+        const dvec3 dry = exporter::pot_material(body, clay::Firing::kDry).base_colour_linear;
         EXPECT_LT(wet.x, dry.x);
         EXPECT_LT(wet.y, dry.y);
         EXPECT_LT(wet.z, dry.z);
@@ -293,7 +293,7 @@ TEST(StudioExport, ShinesWhenWetOrGlazedAndNotBetween) {
 TEST(StudioExport, RefusesClayThatIsNoPot) {
     clay::StudioClay flat({.mass_g = 500.0});
     flat.set_wall(45.0, 5.0, 0.5, 0.8, 8);
-    auto refused = share::export_pot(flat, clay::Firing::kWet, ExportKind::kGlb);
+    auto refused = exporter::export_pot(flat, clay::Firing::kWet, ExportKind::kGlb);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
     EXPECT_NE(refused.error().message.find("expected a height of 1"), std::string::npos);

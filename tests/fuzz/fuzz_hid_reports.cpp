@@ -11,7 +11,7 @@
 #include "engine/haptics/hid/dual_sense_driver.h"
 #include "engine/haptics/hid/pid_driver.h"
 #include "engine/haptics/hid/simple_drivers.h"
-#include "engine/haptics/hid/tool_mover.h"
+#include "engine/haptics/hid/tool_tracker.h"
 #include "tests/fuzz/fuzz_expect.h"
 #include "tests/support/pid_descriptors.h"
 
@@ -84,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!driver->start(device, port)) return 0;
 
     const ToolReach reach;
-    ToolMover mover(reach);
+    ToolTracker prop(reach);
     std::uint64_t heartbeat = 0;
     std::int64_t now_ns = 0;
     while (!bytes.empty()) {
@@ -103,7 +103,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         bytes = bytes.subspan(1 + length);
         HandInput input = driver->input(now_ns);
         input.heartbeat = ++heartbeat;
-        const haptics::ToolState tool = mover.moved(input, 0.01);
+        const haptics::ToolState tool = prop.moved(input, 0.01);
         fuzz::expect(tool.position_mm.x >= reach.least_radius_mm &&
                      tool.position_mm.x <= reach.most_radius_mm);
         fuzz::expect(tool.position_mm.y >= reach.least_height_mm &&

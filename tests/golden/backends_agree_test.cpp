@@ -105,7 +105,7 @@ class Backends : public DrawingTest, public testing::WithParamInterface<GoldenSc
             wheel::Clay& clay = wheel_scene.registry().get<wheel::Clay>(wheel_scene.clay());
             clay.is_cut_open = clay.shows_load = scene.view == wheel::StillView::kCutaway;
             render::Scene lit = wheel_scene.apply(shown.shown(), scene.width, scene.height);
-            if (is_strict) lit.movers.clear();
+            if (is_strict) lit.props.clear();
             // By day first, so that the light changes.
             if (frame + 1 == frames) lit.levels = levels;
             const auto drawn = (*renderer)->draw(lit, **target);

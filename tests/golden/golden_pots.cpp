@@ -19,8 +19,8 @@ double throwing_rings(double y) {
 }  // namespace
 
 double bump(double y, double centre, double width) {
-    const double share = (y - centre) / width;
-    return std::exp(-share * share);
+    const double fraction = (y - centre) / width;
+    return std::exp(-fraction * fraction);
 }
 
 pot::Pot studio_pot(const StudioShape& shape) {
@@ -30,8 +30,8 @@ pot::Pot studio_pot(const StudioShape& shape) {
     double top = 0.0;
     for (int i = 0; i < kRings; ++i) {
         // Rings are not of one height: the lower ones are taller.
-        const double share = (i + 1.0) / kRings;
-        const double next = shape.height_mm * (share + 0.12 * share * (1.0 - share));
+        const double fraction = (i + 1.0) / kRings;
+        const double next = shape.height_mm * (fraction + 0.12 * fraction * (1.0 - fraction));
         const double y = 0.5 * (top + next);
         const double outer = shape.outer_mm(y) + shape.rings_mm * throwing_rings(y);
         pot.outer_mm.push_back(static_cast<float>(outer));
@@ -43,9 +43,9 @@ pot::Pot studio_pot(const StudioShape& shape) {
                 : 0.0F);
         pot.top_mm.push_back(static_cast<float>(next));
         // The foot stands in what ran down, the rim has dried a little.
-        const double wet = shape.liquidity * (1.15 - 0.3 * share);
+        const double wet = shape.liquidity * (1.15 - 0.3 * fraction);
         pot.liquidity.push_back(static_cast<float>(wet));
-        pot.film.push_back(static_cast<float>(shape.film * (1.1 - 0.4 * share)));
+        pot.film.push_back(static_cast<float>(shape.film * (1.1 - 0.4 * fraction)));
         pot.load_index.push_back(0.0F);
         top = next;
     }
@@ -176,8 +176,8 @@ void press_dent(pot::Pot& pot, double y_mm, double direction_rad, double depth_m
 void lean(pot::Pot& pot, double x_mm, double z_mm) {
     pot.centre_mm.clear();
     for (const float top : pot.top_mm) {
-        const double share = top / pot.height_mm;
-        pot.centre_mm.push_back(vec2(dvec2(x_mm, z_mm) * share * share));
+        const double fraction = top / pot.height_mm;
+        pot.centre_mm.push_back(vec2(dvec2(x_mm, z_mm) * fraction * fraction));
     }
 }
 

@@ -38,7 +38,7 @@ class HeldPicture : public DrawingTest {
     }
     [[nodiscard]] render::Scene scene_of(const GoldenScene& shown) {
         render::Scene scene = opened_.scene->apply(shown.shown(), kWidth, kHeight);
-        if (!shows_hands_) scene.movers.clear();
+        if (!shows_hands_) scene.props.clear();
         return scene;
     }
     // The hand somewhere up the pot, and a box of the overlay somewhere across the picture.

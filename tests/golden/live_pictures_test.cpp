@@ -32,7 +32,7 @@ class LivePictures : public DrawingTest, public testing::WithParamInterface<Live
     [[nodiscard]] asset::Image draw(const GoldenScene& shown, double evening) const {
         auto opened = wheel::open_scene({}, shown.width, shown.height);
         EXPECT_EQ(opened.lack, "");
-        opened.scene->glide(false);
+        opened.scene->transition(false);
         opened.scene->look_at(shown.view == wheel::StillView::kLookingIn ? wheel::View::kLookingIn
                                                                          : wheel::View::kThrowing);
         opened.scene->jump();

@@ -24,10 +24,11 @@ constexpr int kMostFramesToMake = 12;
 using Pixels = std::vector<std::uint8_t>;
 
 // How far a picture is from the mix of two others, levels of 255.
-int off_the_mix(const Pixels& shown, const Pixels& from, const Pixels& to, float share) {
+int off_the_mix(const Pixels& shown, const Pixels& from, const Pixels& to, float fraction) {
     int worst = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const float mixed = static_cast<float>(from[i]) * (1.0F - share) + static_cast<float>(to[i]) * share;
+        const float mixed =
+            static_cast<float>(from[i]) * (1.0F - fraction) + static_cast<float>(to[i]) * fraction;
         worst = std::max(worst, std::abs(int{shown[i]} - static_cast<int>(std::lround(mixed))));
     }
     return worst;
@@ -40,7 +41,7 @@ class ViewChange : public DrawingTest {
         shown_ = scene_named("pulling");
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
-        opened_.scene->glide(false);
+        opened_.scene->transition(false);
         opened_.scene->look_at(wheel::View::kThrowing);
         opened_.scene->apply(shown_.shown(), kWidth, kHeight);
         fading_ = make();

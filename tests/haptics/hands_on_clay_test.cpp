@@ -100,9 +100,9 @@ class Wish {
     explicit Wish(unsigned seed) : random_(seed) {}
     dvec3 next(const HandModel& hand, double t_s, double dt_s, double wall_mm) {
         if (t_s >= until_s_) {
-            until_s_ = t_s + 0.3 + 1.5 * share_(random_);
-            goal_ = {wall_mm + 14.0 - 12.0 * share_(random_), 30.0 + 60.0 * share_(random_),
-                     6.0 * share_(random_) - 3.0};
+            until_s_ = t_s + 0.3 + 1.5 * fraction_(random_);
+            goal_ = {wall_mm + 14.0 - 12.0 * fraction_(random_), 30.0 + 60.0 * fraction_(random_),
+                     6.0 * fraction_(random_) - 3.0};
         }
         aim_ += (goal_ - aim_) * std::min(1.0, dt_s / 0.15);
         dvec3 aim = aim_;
@@ -114,13 +114,13 @@ class Wish {
     }
     bool wheel(double dt_s) {
         constexpr double kTurnsAboutHz = 0.5;
-        if (share_(random_) < kTurnsAboutHz * dt_s) turning_ = !turning_;
+        if (fraction_(random_) < kTurnsAboutHz * dt_s) turning_ = !turning_;
         return turning_;
     }
 
   private:
     std::mt19937 random_;
-    std::uniform_real_distribution<double> share_{0.0, 1.0};
+    std::uniform_real_distribution<double> fraction_{0.0, 1.0};
     double until_s_ = 0.0;
     dvec3 goal_{90.0, 60.0, 0.0};
     dvec3 aim_{90.0, 60.0, 0.0};
@@ -138,7 +138,7 @@ struct Outcome {
     haptics::Fault fault = haptics::Fault::kNone;
 };
 
-// The wheel's drag in the force that went out: the share of what the clay wanted that points the same way.
+// The wheel's drag in the force that went out: the fraction of what the clay wanted that points the same way.
 dvec3 drag_in(const dvec3& applied_n, const clay::ContactForces& forces, bool is_studio,
               const DeviceFeel& feel) {
     const DeviceForce clay = device_force(forces, dvec3(0.0), 0.0, is_studio, feel);

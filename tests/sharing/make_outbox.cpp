@@ -14,7 +14,7 @@
 #include "game/app/command_line/start_pot.h"
 #include "game/app/kiosk/kiosk_pot.h"
 #include "game/app/kiosk/kiosk_share.h"
-#include "game/share/studio_export.h"
+#include "game/exporter/studio_export.h"
 
 namespace {
 
@@ -43,8 +43,8 @@ Result<sharing::ShareCode> put(const Words& words) {
     const ui::Painting painting = app::portrait(fired.shape, kCeladon, kPortraitPx);
     auto picture = asset::encode_png(
         {.width = painting.width, .height = painting.height, .rgba = painting.rgba});  // opaque
-    auto model = share::export_pot(**clay, clay::Firing::kGlaze, share::ExportKind::kGlb);
-    auto print = share::export_pot(**clay, clay::Firing::kGlaze, share::ExportKind::kStl);
+    auto model = exporter::export_pot(**clay, clay::Firing::kGlaze, exporter::ExportKind::kGlb);
+    auto print = exporter::export_pot(**clay, clay::Firing::kGlaze, exporter::ExportKind::kStl);
     if (!picture) return picture.error();
     if (!model) return model.error();
     if (!print) return print.error();

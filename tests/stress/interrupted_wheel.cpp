@@ -46,14 +46,14 @@ class Visitors {
     void come_and_go() {
         for (;;) {
             pass(5, 20);
-            if (left_over_ && one_of(2)) {
-                left_over_ = false;
+            if (interrupted_session_ && one_of(2)) {
+                interrupted_session_ = false;
                 is_resumed_ = true;
                 keeper_->resume(run_);
                 say(stress::kResumed);
             } else {
-                if (left_over_) keeper_->drop_left_over();
-                left_over_ = false;
+                if (interrupted_session_) keeper_->drop_interrupted_session();
+                interrupted_session_ = false;
                 is_resumed_ = false;
                 if (job_->send(haptic::Command::kFreshLump)) ++run_;
                 keeper_->journal(run_);
@@ -76,7 +76,8 @@ class Visitors {
         std::this_thread::sleep_for(std::chrono::milliseconds(least + any_below(most - least)));
         static_cast<void>(job_->newest_snapshot());
         while (const auto answer = keeper_->next_answer()) {
-            left_over_ = left_over_ || answer->kind == app::KeeperAnswer::Kind::kLeftOver;
+            interrupted_session_ =
+                interrupted_session_ || answer->kind == app::KeeperAnswer::Kind::kInterruptedSession;
             if (answer->clay) cut_ = answer->clay;
             if (answer->kind == app::KeeperAnswer::Kind::kSaved) is_saved_ = true;
         }
@@ -120,7 +121,7 @@ class Visitors {
     std::unique_ptr<app::KioskKeeper> keeper_;
     std::uint64_t run_ = 0;
     std::shared_ptr<const clay::StudioClay> cut_;
-    bool left_over_ = false;
+    bool interrupted_session_ = false;
     bool is_resumed_ = false;
     bool is_saved_ = false;
 };

@@ -34,7 +34,7 @@ constexpr int kHeight = 180;
 // who may be late.
 constexpr double kThrewOnS = 2.5;
 constexpr double kStartS = 3.0;     // from nothing to attract, and on
-constexpr double kPortraitS = 1.0;  // from the wish to keep a pot to its folder
+constexpr double kPortraitS = 1.0;  // from the request to keep a pot to its folder
 constexpr double kFileS = 0.004;    // from one of its files to the next, for those that are soon worked out
 constexpr double kWriteS = 0.0008;  // so long is the shortest of them written
 constexpr double kLookS = 0.0001;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/record/session.h"
-#include "game/app/kiosk/left_over.h"
+#include "game/app/kiosk/interrupted_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::stress {
@@ -63,7 +63,7 @@ inline Found expect_whole_visit(const std::filesystem::path& gallery, const std:
     if (!std::filesystem::exists(gallery / "state")) return found;
     std::filesystem::copy(gallery / "state", copy);
     std::vector<std::string> remarks;
-    const auto pot = app::LeftOver::find(copy, start, parameters, remarks);
+    const auto pot = app::InterruptedSession::find(copy, start, parameters, remarks);
     for (const std::string& line : remarks)
         ADD_FAILURE() << line;
     if (!pot) return found;

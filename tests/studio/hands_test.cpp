@@ -166,7 +166,7 @@ TEST(Move, ALumpPressedOnTopSpreadsAsAWholeAndStaysALump) {
 TEST(Move, AColumnPressedOnTopKeepsItsSidesUpright) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
     bench.wall(30.0, 30.0, 200.0, 120.0, 1200);
-    bench.input.hand.side = SideWish::kTop;
+    bench.input.hand.side = WantedSide::kTop;
     bench.at(10.0, 135.0);
     bench.move({10.0, 90.0, 0.0}, 3.0);
     EXPECT_NEAR(bench.clay.height_mm(), 80.0, 3.0);
@@ -180,7 +180,7 @@ TEST(Move, ACollarNarrowsThickensAndRaisesAFreeWall) {
     const auto collar = [](double chi) {
         Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
         bench.wall(45.0, 4.0, 12.0, 100.0, 1000);
-        bench.parameters.hoop_share_chi = chi;
+        bench.parameters.hoop_fraction_chi = chi;
         bench.at(60.0, 70.05);
         for (double x = 55.0; x > 45.25; x -= 0.001)
             bench.at(x, 70.05);

@@ -20,7 +20,7 @@ struct DifferingPixel {
 
 // A pixel's delta is that of its most differing channel, alpha included, in steps of 1/255.
 struct ImageDifference {
-    double bad_share = 0.0;             // of pixels whose delta is above the limit
+    double bad_fraction = 0.0;          // of pixels whose delta is above the limit
     double mean_delta = 0.0;            // over all pixels
     std::vector<DifferingPixel> worst;  // at most five, the worst first
 };

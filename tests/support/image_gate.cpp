@@ -74,7 +74,7 @@ std::string sidecar_text(const RenderInfo& info) {
                                       {"state_hash", info.state_hash},
                                       {"tolerances",
                                        {{"delta_limit", kSameDriver.delta_limit},
-                                        {"bad_share", kSameDriver.bad_share},
+                                        {"bad_share", kSameDriver.bad_fraction},
                                         {"mean_delta", kSameDriver.mean_delta}}}};
     return json.dump(2) + "\n";
 }
@@ -92,10 +92,11 @@ Result<void> read_sidecar(const path& file, Golden& golden) {
     }
     // A scene may be held to less than the house's limits, never to more.
     const Tolerances& found = golden.tolerances;
-    if (found.delta_limit > kSameDriver.delta_limit || !(found.bad_share <= kSameDriver.bad_share) ||
+    if (found.delta_limit > kSameDriver.delta_limit || !(found.bad_fraction <= kSameDriver.bad_fraction) ||
         !(found.mean_delta <= kSameDriver.mean_delta)) {
         return bad_input(fmt::format("{}: expected tolerances of at most {}/255, {} and {}", file.string(),
-                                     kSameDriver.delta_limit, kSameDriver.bad_share, kSameDriver.mean_delta));
+                                     kSameDriver.delta_limit, kSameDriver.bad_fraction,
+                                     kSameDriver.mean_delta));
     }
     return {};
 }
@@ -115,12 +116,12 @@ path sidecar_of(const GateOptions& options, const std::string& name) {
 std::string describe(const ImageDifference& difference, const Tolerances& limits) {
     return fmt::format(
         "{:.4f} % of pixels differ by more than {}/255 (limit {:.4f} %), mean {:.5f} (limit {})",
-        100.0 * difference.bad_share, limits.delta_limit, 100.0 * limits.bad_share, difference.mean_delta,
-        limits.mean_delta);
+        100.0 * difference.bad_fraction, limits.delta_limit, 100.0 * limits.bad_fraction,
+        difference.mean_delta, limits.mean_delta);
 }
 
 bool within(const ImageDifference& difference, const Tolerances& limits) {
-    return difference.bad_share <= limits.bad_share && difference.mean_delta <= limits.mean_delta;
+    return difference.bad_fraction <= limits.bad_fraction && difference.mean_delta <= limits.mean_delta;
 }
 
 std::string describe_worst(const ImageDifference& difference) {

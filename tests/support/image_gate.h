@@ -3,7 +3,7 @@
 //     EXPECT_TRUE(matches_golden("vase", image, render_info));
 //
 // Stored: NAME.png, and beside it NAME.json with the driver that drew it, the state it shows, and its
-// tolerances. Two limits, because each alone is blind: a share of pixels that differ visibly finds a moved
+// tolerances. Two limits, because each alone is blind: a fraction of pixels that differ visibly finds a moved
 // edge but not light that is 1 % weaker, a mean difference finds the light but drowns a few wrong pixels.
 // Nothing is ever stored by a test that merely runs; storing needs ONGGI_BLESS=NAME,NAME in the environment
 // (target golden-bless), no CI=true, and a tree without changes outside tests/golden. Main thread.
@@ -31,15 +31,15 @@ struct RenderInfo {
 };
 
 struct Tolerances {
-    int delta_limit = 2;      // of 255, in any channel
-    double bad_share = 5e-4;  // of pixels above delta_limit
+    int delta_limit = 2;         // of 255, in any channel
+    double bad_fraction = 5e-4;  // of pixels above delta_limit
     double mean_delta = 0.02;
 };
 
 // The same driver and version drew both: measured noise is 0 pixels and 0.00004. On another driver: reported
 // only, or failing if asked (ONGGI_GOLDEN_STRICT=1), and without a limit for the mean.
 constexpr Tolerances kSameDriver{};
-constexpr Tolerances kOtherDriver{.delta_limit = 5, .bad_share = 1e-3, .mean_delta = 255.0};
+constexpr Tolerances kOtherDriver{.delta_limit = 5, .bad_fraction = 1e-3, .mean_delta = 255.0};
 
 struct GateOptions {
     std::filesystem::path golden_folder;  // NAME.png and NAME.json

@@ -30,11 +30,11 @@ ContactForces PaperReference::tick(const ToolInput& tool, const PaperParameters&
     first_tick_ = false;
 
     const double c1 = parameters.softness_c1_per_mm;
-    if (c1 != share_c1_ || r1 != share_r1_ || parameters.rate_hz != share_rate_hz_) {
-        share_c1_ = c1;
-        share_r1_ = r1;
-        share_rate_hz_ = parameters.rate_hz;
-        share_ = 1.0 - std::pow(1.0 - 1.0 / (c1 * r1), 1000.0 / parameters.rate_hz);
+    if (c1 != fraction_c1_ || r1 != fraction_r1_ || parameters.rate_hz != fraction_rate_hz_) {
+        fraction_c1_ = c1;
+        fraction_r1_ = r1;
+        fraction_rate_hz_ = parameters.rate_hz;
+        fraction_ = 1.0 - std::pow(1.0 - 1.0 / (c1 * r1), 1000.0 / parameters.rate_hz);
     }
     const double k =
         tool.wheel_turning ? parameters.stiffness_turning_n_per_mm : parameters.stiffness_standing_n_per_mm;
@@ -54,7 +54,7 @@ ContactForces PaperReference::tick(const ToolInput& tool, const PaperParameters&
         ++contacts;
         if (tool.wheel_turning) {
             const double before = element.radius_mm;
-            element.radius_mm -= std::fabs(proximity) * share_;  // Eq. (2)
+            element.radius_mm -= std::fabs(proximity) * fraction_;  // Eq. (2)
             if (element.radius_mm < parameters.minimum_radius_mm) {
                 element.radius_mm = parameters.minimum_radius_mm;
             }

@@ -35,10 +35,10 @@ class PaperReference {
     bool first_tick_ = true;
     dvec3 radial_unit_{1.0, 0.0, 0.0};
     // std::pow is asked again only when one of these changes, so that the yardstick is not slowed by it.
-    double share_c1_ = 0.0;
-    double share_r1_ = 0.0;
-    double share_rate_hz_ = 0.0;
-    double share_ = 0.0;
+    double fraction_c1_ = 0.0;
+    double fraction_r1_ = 0.0;
+    double fraction_rate_hz_ = 0.0;
+    double fraction_ = 0.0;
 };
 
 }  // namespace onggi::clay

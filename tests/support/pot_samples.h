@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "game/share/pot_rings.h"
+#include "game/exporter/pot_rings.h"
 
 namespace onggi::support {
 
@@ -15,7 +15,7 @@ struct PotSample {
     // Smooth enough for the finest setting: the export must stay within 0.02 mm of the outline.
     bool hand_made = true;
 
-    [[nodiscard]] share::PotRings rings() const { return share::rings_of(height_mm, radii_mm); }
+    [[nodiscard]] exporter::PotRings rings() const { return exporter::rings_of(height_mm, radii_mm); }
 };
 
 // A belly, a narrow neck, a flaring lip and throwing rings of 0.5 mm.

@@ -13,8 +13,8 @@ namespace {
 struct Expected {
     Kind kind;
     int count;
-    double pots;           // share
-    double pots_at_worse;  // share, with a worse aim or other clay
+    double pots;           // fraction
+    double pots_at_worse;  // fraction, with a worse aim or other clay
 };
 constexpr std::array kExpected{
     Expected{Kind::kLesson, 60, 0.97, 0.90},    Expected{Kind::kLeftHand, 15, 0.95, 0.90},
@@ -28,13 +28,13 @@ TEST(AllVisitors, LeavePotsOneWouldKeep) {
     for (const Expected& expected : kExpected) {
         const auto all = throw_pots({.kind = expected.kind, .count = expected.count});
         const auto name = kKindNames[static_cast<std::size_t>(expected.kind)];
-        EXPECT_GE(share_of_pots(all), expected.pots) << name << "\n" << words_for(all);
+        EXPECT_GE(fraction_of_pots(all), expected.pots) << name << "\n" << words_for(all);
         EXPECT_TRUE(all_untouched(all)) << name << "\n" << words_for(all);
         if (expected.kind == Kind::kLesson) {
             EXPECT_LE(median_made_s(all), 45.0);
         }
         if (!all.front().visit.drawn_mm.empty()) {
-            EXPECT_GE(share_within_mm(all, 6.0), 0.95) << name;
+            EXPECT_GE(fraction_within_mm(all, 6.0), 0.95) << name;
             EXPECT_LE(median_rms_mm(all), 3.0) << name;
         }
         sheet.push_back(
@@ -48,7 +48,7 @@ void expect_pots(double mass_g, const Skill& skill) {
     for (const Expected& expected : kExpected) {
         const auto all = throw_pots(
             {.kind = expected.kind, .count = kEach, .first_seed = 200, .mass_g = mass_g, .skill = skill});
-        EXPECT_GE(share_of_pots(all), expected.pots_at_worse)
+        EXPECT_GE(fraction_of_pots(all), expected.pots_at_worse)
             << kKindNames[static_cast<std::size_t>(expected.kind)] << "\n"
             << words_for(all);
         EXPECT_TRUE(all_untouched(all)) << words_for(all);

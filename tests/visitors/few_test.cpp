@@ -12,7 +12,7 @@ class FewVisitors : public ::testing::TestWithParam<int> {};
 
 TEST_P(FewVisitors, LeavePotsThatStandAndHoldWater) {
     const auto all = throw_pots({.kind = static_cast<Kind>(GetParam()), .count = kEach, .first_seed = 41});
-    EXPECT_EQ(share_of_pots(all), 1.0) << words_for(all);
+    EXPECT_EQ(fraction_of_pots(all), 1.0) << words_for(all);
     EXPECT_TRUE(all_untouched(all)) << words_for(all);
     for (const Left& left : all)
         EXPECT_EQ(left.ledger_error_mm3, 0.0);

@@ -37,7 +37,7 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
         ++steps;
         if (std::fabs(outer_at(rings, y + 1.0) - outer_at(rings, y)) > kSteepest) ++steep;
     }
-    verdict.steep_share = steps > 0 ? static_cast<double>(steep) / steps : 1.0;
+    verdict.steep_fraction = steps > 0 ? static_cast<double>(steep) / steps : 1.0;
     if (!drawn.empty()) {
         double sum = 0.0;
         int count = 0;
@@ -57,8 +57,8 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
         verdict.why_not = fmt::format("stands {:.0f} mm", verdict.height_mm);
     else if (verdict.thinnest_mm < kThinnestMm)
         verdict.why_not = fmt::format("is {:.1f} mm thin", verdict.thinnest_mm);
-    else if (verdict.steep_share > kMostSteep)
-        verdict.why_not = fmt::format("leans on {:.0f} % of its height", 100.0 * verdict.steep_share);
+    else if (verdict.steep_fraction > kMostSteep)
+        verdict.why_not = fmt::format("leans on {:.0f} % of its height", 100.0 * verdict.steep_fraction);
     verdict.is_pot = verdict.why_not.empty();
     return verdict;
 }
@@ -73,7 +73,7 @@ std::string words_for(const Verdict& verdict) {
     return fmt::format(
         "{:.0f} ml, {:.0f} mm high, walls {:.1f} to {:.1f} mm, steep on {:.0f} % of its height",
         verdict.capacity_ml, verdict.height_mm, verdict.thinnest_mm, verdict.thickest_mm,
-        100.0 * verdict.steep_share);
+        100.0 * verdict.steep_fraction);
 }
 
 }  // namespace onggi::visitors

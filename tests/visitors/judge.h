@@ -14,8 +14,8 @@ struct Verdict {
     double capacity_ml = 0.0;
     double thinnest_mm = 0.0;
     double thickest_mm = 0.0;
-    double steep_share = 0.0;   // of its height, that leans more than 2 to 1
-    double drawn_rms_mm = 0.0;  // from the outline that was meant; 0 where none was
+    double steep_fraction = 0.0;  // of its height, that leans more than 2 to 1
+    double drawn_rms_mm = 0.0;    // from the outline that was meant; 0 where none was
     bool is_pot = false;
     std::string why_not = {};
 };

@@ -58,7 +58,7 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     }
     if (!outline_mm_.empty())
         hand_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
-    haptics::ToolState tool = hand_.wish(kSettings, shape_, kFrameS);
+    haptics::ToolState tool = hand_.request(kSettings, shape_, kFrameS);
     tool.wheel_button = true;
     device_.set_target(tool);
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)

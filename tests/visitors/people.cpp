@@ -58,8 +58,8 @@ class Person {
         for (double t = 0.0; t < seconds; t += kFrameS) {
             // Hands start and stop softly.
             const double u = t / seconds;
-            const double share = u * u * (3.0 - 2.0 * u);
-            const double wanted = share * along.back();
+            const double fraction = u * u * (3.0 - 2.0 * u);
+            const double wanted = fraction * along.back();
             std::size_t i = 1;
             while (i + 1 < way.size() && along[i] < wanted)
                 ++i;
@@ -69,7 +69,7 @@ class Person {
                 place = way[i - 1] + (way[i] - way[i - 1]) * part;
             }
             const double swing = 2.0 * std::numbers::pi * turns * u;
-            place += miss_first * (1.0 - share) + miss_last * share +
+            place += miss_first * (1.0 - fraction) + miss_last * fraction +
                      dvec2(std::sin(swing + phase_x), std::sin(swing + phase_y)) * skill_.wander_mm;
             frame(place, true);
         }
@@ -189,13 +189,13 @@ std::vector<dvec2> outline_through(const std::vector<dvec2>& knots, double heigh
     std::vector<dvec2> outline;
     constexpr int kSteps = 40;
     for (int i = 0; i <= kSteps; ++i) {
-        const double share = static_cast<double>(i) / kSteps;
+        const double fraction = static_cast<double>(i) / kSteps;
         std::size_t k = 1;
-        while (k + 1 < knots.size() && knots[k].y < share)
+        while (k + 1 < knots.size() && knots[k].y < fraction)
             ++k;
-        const double u = std::clamp((share - knots[k - 1].y) / (knots[k].y - knots[k - 1].y), 0.0, 1.0);
+        const double u = std::clamp((fraction - knots[k - 1].y) / (knots[k].y - knots[k - 1].y), 0.0, 1.0);
         const double smooth = u * u * (3.0 - 2.0 * u);
-        outline.emplace_back(knots[k - 1].x + (knots[k].x - knots[k - 1].x) * smooth, share * height);
+        outline.emplace_back(knots[k - 1].x + (knots[k].x - knots[k - 1].x) * smooth, fraction * height);
     }
     return outline;
 }

@@ -25,7 +25,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-double share(const std::vector<Left>& all, const std::function<bool(const Left&)>& holds) {
+double fraction(const std::vector<Left>& all, const std::function<bool(const Left&)>& holds) {
     return static_cast<double>(std::count_if(all.begin(), all.end(), holds)) /
            static_cast<double>(std::max<std::size_t>(all.size(), 1));
 }
@@ -94,12 +94,12 @@ std::vector<Left> throw_pots(const Crowd& crowd) {
     return all;
 }
 
-double share_of_pots(const std::vector<Left>& all) {
-    return share(all, [](const Left& left) { return left.verdict.is_pot; });
+double fraction_of_pots(const std::vector<Left>& all) {
+    return fraction(all, [](const Left& left) { return left.verdict.is_pot; });
 }
 
-double share_within_mm(const std::vector<Left>& all, double rms_mm) {
-    return share(all, [&](const Left& left) { return left.verdict.drawn_rms_mm <= rms_mm; });
+double fraction_within_mm(const std::vector<Left>& all, double rms_mm) {
+    return fraction(all, [&](const Left& left) { return left.verdict.drawn_rms_mm <= rms_mm; });
 }
 
 bool all_untouched(const std::vector<Left>& all) {

@@ -32,8 +32,8 @@ struct Left {
 std::vector<Left> throw_pots(const Crowd& crowd);
 
 // Shares of 1.
-double share_of_pots(const std::vector<Left>& all);
-double share_within_mm(const std::vector<Left>& all, double rms_mm);
+double fraction_of_pots(const std::vector<Left>& all);
+double fraction_within_mm(const std::vector<Left>& all, double rms_mm);
 bool all_untouched(const std::vector<Left>& all);
 double median_rms_mm(const std::vector<Left>& all);
 double median_made_s(const std::vector<Left>& all);  // those who never made one count as for ever

@@ -13,7 +13,7 @@ namespace onggi::visitors {
 namespace {
 
 // Of an outline's height, that leans more than a pot may: see judge.h.
-double steep_share(const std::vector<vec2>& outline) {
+double steep_fraction(const std::vector<vec2>& outline) {
     constexpr float kSteepest = 2.0F;
     const auto steps = static_cast<std::ptrdiff_t>(outline.size()) - 1;
     std::ptrdiff_t steep = 0;
@@ -41,11 +41,11 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
                                      .count = kEach,
                                      .first_seed = 41,
                                      .shown_mm = {outline.begin(), outline.end()}});
-        EXPECT_EQ(share_of_pots(all), 1.0) << target.id << "\n" << words_for(all);
+        EXPECT_EQ(fraction_of_pots(all), 1.0) << target.id << "\n" << words_for(all);
         // Hands leave no wall that leans more than a pot may: of the wide bowl they throw what stands.
-        if (steep_share(outline) <= kMostSteep) {
+        if (steep_fraction(outline) <= kMostSteep) {
             EXPECT_LE(median_rms_mm(all), 4.0) << target.id;
-            EXPECT_GE(share_within_mm(all, 8.0), 0.8) << target.id;
+            EXPECT_GE(fraction_within_mm(all, 8.0), 0.8) << target.id;
             ++followed;
         }
         RecordProperty(target.id + "_median_rms_um", static_cast<int>(1000.0 * median_rms_mm(all)));

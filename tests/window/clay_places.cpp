@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     wheel::WheelScene scene(std::make_shared<const wheel::Workshop>(std::move(*workshop)));
     const int width_px = std::atoi(argv[1]);
     const int height_px = std::atoi(argv[2]);
-    const app::PlateSight sight{
+    const app::BackgroundSight sight{
         .width_px = width_px,
         .height_px = height_px,
         .project = [&](wheel::View view, const wheel::Framing& framing, const dvec3& place_mm) {
@@ -43,11 +43,11 @@ int main(int argc, char** argv) {
     state.comfort.reach = argc > 3 && std::string_view(argv[3]) == "low";
     constexpr double kLumpMm = 50.0;
     app::KioskCamera camera;
-    const app::CameraWish wish = camera.wish(state, true, kLumpMm, sight);
+    const app::CameraRequest request = camera.request(state, true, kLumpMm, sight);
     double radius_mm = 0.0;
     double height_mm = 0.0;
     while (std::cin >> radius_mm >> height_mm) {
-        const auto px = sight.project(wish.view, wish.framing, {radius_mm, height_mm, 0.0});
+        const auto px = sight.project(request.view, request.framing, {radius_mm, height_mm, 0.0});
         if (!px) {
             std::fprintf(stderr, "clay_places: %g %g: the camera does not see it\n", radius_mm, height_mm);
             return 1;

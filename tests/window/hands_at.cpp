@@ -83,8 +83,8 @@ class GamepadHands final : public Hands {
   private:
     void deflect(const dvec2& direction, double speed_mm_s) override {
         constexpr double kFarthest = 32767.0;
-        const double share = std::cbrt(speed_mm_s / mapping_.fastest_mm_s);
-        const dvec2 stick = direction * (mapping_.dead_band + (1.0 - mapping_.dead_band) * share);
+        const double fraction = std::cbrt(speed_mm_s / mapping_.fastest_mm_s);
+        const dvec2 stick = direction * (mapping_.dead_band + (1.0 - mapping_.dead_band) * fraction);
         pad_->move(ABS_X, static_cast<int>(std::lround(kFarthest * stick.x)));
         pad_->move(ABS_Y, static_cast<int>(std::lround(-kFarthest * stick.y)));
     }
@@ -121,9 +121,9 @@ class SpaceMouseHands final : public Hands {
         }
     }
     [[nodiscard]] std::string axis(double speed_mm_s) const {
-        const double share = std::cbrt(std::abs(speed_mm_s) / mapping_.fastest_mm_s);
+        const double fraction = std::cbrt(std::abs(speed_mm_s) / mapping_.fastest_mm_s);
         const double pushed =
-            share > 0.0 ? mapping_.dead_band + (mapping_.full_scale - mapping_.dead_band) * share : 0.0;
+            fraction > 0.0 ? mapping_.dead_band + (mapping_.full_scale - mapping_.dead_band) * fraction : 0.0;
         const auto value = static_cast<std::uint16_t>(std::lround(std::copysign(pushed, speed_mm_s)));
         return fmt::format("{:02x} {:02x}", value & 0xffU, value >> 8U);
     }
@@ -139,7 +139,7 @@ std::unique_ptr<Hands> hands_on(const std::string& device) {
     return nullptr;
 }
 
-void obey(Hands& hands, const std::string& line) {
+void follow(Hands& hands, const std::string& line) {
     std::istringstream words(line);
     std::string what;
     words >> what;
@@ -186,7 +186,7 @@ int play(Hands& hands, int child) {
         while (::read(STDIN_FILENO, &letter, 1) == 1 && letter != '\n')
             waiting += letter;
         if (letter != '\n') continue;
-        obey(hands, waiting);
+        follow(hands, waiting);
         waiting.clear();
     }
 }

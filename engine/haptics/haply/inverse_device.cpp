@@ -50,7 +50,7 @@ ToolState InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     is_new_ = input.heartbeat != last_heartbeat_;
     silence_s_ = is_new_ ? 0.0 : silence_s_ + dt_s;
     last_heartbeat_ = input.heartbeat;
-    force_share_ = input.force_share;
+    force_fraction_ = input.force_fraction;
     const bool was_here = is_here_;
     is_here_ = input.is_live && silence_s_ <= kSilenceS;
     is_moving_ = is_here_ && sense_.moved_to(input.place_mm);

@@ -24,7 +24,7 @@ class InverseDevice final : public Hand {
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     [[nodiscard]] HandSigns signs() const noexcept override {
-        return {.position_is_new = is_new_, .hand_is_there = is_here_, .force_share = force_share_};
+        return {.position_is_new = is_new_, .hand_is_there = is_here_, .force_fraction = force_fraction_};
     }
     void write(const dvec3& force_n) noexcept override;
     void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
@@ -45,7 +45,7 @@ class InverseDevice final : public Hand {
     ToolState tool_;
     std::uint64_t last_heartbeat_ = 0;
     double silence_s_ = 0.0;
-    double force_share_ = 0.0;
+    double force_fraction_ = 0.0;
     bool is_new_ = false;  // a message came since the read before
     bool is_here_ = false;
     bool is_moving_ = false;

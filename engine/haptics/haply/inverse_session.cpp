@@ -61,7 +61,7 @@ Result<void> InverseSession::take(std::string_view message, std::int64_t now_ns)
     }
     link_.input.put({.place_mm = wheel_from_service(now.cursor_m - first_m_) * kMmPerM,
                      .is_live = true,
-                     .force_share = gate_.share(),
+                     .force_fraction = gate_.fraction(),
                      .heartbeat = ++heartbeat_});
     return {};
 }

@@ -30,7 +30,7 @@ struct InverseOptions {
 struct SpaceInput {
     dvec3 place_mm{0.0};
     bool is_live = false;
-    double force_share = 0.0;     // of the force ordered last, what the gate let through; 0 to 1
+    double force_fraction = 0.0;  // of the force ordered last, what the gate let through; 0 to 1
     std::uint64_t heartbeat = 0;  // counts messages: it must not stand still
 };
 struct SpaceOrder {

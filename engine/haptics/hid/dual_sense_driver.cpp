@@ -51,8 +51,8 @@ TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
         const double travel = (static_cast<double>(zone) + 0.5) / static_cast<double>(kTriggerZones);
         double force_n = wall->force_n(rest_mm - travel * mapping.press_mm);
         if (order.work.most_force_n > 0.0) force_n = std::min(force_n, order.work.most_force_n);
-        const double share = std::clamp(force_n / mapping.strongest_n, 0.0, 1.0);
-        strengths[zone] = static_cast<std::uint8_t>(std::lround(share * kStrongestZone));
+        const double fraction = std::clamp(force_n / mapping.strongest_n, 0.0, 1.0);
+        strengths[zone] = static_cast<std::uint8_t>(std::lround(fraction * kStrongestZone));
     }
     return trigger_resistance(strengths);
 }
@@ -63,11 +63,11 @@ std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept {
     const double step = std::floor(load * kLightSteps) / kLightSteps;
     const auto& from = step < 0.5 ? kAtEase : kStrained;
     const auto& to = step < 0.5 ? kStrained : kGivingWay;
-    const double share = step < 0.5 ? 2.0 * step : 2.0 * step - 1.0;
+    const double fraction = step < 0.5 ? 2.0 * step : 2.0 * step - 1.0;
     std::array<std::uint8_t, 3> light{};
     for (std::size_t colour = 0; colour < light.size(); ++colour) {
         light[colour] =
-            static_cast<std::uint8_t>(std::lround((1.0 - share) * from[colour] + share * to[colour]));
+            static_cast<std::uint8_t>(std::lround((1.0 - fraction) * from[colour] + fraction * to[colour]));
     }
     return light;
 }

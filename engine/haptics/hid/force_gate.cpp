@@ -30,9 +30,9 @@ ForceOrder ForceGate::passed(const ForceOrder& order, std::int64_t now_ns) noexc
     }
     const double ramp = std::clamp(
         static_cast<double>(now_ns - ramp_since_ns_) / static_cast<double>(limits_.ramp_ns), 0.0, 1.0);
-    share_ = ramp * (size_n > limits_.peak_n ? limits_.peak_n / size_n : 1.0);
-    allowed.force_n = share_ * order.force_n;
-    allowed.tangential_n = share_ * order.tangential_n;
+    fraction_ = ramp * (size_n > limits_.peak_n ? limits_.peak_n / size_n : 1.0);
+    allowed.force_n = fraction_ * order.force_n;
+    allowed.tangential_n = fraction_ * order.tangential_n;
     return allowed;
 }
 

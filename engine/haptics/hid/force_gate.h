@@ -31,13 +31,13 @@ class ForceGate {
     // A device was opened, or its input went silent: forces begin again from nothing.
     void restart() noexcept {
         ramp_since_ns_ = kNotYet;
-        share_ = 0.0;
+        fraction_ = 0.0;
     }
 
     // The order as it may be sent: its force zero, shortened, or as it is; its direction never bent.
     [[nodiscard]] ForceOrder passed(const ForceOrder& order, std::int64_t now_ns) noexcept;
     // What the last passed() left of a force, 0 to 1; 0 after restart().
-    [[nodiscard]] double share() const noexcept { return share_; }
+    [[nodiscard]] double fraction() const noexcept { return fraction_; }
 
   private:
     static constexpr std::int64_t kNotYet = -1;
@@ -46,7 +46,7 @@ class ForceGate {
     std::uint64_t last_ticks_ = 0;
     std::int64_t last_order_ns_ = 0;
     std::int64_t ramp_since_ns_ = kNotYet;
-    double share_ = 0.0;
+    double fraction_ = 0.0;
 };
 
 }  // namespace onggi::haptics::hid

@@ -51,7 +51,7 @@ struct HandInput {
     // that nothing has changed.
     bool is_fresh = false;
     std::uint32_t buttons = 0;    // bit 0 the first; for screens
-    double force_share = 0.0;     // of the force ordered last, what the gate let through; 0 to 1
+    double force_fraction = 0.0;  // of the force ordered last, what the gate let through; 0 to 1
     std::uint64_t heartbeat = 0;  // counts the I/O thread's rounds: it must not stand still
     std::uint64_t refreshed = 0;  // counts those of them in which it was fresh
 };

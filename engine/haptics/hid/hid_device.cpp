@@ -51,7 +51,7 @@ HidDevice::HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBu
                {.kind = options.kind,
                 .only = options.only,
                 .force = {.peak_n = capabilities_.force_axes > 0 ? capabilities_.peak_force_n : 0.0}}),
-      mover_(options.reach) {
+      tracker_(options.reach) {
     // The I/O thread's round, writes included: what its mailbox holds is never much younger.
     constexpr double kRoundsPerS = 100.0;
     capabilities_.report_rate_hz = kRoundsPerS;
@@ -69,8 +69,8 @@ void HidDevice::close() noexcept {
 ToolState HidDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const hid::HandInput& input = link_.input.latest();
     shows_wall_ = input.shows_wall;
-    force_share_ = input.force_share;
-    tool_ = mover_.moved(input, dt_s);
+    force_fraction_ = input.force_fraction;
+    tool_ = tracker_.moved(input, dt_s);
     return tool_;
 }
 

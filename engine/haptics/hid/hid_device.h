@@ -20,7 +20,7 @@
 #include "engine/haptics/hid/hid_session.h"
 #include "engine/haptics/hid/pid_driver.h"
 #include "engine/haptics/hid/simple_drivers.h"
-#include "engine/haptics/hid/tool_mover.h"
+#include "engine/haptics/hid/tool_tracker.h"
 
 namespace onggi::haptics {
 
@@ -46,18 +46,18 @@ class HidDevice final : public Hand {
 
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     [[nodiscard]] HandSigns signs() const noexcept override {
-        return {.position_is_new = mover_.was_refreshed(),
-                .hand_is_there = mover_.input_is_live(),
+        return {.position_is_new = tracker_.was_refreshed(),
+                .hand_is_there = tracker_.input_is_live(),
                 .shows_wall = shows_wall_,
-                .force_share = force_share_};
+                .force_fraction = force_fraction_};
     }
     void write(const dvec3& force_n) noexcept override;
     void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
     void feel(const WorkFelt& work) noexcept override { work_ = work; }
 
-    [[nodiscard]] bool is_here() const noexcept override { return mover_.input_is_live(); }
-    [[nodiscard]] bool is_moving() const noexcept override { return mover_.hand_moves(); }
-    void take_over(const ToolState& tool) noexcept override { mover_.put_at(tool.position_mm); }
+    [[nodiscard]] bool is_here() const noexcept override { return tracker_.input_is_live(); }
+    [[nodiscard]] bool is_moving() const noexcept override { return tracker_.hand_moves(); }
+    void take_over(const ToolState& tool) noexcept override { tracker_.put_at(tool.position_mm); }
 
     // Main thread, any time.
     [[nodiscard]] const hid::HidStatus& status() noexcept { return link_.status.latest(); }
@@ -70,9 +70,9 @@ class HidDevice final : public Hand {
     hid::HidSession session_;
     jobs::IoThread thread_;
     // Haptic thread only.
-    hid::ToolMover mover_;
+    hid::ToolTracker tracker_;
     ToolState tool_;
-    double force_share_ = 0.0;
+    double force_fraction_ = 0.0;
     WorkFelt work_;
     bool shows_wall_ = false;
     std::uint64_t ticks_ = 0;

@@ -122,7 +122,7 @@ void HidSession::publish(const HandInput& input) {
     published.heartbeat = ++heartbeat_;
     if (published.is_fresh) ++refreshed_;
     published.refreshed = refreshed_;
-    published.force_share = gate_.share();
+    published.force_fraction = gate_.fraction();
     link_.input.put(published);
 }
 

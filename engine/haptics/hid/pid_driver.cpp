@@ -28,8 +28,8 @@ constexpr double kSouth = 0.5;  // +Y
 // Friction and the like change all the time by nothing that a hand feels: coarse steps save reports.
 constexpr double kSteps = 64.0;
 
-double in_steps(double share) noexcept {
-    return std::round(share * kSteps) / kSteps;
+double in_steps(double fraction) noexcept {
+    return std::round(fraction * kSteps) / kSteps;
 }
 
 // Reports the device has not are empty: nothing to send is no failure.
@@ -99,27 +99,27 @@ Result<void> PidDriver::begin(HidPort& port) {
     if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
     if (auto sent = write(port, device_gain(*layout_, 1.0)); !sent) return sent;
 
-    struct Wish {
+    struct Request {
         PidUsage type;
         Axis axis;
         bool is_needed;
     };
-    for (const Wish& wish :
-         {Wish{PidUsage::kSpringType, Axis::kX, shows_wall_},
-          Wish{PidUsage::kConstantForceType, Axis::kX, !shows_wall_},
-          Wish{PidUsage::kConstantForceType, Axis::kY, true}, Wish{PidUsage::kDamperType, Axis::kX, false},
-          Wish{PidUsage::kFrictionType, Axis::kX, false}}) {
-        const bool is_condition = wish.type != PidUsage::kConstantForceType;
+    for (const Request& request : {Request{PidUsage::kSpringType, Axis::kX, shows_wall_},
+                                   Request{PidUsage::kConstantForceType, Axis::kX, !shows_wall_},
+                                   Request{PidUsage::kConstantForceType, Axis::kY, true},
+                                   Request{PidUsage::kDamperType, Axis::kX, false},
+                                   Request{PidUsage::kFrictionType, Axis::kX, false}}) {
+        const bool is_condition = request.type != PidUsage::kConstantForceType;
         const bool is_possible =
-            wish.type == PidUsage::kSpringType ? shows_wall_
-            : !is_condition                    ? wish.axis == Axis::kY || !shows_wall_
-                            : layout_->has_effect(wish.type) && layout_->place(PidUsage::kSetCondition);
+            request.type == PidUsage::kSpringType ? shows_wall_
+            : !is_condition                       ? request.axis == Axis::kY || !shows_wall_
+                            : layout_->has_effect(request.type) && layout_->place(PidUsage::kSetCondition);
         if (!is_possible) continue;
-        auto loaded = load(port, wish.type, wish.axis);
+        auto loaded = load(port, request.type, request.axis);
         if (!loaded) return loaded.error();
         if (*loaded) {
             effects_.push_back(**loaded);
-        } else if (wish.is_needed) {
+        } else if (request.is_needed) {
             return failed("force feedback: expected room for an effect, found the device's memory full");
         }
     }
@@ -200,12 +200,12 @@ HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
     return input;
 }
 
-double PidDriver::share_of_force(double force_n) const noexcept {
+double PidDriver::fraction_of_force(double force_n) const noexcept {
     return std::clamp(force_n, -mapping_.peak_n, mapping_.peak_n) / mapping_.full_scale_n;
 }
 
 PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
-    PidCondition condition{.saturation = share_of_force(mapping_.peak_n)};
+    PidCondition condition{.saturation = fraction_of_force(mapping_.peak_n)};
     const ToolReach& reach = mapping_.reach;
     const double middle_mm = (reach.most_radius_mm + reach.least_radius_mm) / 2.0;
     // A coefficient of 1 gives full scale one unit beyond the centre.
@@ -222,40 +222,41 @@ PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
 }
 
 Result<void> PidDriver::tell(HidPort& port, Effect& effect, const ForceOrder& order) {
-    const auto tell_once = [&](std::optional<Report>& told, const Report& report) -> Result<void> {
+    const auto send_once = [&](std::optional<Report>& told, const Report& report) -> Result<void> {
         if (told && *told == report) return {};
         told = report;
         return write(port, report);
     };
-    const double limit = share_of_force(mapping_.peak_n);
+    const double limit = fraction_of_force(mapping_.peak_n);
     switch (effect.type) {
         case PidUsage::kConstantForceType: {
-            const double share = effect.axis == Axis::kX
-                                     ? mapping_.radius_sign * share_of_force(order.force_n.x)
-                                     : mapping_.height_sign * share_of_force(-order.force_n.y);  // +Y is down
-            return tell_once(effect.told_x, set_constant_force(*layout_, effect.block, share));
+            const double fraction =
+                effect.axis == Axis::kX
+                    ? mapping_.radius_sign * fraction_of_force(order.force_n.x)
+                    : mapping_.height_sign * fraction_of_force(-order.force_n.y);  // +Y is down
+            return send_once(effect.told_x, set_constant_force(*layout_, effect.block, fraction));
         }
         case PidUsage::kSpringType:
-            if (auto told = tell_once(effect.told_x,
+            if (auto told = send_once(effect.told_x,
                                       set_condition(*layout_, effect.block, Axis::kX, wall_condition(order)));
                 !told)
                 return told;
-            return tell_once(effect.told_y,
+            return send_once(effect.told_y,
                              set_condition(*layout_, effect.block, Axis::kY, {.saturation = limit}));
         default: {
             // The damper adds to the rest, against the motion only: it gets a quarter. Friction is part of
             // the force that was ordered.
             const bool is_damper = effect.type == PidUsage::kDamperType;
-            const double friction = in_steps(share_of_force(std::abs(order.tangential_n)));
-            const double share = is_damper ? (touches(order) ? mapping_.damping_share : 0.0) : friction;
-            const PidCondition condition{.positive_coefficient = share,
-                                         .negative_coefficient = share,
+            const double friction = in_steps(fraction_of_force(std::abs(order.tangential_n)));
+            const double fraction = is_damper ? (touches(order) ? mapping_.damping_fraction : 0.0) : friction;
+            const PidCondition condition{.positive_coefficient = fraction,
+                                         .negative_coefficient = fraction,
                                          .saturation = is_damper ? limit / 4.0 : friction};
             if (auto told =
-                    tell_once(effect.told_x, set_condition(*layout_, effect.block, Axis::kX, condition));
+                    send_once(effect.told_x, set_condition(*layout_, effect.block, Axis::kX, condition));
                 !told)
                 return told;
-            return tell_once(effect.told_y, set_condition(*layout_, effect.block, Axis::kY, condition));
+            return send_once(effect.told_y, set_condition(*layout_, effect.block, Axis::kY, condition));
         }
     }
 }

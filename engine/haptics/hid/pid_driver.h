@@ -27,7 +27,7 @@ struct PidMapping {
     double full_scale_n = 50.0;
     double peak_n = 3.3;              // what it may be asked for
     double stiffness_n_per_mm = 0.5;  // of the wall it shows by itself
-    double damping_share = 0.1;       // of its full damper, while in contact
+    double damping_fraction = 0.1;    // of its full damper, while in contact
     // 1 or -1 for constant forces: makers do not agree on the sense of a direction. A wrong one pulls the
     // tool into the work instead of pushing it out.
     double radius_sign = 1.0;
@@ -63,7 +63,7 @@ class PidDriver final : public HidDriver {
     Result<void> start_effects(HidPort& port);
     Result<void> tell(HidPort& port, Effect& effect, const ForceOrder& order);
     [[nodiscard]] PidCondition wall_condition(const ForceOrder& order) const noexcept;
-    [[nodiscard]] double share_of_force(double force_n) const noexcept;
+    [[nodiscard]] double fraction_of_force(double force_n) const noexcept;
     [[nodiscard]] double mm_per_unit() const noexcept {
         return (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / 2.0;
     }

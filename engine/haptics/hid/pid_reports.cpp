@@ -36,13 +36,15 @@ class Filler {
         put(field, field.field->is_array ? array_value_for(*field.field, usage(chosen)).value_or(0) : 1);
     }
 
-    // A share of the field's range: 1 is its maximum, -1 the same on the other side of zero.
-    void put_share(Element element, double share) noexcept {
+    // A fraction of the field's range: 1 is its maximum, -1 the same on the other side of zero.
+    void put_fraction(Element element, double fraction) noexcept {
         if (!element) return;
         const double full = static_cast<double>(element.field->logical_max);
-        put(element, std::llround(std::clamp(share, -1.0, 1.0) * full));
+        put(element, std::llround(std::clamp(fraction, -1.0, 1.0) * full));
     }
-    void put_share(PidUsage wanted, double share) noexcept { put_share(element(usage(wanted)), share); }
+    void put_fraction(PidUsage wanted, double fraction) noexcept {
+        put_fraction(element(usage(wanted)), fraction);
+    }
 
     // A direction: the field's maximum stands for a whole turn.
     void put_turns(Element element, double turns) noexcept {
@@ -97,7 +99,7 @@ Report set_effect(const PidLayout& layout, const PidEffect& effect) noexcept {
     filler.put(PidUsage::kBlockIndex, effect.block);
     filler.choose(effect.type);
     filler.put(PidUsage::kDuration, effect.duration_ms);
-    filler.put_share(PidUsage::kGain, effect.gain);
+    filler.put_fraction(PidUsage::kGain, effect.gain);
     // Trigger button, trigger repeat, sample period, start delay and the type-specific offsets stay 0: no
     // button starts it, nothing is delayed, and the device has its own defaults for the rest.
     filler.put(member(layout, PidUsage::kSetEffect, PidUsage::kAxesEnable, Axis::kX), effect.acts_on_x);
@@ -115,11 +117,11 @@ Report set_condition(const PidLayout& layout, std::uint8_t block, Axis axis,
     if (axis == Axis::kY && !filler.element(usage(PidUsage::kParameterBlockOffset))) return {};
     filler.put(PidUsage::kBlockIndex, block);
     filler.put(PidUsage::kParameterBlockOffset, axis == Axis::kX ? 0 : 1);
-    filler.put_share(PidUsage::kCentre, condition.centre);
-    filler.put_share(PidUsage::kPositiveCoefficient, condition.positive_coefficient);
-    filler.put_share(PidUsage::kNegativeCoefficient, condition.negative_coefficient);
-    filler.put_share(PidUsage::kPositiveSaturation, condition.saturation);
-    filler.put_share(PidUsage::kNegativeSaturation, condition.saturation);
+    filler.put_fraction(PidUsage::kCentre, condition.centre);
+    filler.put_fraction(PidUsage::kPositiveCoefficient, condition.positive_coefficient);
+    filler.put_fraction(PidUsage::kNegativeCoefficient, condition.negative_coefficient);
+    filler.put_fraction(PidUsage::kPositiveSaturation, condition.saturation);
+    filler.put_fraction(PidUsage::kNegativeSaturation, condition.saturation);
     filler.put(PidUsage::kDeadBand, 0);
     return filler.report();
 }
@@ -127,7 +129,7 @@ Report set_condition(const PidLayout& layout, std::uint8_t block, Axis axis,
 Report set_constant_force(const PidLayout& layout, std::uint8_t block, double magnitude) noexcept {
     Filler filler(layout, PidUsage::kSetConstantForce);
     filler.put(PidUsage::kBlockIndex, block);
-    filler.put_share(PidUsage::kMagnitude, magnitude);
+    filler.put_fraction(PidUsage::kMagnitude, magnitude);
     return filler.report();
 }
 
@@ -153,9 +155,9 @@ Report device_control(const PidLayout& layout, PidUsage control) noexcept {
     return filler.report();
 }
 
-Report device_gain(const PidLayout& layout, double share) noexcept {
+Report device_gain(const PidLayout& layout, double fraction) noexcept {
     Filler filler(layout, PidUsage::kDeviceGainReport);
-    filler.put_share(PidUsage::kDeviceGain, share);
+    filler.put_fraction(PidUsage::kDeviceGain, fraction);
     return filler.report();
 }
 

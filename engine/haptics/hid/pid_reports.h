@@ -16,7 +16,7 @@ struct PidEffect {
     std::uint8_t block = 0;  // as Block Load told it
     PidUsage type = PidUsage::kConstantForceType;
     int duration_ms = 0;
-    double gain = 1.0;  // share of full
+    double gain = 1.0;  // fraction of full
     bool acts_on_x = false;
     bool acts_on_y = false;
     // In turns clockwise from north (PID 1.0, direction): 0.25 is east, +X; 0.5 south, +Y towards the hand.
@@ -51,7 +51,7 @@ struct PidCondition {
 // control: kEnableActuators, kDisableActuators, kStopAll or kReset; an array or one bit each, as the device
 // has it.
 [[nodiscard]] Report device_control(const PidLayout& layout, PidUsage control) noexcept;
-[[nodiscard]] Report device_gain(const PidLayout& layout, double share) noexcept;
+[[nodiscard]] Report device_gain(const PidLayout& layout, double fraction) noexcept;
 
 struct BlockLoad {
     enum class Status : std::uint8_t { kOk, kFull, kError, kUnknown };

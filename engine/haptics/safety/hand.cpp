@@ -18,7 +18,7 @@ dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
         state.stale_ticks >= limits.stale_ticks && state.stale_s > 2.0 * limits.device_period_s;
     if (input.hand_is_there && !is_stale) {
         if (state.presence == 1.0) return force_n;
-        // From none at all the ramp leads back, and it must see the whole force: a share of it would look
+        // From none at all the ramp leads back, and it must see the whole force: a fraction of it would look
         // small deep in the work.
         state.presence =
             state.presence == 0.0 ? 1.0 : std::min(1.0, state.presence + input.dt_s / limits.return_s);
@@ -29,7 +29,7 @@ dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
             return safety::no_force(state);
         }
     }
-    return safety::share_of(force_n, state.presence, state);
+    return safety::fraction_of(force_n, state.presence, state);
 }
 
 }  // namespace onggi::haptics

@@ -18,8 +18,8 @@ struct SafetyLimits {
     double brake_speed_mm_s = 600.0;
     double stop_speed_mm_s = 1200.0;
     double brake_n_s_per_mm = 0.002;
-    // late: a larger share of late periods than this makes the touch softer, down to the least gain.
-    double late_share = 0.01;
+    // late: a larger fraction of late periods than this makes the touch softer, down to the least gain.
+    double late_fraction = 0.01;
     double least_gain = 0.25;
     double late_memory_s = 1.0;
     double soften_s = 0.05;  // from full gain to none

@@ -18,9 +18,10 @@ dvec3 passivity(const dvec3& force_n, const SafetyInput& input, const SafetyLimi
     state.has_last_position = true;
 
     // Observer: positive when the hand moved against the force.
-    const double taken_mj = -input.applied_share * glm::dot(state.applied_force_n, step_mm);
+    const double taken_mj = -input.applied_fraction * glm::dot(state.applied_force_n, step_mm);
     (taken_mj > 0.0 ? state.taken_mj : state.given_mj) += taken_mj > 0.0 ? taken_mj : -taken_mj;
-    const double driven_mj = std::max(0.0, input.applied_share * glm::dot(state.applied_driven_n, step_mm));
+    const double driven_mj =
+        std::max(0.0, input.applied_fraction * glm::dot(state.applied_driven_n, step_mm));
     state.energy_mj =
         std::clamp(state.energy_mj + taken_mj + driven_mj, -limits.energy_debt_mj, limits.energy_credit_mj);
     if (safety::is_zero(force_n)) {

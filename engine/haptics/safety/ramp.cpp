@@ -15,7 +15,7 @@ dvec3 ramp(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     }
     if (state.ramp == 1.0) return force_n;
     state.ramp = std::min(1.0, state.ramp + input.dt_s / limits.ramp_s);
-    return safety::share_of(force_n, state.ramp, state);
+    return safety::fraction_of(force_n, state.ramp, state);
 }
 
 }  // namespace onggi::haptics

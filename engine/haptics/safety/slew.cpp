@@ -33,8 +33,8 @@ dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     }
     // Growing and turning: from what is held straight towards what is wanted, the motor's part alike.
     const dvec3 way = force_n - held;
-    const double share = safety::share_at_most(way, limits.slew_n_per_s * input.dt_s);
-    return apply(state, held + way * share, held_driven + (state.driven_force_n - held_driven) * share);
+    const double fraction = safety::fraction_at_most(way, limits.slew_n_per_s * input.dt_s);
+    return apply(state, held + way * fraction, held_driven + (state.driven_force_n - held_driven) * fraction);
 }
 
 }  // namespace onggi::haptics

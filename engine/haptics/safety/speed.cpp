@@ -18,9 +18,9 @@ dvec3 speed(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& 
         restart_ramp(state);
         return safety::no_force(state);
     }
-    const double share =
+    const double fraction =
         (limits.stop_speed_mm_s - speed_mm_s) / (limits.stop_speed_mm_s - limits.brake_speed_mm_s);
-    return safety::share_of(force_n, share, state) - v * (limits.brake_n_s_per_mm * (1.0 - share));
+    return safety::fraction_of(force_n, fraction, state) - v * (limits.brake_n_s_per_mm * (1.0 - fraction));
 }
 
 }  // namespace onggi::haptics

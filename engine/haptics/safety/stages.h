@@ -1,7 +1,7 @@
 // The stages of the safety chain, each usable and tested alone: force in, force out. What a stage remembers
-// is in the state, what bounds it in the limits; nothing else goes in or out. A stage that takes a share of
-// the force takes the same of the part that a motor is behind. Any one thread at a time; no stage allocates,
-// locks, reads a clock or fails. mm, N, s, mJ.
+// is in the state, what bounds it in the limits; nothing else goes in or out. A stage that takes a fraction
+// of the force takes the same of the part that a motor is behind. Any one thread at a time; no stage
+// allocates, locks, reads a clock or fails. mm, N, s, mJ.
 #pragma once
 
 #include "engine/haptics/safety/limits.h"
@@ -24,13 +24,13 @@ dvec3 late(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, Safety
 
 // passivity: dead matter never gives a hand more energy than it took, but a sampled one does: its force is
 // held for a tick while the hand moves on. The observer adds up the work of the force that the device really
-// applied, F_{k-1} (x_k - x_{k-1}), exactly what was given; F_{k-1} is what the chain let out, in the share
-// that the device's own ramps and limits left of it. When the balance is below zero the controller adds the
-// damping that would pay it back within a tick, up to a limit. A turning wheel has a motor and may do work:
-// what it really put in, the driven part of F_{k-1}, is put on the credit side.
-// Source: B. Hannaford and J.-H. Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. on
-// Robotics and Automation 18(1), 2002.
-// Differs: the observer counts every step of the encoder, but the controller damps the windowed velocity:
+// applied, F_{k-1} (x_k - x_{k-1}), exactly what was given; F_{k-1} is what the chain let out, in the
+// fraction that the device's own ramps and limits left of it. When the balance is below zero the controller
+// adds the damping that would pay it back within a tick, up to a limit. A turning wheel has a motor and may
+// do work: what it really put in, the driven part of F_{k-1}, is put on the credit side. Source: B. Hannaford
+// and J.-H. Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. on Robotics and Automation
+// 18(1), 2002. Differs: the observer counts every step of the encoder, but the controller damps the windowed
+// velocity:
 //   damping each step by itself made a rattle of 0.4 mm of its own at 4 kHz in the bench of stability.h.
 // Differs: the balance is kept between a small credit and a debt, and out of contact it is forgotten: a long
 //   press would otherwise pay for minutes of shaking.

@@ -10,16 +10,16 @@
 namespace onggi::haptics {
 
 struct SafetyInput {
-    dvec3 position_mm{0.0};       // of the tool, as the device said it
-    double dt_s = 0.0;            // since the last tick: one step, two at most
-    dvec3 velocity_mm_s{0.0};     // of the tool, from a windowed estimator: velocity_estimator.h
-    dvec3 driven_force_n{0.0};    // the part of the force that a motor is behind: a turning wheel's drag
-    double applied_share = 1.0;   // of the force that the chain gave last, what really went out: a device may
-                                  // have ramps and limits of its own
-    std::uint32_t late = 0;       // periods that were missed since the last tick
-    bool position_is_new = true;  // the device has refreshed it since the last tick
-    bool hand_is_there = true;    // a dead-man's switch, an inkwell, a capacitive grip
-    bool stop = false;            // somebody wants it to stop, whatever else is true
+    dvec3 position_mm{0.0};         // of the tool, as the device said it
+    double dt_s = 0.0;              // since the last tick: one step, two at most
+    dvec3 velocity_mm_s{0.0};       // of the tool, from a windowed estimator: velocity_estimator.h
+    dvec3 driven_force_n{0.0};      // the part of the force that a motor is behind: a turning wheel's drag
+    double applied_fraction = 1.0;  // of the force that the chain gave last, what really went out: a device
+                                    // may have ramps and limits of its own
+    std::uint32_t late = 0;         // periods that were missed since the last tick
+    bool position_is_new = true;    // the device has refreshed it since the last tick
+    bool hand_is_there = true;      // a dead-man's switch, an inkwell, a capacitive grip
+    bool stop = false;              // somebody wants it to stop, whatever else is true
 };
 
 enum class Fault : std::uint8_t {
@@ -42,7 +42,7 @@ struct SafetyState {
     std::uint32_t fault_count = 0;  // faults since the state was made
 
     std::uint32_t speed_stops = 0;  // how often the tool was too fast in contact
-    double late_share = 0.0;        // of the periods of the last second
+    double late_fraction = 0.0;     // of the periods of the last second
     std::uint64_t late_count = 0;   // periods missed since the state was made
     double gain = 1.0;              // what lateness leaves of the force
 
@@ -51,7 +51,7 @@ struct SafetyState {
     double energy_mj = 0.0;  // the observer's balance; below zero the loop has given more than it took
     double damping_n_s_per_mm = 0.0;  // what the controller adds now
     double taken_mj = 0.0;            // by the device from the hand, since the state was made
-    double given_mj = 0.0;            // by the device to the hand, a turning wheel's share included
+    double given_mj = 0.0;            // by the device to the hand, a turning wheel's fraction included
 
     double stale_s = 0.0;  // since the position was refreshed
     int stale_ticks = 0;

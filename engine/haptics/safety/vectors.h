@@ -17,15 +17,15 @@ inline bool is_zero(const dvec3& v) noexcept {
 }
 
 // What is left of a vector that is shortened to at most the length; its direction stays.
-inline double share_at_most(const dvec3& v, double length) noexcept {
+inline double fraction_at_most(const dvec3& v, double length) noexcept {
     const double square = glm::dot(v, v);
     return square > length * length ? length / std::sqrt(square) : 1.0;
 }
 
-// A share of the force, and as much of what a motor is behind in it.
-inline dvec3 share_of(const dvec3& force_n, double share, SafetyState& state) noexcept {
-    state.driven_force_n *= share;
-    return force_n * share;
+// A fraction of the force, and as much of what a motor is behind in it.
+inline dvec3 fraction_of(const dvec3& force_n, double fraction, SafetyState& state) noexcept {
+    state.driven_force_n *= fraction;
+    return force_n * fraction;
 }
 
 inline dvec3 no_force(SafetyState& state) noexcept {
@@ -34,7 +34,7 @@ inline dvec3 no_force(SafetyState& state) noexcept {
 
 // The force, shortened to at most so many N.
 inline dvec3 at_most(const dvec3& force_n, double most_n, SafetyState& state) noexcept {
-    return share_of(force_n, share_at_most(force_n, most_n), state);
+    return fraction_of(force_n, fraction_at_most(force_n, most_n), state);
 }
 
 }  // namespace onggi::haptics::safety

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/render/frame/key_map.h"
+#include "engine/render/frame/shadow_map.h"
 #include "engine/render/shapes/moving_tiles.h"
 
 namespace onggi::render {
@@ -13,7 +13,7 @@ namespace {
 Scene seen_next(const Scene& scene) {
     Scene seen = scene;
     seen.camera = scene.next_view->camera;
-    seen.plate = scene.next_view->plate;
+    seen.background = scene.next_view->background;
     return seen;
 }
 
@@ -38,11 +38,11 @@ void CpuBackend::fit_size(VkExtent2D target) {
 
 Result<void> CpuBackend::fit(const Scene& scene, VkExtent2D target) {
     fit_size(target);
-    if (!scene.plate) {
-        if (auto fitted = fit_key_map(frame_); !fitted) return fitted;
+    if (!scene.background) {
+        if (auto fitted = fit_shadow_map(frame_); !fitted) return fitted;
     }
     if (auto made = fit_pipelines(frame_, scene, room_.pipelines); !made) return made;
-    if (auto fitted = room_.plates.fit(frame_, scene); !fitted) return fitted;
+    if (auto fitted = room_.backgrounds.fit(frame_, scene); !fitted) return fitted;
     const auto is_another = room_.meshes.fit(frame_.device, scene.still_life);
     if (!is_another) return is_another.error();
     if (*is_another) {
@@ -137,7 +137,7 @@ Result<HostPicture> CpuBackend::make(const Scene& scene) {
     find_moving_tiles(scene, frame_.view(scene), frame_.built);
     frame_.clock.enter_host("room");
     // It may be seen from another place in any frame, and then there is no time to make room.
-    if (scene.plate) {
+    if (scene.background) {
         if (auto fitted = next_.fit(frame_); !fitted) return fitted.error();
     }
     if (auto made = shown_.make(frame_, scene, room_, numbers_); !made) return made.error();

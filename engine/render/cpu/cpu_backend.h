@@ -11,7 +11,7 @@
 #include "engine/render/cpu/painted_overlay.h"
 #include "engine/render/cpu/resting_scene.h"
 #include "engine/render/frame/render_backend.h"
-#include "engine/render/shapes/mover_models.h"
+#include "engine/render/shapes/prop_models.h"
 
 namespace onggi::render {
 
@@ -39,7 +39,7 @@ class CpuBackend : public RenderBackend {
     [[nodiscard]] HostPicture picture() const;
 
     FrameContext frame_;
-    MoverModels models_;
+    PropModels models_;
     KeptRoom room_;
     TileNumbers numbers_;
     KeptView shown_;

@@ -15,11 +15,11 @@ void CrossFade::begin(const TileGrid& grid, const HostPicture& last, const KeptV
     });
 }
 
-void CrossFade::mix(const HostPicture& now, float share, TileNumbers& numbers) {
+void CrossFade::mix(const HostPicture& now, float fraction, TileNumbers& numbers) {
     const auto before = before_->as<const std::uint32_t>();
     const auto into = mixed_->as<std::uint32_t>();
     for_parts(now, grid_, wanted_, rects_, [&](const vk::Buffer& part, const PixelRect& rect) {
-        mix_pixels(before, part.as<const std::uint32_t>(), share, rect, grid_.width_px, into);
+        mix_pixels(before, part.as<const std::uint32_t>(), fraction, rect, grid_.width_px, into);
     });
     numbers_.assign(grid_.count(), numbers.next());
 }

@@ -19,8 +19,8 @@ class CrossFade {
     void end() { before_ = mixed_ = nullptr; }
     [[nodiscard]] bool is_on() const { return mixed_ != nullptr; }
 
-    // As much of `now` as the share says, 0 to 1, over what was left; it is on. The device is idle.
-    void mix(const HostPicture& now, float share, TileNumbers& numbers);
+    // As much of `now` as the fraction says, 0 to 1, over what was left; it is on. The device is idle.
+    void mix(const HostPicture& now, float fraction, TileNumbers& numbers);
     // What came of it.
     [[nodiscard]] HostPicture picture() const { return {*mixed_, numbers_}; }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/cpu/held_tiles.h"
+#include "engine/render/cpu/damage_tracker.h"
 #include "engine/render/cpu/painted_overlay.h"
 #include "engine/render/frame/frame_context.h"
 

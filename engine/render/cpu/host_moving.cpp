@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "engine/render/pixels/mover_light.h"
+#include "engine/render/pixels/prop_light.h"
 #include "engine/render/shapes/detail_texture.h"
 
 namespace onggi::render {
@@ -17,21 +17,21 @@ void HostMoving::create(const RendererDesc& desc) {
     std::memcpy(streaks_.data(), texels.data(), texels.size());
 }
 
-void HostMoving::place(FrameContext& frame, const Scene& scene, const MoverModels& models) {
+void HostMoving::place(FrameContext& frame, const Scene& scene, const PropModels& models) {
     BuiltFrame& built = frame.built;
     const TileGrid grid{static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
-    built.mover_tiles.assign(grid.count(), 0);
+    built.prop_tiles.assign(grid.count(), 0);
     corners_.clear();
     parts_.clear();
-    const MoverView view{built.frame, built.samples, byte_order(frame.desc.colour_format)};
+    const PropView view{built.frame, built.samples, byte_order(frame.desc.colour_format)};
     models.for_parts(scene,
-                     [&](const Mover& mover, std::size_t number, std::span<const std::uint32_t> indices) {
+                     [&](const Prop& prop, std::size_t number, std::span<const std::uint32_t> indices) {
                          if (indices.empty()) return;
-                         const MoverMesh& mesh = (*scene.mover_library)[mover.model].meshes[number];
+                         const PropMesh& mesh = (*scene.prop_library)[prop.model].meshes[number];
                          const std::size_t first = corners_.size();
-                         light_corners(mesh, indices, mover, view, corners_);
+                         light_corners(mesh, indices, prop, view, corners_);
                          parts_.push_back({first, mesh.vertices.size(), indices});
-                         want_triangles(corners_of(parts_.back()), indices, grid, built.mover_tiles);
+                         want_triangles(corners_of(parts_.back()), indices, grid, built.prop_tiles);
                      });
     place_section(std::span(built.vertices).subspan(built.section_first, built.section_count), built.frame,
                   section_corners_);

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/render/cpu/host_canvas.h"
+#include "engine/render/cpu/framebuffer.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/pixels/edge_pixels.h"
 #include "engine/render/pixels/lathe_pixels.h"
-#include "engine/render/pixels/mover_pixels.h"
+#include "engine/render/pixels/prop_pixels.h"
 #include "engine/render/pixels/section_pixels.h"
-#include "engine/render/shapes/mover_models.h"
+#include "engine/render/shapes/prop_models.h"
 
 namespace onggi::render {
 
@@ -22,9 +22,9 @@ class HostMoving {
   public:
     // Of a renderer that is described so.
     void create(const RendererDesc& desc);
-    // Finds where all of it comes to lie and in which light, and fills the frame's mover_tiles. `frame.built`
+    // Finds where all of it comes to lie and in which light, and fills the frame's prop_tiles. `frame.built`
     // must be this frame's, with the models' choice of faces, which must stay until they are drawn.
-    void place(FrameContext& frame, const Scene& scene, const MoverModels& models);
+    void place(FrameContext& frame, const Scene& scene, const PropModels& models);
 
     // Over a copy of a picture that is kept and its depth, where something moves; both as large as the frame.
     // The device is idle. Errors: no memory for it.
@@ -43,18 +43,18 @@ class HostMoving {
         std::size_t corner_count = 0;
         std::span<const std::uint32_t> indices;  // the models'
     };
-    [[nodiscard]] std::span<const MoverCorner> corners_of(const Part& part) const {
+    [[nodiscard]] std::span<const PropCorner> corners_of(const Part& part) const {
         return std::span(corners_).subspan(part.first_corner, part.corner_count);
     }
 
-    std::vector<MoverCorner> corners_;
+    std::vector<PropCorner> corners_;
     std::vector<Part> parts_;
     std::vector<std::uint32_t> streaks_;  // see LatheLook
     StreakSize streak_size_;
     std::vector<LatheCorner> lathe_corners_;
     std::vector<SectionCorner> section_corners_;
     EdgePixels edges_;
-    HostCanvas canvas_;
+    Framebuffer canvas_;
     std::vector<std::uint8_t> wanted_;
     std::vector<PixelRect> rects_;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/render/frame/key_map.h"
+#include "engine/render/frame/shadow_map.h"
 #include "engine/render/shapes/frame_build.h"
 
 namespace onggi::render {
@@ -15,7 +15,7 @@ std::uint64_t hash_of(const FrameContext& frame, const Scene& scene) {
 }  // namespace
 
 bool KeptView::is_of(const FrameContext& frame, const Scene& scene) const {
-    return plate_ == scene.plate && of_ == hash_of(frame, scene);
+    return background_ == scene.background && of_ == hash_of(frame, scene);
 }
 
 Result<void> KeptView::make_part(FrameContext& frame, const Scene& seen, const Scene& now,
@@ -23,9 +23,9 @@ Result<void> KeptView::make_part(FrameContext& frame, const Scene& seen, const S
     if (!is_of(frame, seen)) parts_made_ = 0;
     if (parts_made_ < kDrawn) {
         of_ = hash_of(frame, seen);
-        plate_ = seen.plate;
+        background_ = seen.background;
         if (auto drawn = draw(frame, seen, room); !drawn) return drawn;
-        parts_made_ = plate_ ? parts_made_ + 1 : kDrawn;
+        parts_made_ = background_ ? parts_made_ + 1 : kDrawn;
     } else if (parts_made_ < kLearnt) {
         layers_.turn_into_places();
         shade_.learn(frame, layers_.layers());
@@ -68,8 +68,8 @@ Result<void> KeptView::draw(FrameContext& frame, const Scene& seen, const KeptRo
                     static_cast<int>(frame.extent.height));
     frame.upload_uniforms(by_day);
     frame.stats.still_life_drawn = true;
-    if (plate_) return draw_band(frame, room, by_day.plate_window);
-    if (auto mapped = frame.run_once([&] { record_key_map(frame, room.meshes); }); !mapped) return mapped;
+    if (background_) return draw_band(frame, room, by_day.background_window);
+    if (auto mapped = frame.run_once([&] { record_shadow_map(frame, room.meshes); }); !mapped) return mapped;
     return layers_.draw_own(frame, room.pipelines, room.meshes);
 }
 
@@ -77,10 +77,10 @@ Result<void> KeptView::draw_band(FrameContext& frame, const KeptRoom& room, vec4
     const int height = static_cast<int>(frame.extent.height);
     const RowSpan rows{parts_made_ * height / kBands, (parts_made_ + 1) * height / kBands};
     if (rows.first == rows.end) return {};
-    const auto plate = room.plates.find(plate_);
-    if (!plate) return plate.error();
+    const auto background = room.backgrounds.find(background_);
+    if (!background) return background.error();
     if (auto drawn = layers_.draw_places(frame, room.pipelines, room.meshes, rows); !drawn) return drawn;
-    layers_.lay(**plate, window, rows);
+    layers_.lay(**background, window, rows);
     return {};
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "engine/core/result.h"
-#include "engine/render/cpu/host_plates.h"
+#include "engine/render/cpu/host_backgrounds.h"
 #include "engine/render/cpu/host_shade.h"
 #include "engine/render/cpu/layer_pipelines.h"
 #include "engine/render/cpu/still_layers.h"
@@ -19,7 +19,7 @@ namespace onggi::render {
 struct KeptRoom {
     LayerPipelines pipelines;
     StillMeshes meshes;
-    HostPlates plates;
+    HostBackgrounds backgrounds;
 };
 
 class KeptView {
@@ -68,7 +68,7 @@ class KeptView {
 
     int parts_made_ = 0;
     std::uint64_t of_ = 0;  // hash of what it shows
-    std::shared_ptr<const Plate> plate_;
+    std::shared_ptr<const Background> background_;
     StillLayers layers_;
     HostShade shade_;
 };

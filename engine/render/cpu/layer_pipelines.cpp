@@ -12,7 +12,7 @@ namespace onggi::render {
 Result<void> create_pipelines(const FrameContext& frame, LayerPipelines& pipelines) {
     const std::array formats{frame.desc.colour_format, kPackedFormat};
     vk::PipelineDesc places = mesh_pipeline(frame, "places of the still life", shaders::kPlacesFrag);
-    places.vertex_spirv = shaders::kPlateSurfaceVert;
+    places.vertex_spirv = shaders::kBackgroundSurfaceVert;
     places.attributes = std::span(kMeshAttributes).first(2);
     places.colour_formats = formats;
     PipelineMaker maker(frame.device);
@@ -21,7 +21,7 @@ Result<void> create_pipelines(const FrameContext& frame, LayerPipelines& pipelin
 }
 
 Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, LayerPipelines& pipelines) {
-    if (scene.plate) return {};
+    if (scene.background) return {};
     const std::array constants{static_cast<std::uint32_t>(frame.desc.transfer)};
     const std::array formats{frame.desc.colour_format, frame.desc.colour_format, kPackedFormat};
     vk::PipelineDesc backdrop = screen_pipeline(frame, "backdrop", shaders::kBackdropLayersFrag);

@@ -91,22 +91,22 @@ Result<void> StillLayers::fit(const FrameContext& frame) {
     const VkExtent2D extent = frame.extent;
     if (extent.width == extent_.width && extent.height == extent_.height) return {};
     extent_ = {};
-    struct Wish {
+    struct Request {
         vk::Buffer& into;
         const char* name;
     };
-    for (const Wish& wish :
-         {Wish{with_key_, "still life with the key light"},
-          Wish{without_key_, "still life without the key light"},
-          Wish{places_, "still life's places in the shadow mask"}, Wish{depth_, "still life's depth"}}) {
+    for (const Request& request : {Request{with_key_, "still life with the key light"},
+                                   Request{without_key_, "still life without the key light"},
+                                   Request{places_, "still life's places in the shadow mask"},
+                                   Request{depth_, "still life's depth"}}) {
         auto buffer = vk::Buffer::create(
-            frame.device, {.name = wish.name,
+            frame.device, {.name = request.name,
                            .size = VkDeviceSize{4} * extent.width * extent.height,
                            .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                            .use = vk::MemoryUse::kReadback});
         if (!buffer) return buffer.error();
-        wish.into = std::move(*buffer);
-        touch(wish.into);
+        request.into = std::move(*buffer);
+        touch(request.into);
     }
     extent_ = extent;
     return {};
@@ -151,8 +151,8 @@ Result<void> StillLayers::draw_places(FrameContext& frame, const LayerPipelines&
     });
 }
 
-void StillLayers::lay(const HostPlate& plate, vec4 window, RowSpan rows) {
-    lay_photographs(plate, window, static_cast<int>(extent_.width), rows, with_key_.as<std::uint32_t>(),
+void StillLayers::lay(const HostBackground& background, vec4 window, RowSpan rows) {
+    lay_photographs(background, window, static_cast<int>(extent_.width), rows, with_key_.as<std::uint32_t>(),
                     without_key_.as<std::uint32_t>());
 }
 

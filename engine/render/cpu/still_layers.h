@@ -27,7 +27,7 @@ class StillLayers {
     // colours, likewise, see lay_photographs().
     Result<void> draw_places(FrameContext& frame, const LayerPipelines& pipelines, const StillMeshes& meshes,
                              RowSpan rows);
-    void lay(const HostPlate& plate, vec4 window, RowSpan rows);
+    void lay(const HostBackground& background, vec4 window, RowSpan rows);
     // At last: what was drawn as coordinates becomes what layers() says.
     void turn_into_places();
 

@@ -1,4 +1,4 @@
-// Numbers for pictures of tiles, see HeldTiles. Main thread.
+// Numbers for pictures of tiles, see DamageTracker. Main thread.
 #pragma once
 
 #include <cstdint>

@@ -52,7 +52,7 @@ Result<void> create_scene_set(FrameContext& frame, std::size_t bindings) {
     if (!set) return set.error();
     frame.scene_set = std::move(*set);
     constexpr auto kPushBytes = static_cast<std::uint32_t>(
-        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::MoverDraw)}));
+        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::PropDraw)}));
     static_assert(kPushBytes <= 128);  // what every device has
     auto layout = vk::create_pipeline_layout(frame.device, frame.scene_set.layout.get(), kPushBytes, "scene");
     if (!layout) return layout.error();
@@ -60,7 +60,7 @@ Result<void> create_scene_set(FrameContext& frame, std::size_t bindings) {
     return {};
 }
 
-Result<void> create_key_map(FrameContext& frame) {
+Result<void> create_shadow_map(FrameContext& frame) {
     auto sampler = vk::create_sampler(frame.device,
                                       {.filter = VK_FILTER_NEAREST,
                                        .address_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
@@ -72,16 +72,16 @@ Result<void> create_key_map(FrameContext& frame) {
     auto map = vk::Image::create(
         frame.device, {.name = "still life's shadow map",
                        .format = kDepthFormat,
-                       .extent = {shaders::kKeyMapTexels, shaders::kKeyMapTexels},
+                       .extent = {shaders::kShadowMapTexels, shaders::kShadowMapTexels},
                        .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                        .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
     if (!map) return map.error();
-    frame.key_map = std::move(*map);
-    vk::write_image(frame.device, frame.set(), shaders::kBindKeyMap, frame.key_map.view(),
+    frame.shadow_map = std::move(*map);
+    vk::write_image(frame.device, frame.set(), shaders::kBindShadowMap, frame.shadow_map.view(),
                     frame.compared.get());
     // What is bound must be laid out, though not every scene has it drawn or read.
     return frame.device.run_once([&](VkCommandBuffer once) {
-        vk::barrier(once, frame.key_map, vk::state::kUndefined, vk::state::kSampled);
+        vk::barrier(once, frame.shadow_map, vk::state::kUndefined, vk::state::kSampled);
     });
 }
 
@@ -90,7 +90,7 @@ Result<void> create_key_map(FrameContext& frame) {
 Result<void> FrameContext::create(std::size_t bindings) {
     if (auto there = check_depth_format(device); !there) return there;
     if (auto made = create_scene_set(*this, bindings); !made) return made;
-    if (auto made = create_key_map(*this); !made) return made;
+    if (auto made = create_shadow_map(*this); !made) return made;
     auto allocated = device.allocate_commands("frame");
     if (!allocated) return allocated.error();
     commands = *allocated;

@@ -22,9 +22,9 @@ struct FrameContext {
     vk::BoundSet scene_set{};
     vk::PipelineLayout layout{};
     // The still life's shadow map and what reads it; the pipeline where a scene has needed it.
-    vk::Image key_map{};
+    vk::Image shadow_map{};
     vk::Sampler compared{};
-    vk::Pipeline key_map_pipeline{};
+    vk::Pipeline shadow_map_pipeline{};
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkExtent2D extent{};  // of the scene's picture
     BuiltFrame built{};

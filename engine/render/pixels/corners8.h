@@ -79,10 +79,10 @@ template <typename Roughness>
     for (int panel = 0; panel < shaders::kPanels; ++panel) {
         const vec4& direction = frame.panel_direction[panel];
         const auto soft = shaders::panel_seen_through(direction.w, roughness);
-        const Float8 share =
-            shaders::panel_share(direction.w, soft, float8::min(dot(d, vec3(direction)), 1.0F));
+        const Float8 fraction =
+            shaders::panel_fraction(direction.w, soft, float8::min(dot(d, vec3(direction)), 1.0F));
         for (int channel = 0; channel < 3; ++channel)
-            into[static_cast<std::size_t>(channel)] += frame.panel_radiance[panel][channel] * share;
+            into[static_cast<std::size_t>(channel)] += frame.panel_radiance[panel][channel] * fraction;
     }
 }
 
@@ -108,9 +108,9 @@ struct Placed8 {
     const Float8 z = row(2);
     const Float8 w = row(3);
     const Int8 is_before = (w > 0.0F) & (z >= 0.0F);  // the nearest plane
-    const Float8 share = 1.0F / float8::select(is_before, w, 1.0F);
-    return {.at = {in_steps(half.x * (row(0) * share + 1.0F)), in_steps(half.y * (row(1) * share + 1.0F)),
-                   z * share},
+    const Float8 fraction = 1.0F / float8::select(is_before, w, 1.0F);
+    return {.at = {in_steps(half.x * (row(0) * fraction + 1.0F)),
+                   in_steps(half.y * (row(1) * fraction + 1.0F)), z * fraction},
             .away_mm = float8::select(is_before, w, 0.0F)};
 }
 

@@ -6,13 +6,13 @@
 namespace onggi::render {
 namespace {
 
-// Of each byte: the share of `other`, in 256ths.
-std::uint32_t mixed(std::uint32_t own, std::uint32_t other, std::uint32_t share) {
+// Of each byte: the fraction of `other`, in 256ths.
+std::uint32_t mixed(std::uint32_t own, std::uint32_t other, std::uint32_t fraction) {
     constexpr std::uint32_t kEven = 0x00FF00FFU;
     constexpr std::uint32_t kHalf = 0x00800080U;
     const auto of = [&](int shift) {
         const std::uint32_t sum =
-            ((own >> shift) & kEven) * (256U - share) + ((other >> shift) & kEven) * share + kHalf;
+            ((own >> shift) & kEven) * (256U - fraction) + ((other >> shift) & kEven) * fraction + kHalf;
         return (sum >> 8) & kEven;
     };
     return of(0) | of(8) << 8;
@@ -75,8 +75,8 @@ void EdgePixels::smooth(std::span<const OutlinePiece> pieces, const PixelRect& w
             if (line.depth + line.deeper * by > canvas.depth[at]) continue;
             const std::size_t beside =
                 off > 0.0F ? at - static_cast<std::size_t>(step) : at + static_cast<std::size_t>(step);
-            const auto share = static_cast<std::uint32_t>((0.5F - std::abs(off)) * 256.0F + 0.5F);
-            smoothed_.push_back({at, mixed(canvas.pixels[at], canvas.pixels[beside], share)});
+            const auto fraction = static_cast<std::uint32_t>((0.5F - std::abs(off)) * 256.0F + 0.5F);
+            smoothed_.push_back({at, mixed(canvas.pixels[at], canvas.pixels[beside], fraction)});
         }
     }
     for (const Smoothed& one : smoothed_)

@@ -15,8 +15,8 @@ namespace onggi::render {
 
 class EdgePixels {
   public:
-    // Gives each pixel inside `within` through which a piece goes that nothing hides its share of what lies
-    // beyond. `within` lies inside the canvas, and so does the pixel around it.
+    // Gives each pixel inside `within` through which a piece goes that nothing hides its fraction of what
+    // lies beyond. `within` lies inside the canvas, and so does the pixel around it.
     void smooth(std::span<const OutlinePiece> pieces, const PixelRect& within, const PictureCanvas& canvas);
 
   private:

@@ -17,10 +17,10 @@ constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
 [[gnu::always_inline]] inline Int8 encoded(const Float8x3& light, ByteOrder order) {
     const Float8x3 under{shaders::curve_under(light.x), shaders::curve_under(light.y),
                          shaders::curve_under(light.z)};
-    const Float8 share = 1.0F / (under.x * under.y * under.z);
+    const Float8 fraction = 1.0F / (under.x * under.y * under.z);
     const auto shown = [&](const Float8& own, const Float8& a, const Float8& b)
         __attribute__((always_inline)) {
-        return float8::ints(float8::sqrt(float8::min(own * a * b * share, 1.0F)) * 255.0F + 0.5F);
+        return float8::ints(float8::sqrt(float8::min(own * a * b * fraction, 1.0F)) * 255.0F + 0.5F);
     };
     const Int8 red = shown(light.x, under.y, under.z);
     const Int8 green = shown(light.y, under.z, under.x);

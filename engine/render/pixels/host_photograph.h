@@ -30,8 +30,8 @@ class HostPhotograph {
     std::vector<std::uint32_t> texels_;
 };
 
-// A plate's pair.
-struct HostPlate {
+// A background's pair.
+struct HostBackground {
     HostPhotograph key;
     HostPhotograph ambient;
 };

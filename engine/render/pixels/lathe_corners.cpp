@@ -20,7 +20,7 @@ struct Vertices8 {
     Float8 outward_x;
     Float8 outward_z;
     Float8 lean;
-    Float8 turned;  // share of a turn
+    Float8 turned;  // fraction of a turn
     Float8 seen;
     Float8 height_mm;
     Float8 outline;

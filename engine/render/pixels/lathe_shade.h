@@ -118,7 +118,7 @@ template <Pot kPot>
 
 // How much of each light goes to the eye: of the key as the body throws it back, of the key as a mirror
 // does, of the sky as a mirror does; and how light the body is.
-struct Shares {
+struct Fractions {
     Float8 body;
     Float8 gloss;
     Float8 mirror;
@@ -126,7 +126,7 @@ struct Shares {
 };
 
 template <Pot kPot>
-[[gnu::always_inline]] inline Shares shares_at(const LatheLook& look, const Pixels& own) {
+[[gnu::always_inline]] inline Fractions fractions_at(const LatheLook& look, const Pixels& own) {
     const shaders::LatheDraw& draw = look.draw;
     const Streaks streaks = streaks_at(look, own);
     const Float8x3 n = normal_at(look, own, streaks);
@@ -149,14 +149,14 @@ template <Pot kPot>
     const Float8 body_under = shaders::ggx_under(n_h, n_v, light_l, roughness);
     const Float8 sheen_under = shaders::ggx_under(n_h, n_v, light_l, draw.gloss.z);
     const Float8 body_sheen = body_under * sheen_under;
-    const Float8 share = 1.0F / (body_sheen * t);
+    const Float8 fraction = 1.0F / (body_sheen * t);
     const Float8 rough = shaders::lathe_rough(water);
     const Float8 lit = shaders::lathe_lit(shaders::soft_cosine(n_l, draw.wet.w, draw.turn.w), rough, s,
-                                          body_sheen, share, shaders::lathe_left(rough));
+                                          body_sheen, fraction, shaders::lathe_left(rough));
     const float mirrors = draw.turn.z;  // straight on
-    const Float8 gloss =
-        shaders::lathe_gloss(shaders::ggx_over(light_l, roughness), body_under,
-                             shaders::ggx_over(light_l, draw.gloss.z), sheen_under, mirrors, film, share * t);
+    const Float8 gloss = shaders::lathe_gloss(shaders::ggx_over(light_l, roughness), body_under,
+                                              shaders::ggx_over(light_l, draw.gloss.z), sheen_under, mirrors,
+                                              film, fraction * t);
     return {.body = lit * seen,
             .gloss = gloss * seen,
             .mirror = shaders::lathe_mirror(mirrors, n_v, film),
@@ -176,21 +176,22 @@ struct LoadLayers {
 };
 
 // The light of one channel; with `load` as another colour of the body, null: as it is.
-[[gnu::always_inline]] inline Float8 light_of(const LatheLook& look, const Pixels& own, const Shares& shares,
-                                              const LoadLayers* load, int channel) {
+[[gnu::always_inline]] inline Float8 light_of(const LatheLook& look, const Pixels& own,
+                                              const Fractions& fractions, const LoadLayers* load,
+                                              int channel) {
     const auto number = static_cast<std::size_t>(channel);
     const float key = look.frame.key_radiance[channel];
     const float dry = key * look.draw.dry[channel];
     const float wet = key * look.draw.wet[channel];
-    Float8 body = shares.tone *
-                  (own[value::kAmbient + number] + (dry + (wet - dry) * own[value::kWater]) * shares.body);
+    Float8 body = fractions.tone *
+                  (own[value::kAmbient + number] + (dry + (wet - dry) * own[value::kWater]) * fractions.body);
     if (load != nullptr) {
         const float own_dry = look.draw.dry[channel];
         const Float8 colour =
-            max(shares.tone * (own_dry + (look.draw.wet[channel] - own_dry) * own[value::kWater]), 1e-4F);
+            max(fractions.tone * (own_dry + (look.draw.wet[channel] - own_dry) * own[value::kWater]), 1e-4F);
         body *= load->over(colour, channel) / colour;
     }
-    return max(body + key * shares.gloss + own[value::kMirrored + number] * shares.mirror, 0.0F);
+    return max(body + key * fractions.gloss + own[value::kMirrored + number] * fractions.mirror, 0.0F);
 }
 
 // Where a place in the streaks' texture, in texels, lies along the hatch: round the pot and up it.
@@ -215,7 +216,7 @@ template <Pot kPot>
 [[gnu::always_inline]] inline void shade(Queue& queue, const LatheLook& look, const PictureCanvas& canvas) {
     for (std::size_t first = 0; first < queue.count; first += kFloat8) {
         const Pixels own{queue, first};
-        const Shares shares = shares_at<kPot>(look, own);
+        const Fractions fractions = fractions_at<kPot>(look, own);
         LoadLayers load;
         if constexpr (kPot == Pot::kWithLoad) {
             const Float8 shown = own[value::kLoad];
@@ -224,7 +225,7 @@ template <Pot kPot>
                     .pale = shaders::load_pale(shown, own[kLoadWidth])};
         }
         const auto light = [&](int channel) __attribute__((always_inline)) {
-            return light_of(look, own, shares, kPot == Pot::kWithLoad ? &load : nullptr, channel);
+            return light_of(look, own, fractions, kPot == Pot::kWithLoad ? &load : nullptr, channel);
         };
         const Int8 pixels = encoded({light(0), light(1), light(2)}, look.order);
         const std::size_t end = std::min(queue.count - first, std::size_t{kFloat8});

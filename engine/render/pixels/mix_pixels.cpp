@@ -27,9 +27,9 @@ ONGGI_WIDE_VECTORS void mix_row_wide(const std::uint32_t* from, const std::uint3
 
 }  // namespace
 
-void mix_pixels(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to, float share,
+void mix_pixels(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to, float fraction,
                 const PixelRect& inside, int width_px, std::span<std::uint32_t> into) {
-    const auto part = static_cast<std::uint32_t>(std::clamp(share, 0.0F, 1.0F) * 256.0F + 0.5F);
+    const auto part = static_cast<std::uint32_t>(std::clamp(fraction, 0.0F, 1.0F) * 256.0F + 0.5F);
     static auto* const mix = best_of(mix_row_plain, mix_row_wide);
     for (int y = inside.y; y < inside.y + inside.height; ++y) {
         const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +

@@ -8,7 +8,7 @@
 #include "engine/render/pixels/mix_words.h"
 #include "engine/render/pixels/picture_shapes.h"
 #include "engine/render/pixels/wide_vectors.h"
-#include "shaders/plate_edge.h"
+#include "shaders/background_edge.h"
 
 namespace onggi::render {
 namespace {
@@ -33,7 +33,7 @@ std::uint32_t part_of(int place) {
 }
 
 // Where a place lies along a photograph's width or height, sixteen bits behind the point: beside it as
-// shaders/plate_edge.h says, and how far outside.
+// shaders/background_edge.h says, and how far outside.
 struct Along {
     int at = 0;
     float out = 0.0F;
@@ -110,13 +110,13 @@ struct Along {
     }
 }
 
-[[gnu::always_inline]] inline void lay(const HostPlate& plate, const Layers& layers) {
+[[gnu::always_inline]] inline void lay(const HostBackground& background, const Layers& layers) {
     for (int y = layers.rows.first; y < layers.rows.end; ++y) {
         const std::size_t first = static_cast<std::size_t>(y) * layers.width;
         std::uint32_t* const with_key = layers.with_key + first;
         std::uint32_t* const without_key = layers.without_key + first;
-        take_row(plate.key, layers, y, with_key);
-        take_row(plate.ambient, layers, y, layers.unlit);
+        take_row(background.key, layers, y, with_key);
+        take_row(background.ambient, layers, y, layers.unlit);
         for (std::size_t i = 0; i < layers.width; ++i) {
             constexpr std::uint32_t kColours = 0x00FFFFFFU;
             without_key[i] = (without_key[i] & ~kColours) | (layers.unlit[i] & kColours);
@@ -131,28 +131,28 @@ struct Along {
     }
 }
 
-void lay_plain(const HostPlate& plate, const Layers& layers) {
-    lay(plate, layers);
+void lay_plain(const HostBackground& background, const Layers& layers) {
+    lay(background, layers);
 }
 
-ONGGI_WIDE_VECTORS void lay_wide(const HostPlate& plate, const Layers& layers) {
-    lay(plate, layers);
+ONGGI_WIDE_VECTORS void lay_wide(const HostBackground& background, const Layers& layers) {
+    lay(background, layers);
 }
 
 }  // namespace
 
-void lay_photographs(const HostPlate& plate, vec4 window, int width, RowSpan rows,
+void lay_photographs(const HostBackground& background, vec4 window, int width, RowSpan rows,
                      std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key) {
     std::vector<std::uint32_t> unlit(static_cast<std::size_t>(width));
-    std::vector<std::uint32_t> mixed(static_cast<std::size_t>(plate.key.width()) + 1);
+    std::vector<std::uint32_t> mixed(static_cast<std::size_t>(background.key.width()) + 1);
     static auto* const best = best_of(lay_plain, lay_wide);
-    best(plate, {.window = window,
-                 .width = static_cast<std::size_t>(width),
-                 .rows = rows,
-                 .with_key = with_key.data(),
-                 .without_key = without_key.data(),
-                 .unlit = unlit.data(),
-                 .mixed = mixed.data()});
+    best(background, {.window = window,
+                      .width = static_cast<std::size_t>(width),
+                      .rows = rows,
+                      .with_key = with_key.data(),
+                      .without_key = without_key.data(),
+                      .unlit = unlit.data(),
+                      .mixed = mixed.data()});
 }
 
 }  // namespace onggi::render

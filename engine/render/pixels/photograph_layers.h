@@ -18,8 +18,8 @@ struct RowSpan {
 
 // Fills these rows of both layers, which are `width` pixels wide without gaps; of `without_key` the alphas
 // stay as they are. The pixel's middle * window.xy + window.zw is the place in the photographs, 0 to 1. What
-// lies beside them is as shaders/plate_edge.glsl says. The same bits on every processor.
-void lay_photographs(const HostPlate& plate, vec4 window, int width, RowSpan rows,
+// lies beside them is as shaders/background_edge.glsl says. The same bits on every processor.
+void lay_photographs(const HostBackground& background, vec4 window, int width, RowSpan rows,
                      std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key);
 
 }  // namespace onggi::render

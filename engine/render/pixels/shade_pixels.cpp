@@ -114,7 +114,7 @@ static_assert(std::endian::native == std::endian::little);
             left_of(about.far[i]) * (256U - across) + right_of(about.far[i]) * across;
         const std::uint32_t key = (near_row & 0xFFFFU) * (256U - down) + (far_row & 0xFFFFU) * down;
         const std::uint32_t sky = (near_row >> 16U) * (256U - down) + (far_row >> 16U) * down;
-        const float share = static_cast<float>(static_cast<int>(key)) * kOneOverMixed * light.key;
+        const float fraction = static_cast<float>(static_cast<int>(key)) * kOneOverMixed * light.key;
         const float open = static_cast<float>(static_cast<int>(sky)) * kOneOverMixed;
         const float weight = static_cast<float>(static_cast<int>(without_key[i] >> 24U)) * kOneOver255;
         const float left = 1.0F + (open - 1.0F) * weight;
@@ -122,7 +122,7 @@ static_assert(std::endian::native == std::endian::little);
         for (std::uint32_t byte = 0; byte < 3U; ++byte) {
             const std::uint32_t shift = 8U * byte;
             shaded |=
-                mix_lights(without_key[i] >> shift, with_key[i] >> shift, light.ambient[byte], share, left)
+                mix_lights(without_key[i] >> shift, with_key[i] >> shift, light.ambient[byte], fraction, left)
                 << shift;
         }
         out[i] = shaded;

@@ -30,8 +30,8 @@ struct Up {
     float z = 0.0F;
 };
 
-[[gnu::always_inline]] inline Int8 eight_bits(const Float8& share) {
-    return float8::ints(float8::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F);
+[[gnu::always_inline]] inline Int8 eight_bits(const Float8& fraction) {
+    return float8::ints(float8::clamp(fraction, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
 // shaders/mask.frag.

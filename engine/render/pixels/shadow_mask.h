@@ -10,7 +10,7 @@
 
 namespace onggi::render {
 
-// A row of texels after the other, the first at v = 0. Of each, 0 to 255, the share of the key light that
+// A row of texels after the other, the first at v = 0. Of each, 0 to 255, the fraction of the key light that
 // gets there in its low half and of the sky in its high half: 0x00gg00rr, so that both are mixed at once.
 using ShadowMask = std::array<std::uint32_t, std::size_t{shaders::kMaskTexels} * shaders::kMaskTexels>;
 constexpr std::uint32_t kUnshaded = 0x00FF00FFU;

@@ -60,15 +60,17 @@ void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::Fr
     frame.backdrop_shape =
         vec4(backdrop.glow_centre.x, backdrop.glow_centre.y, width / shorter, height / shorter);
     frame.picture = vec4(width, height, 1.0F / width, 1.0F / height);
-    if (!scene.plate) return;
-    const auto projection_of = [](const Plate& plate) {
-        return view_projection(plate.camera, plate.width_px, plate.height_px);
+    if (!scene.background) return;
+    const auto projection_of = [](const Background& background) {
+        return view_projection(background.camera, background.width_px, background.height_px);
     };
-    frame.plate_window = plate_window(scene.plate->camera, scene.plate->width_px, scene.plate->height_px,
-                                      scene.camera, width_px, height_px);
-    frame.plate_from = projection_of(*scene.plate);
-    frame.plate_to = scene.glide ? projection_of(*scene.glide->towards) : frame.plate_from;
-    frame.glide = vec4(scene.glide ? scene.glide->share : 0.0F, 0.0F, 0.0F, 0.0F);
+    frame.background_window =
+        background_window(scene.background->camera, scene.background->width_px, scene.background->height_px,
+                          scene.camera, width_px, height_px);
+    frame.background_from = projection_of(*scene.background);
+    frame.background_to =
+        scene.transition ? projection_of(*scene.transition->towards) : frame.background_from;
+    frame.transition = vec4(scene.transition ? scene.transition->fraction : 0.0F, 0.0F, 0.0F, 0.0F);
 }
 
 // All of it but what moves.
@@ -173,8 +175,8 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
     constexpr int kIntervals = 28;     // what is left of the steps repeats the last
     constexpr float kFinestMm = 2.0F;  // near the foot a penumbra is as narrow as a texel can show
     for (int i = 0; i < shaders::kShadowSteps; ++i) {
-        const float share = static_cast<float>(std::min(i, kIntervals)) / kIntervals;
-        const float y_mm = built.profile.height_mm * share;
+        const float fraction = static_cast<float>(std::min(i, kIntervals)) / kIntervals;
+        const float y_mm = built.profile.height_mm * fraction;
         const float t = y_mm / rise;
         frame.shadow_steps[i] =
             vec4(key.towards_light.x * t - frame.lathe_foot.x, key.towards_light.z * t - frame.lathe_foot.y,

@@ -37,7 +37,7 @@ struct BuiltFrame {
     // For the processor: which tiles that is in (kMoves and its like), and which of them hands and tools are
     // in; one entry a tile.
     std::vector<std::uint8_t> moving_tiles;
-    std::vector<std::uint8_t> mover_tiles;
+    std::vector<std::uint8_t> prop_tiles;
     float ring_error_px = 0.0F;
 };
 
@@ -67,7 +67,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 
 // A wet body is darker and more saturated: light that the water throws back into it is filtered once more.
 // J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A), where p is the
-// share of diffuse light that water reflects back inside; 0.66 of a body full of it.
+// fraction of diffuse light that water reflects back inside; 0.66 of a body full of it.
 [[nodiscard]] vec3 wet_albedo(vec3 albedo, float wetness);
 // Of the body full of it.
 [[nodiscard]] float wet_roughness(const LatheMaterial& material);

@@ -30,11 +30,11 @@ std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> verti
             for (int y = first; y < height_px && static_cast<float>(y) + 0.5F <= low; ++y) {
                 const auto at = [&](vec2 a, vec2 b) {
                     const float run = b.y - a.y;
-                    const float share =
+                    const float fraction =
                         std::abs(run) > 1e-3F
                             ? std::clamp((static_cast<float>(y) + 0.5F - a.y) / run, 0.0F, 1.0F)
                             : 0.5F;
-                    return a.x + share * (b.x - a.x);
+                    return a.x + fraction * (b.x - a.x);
                 };
                 Covered& line = lines[static_cast<std::size_t>(y)];
                 const Covered here{at(left_before, left), at(right_before, right)};

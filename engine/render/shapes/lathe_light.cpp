@@ -18,10 +18,10 @@ const std::array<vec3, kSkyRays>& sky_rays() {
     static const std::array<vec3, kSkyRays> rays = [] {
         std::array<vec3, kSkyRays> made{};
         for (int i = 0; i < kSkyRays; ++i) {
-            const float share = (static_cast<float>(i) + 0.5F) / kSkyRays;
-            const float flat = std::sqrt(share);
+            const float fraction = (static_cast<float>(i) + 0.5F) / kSkyRays;
+            const float flat = std::sqrt(fraction);
             const float angle = 2.39996323F * static_cast<float>(i);
-            made[static_cast<std::size_t>(i)] = {flat * std::cos(angle), std::sqrt(1.0F - share),
+            made[static_cast<std::size_t>(i)] = {flat * std::cos(angle), std::sqrt(1.0F - fraction),
                                                  flat * std::sin(angle)};
         }
         return made;
@@ -30,8 +30,8 @@ const std::array<vec3, kSkyRays>& sky_rays() {
 }
 
 float smooth_step(float from, float to, float value) {
-    const float share = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
-    return share * share * (3.0F - 2.0F * share);
+    const float fraction = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
+    return fraction * fraction * (3.0F - 2.0F * fraction);
 }
 
 // The cosine of each column's angle from the light.
@@ -75,8 +75,8 @@ float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2
         bool seen = direction.y > 0.0F;
         for (int step = 1; seen && step <= kSkySteps; ++step) {
             // Close steps first: the wall that hides a place is mostly the one beside it.
-            const float share = static_cast<float>(step) / kSkySteps;
-            const float t = reach * share * share;
+            const float fraction = static_cast<float>(step) / kSkySteps;
+            const float t = reach * fraction * fraction;
             const float y = y_mm + direction.y * t;
             if (y >= samples.height_mm) break;
             const float x = radius_mm + direction.x * t;

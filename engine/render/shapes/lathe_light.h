@@ -22,7 +22,7 @@ enum class LatheFace { kOuter, kInner };
 // rays, always the same ones.
 [[nodiscard]] float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2 normal);
 
-// The share of the key light that gets past the shape to a place at an angle from the light's azimuth:
+// The fraction of the key light that gets past the shape to a place at an angle from the light's azimuth:
 // between none and all over the width of the light.
 struct KeyRay {
     vec3 towards_light{0.0F, 1.0F, 0.0F};  // unit; only its height counts here

@@ -34,13 +34,13 @@ ProfilePoint face_at(const Lathe& lathe, std::size_t below, float y_mm, bool inn
     const Ring low = ring_of(lathe, below);
     const Ring high = ring_of(lathe, above);
     const float run = high.middle_mm() - low.middle_mm();
-    const float share = run > 0.0F ? std::clamp((y_mm - low.middle_mm()) / run, 0.0F, 1.0F) : 0.0F;
+    const float fraction = run > 0.0F ? std::clamp((y_mm - low.middle_mm()) / run, 0.0F, 1.0F) : 0.0F;
     const float from = inner ? low.inner_mm : low.outer_mm;
     const float to = inner ? high.inner_mm : high.outer_mm;
-    return {.radius_mm = from + share * (to - from),
+    return {.radius_mm = from + fraction * (to - from),
             .y_mm = y_mm,
             .along_mm = 0.0F,
-            .ring = static_cast<float>(below) + share};
+            .ring = static_cast<float>(below) + fraction};
 }
 
 void add_edge(LatheProfile& profile, const ProfilePoint& outer, const ProfilePoint& inner, float wall_mm) {
@@ -72,9 +72,9 @@ class Walk {
         const ProfilePoint& from = points_[next_ - 1];
         const ProfilePoint& to = points_[next_];
         const float run = to.along_mm - from.along_mm;
-        const float share = run > 0.0F ? std::clamp((along_mm - from.along_mm) / run, 0.0F, 1.0F) : 0.0F;
-        return {from.radius_mm + share * (to.radius_mm - from.radius_mm),
-                from.y_mm + share * (to.y_mm - from.y_mm)};
+        const float fraction = run > 0.0F ? std::clamp((along_mm - from.along_mm) / run, 0.0F, 1.0F) : 0.0F;
+        return {from.radius_mm + fraction * (to.radius_mm - from.radius_mm),
+                from.y_mm + fraction * (to.y_mm - from.y_mm)};
     }
     void start_near(float along_mm) {
         const auto found =
@@ -160,9 +160,9 @@ void build_profile(const Lathe& lathe, LatheProfile& profile) {
     const ProfilePoint rim = profile.points.back();
     constexpr int kFloorSteps = 4;
     for (int step = 1; step <= kFloorSteps; ++step) {
-        const float share = static_cast<float>(step) / kFloorSteps;
+        const float fraction = static_cast<float>(step) / kFloorSteps;
         profile.points.push_back(
-            {.radius_mm = rim.radius_mm * (1.0F - share), .y_mm = rim.y_mm, .ring = rim.ring});
+            {.radius_mm = rim.radius_mm * (1.0F - fraction), .y_mm = rim.y_mm, .ring = rim.ring});
     }
     for (std::size_t i = 1; i < profile.points.size(); ++i) {
         const ProfilePoint& before = profile.points[i - 1];
@@ -190,8 +190,8 @@ void sample_profile(const LatheProfile& profile, LatheSamples& samples) {
             float radius = point->radius_mm;
             if (point + 1 != last) {
                 const float run = (point + 1)->y_mm - point->y_mm;
-                const float share = run > 0.0F ? std::clamp((y_mm - point->y_mm) / run, 0.0F, 1.0F) : 0.0F;
-                radius += share * ((point + 1)->radius_mm - point->radius_mm);
+                const float fraction = run > 0.0F ? std::clamp((y_mm - point->y_mm) / run, 0.0F, 1.0F) : 0.0F;
+                radius += fraction * ((point + 1)->radius_mm - point->radius_mm);
             }
             into[static_cast<std::size_t>(i)] = radius;
         }
@@ -210,8 +210,8 @@ void sample_profile(const LatheProfile& profile, LatheSamples& samples) {
 }
 
 float texture_place(const LatheProfile& profile, float along_mm) {
-    const float share = profile.length_mm() > 0.0F ? along_mm / profile.length_mm() : 0.0F;
-    return (0.5F + share * (shaders::kProfileTexels - 1)) / shaders::kProfileTexels;
+    const float fraction = profile.length_mm() > 0.0F ? along_mm / profile.length_mm() : 0.0F;
+    return (0.5F + fraction * (shaders::kProfileTexels - 1)) / shaders::kProfileTexels;
 }
 
 void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexels& texels) {
@@ -253,9 +253,9 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
     for (std::size_t i = 0; i < kCount; ++i) {
         const float length = std::sqrt(sums->r[i] * sums->r[i] + sums->y[i] * sums->y[i]);
         const bool is_known = length > 1e-4F;
-        const float share = 1.0F / (is_known ? length : 1.0F);
-        const vec2 normal(is_known ? sums->r[i] * share : normals->r[i],
-                          is_known ? sums->y[i] * share : normals->y[i]);
+        const float fraction = 1.0F / (is_known ? length : 1.0F);
+        const vec2 normal(is_known ? sums->r[i] * fraction : normals->r[i],
+                          is_known ? sums->y[i] * fraction : normals->y[i]);
         texels[i] = packed_normal(normal);
     }
 }

@@ -19,7 +19,7 @@ struct ProfilePoint {
     float radius_mm = 0.0F;
     float y_mm = 0.0F;
     float along_mm = 0.0F;  // of the outline, from the base
-    float ring = 0.0F;      // whose it is; between two, their share
+    float ring = 0.0F;      // whose it is; between two, their fraction
 };
 
 struct LatheProfile {

@@ -8,7 +8,7 @@
 namespace onggi::render {
 namespace {
 
-// A ring's value of a column that may not be there, between rings by their share.
+// A ring's value of a column that may not be there, between rings by their fraction.
 float column_at(std::span<const float> column, float ring, float without) {
     if (column.empty()) return without;
     const float last = static_cast<float>(column.size() - 1);
@@ -35,8 +35,8 @@ class Sight {
         if (eye_.y <= rim_mm_) return false;
         for (const vec2& ring : rings_) {
             if (ring.y <= point.y) break;
-            const float share = (ring.y - point.y) / (eye_.y - point.y);
-            if (std::abs(point.x + share * (eye_.x - point.x)) > ring.x) return false;
+            const float fraction = (ring.y - point.y) / (eye_.y - point.y);
+            if (std::abs(point.x + fraction * (eye_.x - point.x)) > ring.x) return false;
         }
         return true;
     }
@@ -54,8 +54,8 @@ std::size_t points_seen(const LatheProfile& profile, vec3 eye_mm, float slack_mm
     if (!profile.hollow) return profile.points.size();
     const Sight sight(profile, eye_mm, slack_mm);
     const ProfilePoint& corner = profile.points[profile.floor - 1];
-    for (const float share : {-0.98F, -0.6F, -0.2F, 0.2F, 0.6F, 0.98F}) {
-        if (sight.reaches({share * corner.radius_mm, corner.y_mm})) return profile.points.size();
+    for (const float fraction : {-0.98F, -0.6F, -0.2F, 0.2F, 0.6F, 0.98F}) {
+        if (sight.reaches({fraction * corner.radius_mm, corner.y_mm})) return profile.points.size();
     }
     // From the floor up, to the deepest of the far wall that shows.
     std::size_t end = profile.floor;

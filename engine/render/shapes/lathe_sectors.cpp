@@ -26,9 +26,9 @@ float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
     // Walls that lean turn away up to some forty degrees before or behind a right angle.
     constexpr float kAtAll = 0.64F;  // sines
     constexpr float kWhole = 0.80F;
-    const float share = std::clamp((across - kAtAll) / (kWhole - kAtAll), 0.0F, 1.0F);
+    const float fraction = std::clamp((across - kAtAll) / (kWhole - kAtAll), 0.0F, 1.0F);
     const float rim_px = seen.rim_px * std::hypot(across, down);
-    return 1.0F / angle_of_chord(std::max(seen.widest_px * share, rim_px), error_px);
+    return 1.0F / angle_of_chord(std::max(seen.widest_px * fraction, rim_px), error_px);
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budge
     to_side.reserve(static_cast<std::size_t>(half) + 1);
     std::size_t at = 0;
     for (int i = 0; i <= half; ++i) {
-        const float share = sum[kSteps] * static_cast<float>(i) / static_cast<float>(half);
-        while (at + 1 < kSteps && sum[at + 1] < share)
+        const float fraction = sum[kSteps] * static_cast<float>(i) / static_cast<float>(half);
+        while (at + 1 < kSteps && sum[at + 1] < fraction)
             ++at;
-        const float within = (share - sum[at]) / (sum[at + 1] - sum[at]);
+        const float within = (fraction - sum[at]) / (sum[at + 1] - sum[at]);
         to_side.push_back((static_cast<float>(at) + std::clamp(within, 0.0F, 1.0F)) * kStep);
     }
     std::vector<float> angles;

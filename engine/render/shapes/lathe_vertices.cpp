@@ -11,12 +11,12 @@ constexpr float kHalfTurn = 3.14159265F;
 
 // What is the same in every row of a sector's edge.
 struct SectorEdge {
-    vec2 outward;        // (x, z)
-    std::size_t dent;    // the sector of the dents below it
-    float dent_share;    // of the next one
-    std::size_t column;  // of the key's columns, likewise
-    float column_share;
-    float share;  // of a turn from +X; of the way from one side of a cut to the other
+    vec2 outward;         // (x, z)
+    std::size_t dent;     // the sector of the dents below it
+    float dent_fraction;  // of the next one
+    std::size_t column;   // of the key's columns, likewise
+    float column_fraction;
+    float fraction;  // of a turn from +X; of the way from one side of a cut to the other
     float
         straddle;  // a polygon inside the circle looks thinner than it: half of the sag outside, half inside
 };
@@ -34,7 +34,8 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         // The last edge of a whole turn is the first, to the bit.
         const float shown = angles_rad[!lathe.cut && i == last ? 0 : i];
         // Streaks lie where they lie on the lathe, whichever way the eye looks.
-        edge.share = lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / (2.0F * kHalfTurn);
+        edge.fraction =
+            lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / (2.0F * kHalfTurn);
         const std::size_t from = i > 0 ? i - 1 : 0;
         const float chord = (angles_rad[std::min(i + 1, last)] - angles_rad[from]) /
                             static_cast<float>(std::min(i + 1, last) - from);
@@ -44,13 +45,13 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         // A sector's value is that of its middle.
         own = (own - std::floor(own)) * kDentSectors + kDentSectors - 0.5F;
         edge.dent = static_cast<std::size_t>(own) % kDentSectors;
-        edge.dent_share = own - std::floor(own);
+        edge.dent_fraction = own - std::floor(own);
         float away = std::abs(shown - light);
         away = std::fmod(away, 2.0F * kHalfTurn);
         if (away > kHalfTurn) away = 2.0F * kHalfTurn - away;
         const float column = away / kHalfTurn * (kKeyColumns - 1);
         edge.column = std::min(static_cast<std::size_t>(column), static_cast<std::size_t>(kKeyColumns - 2));
-        edge.column_share = column - static_cast<float>(edge.column);
+        edge.column_fraction = column - static_cast<float>(edge.column);
         edges.push_back(edge);
     }
     return edges;
@@ -70,11 +71,11 @@ bool dents_at(const Lathe& lathe, float y_mm, float height_mm, DentRow& row) {
     const float place = std::clamp(y_mm / step_mm - 0.5F, 0.0F, static_cast<float>(count - 1));
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, count - 1);
-    const float share = place - static_cast<float>(below);
+    const float fraction = place - static_cast<float>(below);
     const std::span<const float> low = lathe.dents_mm.subspan(below * kDentSectors, kDentSectors);
     const std::span<const float> high = lathe.dents_mm.subspan(above * kDentSectors, kDentSectors);
     for (std::size_t s = 0; s < kDentSectors; ++s) {
-        row.off_mm[s] = low[s] + share * (high[s] - low[s]);
+        row.off_mm[s] = low[s] + fraction * (high[s] - low[s]);
         row.rise[s] = above > below ? (high[s] - low[s]) / step_mm : 0.0F;
     }
     // Slopes at the middles, so that between them they change evenly and no facet shows.
@@ -147,14 +148,15 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
             if (dented && place.x > 0.0F) {
                 const std::size_t next = (edge.dent + 1) % kDentSectors;
                 off_mm = dents.off_mm[edge.dent] +
-                         edge.dent_share * (dents.off_mm[next] - dents.off_mm[edge.dent]);
+                         edge.dent_fraction * (dents.off_mm[next] - dents.off_mm[edge.dent]);
                 // A floor moves with its wall at the corner, and not at the axis.
                 if (point >= input.profile.floor)
                     off_mm *= place.x / input.profile.points[input.profile.floor - 1].radius_mm;
-                lean += dents.rise[edge.dent] + edge.dent_share * (dents.rise[next] - dents.rise[edge.dent]);
+                lean +=
+                    dents.rise[edge.dent] + edge.dent_fraction * (dents.rise[next] - dents.rise[edge.dent]);
                 // Sectors run against the angle, so their slope round does too.
-                const float round =
-                    dents.round[edge.dent] + edge.dent_share * (dents.round[next] - dents.round[edge.dent]);
+                const float round = dents.round[edge.dent] +
+                                    edge.dent_fraction * (dents.round[next] - dents.round[edge.dent]);
                 const float slope =
                     -round * kDentSectors / (2.0F * kHalfTurn * std::max(radius + off_mm, 1.0F));
                 outward -= slope * vec2(-edge.outward.y, edge.outward.x);
@@ -164,8 +166,8 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
             vertices.push_back(
                 {.place = vec4(
                      centre.x + r * edge.outward.x, place.y, centre.y + r * edge.outward.y,
-                     seen[edge.column] + edge.column_share * (seen[edge.column + 1] - seen[edge.column])),
-                 .lean = vec4(outward.x, lean, outward.y, edge.share)});
+                     seen[edge.column] + edge.column_fraction * (seen[edge.column + 1] - seen[edge.column])),
+                 .lean = vec4(outward.x, lean, outward.y, edge.fraction)});
         }
     }
 }

@@ -59,7 +59,7 @@ void note_covered(const EdgeView& view, const TileGrid& grid, BuiltFrame& built)
         for (int column = first; column < end; ++column) {
             const auto tile = static_cast<std::size_t>(row * grid.across() + column);
             // A hand may be in front of the pot.
-            if (built.mover_tiles[tile] == 0) built.moving_tiles[tile] = kCovered;
+            if (built.prop_tiles[tile] == 0) built.moving_tiles[tile] = kCovered;
         }
     }
 }
@@ -78,7 +78,7 @@ void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& bui
                               glm::max(vec2(edge.from), vec2(edge.to)) + kReachPx),
                    tiles);
     }
-    std::transform(tiles.begin(), tiles.end(), built.mover_tiles.begin(), tiles.begin(),
+    std::transform(tiles.begin(), tiles.end(), built.prop_tiles.begin(), tiles.begin(),
                    [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     // The faces of a cut are no rows.
     const bool is_whole = scene.lathe && !scene.lathe->cut && want_lathe(view, grid, built);

@@ -7,7 +7,7 @@
 
 namespace onggi::render {
 
-// Fills moving_tiles of a frame whose lathe and edges are built, and whose mover_tiles are known.
+// Fills moving_tiles of a frame whose lathe and edges are built, and whose prop_tiles are known.
 void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& built);
 
 }  // namespace onggi::render

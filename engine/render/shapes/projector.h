@@ -30,8 +30,8 @@ class Projector {
         const float w = std::max(
             matrix_[0][3] * point.x + matrix_[1][3] * point.y + matrix_[2][3] * point.z + matrix_[3][3],
             least_mm_);
-        const float share = 1.0F / w;
-        return {half_.x + half_.x * x * share, half_.y + half_.y * y * share,
+        const float fraction = 1.0F / w;
+        return {half_.x + half_.x * x * fraction, half_.y + half_.y * y * fraction,
                 std::max(depth_offset_ + depth_scale_ / std::max(w - kNearerMm, least_mm_), 0.0F), w};
     }
 

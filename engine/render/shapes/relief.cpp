@@ -5,10 +5,10 @@
 namespace onggi::render {
 namespace {
 
-constexpr double kMargin = 0.5;  // of the plate
+constexpr double kMargin = 0.5;  // of the background
 
-// From 0 to 1 over the plate, and one step out at either end.
-double share_of(int index, int corners) {
+// From 0 to 1 over the background, and one step out at either end.
+double fraction_of(int index, int corners) {
     if (index < 0) return -kMargin;
     if (index >= corners) return 1.0 + kMargin;
     return static_cast<double>(index) / (corners - 1);
@@ -21,16 +21,17 @@ Relief flat(const Camera& camera) {
 
 }  // namespace
 
-ReliefMesh relief_mesh(const Plate& plate) {
-    const Relief relief = plate.relief.depth_mm.empty() ? flat(plate.camera) : plate.relief;
-    const int width = plate.width_px;
-    const int height = plate.height_px;
-    const dvec3 ahead = glm::normalize(dvec3(plate.camera.target_mm) - dvec3(plate.camera.eye_mm));
+ReliefMesh relief_mesh(const Background& background) {
+    const Relief relief = background.relief.depth_mm.empty() ? flat(background.camera) : background.relief;
+    const int width = background.width_px;
+    const int height = background.height_px;
+    const dvec3 ahead = glm::normalize(dvec3(background.camera.target_mm) - dvec3(background.camera.eye_mm));
     ReliefMesh mesh;
     for (int row = -1; row <= relief.rows; ++row) {
         for (int column = -1; column <= relief.columns; ++column) {
-            const dvec2 pixel(share_of(column, relief.columns) * width, share_of(row, relief.rows) * height);
-            const Ray ray = ray_through(plate.camera, width, height, pixel);
+            const dvec2 pixel(fraction_of(column, relief.columns) * width,
+                              fraction_of(row, relief.rows) * height);
+            const Ray ray = ray_through(background.camera, width, height, pixel);
             const int inside_row = std::clamp(row, 0, relief.rows - 1);
             const int inside_column = std::clamp(column, 0, relief.columns - 1);
             const auto depth = static_cast<double>(

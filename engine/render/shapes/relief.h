@@ -1,5 +1,5 @@
-// The shape of what a plate shows, so that the camera can move a little and the plate bend along. Any thread;
-// pure functions. mm.
+// The shape of what a background shows, so that the camera can move a little and the background bend along.
+// Any thread; pure functions. mm.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,10 @@ struct ReliefMesh {
     std::vector<std::uint32_t> indices;
 };
 
-// A sheet over everything the plate's camera sees, each corner of the relief's grid as far away as it says; a
-// plate without a relief is a flat picture at twice the distance of the camera's target. Round it goes a
-// margin as wide as half the plate, for what comes into the picture from outside the plate.
-[[nodiscard]] ReliefMesh relief_mesh(const Plate& plate);
+// A sheet over everything the background's camera sees, each corner of the relief's grid as far away as it
+// says; a background without a relief is a flat picture at twice the distance of the camera's target. Round
+// it goes a margin as wide as half the background, for what comes into the picture from outside the
+// background.
+[[nodiscard]] ReliefMesh relief_mesh(const Background& background);
 
 }  // namespace onggi::render

@@ -18,12 +18,12 @@ std::size_t end_of_chord(const LodFace& face, std::size_t from, float tolerance,
         const float run = face.places_mm.empty() ? static_cast<float>(to - from)
                                                  : face.places_mm[to] - face.places_mm[from];
         if (run > max_span && to > from + 1) break;
-        const float share = 1.0F / std::max(run, 1e-6F);
+        const float fraction = 1.0F / std::max(run, 1e-6F);
         const float rise = face.radii_mm[to] - face.radii_mm[from];
-        const float slope = rise * share;
+        const float slope = rise * fraction;
         if (slope >= lowest && slope <= highest) end = to;
-        lowest = std::max(lowest, (rise - tolerance) * share);
-        highest = std::min(highest, (rise + tolerance) * share);
+        lowest = std::max(lowest, (rise - tolerance) * fraction);
+        highest = std::min(highest, (rise + tolerance) * fraction);
         if (lowest > highest) break;
     }
     return end;
@@ -100,8 +100,8 @@ float ring_error_mm(std::span<const float> radii_mm, std::span<const std::uint32
         const std::uint32_t below = elements[ring - 1];
         const std::uint32_t above = elements[ring];
         for (std::uint32_t i = below; i <= above; ++i) {
-            const float share = static_cast<float>(i - below) / static_cast<float>(above - below);
-            const float chord = radii_mm[below] + share * (radii_mm[above] - radii_mm[below]);
+            const float fraction = static_cast<float>(i - below) / static_cast<float>(above - below);
+            const float chord = radii_mm[below] + fraction * (radii_mm[above] - radii_mm[below]);
             worst = std::max(worst, std::abs(radii_mm[i] - chord));
         }
     }

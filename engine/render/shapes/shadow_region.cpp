@@ -49,7 +49,7 @@ MaskPlacement place_mask(const ShadowRegion& region, const DirectionalLight& lig
     placement.axis_u = along * length;
     placement.axis_v = across * width;
     placement.origin = -along * back - across * region.half_width_mm;
-    // q = p - L p.y / L.y, so each coordinate of q is linear in p, and so is its share of the rectangle.
+    // q = p - L p.y / L.y, so each coordinate of q is linear in p, and so is its fraction of the rectangle.
     const vec3 light_direction = light.towards_light;
     const auto row = [&](vec2 axis, float size) {
         const vec2 unit = axis / size;
@@ -99,10 +99,10 @@ std::vector<Box> boxes_beside_lathe(const Scene& scene) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < std::min<std::size_t>(scene.spheres.size(), kMaxSpheres); ++i)
         boxes.push_back(sphere_box(scene.spheres[i]));
-    for (const Mover& mover : scene.movers) {
-        if (!scene.mover_library || mover.model >= scene.mover_library->size()) continue;
-        for (const Box& box : (*scene.mover_library)[mover.model].boxes_mm)
-            boxes.push_back(placed(box, mover.place));
+    for (const Prop& prop : scene.props) {
+        if (!scene.prop_library || prop.model >= scene.prop_library->size()) continue;
+        for (const Box& box : (*scene.prop_library)[prop.model].boxes_mm)
+            boxes.push_back(placed(box, prop.place));
     }
     return boxes;
 }

@@ -27,7 +27,7 @@ struct MaskPlacement {
 [[nodiscard]] PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_px,
                                   int height_px);
 
-// Boxes about what moves: the lathe; the spheres and the movers.
+// Boxes about what moves: the lathe; the spheres and the props.
 [[nodiscard]] Box lathe_box(const Lathe& lathe);
 [[nodiscard]] Box sphere_box(const Sphere& sphere);
 [[nodiscard]] std::vector<Box> boxes_beside_lathe(const Scene& scene);

@@ -5,7 +5,7 @@
 
 #include "engine/core/result.h"
 #include "engine/render/frame/still_meshes.h"
-#include "engine/render/vulkan/plate_pass.h"
+#include "engine/render/vulkan/background_pass.h"
 #include "engine/render/vulkan/vulkan_frame.h"
 
 namespace onggi::render {
@@ -13,8 +13,9 @@ namespace onggi::render {
 class RoomPass {
   public:
     // Once, with the pipelines and images of fixed size there.
-    static void create(const VulkanFrame& frame) { PlatePass::bind_placeholders(frame); }
-    // The still life of the scene and its plates onto the device, if they are others. The device is idle.
+    static void create(const VulkanFrame& frame) { BackgroundPass::bind_placeholders(frame); }
+    // The still life of the scene and its backgrounds onto the device, if they are others. The device is
+    // idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
     // The still life's shadow map.
@@ -27,7 +28,7 @@ class RoomPass {
   private:
     void draw_gliding(const VulkanFrame& frame, const Scene& scene) const;
 
-    PlatePass plate_;
+    BackgroundPass background_;
     StillMeshes still_;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/frame/key_map.h"
+#include "engine/render/frame/shadow_map.h"
 
 namespace onggi::render {
 namespace {
@@ -33,7 +33,7 @@ Result<void> VulkanBackend::create() {
         [&](VkCommandBuffer once) { vk::barrier(once, mask, vk::state::kUndefined, vk::state::kSampled); });
     if (!laid_out) return laid_out;
     RoomPass::create(frame_);
-    if (auto created = movers_.create(frame_); !created) return created;
+    if (auto created = props_.create(frame_); !created) return created;
     if (auto created = lathe_.create(frame_); !created) return created;
     return overlay_.create(frame_);
 }
@@ -51,8 +51,8 @@ Result<void> VulkanBackend::fit_size(VkExtent2D target) {
 
 Result<void> VulkanBackend::fit(const Scene& scene, VkExtent2D target) {
     if (auto fitted = fit_size(target); !fitted) return fitted;
-    if (!scene.plate) {
-        if (auto fitted = fit_key_map(frame_); !fitted) return fitted;
+    if (!scene.background) {
+        if (auto fitted = fit_shadow_map(frame_); !fitted) return fitted;
     }
     if (auto made = fit_pipelines(frame_, scene, frame_.pipelines); !made) return made;
     return room_.fit(frame_, scene);
@@ -62,7 +62,7 @@ Result<void> VulkanBackend::upload(const Scene& scene) {
     frame_.clock.enter_host("shapes");
     frame_.build(scene, room_.bounds());
     frame_.stats.still_life_drawn = true;
-    if (auto fitted = movers_.fit(frame_, scene); !fitted) return fitted;
+    if (auto fitted = props_.fit(frame_, scene); !fitted) return fitted;
     shadow_.update(frame_, scene);
     frame_.clock.end_host();
     frame_.upload_uniforms(frame_.built.frame);
@@ -109,7 +109,7 @@ void VulkanBackend::record(const Scene& scene, const vk::TargetImage& target) {
     frame_.enter("lathe");
     lathe_.draw(frame_);
     frame_.enter("hands and tools");
-    movers_.draw(frame_, scene);
+    props_.draw(frame_, scene);
     frame_.enter("still life");
     room_.draw(frame_, scene);
     vkCmdEndRendering(commands);

@@ -4,8 +4,8 @@
 
 #include "engine/render/frame/render_backend.h"
 #include "engine/render/vulkan/lathe_pass.h"
-#include "engine/render/vulkan/mover_pass.h"
 #include "engine/render/vulkan/overlay_pass.h"
+#include "engine/render/vulkan/prop_pass.h"
 #include "engine/render/vulkan/room_pass.h"
 #include "engine/render/vulkan/shadow_pass.h"
 
@@ -32,7 +32,7 @@ class VulkanBackend : public RenderBackend {
     RoomPass room_;
     ShadowPass shadow_;
     LathePass lathe_;
-    MoverPass movers_;
+    PropPass props_;
     OverlayPass overlay_;
 };
 

@@ -31,27 +31,28 @@ Result<void> create_samplers(const vk::Device& device, VulkanPipelines& pipeline
     return {};
 }
 
-// From the one that puts a plate on a mesh.
-void make_glide_pipelines(PipelineMaker& maker, const vk::PipelineDesc& plate_surface,
-                          std::span<const VkFormat> picture_formats, std::uint32_t transfer,
-                          VulkanPipelines& pipelines) {
-    for (std::size_t need = 0; need < pipelines.glide.size(); ++need) {
-        const std::array constants{transfer, need == kGlideAlone ? 0U : 1U, need == kGlideDimmed ? 1U : 0U};
-        vk::PipelineDesc surface = plate_surface;
+// From the one that puts a background on a mesh.
+void make_transition_pipelines(PipelineMaker& maker, const vk::PipelineDesc& background_surface,
+                               std::span<const VkFormat> picture_formats, std::uint32_t transfer,
+                               VulkanPipelines& pipelines) {
+    for (std::size_t need = 0; need < pipelines.transition.size(); ++need) {
+        const std::array constants{transfer, need == kTransitionAlone ? 0U : 1U,
+                                   need == kTransitionDimmed ? 1U : 0U};
+        vk::PipelineDesc surface = background_surface;
         surface.name = "plates on the still life, moving";
-        surface.vertex_spirv = shaders::kGlideSurfaceVert;
-        surface.fragment_spirv = shaders::kGlideSurfaceFrag;
+        surface.vertex_spirv = shaders::kTransitionSurfaceVert;
+        surface.fragment_spirv = shaders::kTransitionSurfaceFrag;
         surface.constants = constants;
         surface.colour_formats = picture_formats;
-        maker.make(pipelines.glide_surface[need], surface);
+        maker.make(pipelines.transition_surface[need], surface);
         vk::PipelineDesc relief = surface;
         relief.name = "plates on their relief, moving";
-        relief.vertex_spirv = shaders::kGlideVert;
-        relief.fragment_spirv = shaders::kGlideFrag;
+        relief.vertex_spirv = shaders::kTransitionVert;
+        relief.fragment_spirv = shaders::kTransitionFrag;
         relief.attributes = std::span(kMeshAttributes).first(1);
         relief.vertex_stride = sizeof(vec3);
         relief.cull = VK_CULL_MODE_NONE;
-        maker.make(pipelines.glide[need], relief);
+        maker.make(pipelines.transition[need], relief);
     }
 }
 
@@ -93,7 +94,7 @@ void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool n
 
 // What not every scene shows.
 struct Needs {
-    bool own_colours = false;  // of the still life: there is no plate
+    bool own_colours = false;  // of the still life: there is no background
     bool section = false;
 };
 
@@ -116,13 +117,13 @@ Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, Vulka
                    into_picture(screen_pipeline(frame, "backdrop", shaders::kBackdropFrag)));
         maker.make(pipelines.still, still);
     }
-    maker.make(pipelines.plate, into_picture(screen_pipeline(frame, "plate", shaders::kPlateFrag)));
-    vk::PipelineDesc plate_surface =
-        into_picture(mesh_pipeline(frame, "plate on the still life", shaders::kPlateSurfaceFrag));
-    plate_surface.vertex_spirv = shaders::kPlateSurfaceVert;
-    plate_surface.attributes = std::span(kMeshAttributes).first(2);
-    maker.make(pipelines.plate_surface, plate_surface);
-    make_glide_pipelines(maker, plate_surface, picture_formats, transfer, pipelines);
+    maker.make(pipelines.background, into_picture(screen_pipeline(frame, "plate", shaders::kBackgroundFrag)));
+    vk::PipelineDesc background_surface =
+        into_picture(mesh_pipeline(frame, "plate on the still life", shaders::kBackgroundSurfaceFrag));
+    background_surface.vertex_spirv = shaders::kBackgroundSurfaceVert;
+    background_surface.attributes = std::span(kMeshAttributes).first(2);
+    maker.make(pipelines.background_surface, background_surface);
+    make_transition_pipelines(maker, background_surface, picture_formats, transfer, pipelines);
     make_lathe_pipelines(maker, desc, needs.section, still, pipelines);
 
     vk::PipelineDesc mask = screen_pipeline(frame, "shadow mask", shaders::kMaskFrag);
@@ -142,7 +143,7 @@ Result<void> create_pipelines(const FrameContext& frame, VulkanPipelines& pipeli
 }
 
 Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, VulkanPipelines& pipelines) {
-    const Needs needs{.own_colours = scene.plate == nullptr, .section = scene.lathe && scene.lathe->cut};
+    const Needs needs{.own_colours = scene.background == nullptr, .section = scene.lathe && scene.lathe->cut};
     const auto is_missing = [](bool is_needed, const vk::Pipeline& pipeline) {
         return is_needed && pipeline.get() == VK_NULL_HANDLE;
     };

@@ -10,23 +10,23 @@
 
 namespace onggi::render {
 
-// What a glide needs: one plate, two, or two in the evening.
-constexpr std::size_t kGlideAlone = 0;
-constexpr std::size_t kGlideMixed = 1;
-constexpr std::size_t kGlideDimmed = 2;
-constexpr std::size_t kGlideNeeds = 3;
+// What a glide needs: one background, two, or two in the evening.
+constexpr std::size_t kTransitionAlone = 0;
+constexpr std::size_t kTransitionMixed = 1;
+constexpr std::size_t kTransitionDimmed = 2;
+constexpr std::size_t kTransitionNeeds = 3;
 
 struct VulkanPipelines {
     vk::Sampler clamped;
     vk::Sampler repeated;
     vk::Sampler exact;
-    vk::Pipeline backdrop;  // this and the next without a plate
+    vk::Pipeline backdrop;  // this and the next without a background
     vk::Pipeline still;
-    vk::Pipeline plate;  // instead of the backdrop, and of the still life's colours
-    vk::Pipeline plate_surface;
+    vk::Pipeline background;  // instead of the backdrop, and of the still life's colours
+    vk::Pipeline background_surface;
     // Instead of these two while the camera moves, by what it needs.
-    std::array<vk::Pipeline, kGlideNeeds> glide;
-    std::array<vk::Pipeline, kGlideNeeds> glide_surface;
+    std::array<vk::Pipeline, kTransitionNeeds> transition;
+    std::array<vk::Pipeline, kTransitionNeeds> transition_surface;
     vk::Pipeline mask;
     vk::Pipeline lathe;               // where no moving sphere's shadow falls
     vk::Pipeline lathe_near_spheres;  // where one may

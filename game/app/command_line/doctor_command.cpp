@@ -55,7 +55,7 @@ std::vector<Finding> probe_vulkan() {
                             .found = std::move(words)});
         if (device.chosen) findings.push_back(probe_quality(device));
     }
-    if (const auto chosen = vk::choose(*devices, vk::device_wish_of_environment()); !chosen) {
+    if (const auto chosen = vk::choose(*devices, vk::device_request_of_environment()); !chosen) {
         none.found = chosen.error().message;
         if (chosen.error().kind == ErrorKind::kBadInput)
             none.remedy = "set ONGGI_VULKAN_DEVICE to one of these, or unset it";

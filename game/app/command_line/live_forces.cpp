@@ -9,13 +9,13 @@ const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const 
     forces_.look(snapshot, now_s);
     if (!shown_ || view.width() <= 0 || view.height() <= 0) return nullptr;
     if (!asked_ || asked_->width_px != view.width() || asked_->height_px != view.height()) {
-        screens::View wish;
-        wish.width_px = view.width();
-        wish.height_px = view.height();
-        wish.only_forces = true;
-        wish.state.comfort.forces = true;
-        wish.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
-        asked_ = std::make_shared<const screens::View>(std::move(wish));
+        screens::View request;
+        request.width_px = view.width();
+        request.height_px = view.height();
+        request.only_forces = true;
+        request.state.comfort.forces = true;
+        request.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
+        asked_ = std::make_shared<const screens::View>(std::move(request));
         composer_.ask(asked_);
     }
     stage_.take(composer_.latest(), now_s);

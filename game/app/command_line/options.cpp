@@ -15,7 +15,7 @@
 #include "game/app/devices/hand_devices.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/lump.h"
-#include "game/share/studio_export.h"
+#include "game/exporter/studio_export.h"
 
 namespace onggi::app {
 namespace {
@@ -71,7 +71,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name,
 std::optional<clay::ClayBody> clay_body_named(std::string_view name) {
     for (const clay::ClayBody body :
          {clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware}) {
-        if (share::name_of(body) == name) return body;
+        if (exporter::name_of(body) == name) return body;
     }
     return std::nullopt;
 }
@@ -178,7 +178,7 @@ void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string
     std::vector<std::pair<std::string, clay::Firing>> stages;
     for (const clay::Firing known :
          {clay::Firing::kWet, clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze})
-        stages.emplace_back(share::name_of(known), known);
+        stages.emplace_back(exporter::name_of(known), known);
     add_choice<clay::Firing>(
         command, "--fired", stages, [&stage](clay::Firing chosen) { stage = chosen; },
         what + ": wet, dry, bisque or glaze (wet)");

@@ -5,12 +5,14 @@
 #include <variant>
 
 #include "game/clay/studio/pot.h"
-#include "game/share/studio_export.h"
+#include "game/exporter/studio_export.h"
 
 namespace onggi::app {
 
 nlohmann::ordered_json percentiles(const jobs::Histogram& histogram, double unit) {
-    const auto of = [&](double share) { return static_cast<double>(histogram.percentile(share)) / unit; };
+    const auto of = [&](double fraction) {
+        return static_cast<double>(histogram.percentile(fraction)) / unit;
+    };
     return {{"p50", of(0.5)},
             {"p99", of(0.99)},
             {"p999", of(0.999)},
@@ -45,7 +47,7 @@ std::string_view name_of(clay::studio::Cause cause) {
 nlohmann::ordered_json pot_json(const clay::StudioClay& clay, clay::Firing stage) {
     nlohmann::ordered_json pot;
     // clang 14 takes no structured binding into a lambda.
-    for (const auto& extra : share::pot_extras(clay, stage))
+    for (const auto& extra : exporter::pot_extras(clay, stage))
         std::visit([&](const auto& one) { pot[extra.first] = one; }, extra.second);
     return pot;
 }

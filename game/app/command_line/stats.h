@@ -12,9 +12,9 @@ namespace onggi::app {
 // {p50, p99, p999, max} of what a histogram counted, divided by `unit` (1000: us from ns).
 [[nodiscard]] nlohmann::ordered_json percentiles(const jobs::Histogram& histogram, double unit = 1.0);
 
-// The fields that every run has: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (a share of the lump;
-// null: the paper's clay keeps no ledger); of the studio's clay also mass, height, widest diameter, floor,
-// walls, capacity, where its clay went, how many rings it has, the load and a failure's sentence, and
+// The fields that every run has: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (a fraction of the
+// lump; null: the paper's clay keeps no ledger); of the studio's clay also mass, height, widest diameter,
+// floor, walls, capacity, where its clay went, how many rings it has, the load and a failure's sentence, and
 // all measures wet and glaze-fired (share/studio_export.h).
 [[nodiscard]] nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& tick_ns,
                                                   double rate_hz, const haptic::HapticState& state);

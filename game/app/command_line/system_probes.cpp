@@ -175,9 +175,9 @@ Finding probe_workshop() {
     if (!folder) return without(folder.error().message);
     const auto workshop = wheel::load_workshop(*folder);
     if (!workshop) return without(workshop.error().message);
-    for (const wheel::PlateCamera& camera : workshop->cameras) {
-        const auto plate = wheel::load_plate(*workshop, camera);
-        if (!plate) return without(plate.error().message);
+    for (const wheel::BackgroundCamera& camera : workshop->cameras) {
+        const auto background = wheel::load_background(*workshop, camera);
+        if (!background) return without(background.error().message);
     }
     return {.subject = "workshop",
             .found = fmt::format("{} cameras with their plates in {}", workshop->cameras.size(),

@@ -14,8 +14,8 @@
 #include "game/app/command_line/tables.h"
 #include "game/app/command_line/target_score.h"
 #include "game/app/kiosk/snapshot_view.h"
+#include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
-#include "game/share/studio_export.h"
 #include "game/wheel/clay_look.h"
 #include "game/wheel/still.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 Result<void> check_endings(const ThrowOutputs& outputs) {
     if (outputs.model) {
-        if (auto kind = share::export_kind_of(*outputs.model); !kind) return kind.error();
+        if (auto kind = exporter::export_kind_of(*outputs.model); !kind) return kind.error();
     }
     if (outputs.screenshot && !outputs.screenshot->ends_with(".png")) {
         return bad_input(
@@ -35,7 +35,7 @@ Result<void> check_endings(const ThrowOutputs& outputs) {
 
 Result<std::vector<std::byte>> model_for(const std::string& place, const haptic::HapticState& state,
                                          clay::Firing stage, const asset::Image* picture) {
-    const auto kind = share::export_kind_of(place);
+    const auto kind = exporter::export_kind_of(place);
     if (!kind) return kind.error();
     return model_bytes(state, *kind, stage, picture);
 }
@@ -53,19 +53,20 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
 
 }  // namespace
 
-Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, share::ExportKind kind,
+Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, exporter::ExportKind kind,
                                            clay::Firing stage, const asset::Image* picture) {
-    if (kind == share::ExportKind::kGlb && state.studio() != nullptr) {
+    if (kind == exporter::ExportKind::kGlb && state.studio() != nullptr) {
         const clay::ClayBody body = state.studio()->lump().body;
         return look::dressed_glb(
-            share::rings_of(state.studio()->rings()),
-            look::lathe_look(wheel::clay_material(body, stage), share::pot_material(body, stage).name),
-            {.extras = share::pot_extras(*state.studio(), stage),
+            exporter::rings_of(state.studio()->rings()),
+            look::lathe_look(wheel::clay_material(body, stage), exporter::pot_material(body, stage).name),
+            {.extras = exporter::pot_extras(*state.studio(), stage),
              .shrinkage = clay::shrunk_scale(body, stage)});
     }
     if (const clay::StudioClay* studio = state.studio())
-        return share::export_pot(*studio, stage, kind, nullptr, picture);
-    return share::export_pot(share::rings_of(state.height_mm(), state.paper()->radii_mm()), kind, picture);
+        return exporter::export_pot(*studio, stage, kind, nullptr, picture);
+    return exporter::export_pot(exporter::rings_of(state.height_mm(), state.paper()->radii_mm()), kind,
+                                picture);
 }
 
 Result<void> check_outputs(const ThrowOutputs& outputs) {

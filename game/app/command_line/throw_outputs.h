@@ -16,8 +16,8 @@
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/target_choice.h"
 #include "game/clay/studio/pot.h"
+#include "game/exporter/export.h"
 #include "game/haptic/start_state.h"
-#include "game/share/export.h"
 
 namespace onggi::app {
 
@@ -42,7 +42,7 @@ struct ThrowOutputs {
 // The pot on the wheel as a file of that kind, whichever clay it is of; the stage is the studio clay's. A 3MF
 // shows the picture, if there is one.
 [[nodiscard]] Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state,
-                                                         share::ExportKind kind,
+                                                         exporter::ExportKind kind,
                                                          clay::Firing stage = clay::Firing::kWet,
                                                          const asset::Image* picture = nullptr);
 

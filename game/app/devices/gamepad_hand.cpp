@@ -33,8 +33,8 @@ bool GamepadHand::presses(bool button, double trigger, bool is_moving, double dt
     return is_held && !is_stuck;
 }
 
-GamepadWish GamepadHand::wish(std::span<const Gamepad> pads, double dt_s) {
-    GamepadWish wish;
+GamepadRequest GamepadHand::request(std::span<const Gamepad> pads, double dt_s) {
+    GamepadRequest request;
     std::uint32_t buttons = 0;
     dvec2 push(0.0);
     float trigger = 0.0F;
@@ -47,30 +47,30 @@ GamepadWish GamepadHand::wish(std::span<const Gamepad> pads, double dt_s) {
     const std::uint32_t pressed = buttons & ~last_buttons_;
     const std::uint32_t changed = buttons ^ last_buttons_;
     const bool moves = push != dvec2(0.0) || trigger > kTriggerPulled;
-    wish.is_used = moves || changed != 0;
-    wish.is_for_clay = moves || (changed & ~kRingButtons) != 0;
+    request.is_used = moves || changed != 0;
+    request.is_for_clay = moves || (changed & ~kRingButtons) != 0;
     last_buttons_ = buttons;
 
-    wish.step_mm = glm::clamp(push, -1.0, 1.0) * (mapping_.fastest_mm_s * dt_s);
-    wish.presses = presses((buttons & Gamepad::kA) != 0, double{trigger}, push != dvec2(0.0), dt_s);
-    if ((pressed & Gamepad::kRightBumper) != 0) wish.speed_steps += 1.0;
-    if ((pressed & Gamepad::kLeftBumper) != 0) wish.speed_steps -= 1.0;
-    if ((pressed & Gamepad::kUp) != 0) wish.radius_steps += 1.0;
-    if ((pressed & Gamepad::kDown) != 0) wish.radius_steps -= 1.0;
-    if ((pressed & Gamepad::kRight) != 0) wish.ring_steps += 1;
-    if ((pressed & Gamepad::kLeft) != 0) wish.ring_steps -= 1;
-    wish.takes = (pressed & Gamepad::kX) != 0;
-    wish.fresh_lump = (pressed & Gamepad::kStart) != 0;
-    return wish;
+    request.step_mm = glm::clamp(push, -1.0, 1.0) * (mapping_.fastest_mm_s * dt_s);
+    request.presses = presses((buttons & Gamepad::kA) != 0, double{trigger}, push != dvec2(0.0), dt_s);
+    if ((pressed & Gamepad::kRightBumper) != 0) request.speed_steps += 1.0;
+    if ((pressed & Gamepad::kLeftBumper) != 0) request.speed_steps -= 1.0;
+    if ((pressed & Gamepad::kUp) != 0) request.radius_steps += 1.0;
+    if ((pressed & Gamepad::kDown) != 0) request.radius_steps -= 1.0;
+    if ((pressed & Gamepad::kRight) != 0) request.ring_steps += 1;
+    if ((pressed & Gamepad::kLeft) != 0) request.ring_steps -= 1;
+    request.takes = (pressed & Gamepad::kX) != 0;
+    request.fresh_lump = (pressed & Gamepad::kStart) != 0;
+    return request;
 }
 
-std::vector<window::KeyEvent> keys_of(const GamepadWish& wish) {
+std::vector<window::KeyEvent> keys_of(const GamepadRequest& request) {
     using window::Key;
     std::vector<window::KeyEvent> keys;
-    if (wish.ring_steps != 0)
+    if (request.ring_steps != 0)
         keys.push_back(
-            {.key = wish.ring_steps > 0 ? Key::kRightBracket : Key::kLeftBracket, .pressed = true});
-    if (wish.takes) keys.push_back({.key = Key::kEnter, .pressed = true});
+            {.key = request.ring_steps > 0 ? Key::kRightBracket : Key::kLeftBracket, .pressed = true});
+    if (request.takes) keys.push_back({.key = Key::kEnter, .pressed = true});
     return keys;
 }
 

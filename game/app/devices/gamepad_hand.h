@@ -14,7 +14,7 @@ namespace onggi::app {
 struct GamepadMapping {
     double dead_band = 0.15;  // of a stick's travel: worn sticks do not come back to the middle
     double fastest_mm_s = 160.0;
-    double finer = 0.35;  // share of that for the right stick
+    double finer = 0.35;  // fraction of that for the right stick
     // A trigger presses when it is pulled so far, and until it is let go so far.
     double pressed_at = 0.5;
     double released_at = 0.3;
@@ -22,7 +22,7 @@ struct GamepadMapping {
 };
 
 // What a pad asks for in one frame.
-struct GamepadWish {
+struct GamepadRequest {
     dvec2 step_mm{0.0};         // of the finger on its plane
     bool is_used = false;       // anything at all
     bool is_for_clay = false;   // anything but what walks the ring
@@ -35,17 +35,17 @@ struct GamepadWish {
 };
 
 // What the pad asks of the ring, as the keys that ask the same.
-[[nodiscard]] std::vector<window::KeyEvent> keys_of(const GamepadWish& wish);
+[[nodiscard]] std::vector<window::KeyEvent> keys_of(const GamepadRequest& request);
 
 class GamepadHand {
   public:
     explicit GamepadHand(const GamepadMapping& mapping = {}) : mapping_(mapping) {}
 
-    // The wish of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
+    // The request of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
     // same, finely. A or the right trigger presses; bumpers make the wheel slower and faster, the cross up
     // and down changes the tool's size; Start is a fresh lump. The cross to the sides walks a ring through
     // the buttons of the screen, and X takes the one that it is on.
-    [[nodiscard]] GamepadWish wish(std::span<const window::Gamepad> pads, double dt_s);
+    [[nodiscard]] GamepadRequest request(std::span<const window::Gamepad> pads, double dt_s);
 
   private:
     [[nodiscard]] bool presses(bool button, double trigger, bool is_moving, double dt_s);

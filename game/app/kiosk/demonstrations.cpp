@@ -130,13 +130,13 @@ DemonstrationHand::DemonstrationHand(std::unique_ptr<haptics::SimulatedDevice> p
 haptics::ToolState DemonstrationHand::at(Player& player, std::uint64_t tick) noexcept {
     const double recorded = static_cast<double>(tick) * player.ticks_a_tick;
     const auto before = static_cast<std::uint64_t>(recorded);
-    const double share = recorded - static_cast<double>(before);
+    const double fraction = recorded - static_cast<double>(before);
     haptics::ToolState tool = player.now.at(before);
     const haptics::ToolState next = player.next.at(before + 1);
     if (tool.pressing != next.pressing || tool.guided != next.guided) return tool;
-    tool.position_mm = glm::mix(tool.position_mm, next.position_mm, share);
+    tool.position_mm = glm::mix(tool.position_mm, next.position_mm, fraction);
     if (tool.second.present && next.second.present)
-        tool.second.position_mm = glm::mix(tool.second.position_mm, next.second.position_mm, share);
+        tool.second.position_mm = glm::mix(tool.second.position_mm, next.second.position_mm, fraction);
     return tool;
 }
 

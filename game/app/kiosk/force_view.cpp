@@ -44,8 +44,8 @@ std::vector<vec2> circle(const Sight& sight, double radius_mm, double y_mm, bool
     const dvec2 right(front.y, -front.x);
     std::vector<vec2> line;
     for (int i = 0; i <= kPoints; ++i) {
-        const double share = static_cast<double>(i) / kPoints;
-        const double angle = std::numbers::pi * (whole ? 2.0 * share : 1.0 - share);
+        const double fraction = static_cast<double>(i) / kPoints;
+        const double angle = std::numbers::pi * (whole ? 2.0 * fraction : 1.0 - fraction);
         const dvec2 at = radius_mm * (std::cos(angle) * right + std::sin(angle) * front);
         const auto px = sight.project({at.x, y_mm, at.y});
         if (!px) return {};

@@ -33,7 +33,7 @@ double shift_for(double from_px, double to_px, double zoom, double half_px) {
 
 class Framer {
   public:
-    Framer(const PlateSight& sight, const kiosk::Comfort& comfort)
+    Framer(const BackgroundSight& sight, const kiosk::Comfort& comfort)
         : sight_(sight),
           shape_(screens::shape_of(sight.width_px, sight.height_px)),
           u_(double{screens::px_per_u_of(sight.width_px, sight.height_px)}),
@@ -71,7 +71,7 @@ class Framer {
         const double by_foot = shift_y(foot->y, low_px);
         const double lower = reach ? kLowerU * u_ / half_.y : 0.0;
         framing.shift.y = std::min(std::max(by_head + lower, by_top), by_foot);
-        // No lower than the plate has picture, unless the pot needs the room.
+        // No lower than the background has picture, unless the pot needs the room.
         if (!reach) framing.shift.y = std::min(framing.shift.y, std::max(framing.zoom - 1.0, by_top));
         // Beside the hand's keys.
         if (reach && tall) framing.shift.x = -0.3;
@@ -100,13 +100,13 @@ class Framer {
             foot_u = 520.0;
         }
         framing.shift.y = shift_for(foot->y, foot_u * u_, framing.zoom, half_.y);
-        // The words' scrim hides where the plate ends below, nothing does above.
+        // The words' scrim hides where the background ends below, nothing does above.
         framing.shift.y = std::min(framing.shift.y, framing.zoom - 1.0);
         return framing;
     }
 
   private:
-    const PlateSight& sight_;
+    const BackgroundSight& sight_;
     Shape shape_;
     double u_;
     dvec2 half_;
@@ -115,27 +115,27 @@ class Framer {
 
 }  // namespace
 
-CameraWish KioskCamera::wish(const kiosk::State& state, bool shows_room, double pot_mm,
-                             const PlateSight& sight) {
-    CameraWish wish;
+CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, double pot_mm,
+                                   const BackgroundSight& sight) {
+    CameraRequest request;
     const Framer framer(sight, state.comfort);
     if (state.screen == kiosk::Screen::kAttract || state.screen == kiosk::Screen::kFault) {
         fitted_mm_ = 0.0;
-        wish.framing = framer.attracting();
-        wish.sways = shows_room && !state.comfort.still;
-        return wish;
+        request.framing = framer.attracting();
+        request.sways = shows_room && !state.comfort.still;
+        return request;
     }
     // A pot that sinks a little keeps its room.
     if (pot_mm > fitted_mm_ || pot_mm < fitted_mm_ - 2.5 * kFitStepMm)
         fitted_mm_ = std::max(kLeastFitMm, kFitStepMm * std::ceil(pot_mm / kFitStepMm));
     if (state.screen == kiosk::Screen::kThrow && state.throwing.looks_in) {
-        wish.view = View::kLookingIn;
-        wish.framing = framer.looking_in(fitted_mm_);
-        return wish;
+        request.view = View::kLookingIn;
+        request.framing = framer.looking_in(fitted_mm_);
+        return request;
     }
     const bool throws = state.screen == kiosk::Screen::kThrow;
-    wish.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
-    return wish;
+    request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
+    return request;
 }
 
 double evening_at(const kiosk::Config& config, int minute_of_day) {

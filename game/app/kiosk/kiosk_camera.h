@@ -13,17 +13,17 @@
 namespace onggi::app {
 
 // What the camera is asked for.
-struct CameraWish {
+struct CameraRequest {
     wheel::View view = wheel::View::kThrowing;
     wheel::Framing framing{};
     bool sways = false;
     double evening = 0.0;
 
-    friend bool operator==(const CameraWish&, const CameraWish&) = default;
+    friend bool operator==(const CameraRequest&, const CameraRequest&) = default;
 };
 
 // The picture, and where a view framed so shows a place in it; as LiveView::project_framed.
-struct PlateSight {
+struct BackgroundSight {
     int width_px = 0;
     int height_px = 0;
     std::function<std::optional<dvec2>(wheel::View, const wheel::Framing&, const dvec3&)> project{};
@@ -32,8 +32,8 @@ struct PlateSight {
 class KioskCamera {
   public:
     // pot_mm: the pot's height now. shows_room: nothing but the scene is on the screen.
-    [[nodiscard]] CameraWish wish(const kiosk::State& state, bool shows_room, double pot_mm,
-                                  const PlateSight& sight);
+    [[nodiscard]] CameraRequest request(const kiosk::State& state, bool shows_room, double pot_mm,
+                                        const BackgroundSight& sight);
 
   private:
     double fitted_mm_ = 0.0;  // the height that the framing has room for

@@ -5,9 +5,9 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kSunkShare = 0.8;     // of the height at which it still stood
-constexpr double kSpreadShare = 1.12;  // of the width: a bowl that spins apart hardly sinks
-constexpr double kFirmly = 0.7;        // of what the clay bears: it stands again
+constexpr double kSunkFraction = 0.8;     // of the height at which it still stood
+constexpr double kSpreadFraction = 1.12;  // of the width: a bowl that spins apart hardly sinks
+constexpr double kFirmly = 0.7;           // of what the clay bears: it stands again
 
 double widest_mm(const pot::Pot& shape) {
     const auto& outer = shape.outer_mm;
@@ -57,8 +57,8 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
     if (failing_tick_ == 0) failing_tick_ = std::max<std::uint64_t>(1, snapshot.tick);
     // Clay that gives way a little is no failure yet: the pot has to have sunk, or to be spun apart, or a
     // piece come off.
-    const bool is_sunk = height_mm < kSunkShare * standing_height_mm_;
-    const bool is_spread = snapshot.load.index >= 1.0 && width_mm > kSpreadShare * standing_width_mm_;
+    const bool is_sunk = height_mm < kSunkFraction * standing_height_mm_;
+    const bool is_spread = snapshot.load.index >= 1.0 && width_mm > kSpreadFraction * standing_width_mm_;
     const bool gave_way = failure.torn || is_sunk || is_spread;
     if (gave_way && !has_said_) {
         has_said_ = true;

@@ -17,10 +17,10 @@ constexpr double kAgainAfterS = 6.0;  // without
 constexpr double kFollowsMmS = 3.0;   // hands slower than this get nowhere
 constexpr double kGuardSaysS = 0.6;
 constexpr double kEasesS = 0.06;
-constexpr double kHoldMm = 12.0;    // to each side of a finger that lands on a wall
-constexpr double kThumbsMm = 17.0;  // what is opened at first
-constexpr double kRimShare = 0.3;   // of the depth, that a palm on the rim holds
-constexpr double kFeltShare = 0.5;  // of a window, beyond which hands hardly move its clay
+constexpr double kHoldMm = 12.0;       // to each side of a finger that lands on a wall
+constexpr double kThumbsMm = 17.0;     // what is opened at first
+constexpr double kRimFraction = 0.3;   // of the depth, that a palm on the rim holds
+constexpr double kFeltFraction = 0.5;  // of a window, beyond which hands hardly move its clay
 
 CueHold about(double y_mm, double height_mm) {
     const double low_mm = std::clamp(y_mm - kHoldMm, 0.0, std::max(0.0, height_mm - 2.0 * kHoldMm));
@@ -40,7 +40,7 @@ CueHold hold_of_grip(const clay::studio::GripReport& grip, const pot::Pot& shape
     if (!grip.pulls && (grip.grip == Grip::kWall || grip.grip == Grip::kInside)) {
         const double y_mm = std::clamp(grip.hand_mm.y, hold.low_mm, hold.high_mm);
         const auto felt = [](double reach_mm) {
-            return std::max(kFeltShare * reach_mm, std::min(kHoldMm, reach_mm));
+            return std::max(kFeltFraction * reach_mm, std::min(kHoldMm, reach_mm));
         };
         hold = {.low_mm = y_mm - felt(y_mm - hold.low_mm), .high_mm = y_mm + felt(hold.high_mm - y_mm)};
     }
@@ -85,7 +85,7 @@ std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_
         case Grip::kOpen:
             return opening_of(shape);
         case Grip::kRim:
-            return CueHold{top_mm - std::max(kHoldMm, kRimShare * (top_mm - shape.floor_mm)), top_mm};
+            return CueHold{top_mm - std::max(kHoldMm, kRimFraction * (top_mm - shape.floor_mm)), top_mm};
         case Grip::kAsking:
         case Grip::kWall:
         case Grip::kInside:
@@ -96,7 +96,7 @@ std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_
 
 CueHold hold_of_step(const pot::Pot& shape, int step) {
     constexpr int kOpens = 1;
-    return step == kOpens ? opening_of(shape) : about(kLowShare * shape.height_mm, shape.height_mm);
+    return step == kOpens ? opening_of(shape) : about(kLowFraction * shape.height_mm, shape.height_mm);
 }
 
 std::optional<CueThread> thread_of(const clay::studio::GripReport& grip) {
@@ -130,11 +130,11 @@ void KioskCue::follow_guard(const CueMoment& moment, double dt_s) {
 
 CueHold KioskCue::eased(const CueHold& hold, const CueMoment& moment, double dt_s) {
     const bool jumps = moment.still || !shown_ || (shown_->opening_mm > 0.0) != (hold.opening_mm > 0.0);
-    const double share = jumps ? 1.0 : 1.0 - std::exp(-dt_s / kEasesS);
+    const double fraction = jumps ? 1.0 : 1.0 - std::exp(-dt_s / kEasesS);
     const CueHold from = jumps ? hold : *shown_;
-    return {.low_mm = from.low_mm + share * (hold.low_mm - from.low_mm),
-            .high_mm = from.high_mm + share * (hold.high_mm - from.high_mm),
-            .opening_mm = from.opening_mm + share * (hold.opening_mm - from.opening_mm)};
+    return {.low_mm = from.low_mm + fraction * (hold.low_mm - from.low_mm),
+            .high_mm = from.high_mm + fraction * (hold.high_mm - from.high_mm),
+            .opening_mm = from.opening_mm + fraction * (hold.opening_mm - from.opening_mm)};
 }
 
 std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {

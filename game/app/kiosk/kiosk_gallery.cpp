@@ -13,8 +13,8 @@
 #include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
+#include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
-#include "game/share/studio_export.h"
 
 namespace onggi::app {
 namespace {
@@ -139,8 +139,9 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         // First, so that its pixels are gone before the other solids are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));
         if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
-        if (auto written = write("pot.3mf", share::export_pot(*pot.clay, clay::Firing::kGlaze,
-                                                              share::ExportKind::k3mf, nullptr, &portrait));
+        if (auto written =
+                write("pot.3mf", exporter::export_pot(*pot.clay, clay::Firing::kGlaze,
+                                                      exporter::ExportKind::k3mf, nullptr, &portrait));
             !written)
             return written.error();
     }
@@ -149,12 +150,12 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     if (auto written =
             write("pot.glb",
                   look::dressed_glb(
-                      share::rings_of(pot.clay->rings()), look::glaze_look(*pot.glaze, height_mm),
-                      {.extras = share::pot_extras(*pot.clay, clay::Firing::kGlaze), .shrinkage = scale}));
+                      exporter::rings_of(pot.clay->rings()), look::glaze_look(*pot.glaze, height_mm),
+                      {.extras = exporter::pot_extras(*pot.clay, clay::Firing::kGlaze), .shrinkage = scale}));
         !written)
         return written.error();
-    if (auto written =
-            write("pot.stl", share::export_pot(*pot.clay, clay::Firing::kGlaze, share::ExportKind::kStl));
+    if (auto written = write(
+            "pot.stl", exporter::export_pot(*pot.clay, clay::Firing::kGlaze, exporter::ExportKind::kStl));
         !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();

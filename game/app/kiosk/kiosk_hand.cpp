@@ -86,7 +86,7 @@ void KioskHand::steer(const dvec2& step_mm, bool presses, const pot::Pot& shape,
     if (!is_moved && !begins) return;
     if (touch_.runs()) take_over();
     if (!pad_has_come_) {
-        const double low_mm = kLowShare * shape.height_mm;
+        const double low_mm = kLowFraction * shape.height_mm;
         finger_mm_ = {side * (wall_at(shape, low_mm).outer_mm + kBesideMm), low_mm};
         pad_has_come_ = true;
     }
@@ -163,7 +163,7 @@ bool KioskHand::presses_now() {
     return pressing_.has_value();
 }
 
-haptics::ToolState KioskHand::wish(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
+haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
     help_.pass_time(dt_s);
     haptics::ToolState tool;
     tool.guided = true;

@@ -57,7 +57,8 @@ class KioskHand {
     void leave_clay();
 
     // What the tool should do now, dt_s after the last call.
-    [[nodiscard]] haptics::ToolState wish(const HandSettings& settings, const pot::Pot& shape, double dt_s);
+    [[nodiscard]] haptics::ToolState request(const HandSettings& settings, const pot::Pot& shape,
+                                             double dt_s);
 
     [[nodiscard]] bool works() const { return presser_ != Presser::kNobody || touch_.runs(); }
 

@@ -17,7 +17,7 @@ constexpr double kBeforeCollapseS = 2.0;
 constexpr int kMostRecordsARound = 4000;
 constexpr int kPortraitPx = 1024;
 // A few ms of an interrupted visit, so that the one that goes on is followed too.
-constexpr int kLeftOverTicksARound = 2000;
+constexpr int kInterruptedSessionTicksARound = 2000;
 
 // A visit goes from one thing to another, and what the one took is not needed for the other.
 void give_back_memory() {
@@ -45,7 +45,7 @@ Result<void> KioskKeeper::start() {
 }
 
 void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
-    ask({Wish::Kind::kSave, 0, glaze, std::move(shape)});
+    ask({Request::Kind::kSave, 0, glaze, std::move(shape)});
 }
 
 std::shared_ptr<const KeeperAnswer> KioskKeeper::next_answer() {
@@ -59,10 +59,10 @@ void KioskKeeper::answer(KeeperAnswer answer) {
 
 std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
     const bool more = follow();
-    Wish wish;
-    while (wishes_.try_pop(wish))
-        obey(wish);
-    const bool works = work_out_left_over();
+    Request request;
+    while (requests_.try_pop(request))
+        apply(request);
+    const bool works = work_out_interrupted_session();
     write_journal(now_ns);
     return more || works ? 0 : kLookEveryNs;
 }
@@ -86,10 +86,10 @@ bool KioskKeeper::follow() {
         if (!job_.take_record(record)) return false;
         run_ = record.run;
         const bool is_resumed = is_put_ && (record.flags & haptic::TickRecord::kStatePut) != 0 &&
-                                record.tick == left_over_->history().ticks();
+                                record.tick == interrupted_session_->history().ticks();
         if (is_resumed) {
-            history_ = std::move(left_over_->history());
-            left_over_.reset();
+            history_ = std::move(interrupted_session_->history());
+            interrupted_session_.reset();
             is_put_ = false;
         }
         history_.add(record);
@@ -104,27 +104,27 @@ bool KioskKeeper::follow() {
 }
 
 // True while there is more of it.
-bool KioskKeeper::work_out_left_over() {
+bool KioskKeeper::work_out_interrupted_session() {
     if (!has_looked_) {
         has_looked_ = true;
         std::vector<std::string> remarks;
-        left_over_ = LeftOver::find(visits_, start_, parameters_, remarks);
+        interrupted_session_ = InterruptedSession::find(visits_, start_, parameters_, remarks);
         for (std::string& line : remarks)
             answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line)});
     }
-    if (!left_over_ || is_worked_out_) return false;
-    const auto more = left_over_->work(kLeftOverTicksARound);
+    if (!interrupted_session_ || is_worked_out_) return false;
+    const auto more = interrupted_session_->work(kInterruptedSessionTicksARound);
     if (more && *more) return true;
     is_worked_out_ = true;
-    if (more && left_over_->is_worth_it()) {
-        answer({.kind = KeeperAnswer::Kind::kLeftOver,
+    if (more && interrupted_session_->is_worth_it()) {
+        answer({.kind = KeeperAnswer::Kind::kInterruptedSession,
                 .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
-                                     left_over_->seconds())});
+                                     interrupted_session_->seconds())});
         return false;
     }
     if (!more) answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message});
-    left_over_.reset();
-    LeftOver::remove(visits_);
+    interrupted_session_.reset();
+    InterruptedSession::remove(visits_);
     return false;
 }
 
@@ -135,7 +135,7 @@ void KioskKeeper::write_journal(std::int64_t now_ns) {
     // Its visit goes on in the journal now.
     if (was_resumed_ && journal_.has_caught_up()) {
         was_resumed_ = false;
-        LeftOver::remove(visits_);
+        InterruptedSession::remove(visits_);
     }
 }
 
@@ -145,13 +145,13 @@ void KioskKeeper::end_journal() {
     journal_.drop();
     if (!std::exchange(was_resumed_, false)) return;
     is_put_ = false;
-    left_over_.reset();
-    LeftOver::remove(visits_);
+    interrupted_session_.reset();
+    InterruptedSession::remove(visits_);
 }
 
 void KioskKeeper::resume_now(std::uint64_t run) {
-    if (!left_over_ || !is_worked_out_ ||
-        !job_.put(std::make_unique<haptic::HapticState>(left_over_->history().state()), run)) {
+    if (!interrupted_session_ || !is_worked_out_ ||
+        !job_.put(std::make_unique<haptic::HapticState>(interrupted_session_->history().state()), run)) {
         answer({.kind = KeeperAnswer::Kind::kNotPut});
         return;
     }
@@ -172,66 +172,66 @@ void KioskKeeper::put_state_at(std::uint64_t tick) {
         answer({.kind = KeeperAnswer::Kind::kNotPut, .words = state ? "" : state.error().message});
 }
 
-void KioskKeeper::obey(const Wish& wish) {
+void KioskKeeper::apply(const Request& request) {
     // What was done up to now has to be known before it is taken back.
     while (follow()) {
     }
-    switch (wish.kind) {
-        case Wish::Kind::kUndo:
+    switch (request.kind) {
+        case Request::Kind::kUndo:
             if (const auto tick = history_.before_last_move()) put_state_at(*tick);
             break;
-        case Wish::Kind::kBefore: {
+        case Request::Kind::kBefore: {
             const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
-            const std::uint64_t until = std::min(wish.number, history_.ticks());
+            const std::uint64_t until = std::min(request.number, history_.ticks());
             put_state_at(until > back ? until - back : 0);
             break;
         }
-        case Wish::Kind::kCutOff:
+        case Request::Kind::kCutOff:
             give_back_memory();  // of throwing, and of a look into the pot
             if (const clay::StudioClay* clay = history_.state().studio()) {
                 cut_ = std::make_shared<const clay::StudioClay>(*clay);
                 answer({.kind = KeeperAnswer::Kind::kCutOff, .clay = cut_});
             }
             break;
-        case Wish::Kind::kSave:
-            save_now(wish);
+        case Request::Kind::kSave:
+            save_now(request);
             give_back_memory();  // of what was made for the files
             break;
-        case Wish::Kind::kForget:
+        case Request::Kind::kForget:
             cut_.reset();
             end_journal();
             give_back_memory();  // of a visit
             break;
-        case Wish::Kind::kJournal:
+        case Request::Kind::kJournal:
             is_put_ = false;  // if it still is on its way, the new lump was before it
-            journalled_run_ = wish.number;
+            journalled_run_ = request.number;
             give_back_memory();  // of the screens before
             break;
-        case Wish::Kind::kResume:
-            resume_now(wish.number);
+        case Request::Kind::kResume:
+            resume_now(request.number);
             break;
-        case Wish::Kind::kDropLeftOver:
+        case Request::Kind::kDropInterrupted:
             is_put_ = false;
-            left_over_.reset();
-            LeftOver::remove(visits_);
+            interrupted_session_.reset();
+            InterruptedSession::remove(visits_);
             break;
-        case Wish::Kind::kSurvey:
+        case Request::Kind::kSurvey:
             survey_now();
             break;
-        case Wish::Kind::kRemove:
-            remove_now(*wish.pot);
+        case Request::Kind::kRemove:
+            remove_now(*request.pot);
             break;
-        case Wish::Kind::kNote:
-            complain(note_visit(statistics_, wish.visit));
+        case Request::Kind::kNote:
+            complain(note_visit(statistics_, request.visit));
             break;
-        case Wish::Kind::kNoteBreak:
+        case Request::Kind::kNoteBreak:
             complain(app::note_attract_break(statistics_));
             break;
-        case Wish::Kind::kNoteStart:
+        case Request::Kind::kNoteStart:
             complain(app::note_start(statistics_));
             break;
-        case Wish::Kind::kKeepHouse:
-            complain(keep_house(statistics_, *wish.house));
+        case Request::Kind::kKeepHouse:
+            complain(keep_house(statistics_, *request.house));
             break;
     }
 }
@@ -266,14 +266,14 @@ void KioskKeeper::remove_now(const std::string& name) {
     survey_now();
 }
 
-void KioskKeeper::save_now(const Wish& wish) {
-    if (!cut_ || !wish.shape) return;
+void KioskKeeper::save_now(const Request& request) {
+    if (!cut_ || !request.shape) return;
     history_.let_go_of_states();  // a pot that is fired is no clay again
     give_back_memory();
     PotToKeep pot{.history = &history_,
                   .clay = cut_.get(),
-                  .glaze = &finish::glaze_at(wish.glaze),
-                  .portrait = portrait(*wish.shape, wish.glaze, kPortraitPx)};
+                  .glaze = &finish::glaze_at(request.glaze),
+                  .portrait = portrait(*request.shape, request.glaze, kPortraitPx)};
     const std::string day = today();
     const auto number = gallery_.keep(std::move(pot), day);
     if (number) {

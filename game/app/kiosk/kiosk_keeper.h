@@ -12,10 +12,10 @@
 
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
+#include "game/app/kiosk/interrupted_session.h"
 #include "game/app/kiosk/kiosk_gallery.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_statistics.h"
-#include "game/app/kiosk/left_over.h"
 #include "game/app/kiosk/visit_journal.h"
 #include "game/haptic/fault_report.h"
 #include "game/haptic/history.h"
@@ -25,7 +25,7 @@
 namespace onggi::app {
 
 struct KeeperAnswer {
-    enum class Kind { kCutOff, kSaved, kSaveFailed, kSurvey, kLeftOver, kNotPut, kRemark };
+    enum class Kind { kCutOff, kSaved, kSaveFailed, kSurvey, kInterruptedSession, kNotPut, kRemark };
     Kind kind = Kind::kRemark;
     std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
     int number = 0;                                  // of a saved one, of the day
@@ -49,35 +49,36 @@ class KioskKeeper final : private jobs::IoWork {
     void stop() noexcept { thread_.stop(); }
 
     // Main thread, wait-free.
-    void undo() { ask({Wish::Kind::kUndo}); }
+    void undo() { ask({Request::Kind::kUndo}); }
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
-    void go_before(std::uint64_t tick) { ask({Wish::Kind::kBefore, tick}); }
-    void cut_off() { ask({Wish::Kind::kCutOff}); }
+    void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
+    void cut_off() { ask({Request::Kind::kCutOff}); }
     void save(std::shared_ptr<const pot::Section> shape, int glaze);
-    void forget() { ask({Wish::Kind::kForget}); }
+    void forget() { ask({Request::Kind::kForget}); }
     // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
     // its pot is saved.
-    void journal(std::uint64_t run) { ask({Wish::Kind::kJournal, run}); }
+    void journal(std::uint64_t run) { ask({Request::Kind::kJournal, run}); }
     // Puts the pot of the interrupted visit on the wheel (after kLeftOver was answered) and goes on with its
     // journal.
-    void resume(std::uint64_t run) { ask({Wish::Kind::kResume, run}); }
-    void drop_left_over() { ask({Wish::Kind::kDropLeftOver}); }
+    void resume(std::uint64_t run) { ask({Request::Kind::kResume, run}); }
+    void drop_interrupted_session() { ask({Request::Kind::kDropInterrupted}); }
     // Answered by kSurvey: what the gallery holds, what the disk has left, how warm it is, the day's use.
-    void survey() { ask({Wish::Kind::kSurvey}); }
+    void survey() { ask({Request::Kind::kSurvey}); }
     void remove(std::string pot) {
-        ask({.kind = Wish::Kind::kRemove, .pot = std::make_shared<const std::string>(std::move(pot))});
+        ask({.kind = Request::Kind::kRemove, .pot = std::make_shared<const std::string>(std::move(pot))});
     }
-    void note(const VisitNote& visit) { ask({.kind = Wish::Kind::kNote, .visit = visit}); }
-    void note_attract_break() { ask({Wish::Kind::kNoteBreak}); }
-    void note_start() { ask({Wish::Kind::kNoteStart}); }
+    void note(const VisitNote& visit) { ask({.kind = Request::Kind::kNote, .visit = visit}); }
+    void note_attract_break() { ask({Request::Kind::kNoteBreak}); }
+    void note_start() { ask({Request::Kind::kNoteStart}); }
     // What the staff has set, for the next start.
-    void keep(HouseWish house) {
-        ask({.kind = Wish::Kind::kKeepHouse, .house = std::make_shared<const HouseWish>(std::move(house))});
+    void keep(HouseDefaults house) {
+        ask({.kind = Request::Kind::kKeepHouse,
+             .house = std::make_shared<const HouseDefaults>(std::move(house))});
     }
     [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer();
 
   private:
-    struct Wish {
+    struct Request {
         enum class Kind {
             kUndo,
             kBefore,
@@ -86,7 +87,7 @@ class KioskKeeper final : private jobs::IoWork {
             kForget,
             kJournal,
             kResume,
-            kDropLeftOver,
+            kDropInterrupted,
             kSurvey,
             kRemove,
             kNote,
@@ -100,21 +101,21 @@ class KioskKeeper final : private jobs::IoWork {
         std::shared_ptr<const pot::Section> shape{};
         std::shared_ptr<const std::string> pot{};
         VisitNote visit{};
-        std::shared_ptr<const HouseWish> house{};
+        std::shared_ptr<const HouseDefaults> house{};
     };
-    void ask(const Wish& wish) { static_cast<void>(wishes_.try_push(wish)); }
+    void ask(const Request& request) { static_cast<void>(requests_.try_push(request)); }
 
     // The keeper's thread.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override;
     bool follow();
-    bool work_out_left_over();
+    bool work_out_interrupted_session();
     void write_journal(std::int64_t now_ns);
     void resume_now(std::uint64_t run);
     void end_journal();
-    void obey(const Wish& wish);
+    void apply(const Request& request);
     void put_state_at(std::uint64_t tick);
-    void save_now(const Wish& wish);
+    void save_now(const Request& request);
     void survey_now();
     void remove_now(const std::string& name);
     void answer(KeeperAnswer answer);
@@ -128,8 +129,8 @@ class KioskKeeper final : private jobs::IoWork {
     std::filesystem::path visits_;  // where journals are
     VisitJournal journal_;
     std::optional<std::uint64_t> journalled_run_;
-    std::uint64_t run_ = 0;                // of the last record
-    std::unique_ptr<LeftOver> left_over_;  // until it is on the wheel
+    std::uint64_t run_ = 0;                                    // of the last record
+    std::unique_ptr<InterruptedSession> interrupted_session_;  // until it is on the wheel
     bool has_looked_ = false;
     bool is_worked_out_ = false;
     bool is_put_ = false;       // its state is on the way to the wheel
@@ -138,7 +139,7 @@ class KioskKeeper final : private jobs::IoWork {
     std::string gallery_trouble_;  // as it was told last
     std::filesystem::path statistics_;
     std::shared_ptr<const clay::StudioClay> cut_;
-    jobs::SpscRing<Wish> wishes_{64};
+    jobs::SpscRing<Request> requests_{64};
     jobs::SpscRing<std::shared_ptr<const KeeperAnswer>> answers_{64};
     jobs::IoThread thread_;
 };

@@ -22,7 +22,7 @@ void KioskMarker::come(double side) {
     is_shown_ = true;
     is_over_ = false;
     side_ = side;
-    share_ = kLowShare;
+    fraction_ = kLowFraction;
 }
 
 // In small steps, because where a wall leans a millimetre of it is less of its height.
@@ -30,7 +30,7 @@ void KioskMarker::walk(double way_mm, const pot::Pot& shape) {
     constexpr double kFineMm = 0.5;
     const double height_mm = shape.height_mm;
     const double direction = way_mm < 0.0 ? -1.0 : 1.0;
-    double y_mm = share_ * height_mm;
+    double y_mm = fraction_ * height_mm;
     double radius_mm = wall_at(shape, std::min(y_mm, height_mm - kFineMm)).outer_mm;
     for (double gone_mm = 0.0; gone_mm < std::abs(way_mm);) {
         const double next_mm = y_mm + direction * kFineMm;
@@ -44,21 +44,22 @@ void KioskMarker::walk(double way_mm, const pot::Pot& shape) {
         y_mm = next_mm;
         radius_mm = next_radius_mm;
     }
-    share_ = height_mm > 0.0 ? y_mm / height_mm : kLowShare;
+    fraction_ = height_mm > 0.0 ? y_mm / height_mm : kLowFraction;
 }
 
 std::optional<dvec2> KioskMarker::place_mm(const pot::Pot& shape) const {
     if (!is_shown_ || !(shape.height_mm > 0.0)) return std::nullopt;
     if (is_over_) return dvec2(0.0, shape.height_mm);
     const double radius_mm =
-        is_at_rim() ? rim_of(shape).outer_mm : wall_at(shape, share_ * shape.height_mm).outer_mm;
-    return dvec2(side_ * radius_mm, share_ * shape.height_mm);
+        is_at_rim() ? rim_of(shape).outer_mm : wall_at(shape, fraction_ * shape.height_mm).outer_mm;
+    return dvec2(side_ * radius_mm, fraction_ * shape.height_mm);
 }
 
 TouchPath KioskMarker::move_wall(double direction, const pot::Pot& shape) const {
     // Right at the rim a touch may mean to press it down.
     constexpr double kOffRimMm = 6.0;
-    const double y_mm = std::clamp(share_ * shape.height_mm, 0.0, std::max(0.0, shape.height_mm - kOffRimMm));
+    const double y_mm =
+        std::clamp(fraction_ * shape.height_mm, 0.0, std::max(0.0, shape.height_mm - kOffRimMm));
     return sideways_path({side_ * wall_at(shape, y_mm).outer_mm, y_mm}, direction * kIntoWallMm);
 }
 

@@ -27,12 +27,12 @@ class KioskMarker {
     void come(double side);
     void walk(double way_mm, const pot::Pot& shape);
     [[nodiscard]] TouchPath move_wall(double direction, const pot::Pot& shape) const;
-    [[nodiscard]] bool is_at_rim() const { return share_ >= 1.0; }
+    [[nodiscard]] bool is_at_rim() const { return fraction_ >= 1.0; }
 
     bool is_shown_ = false;
     bool is_over_ = false;  // the middle of the clay
     double side_ = 1.0;
-    double share_ = 0.0;  // of the clay's height, so that it goes up with a pot that grows; 1: at the rim
+    double fraction_ = 0.0;  // of the clay's height, so that it goes up with a pot that grows; 1: at the rim
 };
 
 }  // namespace onggi::app

@@ -45,12 +45,12 @@ void KioskPhone::answer(PhoneAnswer answer) {
 }
 
 std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
-    std::shared_ptr<const PhoneWish> wish;
-    while (wishes_.try_pop(wish)) {
-        if (wish->pot) {
-            share_now(*wish);
+    std::shared_ptr<const PhoneRequest> request;
+    while (requests_.try_pop(request)) {
+        if (request->pot) {
+            share_now(*request);
         } else {
-            withdraw_now(wish->gallery_name);
+            withdraw_now(request->gallery_name);
         }
     }
     look_after(now_ns);
@@ -66,20 +66,20 @@ Result<void> KioskPhone::open() {
     return {};
 }
 
-Result<screens::PhoneWay> KioskPhone::shared(const PhoneWish& wish) {
+Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
     const kiosk::Config& config = settings_.config;
     if (auto opened = open(); !opened) return opened.error();
     // Before anything is put there: without an address nobody would find it.
     const auto base = share_base_url(config);
     if (!base) return base.error();
-    const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / wish.gallery_name;
-    sharing::SharedPot pot = shared_pot(*wish.pot, wish.glaze, settings_, wish.language);
-    pot.gallery_name = wish.gallery_name;
+    const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / request.gallery_name;
+    sharing::SharedPot pot = shared_pot(*request.pot, request.glaze, settings_, request.language);
+    pot.gallery_name = request.gallery_name;
     pot.picture.path = folder / "pot.png";
     pot.model_glb.path = folder / "pot.glb";
     pot.print_stl.path = folder / "pot.stl";
     pot.print_3mf.path = folder / "pot.3mf";
-    auto poster = asset::encode_png(share_poster(wish.pot->shape, wish.glaze, kPosterPx));
+    auto poster = asset::encode_png(share_poster(request.pot->shape, request.glaze, kPosterPx));
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
     const auto code = outbox_->put(pot, share_time_now(config));
@@ -92,9 +92,9 @@ Result<screens::PhoneWay> KioskPhone::shared(const PhoneWish& wish) {
     return way;
 }
 
-void KioskPhone::share_now(const PhoneWish& wish) {
-    PhoneAnswer made{.number = wish.number, .gallery_name = wish.gallery_name};
-    auto way = shared(wish);
+void KioskPhone::share_now(const PhoneRequest& request) {
+    PhoneAnswer made{.number = request.number, .gallery_name = request.gallery_name};
+    auto way = shared(request);
     if (way) {
         made.kind = PhoneAnswer::Kind::kShared;
         made.way = std::make_shared<const screens::PhoneWay>(std::move(*way));

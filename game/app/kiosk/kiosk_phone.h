@@ -22,7 +22,7 @@
 namespace onggi::app {
 
 // A kept pot, its files and what the page says of it.
-struct PhoneWish {
+struct PhoneRequest {
     int number = 0;              // of the day
     std::string gallery_name{};  // "2026-11-21/pot-014"
     std::shared_ptr<const screens::FiredPot> pot{};
@@ -33,7 +33,7 @@ struct PhoneWish {
 struct PhoneAnswer {
     enum class Kind { kShared, kFailed, kOver, kRemark };
     Kind kind = Kind::kRemark;
-    int number = 0;                                  // of the wish
+    int number = 0;                                  // of the request
     std::string gallery_name{};                      // likewise; of kOver: whose code is over
     std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
     std::string words{};                             // for the log; never the code
@@ -50,21 +50,21 @@ class KioskPhone final : private jobs::IoWork {
     void stop() noexcept { thread_.stop(); }
 
     // Main thread, wait-free. Answered by kShared once every file is on the disk, or by kFailed.
-    void share(PhoneWish wish) { ask(std::move(wish)); }
+    void share(PhoneRequest request) { ask(std::move(request)); }
     // The staff has deleted that pot. Answered by kOver where it had a code.
     void withdraw(std::string gallery_name) { ask({.gallery_name = std::move(gallery_name)}); }
     [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer();
 
   private:
-    void ask(PhoneWish wish) {
-        static_cast<void>(wishes_.try_push(std::make_shared<const PhoneWish>(std::move(wish))));
+    void ask(PhoneRequest request) {
+        static_cast<void>(requests_.try_push(std::make_shared<const PhoneRequest>(std::move(request))));
     }
     // The thread's own.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override {}
     [[nodiscard]] Result<void> open();
-    [[nodiscard]] Result<screens::PhoneWay> shared(const PhoneWish& wish);
-    void share_now(const PhoneWish& wish);
+    [[nodiscard]] Result<screens::PhoneWay> shared(const PhoneRequest& request);
+    void share_now(const PhoneRequest& request);
     void withdraw_now(const std::string& gallery_name);
     void look_after(std::int64_t now_ns);
     void expire();
@@ -76,7 +76,7 @@ class KioskPhone final : private jobs::IoWork {
     std::optional<sharing::Outbox> outbox_;
     std::optional<sharing::CounterReader> counter_;
     std::int64_t looked_after_ns_ = 0;
-    jobs::SpscRing<std::shared_ptr<const PhoneWish>> wishes_{16};
+    jobs::SpscRing<std::shared_ptr<const PhoneRequest>> requests_{16};
     jobs::SpscRing<std::shared_ptr<const PhoneAnswer>> answers_{16};
     jobs::IoThread thread_;
 };

@@ -17,11 +17,11 @@ namespace onggi::app {
 namespace {
 
 // What a move of the lesson does to a kilogram; other lumps by the cube root of what they hold.
-constexpr double kPressedMm = 3.0;      // a foot narrower by this, or a lump higher by twice as much
-constexpr double kOpenedMm = 18.0;      // from rim to floor
-constexpr double kOpenedBoreMm = 14.0;  // in the middle of that, to the inner face
-constexpr double kRaisedShare = 1.4;    // of the height when it was opened
-constexpr double kRaisedMm = 75.0;      // or this, however it came to it
+constexpr double kPressedMm = 3.0;       // a foot narrower by this, or a lump higher by twice as much
+constexpr double kOpenedMm = 18.0;       // from rim to floor
+constexpr double kOpenedBoreMm = 14.0;   // in the middle of that, to the inner face
+constexpr double kRaisedFraction = 1.4;  // of the height when it was opened
+constexpr double kRaisedMm = 75.0;       // or this, however it came to it
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 constexpr double kWarnsAt = 0.85;
 constexpr double kRelaxesAt = 0.70;
@@ -112,7 +112,7 @@ int Lesson::steps_done(const pot::Pot& shape) {
     const bool pressed = start_foot_mm_ - foot_mm >= kPressedMm * size_ ||
                          height_mm - start_height_mm_ >= 2.0 * kPressedMm * size_;
     const bool raised =
-        is_open && (height_mm > kRaisedShare * opened_height_mm_ || height_mm >= kRaisedMm * size_);
+        is_open && (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
     // Opening is more than pressing, and raising more than both: whoever begins with it has learnt them.
     done_ = std::max(done_, raised ? 3 : was_opened ? 2 : pressed ? 1 : 0);
     return done_;

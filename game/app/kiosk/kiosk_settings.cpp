@@ -52,7 +52,7 @@ fs::path statistics_folder(const kiosk::Config& config) {
     return wanted.empty() ? fs::path(config.gallery.folder) / "statistics" : fs::path(wanted);
 }
 
-Result<void> keep_house(const fs::path& folder, const HouseWish& house) {
+Result<void> keep_house(const fs::path& folder, const HouseDefaults& house) {
     std::error_code error;
     fs::create_directories(folder, error);
     return files::write_file_atomically(
@@ -88,12 +88,12 @@ std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, 
         screens::smallest_text_degrees(width_px, height_px, px_per_mm, config.screen.distance_mm);
     std::vector<std::string> lacks;
     if (degrees < screens::kLeastCapitalDegrees) {
-        const double share = screens::kLeastCapitalDegrees / degrees;
+        const double fraction = screens::kLeastCapitalDegrees / degrees;
         lacks.push_back(fmt::format(
             "screen: expected capitals of {} degrees, found {:.2f} in the smallest words at {:.0f} mm from "
             "{} inches; a panel of {:.0f} inches or a distance of {:.0f} mm would do",
             screens::kLeastCapitalDegrees, degrees, config.screen.distance_mm, inches,
-            std::ceil(inches * share), std::floor(config.screen.distance_mm / share)));
+            std::ceil(inches * fraction), std::floor(config.screen.distance_mm / fraction)));
     }
     const double target_mm = screens::smallest_target_mm(width_px, height_px, px_per_mm);
     if (target_mm < screens::kLeastTargetMm) {

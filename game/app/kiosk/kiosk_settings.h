@@ -38,11 +38,11 @@ struct KioskSettings {
 
 // What the staff has set for every visit to begin with, kept in that folder and, where the settings want it
 // so, taken from there at the next start; a language that is no longer among the settings' is passed over.
-struct HouseWish {
+struct HouseDefaults {
     int volume = 3;        // 0 to kiosk::kMostVolume
     std::string language;  // code
 };
-Result<void> keep_house(const std::filesystem::path& folder, const HouseWish& house);
+Result<void> keep_house(const std::filesystem::path& folder, const HouseDefaults& house);
 void take_kept_house(KioskSettings& settings);
 
 // What a picture of that size cannot keep on the panel and at the distance of the settings: a line each for

@@ -145,7 +145,7 @@ std::vector<StaffLine> staff_lines(const Health& health, kiosk::StaffPage page) 
 
 std::string force_test_words(const haptic::ForceTestReport& report, std::string_view hand) {
     using Stage = haptic::ForceTestReport::Stage;
-    constexpr double kGivenShare = 0.5;
+    constexpr double kGivenFraction = 0.5;
     constexpr double kMovedMm = 0.1;
     switch (report.stage) {
         case Stage::kNone:
@@ -165,9 +165,9 @@ std::string force_test_words(const haptic::ForceTestReport& report, std::string_
     const dvec3& moved_mm = report.moved_mm;
     const double least_n = std::min({given_n.x, given_n.y, given_n.z});
     const double most_mm = std::max({moved_mm.x, moved_mm.y, moved_mm.z});
-    const char* verdict = least_n < kGivenShare * haptic::kTestForceN ? "less than asked for"
-                          : most_mm < kMovedMm                        ? "given, but nothing moved"
-                                                                      : "ok";
+    const char* verdict = least_n < kGivenFraction * haptic::kTestForceN ? "less than asked for"
+                          : most_mm < kMovedMm                           ? "given, but nothing moved"
+                                                                         : "ok";
     return fmt::format("Force: {}. {}: {:.2f} N of {:.2f}, moved {:.1f} up, {:.1f} right, {:.1f} mm near",
                        verdict, hand, least_n, haptic::kTestForceN, moved_mm.y, moved_mm.x, moved_mm.z);
 }

@@ -20,7 +20,7 @@ constexpr double kPressS = 1.5;
 constexpr double kOpenFloorMm = 15.0;
 constexpr double kOpenAsideMm = 25.0;
 constexpr double kOpenS = 2.0;
-constexpr double kOpenDownShare = 0.6;  // of that time, for the way down
+constexpr double kOpenDownFraction = 0.6;  // of that time, for the way down
 constexpr double kRaiseMm = 40.0;
 constexpr double kHighestRaiseMm = 150.0;
 constexpr double kRaiseS = 2.5;
@@ -29,7 +29,7 @@ constexpr double kRaiseS = 2.5;
 // which wears off. A touch that begins so far on the near side and ends so little on the far one has moved
 // the wall by what it was asked for.
 constexpr double kRunUpMm = 3.0;
-constexpr double kBeyondShare = 0.95;
+constexpr double kBeyondFraction = 0.95;
 constexpr double kSidewaysS = 0.25;
 constexpr double kSidewaysStaysS = 0.15;
 
@@ -52,8 +52,8 @@ double scale_of(const pot::Pot& shape) {
 }
 
 // Starts and stops as a hand does.
-double eased(double share) {
-    return share * share * (3.0 - 2.0 * share);
+double eased(double fraction) {
+    return fraction * fraction * (3.0 - 2.0 * fraction);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ bool is_solid(const pot::Pot& shape) {
 
 TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
     const double scale = scale_of(shape);
-    const double low_mm = kLowShare * shape.height_mm;
+    const double low_mm = kLowFraction * shape.height_mm;
     const double low_radius_mm = wall_at(shape, low_mm).outer_mm;
     const double top_mm = shape.height_mm;
     TouchPath path{.points = {}, .presses_from_s = kComesS};
@@ -102,8 +102,8 @@ TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
         case ShownStep::kOpen:
             goes(0.0, 0.0, top_mm);
             goes(kComesS, 0.0, top_mm);
-            goes(kOpenDownShare * kOpenS, 0.0, kOpenFloorMm);
-            goes((1.0 - kOpenDownShare) * kOpenS, scale * kOpenAsideMm, kOpenFloorMm);
+            goes(kOpenDownFraction * kOpenS, 0.0, kOpenFloorMm);
+            goes((1.0 - kOpenDownFraction) * kOpenS, scale * kOpenAsideMm, kOpenFloorMm);
             break;
         case ShownStep::kRaise:
             goes(0.0, low_radius_mm, low_mm);
@@ -118,7 +118,7 @@ TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
 
 TouchPath sideways_path(const dvec2& place_mm, double step_mm) {
     const dvec2 from = place_mm - dvec2(std::copysign(kRunUpMm, step_mm), 0.0);
-    const dvec2 there = place_mm + dvec2(kBeyondShare * step_mm, 0.0);
+    const dvec2 there = place_mm + dvec2(kBeyondFraction * step_mm, 0.0);
     return {.points = {{0.0, from}, {kSidewaysS, there}, {kSidewaysS + kSidewaysStaysS, there}},
             .presses_from_s = 0.0};
 }
@@ -176,8 +176,8 @@ void KioskTouch::pass_time(double dt_s) {
         stop();
     } else if (next != points.begin()) {
         const TouchPoint& before = *std::prev(next);
-        const double share = (since_s_ - before.at_s) / (next->at_s - before.at_s);
-        place_mm_ = glm::mix(before.place_mm, next->place_mm, eased(share));
+        const double fraction = (since_s_ - before.at_s) / (next->at_s - before.at_s);
+        place_mm_ = glm::mix(before.place_mm, next->place_mm, eased(fraction));
     }
 }
 

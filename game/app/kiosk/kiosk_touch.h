@@ -11,7 +11,7 @@
 namespace onggi::app {
 
 // Of the height: where the lesson presses first and pulls.
-constexpr double kLowShare = 0.3;
+constexpr double kLowFraction = 0.3;
 
 // Outer and inner radius of the shape at a height; inner 0 where it is solid, both 0 above it.
 struct Wall {

@@ -23,7 +23,7 @@ bool KioskVoice::ask(std::string_view language, std::string_view key) {
     std::string name = key.empty() ? std::string() : fmt::format("{}/{}.wav", language, key);
     if (name == asked_) return false;
     asked_ = std::move(name);
-    wishes_.put(std::make_shared<const std::string>(asked_));
+    requests_.put(std::make_shared<const std::string>(asked_));
     return true;
 }
 
@@ -51,9 +51,9 @@ std::shared_ptr<const sound::SpokenLine> KioskVoice::read(const std::filesystem:
 }
 
 std::int64_t KioskVoice::round(std::int64_t) noexcept {
-    const auto wish = wishes_.latest();
-    if (!wish || *wish == read_) return kReadEveryNs;
-    read_ = *wish;
+    const auto request = requests_.latest();
+    if (!request || *request == read_) return kReadEveryNs;
+    read_ = *request;
     Found found{.name = read_, .line = nullptr, .trouble = {}};
     found.line = read(folder_, read_, found.trouble);
     found_.put(std::make_shared<const Found>(std::move(found)));

@@ -49,7 +49,7 @@ class KioskVoice final : private jobs::IoWork {
     std::string asked_;           // main thread
     std::set<std::string> told_;  // main thread: troubles
     std::string read_;            // the I/O thread
-    jobs::Mailbox<std::shared_ptr<const std::string>> wishes_;
+    jobs::Mailbox<std::shared_ptr<const std::string>> requests_;
     jobs::Mailbox<std::shared_ptr<const Found>> found_;
     jobs::IoThread thread_;
 };

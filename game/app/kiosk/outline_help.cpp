@@ -11,8 +11,8 @@ constexpr double kGrowsS = 0.5;
 
 // 1 in the middle, and at the edge nothing, without a corner on the way.
 double faded(double distance_mm) {
-    const double share = std::min(std::abs(distance_mm) / kDrawnWithinMm, 1.0);
-    const double rest = 1.0 - share * share;
+    const double fraction = std::min(std::abs(distance_mm) / kDrawnWithinMm, 1.0);
+    const double rest = 1.0 - fraction * fraction;
     return rest * rest;
 }
 
@@ -44,8 +44,8 @@ dvec2 OutlineHelp::drawn(const dvec2& finger_mm) const {
     const vec2& low = outline_mm_[above - 1];
     const vec2& high = outline_mm_[above];
     const double rise_mm = double{high.y} - double{low.y};
-    const double share = rise_mm > 0.0 ? std::clamp((y_mm - double{low.y}) / rise_mm, 0.0, 1.0) : 1.0;
-    const double outline_mm = double{low.x} + share * (double{high.x} - double{low.x});
+    const double fraction = rise_mm > 0.0 ? std::clamp((y_mm - double{low.y}) / rise_mm, 0.0, 1.0) : 1.0;
+    const double outline_mm = double{low.x} + fraction * (double{high.x} - double{low.x});
     const double away_mm = outline_mm - std::abs(finger_mm.x);
     const double pull_mm = now_ * away_mm * faded(away_mm) * faded(finger_mm.y - y_mm);
     return {std::copysign(std::max(0.0, std::abs(finger_mm.x) + pull_mm), finger_mm.x), finger_mm.y};

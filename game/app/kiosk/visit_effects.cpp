@@ -71,8 +71,8 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             wheel_.clay().expect_state(moment.snapshot);
             parts_.keeper.resume(wheel_.run());
             break;
-        case Effect::Kind::kDropLeftOver:
-            parts_.keeper.drop_left_over();
+        case Effect::Kind::kDropInterrupted:
+            parts_.keeper.drop_interrupted_session();
             break;
         case Effect::Kind::kSetVolume:
             parts_.sound.set_volume(effect.value / kLoudestStep);
@@ -133,7 +133,8 @@ void VisitEffects::take_phone_answers() {
 
 void VisitEffects::keep_house() {
     const auto language = static_cast<std::size_t>(flow_.state().house_language);
-    parts_.keeper.keep(HouseWish{flow_.state().house_volume, (*parts_.settings.languages)[language].code()});
+    parts_.keeper.keep(
+        HouseDefaults{flow_.state().house_volume, (*parts_.settings.languages)[language].code()});
 }
 
 void VisitEffects::take_answers() {
@@ -159,8 +160,8 @@ void VisitEffects::take_answers() {
             case KeeperAnswer::Kind::kSurvey:
                 desk_.take(*answer);
                 break;
-            case KeeperAnswer::Kind::kLeftOver:
-                flow_.dispatch({Event::Kind::kLeftOver});
+            case KeeperAnswer::Kind::kInterruptedSession:
+                flow_.dispatch({Event::Kind::kInterruptedSession});
                 break;
             case KeeperAnswer::Kind::kNotPut:
                 wheel_.clay().expect_nothing();

@@ -148,22 +148,22 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
     std::vector<window::Gamepad> pads = parts_.view.gamepads();
     std::erase_if(pads,
                   [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
-    const GamepadWish wish = gamepads_.wish(pads, moment.dt_s);
-    const std::vector<window::KeyEvent> keys = keys_of(wish);
+    const GamepadRequest request = gamepads_.request(pads, moment.dt_s);
+    const std::vector<window::KeyEvent> keys = keys_of(request);
     std::vector<PointerNews> all;
     for (const window::KeyEvent& key : keys)
         pointer_.handle(key, moment.now_s, all);
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
-    if (wish.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
+    if (request.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
     if (!clay_is_open(flow_.state())) return;
-    if (wish.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
-    hand_.steer(wish.step_mm, wish.presses, *moment.snapshot.pot, side_of(flow_.state()));
-    if (wish.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
-    if (wish.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
-    if (wish.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));
-    if (wish.speed_steps < -0.5) flow_.dispatch(Event::pressed(Button::kSpeedLess));
-    if (wish.fresh_lump) flow_.dispatch(Event::pressed(Button::kNewClay));
+    if (request.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
+    hand_.steer(request.step_mm, request.presses, *moment.snapshot.pot, side_of(flow_.state()));
+    if (request.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
+    if (request.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
+    if (request.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));
+    if (request.speed_steps < -0.5) flow_.dispatch(Event::pressed(Button::kSpeedLess));
+    if (request.fresh_lump) flow_.dispatch(Event::pressed(Button::kNewClay));
 }
 
 }  // namespace onggi::app

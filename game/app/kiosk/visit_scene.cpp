@@ -18,7 +18,7 @@ void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& s
     if (shown == nullptr || covered) parts_.view.jump();
     parts_.view.move_less(state.comfort.still);
     if (will_cover && !covered) return;
-    const PlateSight sight{
+    const BackgroundSight sight{
         .width_px = parts_.view.width(),
         .height_px = parts_.view.height(),
         .project = [&](wheel::View view, const wheel::Framing& framing, const dvec3& place_mm) {
@@ -27,14 +27,14 @@ void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& s
     if (sight.width_px <= 0 || sight.height_px <= 0) return;
     const bool shows_room =
         shown != nullptr && shown->attract_exhibit < 0 && state.panel == kiosk::Panel::kNone;
-    CameraWish wish = camera_.wish(state, shows_room, snapshot.pot->height_mm, sight);
-    wish.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
-    if (wish == aimed_) return;
-    aimed_ = wish;
-    parts_.view.look_at(wish.view);
-    parts_.view.set_framing(wish.framing);
-    parts_.view.sway(wish.sways);
-    parts_.view.set_evening(wish.evening);
+    CameraRequest request = camera_.request(state, shows_room, snapshot.pot->height_mm, sight);
+    request.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
+    if (request == aimed_) return;
+    aimed_ = request;
+    parts_.view.look_at(request.view);
+    parts_.view.set_framing(request.framing);
+    parts_.view.sway(request.sways);
+    parts_.view.set_evening(request.evening);
 }
 
 SceneEdges VisitScene::edges() const {

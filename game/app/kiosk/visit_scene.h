@@ -59,7 +59,7 @@ class VisitScene {
     const VisitWheel& wheel_;
     const VisitInput& input_;
     KioskCamera camera_;
-    CameraWish aimed_;  // as the view was last told
+    CameraRequest aimed_;  // as the view was last told
     KioskCue cue_;
     std::uint64_t cued_lump_ = 0;  // as VisitWheel::lumps_asked counts
     ForceView forces_;

@@ -107,7 +107,7 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
     haptics::ToolState tool =
-        hand_.wish({throwing.tool, throwing.water, throwing.speed}, *moment.snapshot.pot, moment.dt_s);
+        hand_.request({throwing.tool, throwing.water, throwing.speed}, *moment.snapshot.pot, moment.dt_s);
     const bool throws = flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kFailure ||
                         flow_.state().screen == Screen::kChoose || flow_.state().screen == Screen::kAttract;
     tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;

@@ -5,8 +5,8 @@
 namespace onggi::clay::studio {
 namespace {
 
-// The most that an assist squeezes a wall at a time: a share of it, and no more than so much.
-constexpr double kSqueezedShare = 0.25;
+// The most that an assist squeezes a wall at a time: a fraction of it, and no more than so much.
+constexpr double kSqueezedFraction = 0.25;
 constexpr double kSqueezedMm = 3.0;
 
 }  // namespace
@@ -34,7 +34,7 @@ Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact,
     const double touch = pressed * std::max(1.0 - lifted / r1, 0.0);
     const double wall = rings.wall_mm(contact.nearest);
     const double squeeze =
-        climb_share(state, hand.position_mm.y) * std::min(kSqueezedShare * wall, kSqueezedMm);
+        climb_fraction(state, hand.position_mm.y) * std::min(kSqueezedFraction * wall, kSqueezedMm);
     const double apart = 2.0 * r1 + std::max(least_gap_mm, wall - squeeze);
     const double resting = resting_distance_mm(rings, second.side, second.position_mm.y, r1, work);
     const double steady =

@@ -15,7 +15,7 @@ constexpr double kTopZoneMm = 12.0;      // below the top of solid clay
 constexpr double kThickRimMm = 18.0;     // opening goes on while the wall is so thick
 constexpr double kMouthZone = 0.3;       // of the depth, below the rim: there the mouth is meant
 constexpr double kOpensOnWithin = 0.62;  // of the rim's radius
-constexpr double kMouthShare = 0.85;     // of the mouth: beyond, the wall is meant
+constexpr double kMouthFraction = 0.85;  // of the mouth: beyond, the wall is meant
 constexpr double kRimZoneMm = 5.0;
 constexpr double kRimSideMm = 10.0;
 
@@ -34,7 +34,7 @@ Grip grip_of_touch(const GripOutline& outline, const dvec2& finger) noexcept {
     if (y > top - kMouthZone * depth) {
         const bool is_thick = outline.rim_outer_mm - outline.rim_inner_mm > kThickRimMm;
         if (is_thick && r < kOpensOnWithin * outline.rim_outer_mm) return Grip::kOpen;
-        if (r < kMouthShare * outline.rim_inner_mm) return Grip::kInside;
+        if (r < kMouthFraction * outline.rim_inner_mm) return Grip::kInside;
     }
     const bool is_over_rim = y > top - kRimZoneMm && r > outline.rim_inner_mm - kRimSideMm &&
                              r < outline.rim_outer_mm + kRimSideMm;

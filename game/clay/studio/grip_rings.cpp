@@ -256,8 +256,8 @@ Changed press_down(Rings& rings, double sink) noexcept {
     return {low, rings.count};
 }
 
-Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_share,
-                  double thickness_share) noexcept {
+Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_fraction,
+                  double thickness_fraction) noexcept {
     constexpr double kReachMm = 22.0;
     constexpr double kMiddleMm = 4.0;
     constexpr double kThicknessMm = 6.0;
@@ -292,18 +292,19 @@ Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_share,
         if (!(s * s < 1.0)) continue;
         const double at_rim = std::min((top - centre) * (1.0 / kRimFadeMm), 1.0);
         const double at_floor = std::min((centre - floor) * (1.0 / kFloorFadeMm), 1.0);
-        const double share = (1.0 - s * s) * (1.0 - s * s) * std::max(at_rim, 0.0) * std::max(at_floor, 0.0);
+        const double fraction =
+            (1.0 - s * s) * (1.0 - s * s) * std::max(at_rim, 0.0) * std::max(at_floor, 0.0);
         const double now_m = middle_mm(rings, i);
         const double now_t = rings.wall_mm(i);
-        const double new_m = now_m + share * middle_share * (middle[i] - now_m);
-        const double new_t = now_t + share * thickness_share * (thickness[i] - now_t);
+        const double new_m = now_m + fraction * middle_fraction * (middle[i] - now_m);
+        const double new_t = now_t + fraction * thickness_fraction * (thickness[i] - now_t);
         if (!(new_m - 0.5 * new_t > 1.0) || !(new_t > kThinnestWallMm)) continue;
         free += reshape(rings, i, new_m + 0.5 * new_t, new_m - 0.5 * new_t);
     }
     return together(range, share_out(rings, space.weight, y, free));
 }
 
-Changed soften_lip(Rings& rings, GripSpace& space, double share) noexcept {
+Changed soften_lip(Rings& rings, GripSpace& space, double fraction) noexcept {
     constexpr double kEdgeMm = 2.8;  // a lip is no knife
     constexpr double kBelowMm = 4.0;
     const int last = rings.count - 1;
@@ -322,7 +323,7 @@ Changed soften_lip(Rings& rings, GripSpace& space, double share) noexcept {
         const double wanted = std::max(whole - 2.0 * round, std::min(kEdgeMm, rings.wall_mm(i)));
         const double now = rings.wall_mm(i);
         const double m = middle_mm(rings, i);
-        const double t = now + share * (std::min(wanted, now) - now);
+        const double t = now + fraction * (std::min(wanted, now) - now);
         if (t < now && t > kThinnestWallMm && m - 0.5 * t > 1.0)
             free += reshape(rings, i, m + 0.5 * t, m - 0.5 * t);
         first = i;

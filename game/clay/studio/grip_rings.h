@@ -33,7 +33,7 @@ struct Carry {
 Changed carry_wall(Rings& rings, GripSpace& space, const Carry& carry) noexcept;
 
 // A bore from the rim down to bottom_mm, round below: every ring's inner face follows to it. outward is the
-// share of the clay that goes to the outer face; the rest rises.
+// fraction of the clay that goes to the outer face; the rest rises.
 struct Bore {
     double bottom_mm = 0.0;
     double radius_mm = 0.0;
@@ -50,10 +50,10 @@ Changed press_down(Rings& rings, double sink_mm) noexcept;
 
 // Faces follow their own averages near that height; shares of 4 mm of the middle of the wall and 6 mm of its
 // thickness.
-Changed fair_wall(Rings& rings, GripSpace& space, double height_mm, double middle_share,
-                  double thickness_share) noexcept;
+Changed fair_wall(Rings& rings, GripSpace& space, double height_mm, double middle_fraction,
+                  double thickness_fraction) noexcept;
 
 // The rim's edge becomes round, as a wet leather leaves it.
-Changed soften_lip(Rings& rings, GripSpace& space, double share) noexcept;
+Changed soften_lip(Rings& rings, GripSpace& space, double fraction) noexcept;
 
 }  // namespace onggi::clay::studio

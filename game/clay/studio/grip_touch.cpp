@@ -25,8 +25,9 @@ double distance(const dvec2& a, const dvec2& b) {
     return std::sqrt(way.x * way.x + way.y * way.y);
 }
 
-double landed_outer(const GripState& state, double share) {
-    const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(state.landed_outer_mm.size() - 1);
+double landed_outer(const GripState& state, double fraction) {
+    const double place =
+        std::clamp(fraction, 0.0, 1.0) * static_cast<double>(state.landed_outer_mm.size() - 1);
     const auto low = std::min(static_cast<std::size_t>(place), state.landed_outer_mm.size() - 2);
     const double part = place - static_cast<double>(low);
     return (1.0 - part) * static_cast<double>(state.landed_outer_mm[low]) +
@@ -41,7 +42,7 @@ void drop_oldest(GripTrail& trail) {
 }  // namespace
 
 double relaxed(double tau_s) noexcept {
-    return relaxed_share(kGripStepS / tau_s);
+    return relaxed_fraction(kGripStepS / tau_s);
 }
 
 bool is_hollow(const Rings& rings) noexcept {
@@ -63,8 +64,9 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
     const double top = rings.top_mm();
     state.landed_top_mm = top;
     for (std::size_t i = 0; i < state.landed_outer_mm.size(); ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(state.landed_outer_mm.size() - 1);
-        state.landed_outer_mm[i] = static_cast<float>(outer_face_mm(rings, share * top));
+        const double fraction =
+            static_cast<double>(i) / static_cast<double>(state.landed_outer_mm.size() - 1);
+        state.landed_outer_mm[i] = static_cast<float>(outer_face_mm(rings, fraction * top));
     }
     const double wall = outer_face_mm(rings, finger.y);
     state.offset_mm = wall - state.finger_mm.x;
@@ -121,9 +123,9 @@ void walk(GripState& state, double error_mm, double highest_mm) noexcept {
             const dvec2 move = (next - state.hand_mm) * (step / way);
             state.hand_mm += move;
             state.travel_mm += step;
-            const double share = relaxed_share(std::min(step / 4.0, 50.0));
-            state.heading += share * (move.y / std::max(step, 1e-9) - state.heading);
-            state.offset_mm -= state.offset_mm * relaxed_share(std::min(step / state.offset_way_mm, 50.0));
+            const double fraction = relaxed_fraction(std::min(step / 4.0, 50.0));
+            state.heading += fraction * (move.y / std::max(step, 1e-9) - state.heading);
+            state.offset_mm -= state.offset_mm * relaxed_fraction(std::min(step / state.offset_way_mm, 50.0));
         }
         left -= step;
         if (step >= way) drop_oldest(trail);
@@ -132,12 +134,12 @@ void walk(GripState& state, double error_mm, double highest_mm) noexcept {
 
 double wall_target(const GripState& state, const Rings& rings) noexcept {
     const double top = rings.top_mm();
-    const double share = std::clamp(state.hand_mm.y / std::max(top, 1.0), 0.0, 1.0);
+    const double fraction = std::clamp(state.hand_mm.y / std::max(top, 1.0), 0.0, 1.0);
     double target = state.hand_mm.x + state.offset_mm - state.rests_mm;
-    target = std::max(target, kNarrowsTo * landed_outer(state, share));
+    target = std::max(target, kNarrowsTo * landed_outer(state, fraction));
     // Who comes down onto the top from above does not mean to press the side in.
     if (state.landed_mm.y > state.landed_top_mm - 1.0 && state.landed_mm.x < landed_outer(state, 1.0) - 5.0)
-        target = std::max(target, landed_outer(state, share));
+        target = std::max(target, landed_outer(state, fraction));
     return std::min(target, kWidestGripMm);
 }
 

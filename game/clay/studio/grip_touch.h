@@ -43,11 +43,11 @@ struct GripState {
     GripTrail trail;
     dvec2 landed_mm{0.0};
     double landed_top_mm = 0.0;
-    std::array<float, 33> landed_outer_mm{};  // outer radius by share of the height
+    std::array<float, 33> landed_outer_mm{};  // outer radius by fraction of the height
     double offset_mm = 0.0;                   // of the wall from the finger, as it landed; it wears off
     double offset_way_mm = 12.0;
     double travel_mm = 0.0;  // of the hands
-    double heading = 0.0;    // share of the way that goes up, -1 to 1
+    double heading = 0.0;    // fraction of the way that goes up, -1 to 1
     double still_s = 0.0;
     double rests_mm = 0.0;   // pressed in by a finger that lies still
     double wants_s = 0.0;    // for how long solid clay has been asked for what only hollow clay can do
@@ -63,7 +63,7 @@ struct GripState {
     int stage = 0;          // of the step
 };
 
-// The share of a step that relaxes in tau_s.
+// The fraction of a step that relaxes in tau_s.
 double relaxed(double tau_s) noexcept;
 
 bool is_hollow(const Rings& rings) noexcept;

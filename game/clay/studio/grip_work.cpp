@@ -32,7 +32,7 @@ constexpr double kStrainPerS = 2.0;
 constexpr double kThickFloorMm = 12.5;
 
 // What the load leaves of a move that thins or widens.
-double load_share(const GripClimate& climate) {
+double load_fraction(const GripClimate& climate) {
     return std::clamp((0.85 - climate.load_index) / 0.2, 0.0, 1.0);
 }
 
@@ -73,7 +73,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
         widest = 0.45 * solid;
         widen = 15.0 * kGripStepS;
     }
-    const double grant = load_share(climate) * climate.softness;
+    const double grant = load_fraction(climate) * climate.softness;
     deepen(state, rings, sink * climate.softness, widen * grant, widest);
     state.hand_mm = {std::max(state.bore_mm - kThumbsMm, 0.0), state.bottom_mm + 0.5 * kThumbsMm};
     state.press_mm = 0.5 + (sink + widen) * 0.1 / kGripStepS;
@@ -111,7 +111,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     step = std::clamp(step, -inward, kOutwardMmS * kGripStepS * climate.softness);
     const double wanted = step;
     if (step > 0.0) {
-        step *= load_share(climate);
+        step *= load_fraction(climate);
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
         step *= std::clamp((top - 46.0 * climate.size) / 10.0, 0.0, 1.0);
     } else {
@@ -142,7 +142,7 @@ Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripCl
     if (!state.pulls || !(y > top)) return {};
     const double highest = kTallestPullMm * climate.size;
     double rise = std::min((y - top) * relaxed(kPullS), kPullMmS * kGripStepS * climate.softness);
-    rise = std::min(rise, highest - top) * load_share(climate);
+    rise = std::min(rise, highest - top) * load_fraction(climate);
     if (!(rise > 0.0)) {
         state.guard = GripGuard::kNearLimit;
         state.is_spent = true;
@@ -161,8 +161,8 @@ double sampled_wall(const Rings& rings) {
     const double floor = rings.floor_mm();
     const double depth = rings.top_mm() - floor;
     double thinnest = 1e9;
-    for (const double share : {0.25, 0.5, 0.75})
-        thinnest = std::min(thinnest, rings.wall_mm(rings.ring_at(floor + share * depth)));
+    for (const double fraction : {0.25, 0.5, 0.75})
+        thinnest = std::min(thinnest, rings.wall_mm(rings.ring_at(floor + fraction * depth)));
     return thinnest;
 }
 
@@ -175,7 +175,7 @@ Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double clim
         return {};
     const double thick = std::clamp((sampled_wall(rings) - 14.0) / 10.0, 0.0, 1.0);
     const double rise = std::min(0.5 * thick * climbed_mm, kMostATouchMm - state.pulled_mm);
-    const double risen = pull_up(rings, space, rise * load_share(climate), kStrainPerS * kGripStepS);
+    const double risen = pull_up(rings, space, rise * load_fraction(climate), kStrainPerS * kGripStepS);
     state.pulled_mm += risen;
     return risen > 0.0 ? Changed{rings.first_hollow, rings.count} : Changed{};
 }

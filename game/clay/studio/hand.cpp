@@ -64,20 +64,20 @@ Side next_side(Side side, const Rings& rings, double y, double distance, double 
 
 namespace {
 
-Side wished_side(SideWish wish, Side side, const Rings& rings, double y, double distance) {
+Side requested_side(WantedSide request, Side side, const Rings& rings, double y, double distance) {
     const std::size_t at = Rings::at(rings.ring_at(y));
     const double outer = rings.outer_mm[at];
     const double inner = rings.inner_mm[at];
-    switch (wish) {
-        case SideWish::kNone:
+    switch (request) {
+        case WantedSide::kNone:
             break;
-        case SideWish::kOut:
+        case WantedSide::kOut:
             if (distance > inner) return Side::kOut;
             break;
-        case SideWish::kIn:
+        case WantedSide::kIn:
             if (distance < (inner > 0.0 ? outer : 0.5 * outer)) return Side::kIn;
             break;
-        case SideWish::kTop:
+        case WantedSide::kTop:
             if (y > rings.top_mm() && distance < outer) return Side::kTop;
             break;
     }
@@ -110,7 +110,7 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given, 
     const bool was_free = state.side == Side::kFree;
     state.side = next_side(state.side, rings, given.position_mm.y, distance, hand.radius_mm);
     if (was_free && state.side != Side::kFree)
-        state.side = wished_side(given.side, state.side, rings, given.position_mm.y, distance);
+        state.side = requested_side(given.side, state.side, rings, given.position_mm.y, distance);
     hand.side = state.side;
     hand.distance_mm = distance;
     if (was_outside && state.side == Side::kOut && x * state.direction.x + z * state.direction.y < 0.0) {
@@ -123,11 +123,12 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given, 
     hand.in_clay = into_clay(state.direction, heading);
     if (!state.has_slow_height) state.slow_height_mm = given.position_mm.y;
     state.has_slow_height = true;
-    state.slow_height_mm += relaxed_share(dt_s / kClimbTimeS) * (given.position_mm.y - state.slow_height_mm);
+    state.slow_height_mm +=
+        relaxed_fraction(dt_s / kClimbTimeS) * (given.position_mm.y - state.slow_height_mm);
     return hand;
 }
 
-double climb_share(const HandState& state, double y) noexcept {
+double climb_fraction(const HandState& state, double y) noexcept {
     return std::clamp((y - state.slow_height_mm - kTremorMm) / (kClimbMm - kTremorMm), 0.0, 1.0);
 }
 
@@ -138,10 +139,10 @@ void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexce
         state.wobble_mm = {0.0, 0.0};
         return;
     }
-    const double share = relaxed_share(turned_rad / (2.0 * std::numbers::pi * kRememberedTurns));
-    state.mean_distance_mm += share * (hand.distance_mm - state.mean_distance_mm);
+    const double fraction = relaxed_fraction(turned_rad / (2.0 * std::numbers::pi * kRememberedTurns));
+    state.mean_distance_mm += fraction * (hand.distance_mm - state.mean_distance_mm);
     const double off = 2.0 * (hand.distance_mm - state.mean_distance_mm);
-    state.wobble_mm += (hand.in_clay * off - state.wobble_mm) * share;
+    state.wobble_mm += (hand.in_clay * off - state.wobble_mm) * fraction;
     const double size2 = state.wobble_mm.x * state.wobble_mm.x + state.wobble_mm.y * state.wobble_mm.y;
     if (size2 > kLargestWobbleMm * kLargestWobbleMm) state.wobble_mm *= kLargestWobbleMm / std::sqrt(size2);
 }

@@ -61,7 +61,7 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& hand, c
                  double dt_s) noexcept;
 
 // Whether a hand at that height climbs: 0 while it is still, trembles or sinks, 1 from 7 mm/s on.
-double climb_share(const HandState& state, double y_mm) noexcept;
+double climb_fraction(const HandState& state, double y_mm) noexcept;
 
 // One step of the running mean and of B over the last one and a half turns.
 void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexcept;

@@ -89,7 +89,7 @@ struct LoadInput {
     double dt_s = 0.001;
 };
 
-// One tick's share of the work. Returns the rings whose radii changed.
+// One tick's fraction of the work. Returns the rings whose radii changed.
 Changed sweep_load(LoadSweep& sweep, Rings& rings, const LoadInput& input) noexcept;
 
 // Keeps the cursor at its ring when others come or go.

@@ -38,8 +38,8 @@ bool set_radii(Rings& rings, int i, double outer, double inner, double largest_s
 
 namespace {
 
-struct PushShares {
-    double share;
+struct PushFractions {
+    double fraction;
     double above_floor;  // the hand's height
     double strain;       // the most in one tick
     double k0;
@@ -53,8 +53,9 @@ ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inne
                            double* __restrict__ height, double* __restrict__ field,
                            const double* __restrict__ volume, const double* __restrict__ offset,
                            const double* __restrict__ push, const double* __restrict__ met,
-                           const double* __restrict__ held, int n, const PushShares& with, const Gate& gate) {
-    const auto [share, above_floor, strain, k0, per_thin_wall, per_carried_wall] = with;
+                           const double* __restrict__ held, int n, const PushFractions& with,
+                           const Gate& gate) {
+    const auto [fraction, above_floor, strain, k0, per_thin_wall, per_carried_wall] = with;
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
         const double ro = outer[k];
@@ -71,8 +72,8 @@ ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inne
         above = above > 0.0 ? above : 0.0;
         const double phi = above / (tied * stiff);
         const double tie = phi * stiff;
-        const double wall_share = ri > 0.0 ? lone * phi : 0.0;
-        field[k] = push[k] * wall_share;
+        const double wall_fraction = ri > 0.0 ? lone * phi : 0.0;
+        field[k] = push[k] * wall_fraction;
 
         // Clay solid to the axis has no other face: from outside all of it rises. Nor is there room inside a
         // neck that is all but closed.
@@ -87,7 +88,7 @@ ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inne
         // As fast as the clay can rise, and no thinner or narrower than it may become.
         const double fastest = strain * wall * (ro + ri) / (2.0 * face * (1.0 - kappa));
         const double thick = wall > kThinnestWallMm ? wall - kThinnestWallMm : 0.0;
-        double delta = share * push[k] * (1.0 - wall_share);
+        double delta = fraction * push[k] * (1.0 - wall_fraction);
         delta = delta < fastest ? delta : fastest;
         delta = delta < thick ? delta : thick;
         if constexpr (!kInside) {
@@ -127,7 +128,7 @@ struct PushedRings {
     bool inside;
 };
 
-ONGGI_LANES void push_all(const PushedRings& rings, const PushShares& with, const Gate& gate) {
+ONGGI_LANES void push_all(const PushedRings& rings, const PushFractions& with, const Gate& gate) {
     if (rings.inside)
         push_each<true>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
                         rings.push, rings.met, rings.held, rings.count, with, gate);
@@ -136,12 +137,12 @@ ONGGI_LANES void push_all(const PushedRings& rings, const PushShares& with, cons
                          rings.push, rings.met, rings.held, rings.count, with, gate);
 }
 
-void push_plain(const PushedRings& rings, const PushShares& with, const Gate& gate) {
+void push_plain(const PushedRings& rings, const PushFractions& with, const Gate& gate) {
     push_all(rings, with, gate);
 }
 
 #if ONGGI_X86_KERNELS
-__attribute__((target("avx2"))) void push_avx2(const PushedRings& rings, const PushShares& with,
+__attribute__((target("avx2"))) void push_avx2(const PushedRings& rings, const PushFractions& with,
                                                const Gate& gate) {
     push_all(rings, with, gate);
 }
@@ -149,7 +150,7 @@ __attribute__((target("avx2"))) void push_avx2(const PushedRings& rings, const P
 
 }  // namespace
 
-Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double share,
+Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double fraction,
                    const StudioParameters& parameters) noexcept {
     const bool inside = hand.side == Side::kIn;
     const int first = contact.range.first;
@@ -175,13 +176,13 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
         }
     }
 
-    const PushShares shares{share,
-                            contact.height_mm - rings.floor_mm(),
-                            parameters.largest_strain_rate * parameters.dt_s(),
-                            parameters.wall_share_k0,
-                            1.0 / parameters.thin_wall_mm,
-                            0.5 / hand.radius_mm};
-    const Gate gate(rings, shares.strain);
+    const PushFractions fractions{fraction,
+                                  contact.height_mm - rings.floor_mm(),
+                                  parameters.largest_strain_rate * parameters.dt_s(),
+                                  parameters.wall_fraction_k0,
+                                  1.0 / parameters.thin_wall_mm,
+                                  0.5 / hand.radius_mm};
+    const Gate gate(rings, fractions.strain);
     const PushedRings pushed{rings.outer_mm.data() + first,
                              rings.inner_mm.data() + first,
                              rings.height_mm.data() + first,
@@ -195,11 +196,11 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
                              inside};
 #if ONGGI_X86_KERNELS
     if (has_wide_lanes())
-        push_avx2(pushed, shares, gate);
+        push_avx2(pushed, fractions, gate);
     else
-        push_plain(pushed, shares, gate);
+        push_plain(pushed, fractions, gate);
 #else
-    push_plain(pushed, shares, gate);
+    push_plain(pushed, fractions, gate);
 #endif
     if (inside) {
         for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
@@ -232,7 +233,7 @@ double yielding(double flatness, double yields, double holds) {
 
 }  // namespace
 
-Changed press_rim(Rings& rings, const Contact& contact, double share,
+Changed press_rim(Rings& rings, const Contact& contact, double fraction,
                   const StudioParameters& parameters) noexcept {
     const double depth = std::min(contact.rim_depth_mm, kDeepestMm) - parameters.yield_depth_mm;
     if (!(depth > 0.0)) return {};
@@ -271,7 +272,7 @@ Changed press_rim(Rings& rings, const Contact& contact, double share,
         hollow ? yielding(area / (rings.outer_mm[at(last)] + rings.inner_mm[at(last)]) / pressed_mm,
                           kWallYields, kWallHolds)
                : yielding(std::sqrt(area) / pressed_mm, kSolidYields, kSolidHolds);
-    const double shortening = std::min(share * yields * depth / weighed_mm, strain);
+    const double shortening = std::min(fraction * yields * depth / weighed_mm, strain);
     for (int i = first; i <= last; ++i) {
         const double ro = rings.outer_mm[at(i)];
         const double ri = rings.inner_mm[at(i)];
@@ -286,7 +287,7 @@ Changed press_rim(Rings& rings, const Contact& contact, double share,
     return {first, rings.count};
 }
 
-Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, double share, double length,
+Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, double fraction, double length,
                     std::vector<double>& average) noexcept {
     if (!(contact.deepest_mm > 0.0)) return {};
     const bool inside = hand.side == Side::kIn;
@@ -321,7 +322,7 @@ Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, doub
         const double s = (rings.centre_mm(i) - contact.height_mm) / reach;
         if (!(s * s < 1.0)) continue;
         const double window = (1.0 - s * s) * (1.0 - s * s);
-        const double moved = face[at(i)] + share * window * (average[at(k)] - face[at(i)]);
+        const double moved = face[at(i)] + fraction * window * (average[at(k)] - face[at(i)]);
         set_radii(rings, i, inside ? rings.outer_mm[at(i)] : moved, inside ? moved : rings.inner_mm[at(i)],
                   1.0);
     }
@@ -329,7 +330,7 @@ Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, doub
 }
 
 Changed cut_face(Rings& rings, const Contact& contact, const Hand& hand, const std::vector<double>& depth,
-                 double share, double& off) noexcept {
+                 double fraction, double& off) noexcept {
     const bool inside = hand.side == Side::kIn;
     const int first = contact.range.first;
     for (int k = 0; k < contact.range.size(); ++k) {
@@ -338,7 +339,7 @@ Changed cut_face(Rings& rings, const Contact& contact, const Hand& hand, const s
         const double ri = rings.inner_mm[at(i)];
         if (inside && !(ri > 0.0)) continue;
         const double spare = ro - ri - std::min(ro - ri, kThinnestWallMm);
-        double cut = std::min(share * depth[at(k)], spare);
+        double cut = std::min(fraction * depth[at(k)], spare);
         if (!inside) cut = std::min(cut, std::max(ro - kNarrowestMm, 0.0));
         if (!(cut > 0.0)) continue;
         const double outer = inside ? ro : ro - cut;

@@ -12,30 +12,30 @@ namespace onggi::clay::studio {
 using Changed = Rings::Range;
 Changed together(const Changed& a, const Changed& b);
 
-// The local part of a push, and contact.field, the part left to the wall (see wall_field.h). share is
+// The local part of a push, and contact.field, the part left to the wall (see wall_field.h). fraction is
 // 1 - exp(-dt/tau). other: the hand on the other side of the wall, or null.
 //
 // What both hands push squeezes the wall. What one pushes beyond the other moves it as a lone hand would, but
 // that where the other holds it, all of the clay pushed aside crosses to the far face rather than a part
 // (k0): the ring keeps its height, the wall goes along whole. Walls much thicker than the hand is wide do not
 // notice the hand on their far side.
-Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double share,
+Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand* other, double fraction,
                    const StudioParameters& parameters) noexcept;
 
 // A hand on the rim shortens what is below it and thickens it to both sides: solid clay as a whole, a wall
 // over four times its thickness. Clay resists as it gets flat: pressing alone makes no solid lump wider
 // than 2.4 times its height from axis to face (1 kg: 31 mm high), and no wall thicker than 1.8 times what is
 // left of it.
-Changed press_rim(Rings& rings, const Contact& contact, double share,
+Changed press_rim(Rings& rings, const Contact& contact, double fraction,
                   const StudioParameters& parameters) noexcept;
 
 // Sponge and rib: the touched face follows its own average over length_mm.
-Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, double share, double length_mm,
+Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, double fraction, double length_mm,
                     std::vector<double>& scratch) noexcept;
 
-// Takes up to depth_mm[k] share off the touched face; what comes off is whole grains and goes to `off`.
+// Takes up to depth_mm[k] fraction off the touched face; what comes off is whole grains and goes to `off`.
 Changed cut_face(Rings& rings, const Contact& contact, const Hand& hand, const std::vector<double>& depth_mm,
-                 double share, double& off_mm3) noexcept;
+                 double fraction, double& off_mm3) noexcept;
 
 // The last guard of every move: whether a ring may change from one shape to another. A number that is none
 // passes no comparison.

@@ -30,7 +30,7 @@ double change_over(const Rings& rings, const std::vector<double>& column, int i)
 
 struct Joined {
     double height_mm;
-    double share;  // of the lower ring
+    double fraction;  // of the lower ring
     double outer_mm;
     double inner_mm;
 };
@@ -41,11 +41,11 @@ Joined joined(const Rings& rings, int i) {
     const std::size_t b = at(i + 1);
     Joined one{};
     one.height_mm = rings.height_mm[a] + rings.height_mm[b];
-    one.share = rings.height_mm[a] / one.height_mm;
+    one.fraction = rings.height_mm[a] / one.height_mm;
     const double area = (rings.volume_mm3[a] + rings.volume_mm3[b]) / (std::numbers::pi * one.height_mm);
     if (rings.is_hollow(i)) {
-        const double mean = 0.5 * (one.share * (rings.outer_mm[a] + rings.inner_mm[a]) +
-                                   (1.0 - one.share) * (rings.outer_mm[b] + rings.inner_mm[b]));
+        const double mean = 0.5 * (one.fraction * (rings.outer_mm[a] + rings.inner_mm[a]) +
+                                   (1.0 - one.fraction) * (rings.outer_mm[b] + rings.inner_mm[b]));
         const double wall = area / (2.0 * mean);
         one.outer_mm = mean + 0.5 * wall;
         one.inner_mm = mean - 0.5 * wall;
@@ -96,8 +96,10 @@ void join_rings(Rings& rings, int i) {
     const std::size_t a = at(i);
     const std::size_t b = at(i + 1);
     const Joined one = joined(rings, i);
-    const double share = one.share;
-    const auto mixed = [&](double lower, double upper) { return share * lower + (1.0 - share) * upper; };
+    const double fraction = one.fraction;
+    const auto mixed = [&](double lower, double upper) {
+        return fraction * lower + (1.0 - fraction) * upper;
+    };
     const double volume = rings.volume_mm3[a] + rings.volume_mm3[b];
     rings.outer_mm[a] = one.outer_mm;
     rings.inner_mm[a] = one.inner_mm;
@@ -113,8 +115,8 @@ void join_rings(Rings& rings, int i) {
     if (rings.rough_mm[a] > 0.0F || rings.rough_mm[b] > 0.0F) {
         float* lower = rings.row_of(i);
         const float* upper = rings.row_of(i + 1);
-        const float of_lower = rings.rough_mm[a] > 0.0F ? static_cast<float>(share) : 0.0F;
-        const float of_upper = rings.rough_mm[b] > 0.0F ? static_cast<float>(1.0 - share) : 0.0F;
+        const float of_lower = rings.rough_mm[a] > 0.0F ? static_cast<float>(fraction) : 0.0F;
+        const float of_upper = rings.rough_mm[b] > 0.0F ? static_cast<float>(1.0 - fraction) : 0.0F;
         for (int s = 0; s < rings.sectors; ++s)
             lower[s] = (of_lower > 0.0F ? of_lower * lower[s] : 0.0F) +
                        (of_upper > 0.0F ? of_upper * upper[s] : 0.0F);

@@ -22,11 +22,11 @@ float* open_row(Rings& rings, int i) {
 
 }  // namespace
 
-void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double share,
+void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double fraction,
                   double yield) noexcept {
-    const auto keep = static_cast<float>(1.0 - share);
-    const auto bx = static_cast<float>(share * state.wobble_mm.x);
-    const auto bz = static_cast<float>(share * state.wobble_mm.y);
+    const auto keep = static_cast<float>(1.0 - fraction);
+    const auto bx = static_cast<float>(fraction * state.wobble_mm.x);
+    const auto bz = static_cast<float>(fraction * state.wobble_mm.y);
     float* const cx = rings.centre_x_mm.data() + contact.range.first;
     float* const cz = rings.centre_z_mm.data() + contact.range.first;
     for (int k = 0; k < contact.range.size(); ++k) {
@@ -82,7 +82,7 @@ void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int s
     }
 }
 
-void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double share,
+void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double fraction,
                   double yield) noexcept {
     const bool inside = hand.side == Side::kIn;
     const double sign = inside ? -1.0 : 1.0;
@@ -112,7 +112,7 @@ void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double
                 const double depth =
                     base - w_there + sign * static_cast<double>(w) - bend * angle * angle - yield;
                 if (!(depth > 0.0)) break;
-                const double pressed = static_cast<double>(w) - sign * share * std::min(depth, kDeepestMm);
+                const double pressed = static_cast<double>(w) - sign * fraction * std::min(depth, kDeepestMm);
                 w = static_cast<float>(std::clamp(pressed, -kLargestResidualMm, kLargestResidualMm));
                 rough = std::max(rough, std::fabs(w));
             }

@@ -10,8 +10,9 @@ namespace onggi::clay::studio {
 constexpr float kSmoothMm = 1e-3F;
 constexpr double kLargestResidualMm = 8.0;
 
-// Rings in contact follow the hand's own first harmonic: c -= share (c - B). share is 1 - exp(-dt/tau_c).
-void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double share,
+// Rings in contact follow the hand's own first harmonic: c -= fraction (c - B). fraction is 1 -
+// exp(-dt/tau_c).
+void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double fraction,
                   double yield_mm) noexcept;
 
 // A row is rounded once a millisecond, in which no wheel turns farther than a sector and a half: at a faster
@@ -29,8 +30,8 @@ constexpr int stripes_at(double rate_hz) {
 void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int stripe,
                    const StudioParameters& parameters) noexcept;
 
-// Standing: the sectors under the hand give way to it. share is 1 - exp(-dt/tau).
-void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double share,
+// Standing: the sectors under the hand give way to it. fraction is 1 - exp(-dt/tau).
+void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double fraction,
                   double yield_mm) noexcept;
 
 // Moves the mean of ring i's row into its radii, so that the row moves no clay, and looks how rough the rest

@@ -97,7 +97,7 @@ Changed share_out(Rings& rings, std::vector<double>& weight, double y, double fr
         }
     }
     if (left == 0.0) return {from, near.end};
-    // What is over: the hollow clay stands higher or lower by the same share everywhere; all of the clay,
+    // What is over: the hollow clay stands higher or lower by the same fraction everywhere; all of the clay,
     // where there is little of it.
     constexpr double kMostOfHollow = 0.05;
     const auto sum_from = [&](int ring) {
@@ -109,10 +109,10 @@ Changed share_out(Rings& rings, std::vector<double>& weight, double y, double fr
     const double hollow_mm3 = sum_from(first);
     const bool is_much = std::fabs(left) > kMostOfHollow * hollow_mm3;
     const int lowest = is_much ? 0 : first;
-    const double share = std::fabs(left) / (is_much ? sum_from(0) : hollow_mm3);
+    const double fraction = std::fabs(left) / (is_much ? sum_from(0) : hollow_mm3);
     for (int i = rings.count - 1; i >= lowest; --i) {
         const double volume = rings.volume_mm3[at(i)];
-        double part = std::min(on_grid(share * volume), std::fabs(left));
+        double part = std::min(on_grid(fraction * volume), std::fabs(left));
         if (i == lowest) part = std::fabs(left);
         const double signed_part = gives ? part : -part;
         rings.volume_mm3[at(i)] += signed_part;

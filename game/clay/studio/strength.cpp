@@ -9,9 +9,9 @@ namespace onggi::clay::studio {
 namespace {
 
 // Water by mass at which clay turns from plastic to liquid, beyond the plastic limit: the plasticity index of
-// a throwing clay; and the dry share of a gram of plastic clay.
+// a throwing clay; and the dry fraction of a gram of plastic clay.
 constexpr double kPlasticityIndex = 0.20;
-constexpr double kDryShare = 0.80;
+constexpr double kDryFraction = 0.80;
 
 constexpr double kReferenceKpa = 13.0;
 
@@ -29,7 +29,7 @@ double flow_time_s(double strength, double flow_time_at_13_kpa_s) {
     return flow_time_at_13_kpa_s * std::sqrt(strength / kReferenceKpa);
 }
 
-double relaxed_share(double x) {
+double relaxed_fraction(double x) {
     constexpr double kSmall = 0.125;
     if (!(x < kSmall)) return 1.0 - exponential(-x);
     // x (1 - x/2 (1 - x/3 (1 - ...))): nothing cancels where x is small, as it is in a tick. Next term:
@@ -52,11 +52,11 @@ namespace {
 
 // Grams of water that one unit of LI is, in ring i.
 double water_of_index_g(const Rings& rings, int i) {
-    return rings.volume_mm3[Rings::at(i)] * kDensityGPerMm3 * kDryShare * kPlasticityIndex;
+    return rings.volume_mm3[Rings::at(i)] * kDensityGPerMm3 * kDryFraction * kPlasticityIndex;
 }
 
 // Fick's law over the face between ring i and the one above, never past half of what would level them. A
-// share of the clay counts as water by LI alone, so what flows is D dLI/dy of it.
+// fraction of the clay counts as water by LI alone, so what flows is D dLI/dy of it.
 void pass_water_up(Rings& rings, int i, double diffusivity_mm2_s, double elapsed_s) {
     if (i + 1 >= rings.count) return;
     const std::size_t a = Rings::at(i);
@@ -70,8 +70,8 @@ void pass_water_up(Rings& rings, int i, double diffusivity_mm2_s, double elapsed
     const double wetter = static_cast<double>(rings.liquidity[a]) - static_cast<double>(rings.liquidity[b]);
     const double of_a = water_of_index_g(rings, i);
     const double of_b = water_of_index_g(rings, i + 1);
-    const double wanted =
-        diffusivity_mm2_s * elapsed_s * face_mm2 / apart_mm * kDensityGPerMm3 * kDryShare * kPlasticityIndex;
+    const double wanted = diffusivity_mm2_s * elapsed_s * face_mm2 / apart_mm * kDensityGPerMm3 *
+                          kDryFraction * kPlasticityIndex;
     const double levelling = 0.5 * of_a * of_b / (of_a + of_b);
     const double flow_g = wetter * std::min(wanted, levelling);
     rings.liquidity[a] -= static_cast<float>(flow_g / of_a);
@@ -86,12 +86,12 @@ void refresh_ring(Rings& rings, int i, const WaterPace& pace) {
     // Faces per volume of a wall 2/t; of solid clay 2/ro, its outer face alone.
     const double faces = rings.is_hollow(i) ? 2.0 / rings.wall_mm(i) : 2.0 / rings.outer_mm[at];
     const double film = static_cast<double>(rings.film[at]);
-    const double soaked = film * relaxed_share(pace.elapsed_s / pace.film_time_s);
+    const double soaked = film * relaxed_fraction(pace.elapsed_s / pace.film_time_s);
     rings.film[at] = static_cast<float>(film - soaked);
     // A hand wets one face at a time.
     const double gained = 0.5 * soaked * kFilmGPerMm2;
     const double lost = pace.evaporation_g_mm2_s * pace.elapsed_s;
-    const double change = (gained - lost) * faces / (kDensityGPerMm3 * kDryShare);
+    const double change = (gained - lost) * faces / (kDensityGPerMm3 * kDryFraction);
     set_liquidity(rings, i, static_cast<double>(rings.liquidity[at]) + change / kPlasticityIndex);
 }
 

@@ -18,8 +18,8 @@ double strength_kpa(double liquidity_index);
 // How long clay of that strength takes to flow: tau = tau_13 sqrt(su/13).
 double flow_time_s(double strength, double flow_time_at_13_kpa_s);
 
-// 1 - exp(-x), for a share that relaxes in one step. Precondition: 0 <= x <= 700.
-double relaxed_share(double x);
+// 1 - exp(-x), for a fraction that relaxes in one step. Precondition: 0 <= x <= 700.
+double relaxed_fraction(double x);
 
 // Sets LI of a ring and the strength that follows.
 void set_liquidity(Rings& rings, int i, double liquidity_index);

@@ -171,9 +171,9 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
     const auto su = static_cast<double>(rings_.strength_kpa[Rings::at(contact.nearest)]);
-    const double share = studio::relaxed_share(dt / studio::flow_time_s(su, parameters.flow_time_s));
+    const double fraction = studio::relaxed_fraction(dt / studio::flow_time_s(su, parameters.flow_time_s));
     if (!turning) {
-        studio::dent_sectors(rings_, contact, hand, studio::relaxed_share(dt / parameters.denting_time_s),
+        studio::dent_sectors(rings_, contact, hand, studio::relaxed_fraction(dt / parameters.denting_time_s),
                              parameters.yield_depth_mm);
         return {};
     }
@@ -182,27 +182,28 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
     switch (hand.tool) {
         case StudioTool::kHand:
             if (hand.side == Side::kTop) {
-                changed = studio::press_rim(rings_, contact, share, parameters);
+                changed = studio::press_rim(rings_, contact, fraction, parameters);
             } else {
-                changed = studio::push_rings(rings_, contact, hand, other, share, parameters);
+                changed = studio::push_rings(rings_, contact, hand, other, fraction, parameters);
                 // Walls take turns with the cursors at 2 kHz and beyond, each for the time of two ticks.
                 const bool takes_turns = studio::stripes_at(parameters.rate_hz) > 1;
                 if (takes_turns && stripe_ % 2 != 0) break;
                 const double wall_dt = takes_turns ? 2.0 * dt : dt;
-                const double wall_share =
-                    studio::relaxed_share(wall_dt / studio::flow_time_s(su, parameters.flow_time_s));
+                const double wall_fraction =
+                    studio::relaxed_fraction(wall_dt / studio::flow_time_s(su, parameters.flow_time_s));
                 const Changed wall =
-                    studio::move_wall(rings_, contact, hand, wall_share, wall_dt, parameters);
+                    studio::move_wall(rings_, contact, hand, wall_fraction, wall_dt, parameters);
                 walls_took_turn_ = walls_took_turn_ || (takes_turns && wall.size() > 0);
                 changed = studio::together(changed, wall);
             }
             break;
         case StudioTool::kRib:
-            changed = studio::smooth_face(rings_, contact, hand, share, parameters.rib_length_mm, scratch_);
+            changed =
+                studio::smooth_face(rings_, contact, hand, fraction, parameters.rib_length_mm, scratch_);
             break;
         case StudioTool::kSponge: {
             changed =
-                studio::smooth_face(rings_, contact, hand, share, parameters.sponge_length_mm, scratch_);
+                studio::smooth_face(rings_, contact, hand, fraction, parameters.sponge_length_mm, scratch_);
             if (!(contact.deepest_mm > 0.0)) break;
             const int touched = std::max(contact.range.size(), 1);
             const double water_g = water * parameters.sponge_water_ml_s * dt / touched;
@@ -219,14 +220,15 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
             break;
         }
         case StudioTool::kTrimmer:
-            changed =
-                studio::cut_face(rings_, contact, hand, contact.push_mm,
-                                 studio::relaxed_share(dt / parameters.trim_time_s), ledger_.trimmings_mm3);
+            changed = studio::cut_face(rings_, contact, hand, contact.push_mm,
+                                       studio::relaxed_fraction(dt / parameters.trim_time_s),
+                                       ledger_.trimmings_mm3);
             break;
     }
     // The assist goes where the first hand goes: it has no steadiness of its own to lend.
     if (!hand.is_assist)
-        studio::centre_rings(rings_, contact, state, studio::relaxed_share(dt / parameters.centring_time_s),
+        studio::centre_rings(rings_, contact, state,
+                             studio::relaxed_fraction(dt / parameters.centring_time_s),
                              parameters.yield_depth_mm);
     studio::round_sectors(rings_, contact, hand, stripe_, parameters);
     if (film_ > 0.0)
@@ -304,7 +306,7 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     wheel_load_n_mm_ = 0.0;
     load_height_mm_ = 0.0;
     if (input.water > film_) film_ = std::min(input.water, 1.0);
-    film_ -= film_ * studio::relaxed_share(dt / parameters.film_time_s);
+    film_ -= film_ * studio::relaxed_fraction(dt / parameters.film_time_s);
     stripe_ = (stripe_ + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
     const std::uint64_t changes_before = splits_ + joins_;
     const int rings_before = rings_.count;

@@ -109,7 +109,7 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     if (turning) {
         studio::round_sectors(rings_, contact, hand, stripe_, parameters);
     } else {
-        studio::dent_sectors(rings_, contact, hand, studio::relaxed_share(dt / parameters.denting_time_s),
+        studio::dent_sectors(rings_, contact, hand, studio::relaxed_fraction(dt / parameters.denting_time_s),
                              parameters.yield_depth_mm);
     }
     if (film_ > 0.0)
@@ -120,9 +120,9 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     studio::Feel felt =
         studio::feel(rings_, contact, hand, dvec3(0.0), wheel_.speed_rad_s(), wet, kHeld, parameters);
     if (turning && felt.wheel_load_n_mm > grip_.bears_n_mm) {
-        const double share = grip_.bears_n_mm / felt.wheel_load_n_mm;
-        felt.forces.stiffness_n *= share;
-        felt.forces.friction_n *= share;
+        const double fraction = grip_.bears_n_mm / felt.wheel_load_n_mm;
+        felt.forces.stiffness_n *= fraction;
+        felt.forces.friction_n *= fraction;
         felt.wheel_load_n_mm = grip_.bears_n_mm;
     }
     if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);

@@ -28,9 +28,9 @@ struct StudioParameters {
     // Flow: Eq. (2) with a yield, d <- dy + (d - dy) exp(-dt/tau).
     double flow_time_s = 0.10;         // tau at the reference strength
     double yield_depth_mm = 0.25;      // dy
-    double wall_share_k0 = 0.5;        // of the clay pushed aside that crosses the wall to its other face
+    double wall_fraction_k0 = 0.5;     // of the clay pushed aside that crosses the wall to its other face
     double thin_wall_mm = 7.0;         // t0, where a wall gives way as a whole as easily as it is dented
-    double hoop_share_chi = 0.5;       // of a wall's hoop strain that goes into thickness
+    double hoop_fraction_chi = 0.5;    // of a wall's hoop strain that goes into thickness
     double field_length_beta = 2.5;    // L = beta sqrt(R t)
     double floor_mm = 12.0;            // kept when opening
     double largest_strain_rate = 8.0;  // of a ring's height, 1/s
@@ -75,13 +75,13 @@ enum class StudioTool {
 };
 
 // Where a hand that reaches the clay wants to be, for a device that knows; see hand.h.
-enum class SideWish { kNone, kOut, kIn, kTop };
+enum class WantedSide { kNone, kOut, kIn, kTop };
 
 struct StudioHand {
     dvec3 position_mm{0.0, 1000.0, 0.0};  // centre of the sphere
     double radius_mm = 10.0;              // 2 to 40; outside, the nearest
     double shaft_mm = 0.0;                // inside, of the arm above the ball; 9 for widening
-    SideWish side = SideWish::kNone;
+    WantedSide side = WantedSide::kNone;
     StudioTool tool = StudioTool::kHand;
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSteepest = 3.0;
 constexpr float kSteepestF = 3.0F;
 
-struct FieldShares {
+struct FieldFractions {
     float push;  // u, with the sign of the way the wall goes
     float above_floor;
     float per_thin_wall;
@@ -25,7 +25,7 @@ struct FieldShares {
 ONGGI_LANES void field_steps_each(const double* __restrict__ outer, const double* __restrict__ inner,
                                   const float* __restrict__ place, const float* __restrict__ mean,
                                   float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
-                                  const FieldShares& with) {
+                                  const FieldFractions& with) {
     const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside] = with;
     for (int k = 0; k < n; ++k) {
         const auto ri = static_cast<float>(inner[k]);
@@ -96,19 +96,19 @@ struct FieldColumns {
     int count;
 };
 
-ONGGI_LANES void move_each(const FieldColumns& rings, const FieldShares& with, const Gate& gate) {
+ONGGI_LANES void move_each(const FieldColumns& rings, const FieldFractions& with, const Gate& gate) {
     field_steps_each(rings.outer, rings.inner, rings.place, rings.mean, rings.outer_step, rings.inner_step,
                      rings.count, with);
     take_steps_each(rings.outer, rings.inner, rings.height, rings.volume, rings.outer_step, rings.inner_step,
                     rings.count, gate);
 }
 
-void move_plain(const FieldColumns& rings, const FieldShares& with, const Gate& gate) {
+void move_plain(const FieldColumns& rings, const FieldFractions& with, const Gate& gate) {
     move_each(rings, with, gate);
 }
 
 #if ONGGI_X86_KERNELS
-__attribute__((target("avx2"))) void move_avx2(const FieldColumns& rings, const FieldShares& with,
+__attribute__((target("avx2"))) void move_avx2(const FieldColumns& rings, const FieldFractions& with,
                                                const Gate& gate) {
     move_each(rings, with, gate);
 }
@@ -132,7 +132,7 @@ double wall_slope(const Rings& rings, int i) noexcept {
     return std::clamp(run / rise, -kSteepest, kSteepest);
 }
 
-Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share, double dt_s,
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fraction, double dt_s,
                   const StudioParameters& parameters) noexcept {
     const int n = contact.range.size();
     double largest = 0.0;
@@ -146,7 +146,7 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share
         weight_sum += weight;
         moment += weight * contact.offset_mm[at(k)];
     }
-    const double u = share * largest;
+    const double u = fraction * largest;
     if (!(u > 1e-9)) return {};
     const double middle = contact.height_mm + moment / weight_sum;
     const int star = std::max(rings.ring_at(middle), std::min(rings.first_hollow, rings.count - 1));
@@ -191,13 +191,13 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share
     }
 
     const bool inside = hand.side == Side::kIn;
-    const FieldShares shares{.push = static_cast<float>(inside ? u : -u),
-                             .above_floor = static_cast<float>(middle - floor),
-                             .per_thin_wall = static_cast<float>(1.0 / parameters.thin_wall_mm),
-                             .per_phi = static_cast<float>(1.0 / phi_star),
-                             .per_length = static_cast<float>(1.0 / length),
-                             .chi = static_cast<float>(parameters.hoop_share_chi),
-                             .room_inside = inside ? 1.0F : 0.0F};
+    const FieldFractions fractions{.push = static_cast<float>(inside ? u : -u),
+                                   .above_floor = static_cast<float>(middle - floor),
+                                   .per_thin_wall = static_cast<float>(1.0 / parameters.thin_wall_mm),
+                                   .per_phi = static_cast<float>(1.0 / phi_star),
+                                   .per_length = static_cast<float>(1.0 / length),
+                                   .chi = static_cast<float>(parameters.hoop_fraction_chi),
+                                   .room_inside = inside ? 1.0F : 0.0F};
     double* const outer = rings.outer_mm.data() + range.first;
     double* const inner = rings.inner_mm.data() + range.first;
     const FieldColumns columns{
@@ -207,11 +207,11 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share
     const Gate gate(rings, parameters.largest_strain_rate * dt_s);
 #if ONGGI_X86_KERNELS
     if (has_wide_lanes()) {
-        move_avx2(columns, shares, gate);
+        move_avx2(columns, fractions, gate);
         return range;
     }
 #endif
-    move_plain(columns, shares, gate);
+    move_plain(columns, fractions, gate);
     return range;
 }
 

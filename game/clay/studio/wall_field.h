@@ -9,7 +9,7 @@ namespace onggi::clay::studio {
 
 // Moves the hollow rings within L = beta sqrt(R t) of the push that contact.field describes.
 //
-//   u      how far the wall gives at the middle of the push: share times the largest x phi
+//   u      how far the wall gives at the middle of the push: fraction times the largest x phi
 //   y*     that middle, the mean of y weighted with (x phi)^2 h
 //   g(s)   (1 - s^2)^2 with s = (y - y*)/L
 //   R      mean radius; R' = R + d with d = u g min(1, phi/phi(y*))
@@ -18,7 +18,7 @@ namespace onggi::clay::studio {
 //          sqrt((1 + T^2)/(1 + (T + dT)^2)), dT = u g'/L
 //
 // Everything is linear in u, which is a few hundredths of a millimetre a tick.
-Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double share, double dt_s,
+Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fraction, double dt_s,
                   const StudioParameters& parameters) noexcept;
 
 // dR/dy at ring i over six rings to either side, of the same kind of clay, within +-3.

@@ -12,27 +12,27 @@ using window::Gamepad;
 
 constexpr double kFrame = 1.0 / 60.0;
 
-GamepadWish wish_of(const Gamepad& pad) {
-    return GamepadHand().wish(std::span(&pad, 1), kFrame);
+GamepadRequest request_of(const Gamepad& pad) {
+    return GamepadHand().request(std::span(&pad, 1), kFrame);
 }
 
 TEST(GamepadHand, IsStillWithinItsDeadBand) {
-    const GamepadWish wish = wish_of({.left_x = 0.1F, .left_y = -0.1F, .left_trigger = 0.05F});
-    EXPECT_EQ(wish.step_mm, dvec2(0.0));
-    EXPECT_FALSE(wish.is_used);
-    EXPECT_FALSE(wish.presses);
+    const GamepadRequest request = request_of({.left_x = 0.1F, .left_y = -0.1F, .left_trigger = 0.05F});
+    EXPECT_EQ(request.step_mm, dvec2(0.0));
+    EXPECT_FALSE(request.is_used);
+    EXPECT_FALSE(request.presses);
 }
 
 TEST(GamepadHand, MovesTheToolByTheSticksFinelyByTheRightOne) {
-    const GamepadWish all = wish_of({.left_x = 1.0F, .left_y = -1.0F});
+    const GamepadRequest all = request_of({.left_x = 1.0F, .left_y = -1.0F});
     EXPECT_GT(all.step_mm.x, 0.0);
     EXPECT_GT(all.step_mm.y, 0.0) << "up is up";
-    const GamepadWish right = wish_of({.left_x = 1.0F});
+    const GamepadRequest right = request_of({.left_x = 1.0F});
     EXPECT_NEAR(right.step_mm.x, 160.0 * kFrame, 1e-9);
     EXPECT_EQ(right.step_mm.y, 0.0);
     EXPECT_TRUE(right.is_used);
-    EXPECT_NEAR(wish_of({.right_x = 1.0F}).step_mm.x, 0.35 * 160.0 * kFrame, 1e-9);
-    const double half = wish_of({.left_x = 0.5F}).step_mm.x;
+    EXPECT_NEAR(request_of({.right_x = 1.0F}).step_mm.x, 0.35 * 160.0 * kFrame, 1e-9);
+    const double half = request_of({.left_x = 0.5F}).step_mm.x;
     EXPECT_GT(half, 0.0);
     EXPECT_LT(half, 0.2 * right.step_mm.x) << "a light push moves finely";
 }
@@ -41,67 +41,67 @@ TEST(GamepadHand, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
     GamepadHand hand;
     const std::array<Gamepad, 2> pads{
         {{.left_x = 1.0F}, {.slot = 1, .left_x = 1.0F, .buttons = Gamepad::kA}}};
-    const GamepadWish wish = hand.wish(pads, kFrame);
-    EXPECT_NEAR(wish.step_mm.x, 160.0 * kFrame, 1e-9);
-    EXPECT_TRUE(wish.presses);
+    const GamepadRequest request = hand.request(pads, kFrame);
+    EXPECT_NEAR(request.step_mm.x, 160.0 * kFrame, 1e-9);
+    EXPECT_TRUE(request.presses);
 }
 
 TEST(GamepadHand, PressesWithItsButtonOrATriggerThatIsPulledFarEnough) {
-    EXPECT_TRUE(wish_of({.buttons = Gamepad::kA}).presses);
-    EXPECT_TRUE(wish_of({.right_trigger = 0.6F}).presses);
-    EXPECT_FALSE(wish_of({.right_trigger = 0.4F}).presses);
-    EXPECT_FALSE(wish_of({.left_trigger = 1.0F, .buttons = Gamepad::kB}).presses);
+    EXPECT_TRUE(request_of({.buttons = Gamepad::kA}).presses);
+    EXPECT_TRUE(request_of({.right_trigger = 0.6F}).presses);
+    EXPECT_FALSE(request_of({.right_trigger = 0.4F}).presses);
+    EXPECT_FALSE(request_of({.left_trigger = 1.0F, .buttons = Gamepad::kB}).presses);
     GamepadHand hand;
     Gamepad pad{.right_trigger = 0.6F};
-    EXPECT_TRUE(hand.wish(std::span(&pad, 1), kFrame).presses);
+    EXPECT_TRUE(hand.request(std::span(&pad, 1), kFrame).presses);
     pad.right_trigger = 0.4F;
-    EXPECT_TRUE(hand.wish(std::span(&pad, 1), kFrame).presses) << "a finger that trembles is still there";
+    EXPECT_TRUE(hand.request(std::span(&pad, 1), kFrame).presses) << "a finger that trembles is still there";
     pad.right_trigger = 0.2F;
-    EXPECT_FALSE(hand.wish(std::span(&pad, 1), kFrame).presses);
-    EXPECT_FALSE(hand.wish({}, kFrame).presses) << "and none when it is pulled out";
+    EXPECT_FALSE(hand.request(std::span(&pad, 1), kFrame).presses);
+    EXPECT_FALSE(hand.request({}, kFrame).presses) << "and none when it is pulled out";
 }
 
 TEST(GamepadHand, LetsGoOfAButtonThatIsStuck) {
     GamepadHand hand;
     Gamepad pad{.buttons = Gamepad::kA};
     for (int second = 0; second < 59; ++second)
-        EXPECT_TRUE(hand.wish(std::span(&pad, 1), 1.0).presses);
+        EXPECT_TRUE(hand.request(std::span(&pad, 1), 1.0).presses);
     pad.left_x = 1.0F;
-    EXPECT_TRUE(hand.wish(std::span(&pad, 1), 1.0).presses) << "somebody moves it";
+    EXPECT_TRUE(hand.request(std::span(&pad, 1), 1.0).presses) << "somebody moves it";
     pad.left_x = 0.0F;
     for (int second = 0; second < 60; ++second)
-        static_cast<void>(hand.wish(std::span(&pad, 1), 1.0));
-    EXPECT_FALSE(hand.wish(std::span(&pad, 1), 1.0).presses);
+        static_cast<void>(hand.request(std::span(&pad, 1), 1.0));
+    EXPECT_FALSE(hand.request(std::span(&pad, 1), 1.0).presses);
     pad.left_x = 1.0F;
-    EXPECT_FALSE(hand.wish(std::span(&pad, 1), 1.0).presses) << "until it is let go";
+    EXPECT_FALSE(hand.request(std::span(&pad, 1), 1.0).presses) << "until it is let go";
     pad.buttons = 0;
-    static_cast<void>(hand.wish(std::span(&pad, 1), 1.0));
+    static_cast<void>(hand.request(std::span(&pad, 1), 1.0));
     pad.buttons = Gamepad::kA;
-    EXPECT_TRUE(hand.wish(std::span(&pad, 1), 1.0).presses);
+    EXPECT_TRUE(hand.request(std::span(&pad, 1), 1.0).presses);
 }
 
 TEST(GamepadHand, AsksOncePerPressOfAButton) {
     GamepadHand hand;
     Gamepad pad{.buttons =
                     Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kUp | Gamepad::kRight | Gamepad::kX};
-    const GamepadWish first = hand.wish(std::span(&pad, 1), kFrame);
+    const GamepadRequest first = hand.request(std::span(&pad, 1), kFrame);
     EXPECT_TRUE(first.fresh_lump);
     EXPECT_EQ(first.ring_steps, 1);
     EXPECT_TRUE(first.takes);
     EXPECT_EQ(first.radius_steps, 1.0);
     EXPECT_EQ(first.speed_steps, 1.0);
-    const GamepadWish held = hand.wish(std::span(&pad, 1), kFrame);
+    const GamepadRequest held = hand.request(std::span(&pad, 1), kFrame);
     EXPECT_FALSE(held.fresh_lump);
     EXPECT_EQ(held.ring_steps, 0);
     EXPECT_FALSE(held.takes);
     EXPECT_EQ(held.radius_steps, 0.0);
     EXPECT_EQ(held.speed_steps, 0.0);
     pad.buttons = 0;
-    EXPECT_TRUE(hand.wish(std::span(&pad, 1), kFrame).is_used) << "letting go is use, too";
+    EXPECT_TRUE(hand.request(std::span(&pad, 1), kFrame).is_used) << "letting go is use, too";
     pad.buttons = Gamepad::kDown;
-    EXPECT_EQ(hand.wish(std::span(&pad, 1), kFrame).radius_steps, -1.0);
+    EXPECT_EQ(hand.request(std::span(&pad, 1), kFrame).radius_steps, -1.0);
     pad.buttons = Gamepad::kLeftBumper;
-    EXPECT_EQ(hand.wish(std::span(&pad, 1), kFrame).speed_steps, -1.0);
+    EXPECT_EQ(hand.request(std::span(&pad, 1), kFrame).speed_steps, -1.0);
 }
 
 TEST(GamepadHand, WalksToEachButtonOfTheScreenAndPressesIt) {
@@ -115,7 +115,7 @@ TEST(GamepadHand, WalksToEachButtonOfTheScreenAndPressesIt) {
     const auto presses = [&](std::uint32_t buttons) {
         for (const std::uint32_t now : {buttons, 0U}) {
             const Gamepad pad{.buttons = now};
-            for (const window::KeyEvent& key : keys_of(hand.wish(std::span(&pad, 1), kFrame)))
+            for (const window::KeyEvent& key : keys_of(hand.request(std::span(&pad, 1), kFrame)))
                 pointer.handle(key, 0.0, news);
         }
     };
@@ -127,9 +127,9 @@ TEST(GamepadHand, WalksToEachButtonOfTheScreenAndPressesIt) {
     };
     presses(Gamepad::kX);
     EXPECT_TRUE(pressed().empty()) << "nothing has the ring";
-    const GamepadWish wish = wish_of({.buttons = Gamepad::kX});
-    EXPECT_TRUE(wish.is_used);
-    EXPECT_FALSE(wish.is_for_clay) << "who walks the buttons has not touched the clay";
+    const GamepadRequest request = request_of({.buttons = Gamepad::kX});
+    EXPECT_TRUE(request.is_used);
+    EXPECT_FALSE(request.is_for_clay) << "who walks the buttons has not touched the clay";
     presses(Gamepad::kRight);
     presses(Gamepad::kRight);
     presses(Gamepad::kX);

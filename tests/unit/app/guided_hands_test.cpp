@@ -146,8 +146,8 @@ TEST_F(GuidedHands, HangOffTheClayInThePoseOfWhatATouchWouldBegin) {
 }
 
 TEST_F(GuidedHands, LieBesideEvenTheWidestPotWhenTheyRest) {
-    const pot::Pot plate = pot(40, 135, 8, 10);
-    const wheel::WheelView view = hovers(plate, {230.0, 20.0});
+    const pot::Pot background = pot(40, 135, 8, 10);
+    const wheel::WheelView view = hovers(background, {230.0, 20.0});
     EXPECT_GE(touch_of(view.hand).x, 135.0);
     EXPECT_LE(hovers(cup_, {260.0, 45.0}).hand.position_mm.x, 240.0) << "but in the picture";
 }

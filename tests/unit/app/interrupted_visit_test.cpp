@@ -8,8 +8,8 @@
 
 #include "engine/core/list_folder.h"
 #include "engine/record/session.h"
+#include "game/app/kiosk/interrupted_session.h"
 #include "game/app/kiosk/kiosk_keeper.h"
-#include "game/app/kiosk/left_over.h"
 #include "game/app/kiosk/visit_journal.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
@@ -59,13 +59,13 @@ struct Visit {
 };
 
 struct Recovered {
-    std::unique_ptr<LeftOver> pot;
+    std::unique_ptr<InterruptedSession> pot;
     std::vector<std::string> remarks;
 };
 
 Recovered recover(const fs::path& folder, double rate_hz = kRateHz) {
     Recovered found;
-    found.pot = LeftOver::find(folder, test::studio_start(), parameters_at(rate_hz), found.remarks);
+    found.pot = InterruptedSession::find(folder, test::studio_start(), parameters_at(rate_hz), found.remarks);
     while (found.pot) {
         const auto more = found.pot->work(700);
         EXPECT_TRUE(more) << more.error().message;
@@ -197,7 +197,7 @@ TEST(InterruptedVisit, IsFoundAndLosesNothingWhereTheDiskFailsInTheMiddleOfItsFo
         if (!test::fail_listings_after(2)) return "no such kernel";
         std::vector<std::string> remarks;
         const auto pot =
-            LeftOver::find(folder / "after", test::studio_start(), parameters_at(kRateHz), remarks);
+            InterruptedSession::find(folder / "after", test::studio_start(), parameters_at(kRateHz), remarks);
         return fmt::format("{}; {}", pot ? "found" : "lost", fmt::join(remarks, "; "));
     });
     EXPECT_EQ(told, fmt::format("found; interrupted visit: {}: expected to list all that is in this folder, "
@@ -264,7 +264,8 @@ struct Wheel {
     bool waits_for(Condition&& condition) {
         for (int round = 0; round < 6'000; ++round) {
             while (const auto answer = keeper->next_answer()) {
-                is_left_over = is_left_over || answer->kind == KeeperAnswer::Kind::kLeftOver;
+                is_interrupted_session =
+                    is_interrupted_session || answer->kind == KeeperAnswer::Kind::kInterruptedSession;
                 words += answer->words + "\n";
             }
             if (condition()) return true;
@@ -278,7 +279,7 @@ struct Wheel {
     haptic::HapticParameters parameters = parameters_at(1000.0);
     haptic::HapticJob job;
     std::unique_ptr<KioskKeeper> keeper;
-    bool is_left_over = false;
+    bool is_interrupted_session = false;
     std::string words;
 };
 
@@ -294,7 +295,7 @@ TEST(InterruptedVisit, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
     std::uint64_t first = 0;
     {
         Wheel wheel(gallery.path());
-        ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_left_over; })) << wheel.words;
+        ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_interrupted_session; })) << wheel.words;
         EXPECT_TRUE(fs::exists(gallery / "state/left-over.onggi"));
         wheel.keeper->resume(0);
         ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 1; }));
@@ -310,7 +311,7 @@ TEST(InterruptedVisit, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
         ASSERT_TRUE(wheel.waits_for([&] { return wheel.tick() > first + 1200; }));
     }
     Wheel wheel(gallery.path());
-    ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_left_over; })) << wheel.words;
+    ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_interrupted_session; })) << wheel.words;
     wheel.keeper->resume(0);
     ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 1; }));
     EXPECT_GE(wheel.tick(), first);
@@ -331,7 +332,7 @@ TEST(InterruptedVisit, IsNoneWhereTheVisitorHasLeft) {
     }
     Wheel wheel(gallery.path());
     EXPECT_TRUE(wheel.waits_for([&] { return wheel.tick() > 500; }));
-    EXPECT_FALSE(wheel.is_left_over);
+    EXPECT_FALSE(wheel.is_interrupted_session);
 }
 
 }  // namespace

@@ -35,16 +35,16 @@ class CameraTest : public ::testing::TestWithParam<std::pair<int, int>> {
         state.screen = screen;
         return state;
     }
-    // Where the wish shows a place, u.
-    dvec2 seen(const CameraWish& wish, const dvec3& place_mm) const {
-        return *sight_.project(wish.view, wish.framing, place_mm) / u_px_;
+    // Where the request shows a place, u.
+    dvec2 seen(const CameraRequest& request, const dvec3& place_mm) const {
+        return *sight_.project(request.view, request.framing, place_mm) / u_px_;
     }
     double ledge_u(const kiosk::State& state) const {
         const auto shape = screens::shape_of(sight_.width_px, sight_.height_px);
         return double{screens::ledge_y(shape, static_cast<float>(sight_.height_px / u_px_), state.comfort)};
     }
     std::unique_ptr<wheel::WheelScene> scene_;
-    PlateSight sight_;
+    BackgroundSight sight_;
     double u_px_ = 1.0;
     KioskCamera camera_;
 };
@@ -53,31 +53,31 @@ TEST_P(CameraTest, ClearsTheLedgeWithTheWheelHead) {
     kiosk::State state = on(Screen::kThrow);
     for (int text_size = 1; text_size <= kiosk::kMostTextSize; ++text_size) {
         state.comfort.text_size = text_size;
-        const CameraWish wish = camera_.wish(state, true, 60.0, sight_);
-        EXPECT_LT(seen(wish, {0.0, -22.0, 150.0}).y, ledge_u(state)) << text_size;
-        EXPECT_FALSE(wish.sways);
+        const CameraRequest request = camera_.request(state, true, 60.0, sight_);
+        EXPECT_LT(seen(request, {0.0, -22.0, 150.0}).y, ledge_u(state)) << text_size;
+        EXPECT_FALSE(request.sways);
     }
 }
 
 TEST_P(CameraTest, KeepsAPotOfAnyHeightBetweenTheTopAndTheLedge) {
     kiosk::State state = on(Screen::kThrow);
     for (double pot_mm = 50.0; pot_mm <= 350.0; pot_mm += 10.0) {
-        const CameraWish wish = camera_.wish(state, true, pot_mm, sight_);
-        EXPECT_GT(seen(wish, {0.0, pot_mm, -60.0}).y, 30.0) << pot_mm;
-        EXPECT_LT(seen(wish, {0.0, 0.0, 60.0}).y, ledge_u(state)) << pot_mm;
-        EXPECT_GE(wish.framing.zoom, 0.64);
+        const CameraRequest request = camera_.request(state, true, pot_mm, sight_);
+        EXPECT_GT(seen(request, {0.0, pot_mm, -60.0}).y, 30.0) << pot_mm;
+        EXPECT_LT(seen(request, {0.0, 0.0, 60.0}).y, ledge_u(state)) << pot_mm;
+        EXPECT_GE(request.framing.zoom, 0.64);
     }
 }
 
 TEST_P(CameraTest, DoesNotMoveForEveryMillimetre) {
     const kiosk::State state = on(Screen::kThrow);
     int moves = 0;
-    CameraWish before;
+    CameraRequest before;
     for (double pot_mm = 50.0; pot_mm <= 350.0; pot_mm += 0.5) {
-        const CameraWish wish = camera_.wish(state, true, pot_mm, sight_);
-        moves += wish == before ? 0 : 1;
-        before = wish;
-        EXPECT_EQ(camera_.wish(state, true, pot_mm - 20.0, sight_), wish)
+        const CameraRequest request = camera_.request(state, true, pot_mm, sight_);
+        moves += request == before ? 0 : 1;
+        before = request;
+        EXPECT_EQ(camera_.request(state, true, pot_mm - 20.0, sight_), request)
             << "a pot that sinks keeps its room";
     }
     EXPECT_LE(moves, 12);
@@ -85,9 +85,9 @@ TEST_P(CameraTest, DoesNotMoveForEveryMillimetre) {
 
 TEST_P(CameraTest, ComesDownForWhoSits) {
     kiosk::State state = on(Screen::kThrow);
-    const CameraWish usual = camera_.wish(state, true, 120.0, sight_);
+    const CameraRequest usual = camera_.request(state, true, 120.0, sight_);
     state.comfort.reach = true;
-    const CameraWish low = camera_.wish(state, true, 120.0, sight_);
+    const CameraRequest low = camera_.request(state, true, 120.0, sight_);
     EXPECT_LT(low.framing.zoom, usual.framing.zoom);
     const double rim = seen(low, {0.0, 150.0, 0.0}).y;
     EXPECT_GT(rim, 0.30 * sight_.height_px / u_px_) << "a usual pot is within reach";
@@ -97,21 +97,21 @@ TEST_P(CameraTest, ComesDownForWhoSits) {
 TEST_P(CameraTest, LooksIntoThePotOverTheLedge) {
     kiosk::State state = on(Screen::kThrow);
     state.throwing.looks_in = true;
-    const CameraWish wish = camera_.wish(state, true, 100.0, sight_);
-    EXPECT_EQ(wish.view, wheel::View::kLookingIn);
-    const dvec2 rim = seen(wish, {0.0, 100.0, 0.0});
+    const CameraRequest request = camera_.request(state, true, 100.0, sight_);
+    EXPECT_EQ(request.view, wheel::View::kLookingIn);
+    const dvec2 rim = seen(request, {0.0, 100.0, 0.0});
     EXPECT_GT(rim.y, 60.0);
     EXPECT_LT(rim.y, ledge_u(state) - 100.0);
     state.screen = Screen::kFailure;
-    EXPECT_EQ(camera_.wish(state, true, 100.0, sight_).view, wheel::View::kThrowing);
+    EXPECT_EQ(camera_.request(state, true, 100.0, sight_).view, wheel::View::kThrowing);
 }
 
 TEST_P(CameraTest, SwaysOnlyWhileTheRoomIsSeenAndMotionIsWanted) {
     kiosk::State state = on(Screen::kAttract);
-    EXPECT_TRUE(camera_.wish(state, true, 100.0, sight_).sways);
-    EXPECT_FALSE(camera_.wish(state, false, 100.0, sight_).sways) << "a museum's pot covers it";
+    EXPECT_TRUE(camera_.request(state, true, 100.0, sight_).sways);
+    EXPECT_FALSE(camera_.request(state, false, 100.0, sight_).sways) << "a museum's pot covers it";
     state.comfort.still = true;
-    EXPECT_FALSE(camera_.wish(state, true, 100.0, sight_).sways);
+    EXPECT_FALSE(camera_.request(state, true, 100.0, sight_).sways);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, CameraTest,

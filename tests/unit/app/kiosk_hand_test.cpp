@@ -21,9 +21,9 @@ pot::Pot pot(double height_mm, double outer_mm, double wall_mm, double floor_mm)
 
 // Frames of a sixtieth of a second.
 haptics::ToolState after(KioskHand& hand, const pot::Pot& shape, double seconds) {
-    haptics::ToolState tool = hand.wish({}, shape, 1.0 / 60.0);
+    haptics::ToolState tool = hand.request({}, shape, 1.0 / 60.0);
     for (double gone_s = 1.0 / 60.0; gone_s < seconds - 1e-9; gone_s += 1.0 / 60.0)
-        tool = hand.wish({}, shape, 1.0 / 60.0);
+        tool = hand.request({}, shape, 1.0 / 60.0);
     return tool;
 }
 haptics::ToolState next(KioskHand& hand, const pot::Pot& shape) {
@@ -107,8 +107,8 @@ TEST_F(KioskHandTest, StaysWithinReachAndAboveTheWheelHead) {
 }
 
 TEST_F(KioskHandTest, TakesItsSettingsFromTheLedge) {
-    const auto least = hand_.wish({.tool = 1, .water = 1, .speed = 1}, shape_, 0.016);
-    const auto most = hand_.wish({.tool = 3, .water = 5, .speed = 5}, shape_, 0.016);
+    const auto least = hand_.request({.tool = 1, .water = 1, .speed = 1}, shape_, 0.016);
+    const auto most = hand_.request({.tool = 3, .water = 5, .speed = 5}, shape_, 0.016);
     EXPECT_LT(least.radius_mm, most.radius_mm);
     EXPECT_EQ(least.water, 0.0);
     EXPECT_EQ(most.water, 1.0);

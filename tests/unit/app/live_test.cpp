@@ -125,11 +125,11 @@ TEST(LiveStats, NameWhatTheContractNames) {
     EXPECT_EQ(stats["rate_hz"], 4000.0);
     EXPECT_EQ(stats["tick_ns"]["p50"], 350.0);
     EXPECT_EQ(stats["missed_deadlines"], 10);
-    for (const char* share : {"p50", "p99", "p999", "max"})
-        EXPECT_EQ(stats["wake_latency_us"][share], 2.0) << share;
+    for (const char* fraction : {"p50", "p99", "p999", "max"})
+        EXPECT_EQ(stats["wake_latency_us"][fraction], 2.0) << fraction;
     EXPECT_EQ(stats["frames"], 3);
-    for (const char* share : {"p50", "p99", "max"})
-        EXPECT_EQ(stats["frame_ms"][share], 8.0) << share;
+    for (const char* fraction : {"p50", "p99", "max"})
+        EXPECT_EQ(stats["frame_ms"][fraction], 8.0) << fraction;
     EXPECT_EQ(stats["haptic_core"], 1);
     EXPECT_EQ(stats["scheduler"], "fifo");
     EXPECT_NEAR(stats["clay_volume_mm3"].get<double>(), 2261946.7, 0.1);

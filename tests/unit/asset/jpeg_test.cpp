@@ -43,7 +43,7 @@ TEST(Jpeg, BringsColoursBackWithinWhatItsCompressionLoses) {
     expect_pixel(13, 5, 20, 60, 180);
 }
 
-TEST(Jpeg, ReadsEveryPlateOfTheWorkshop) {
+TEST(Jpeg, ReadsEveryBackgroundOfTheWorkshop) {
     for (const char* name : {"throw_16x9_key", "throw_16x9_ambient", "look_in_16x9_key"}) {
         const std::string file = bytes_of(std::string("assets/workshop/plates/") + name + ".jpg");
         const Result<Image> image = decode_jpeg(as_bytes(file), name);

@@ -23,7 +23,7 @@ support::ThreeMfFile read_back(const std::vector<std::byte>& bytes) {
     return file ? *file : support::ThreeMfFile{};
 }
 
-TEST(ThreeMf, IsOneClosedSolidOfMillimetresOnThePlateOnce) {
+TEST(ThreeMf, IsOneClosedSolidOfMillimetresOnTheBackgroundOnce) {
     const support::ThreeMfFile file = read_back(in_3mf(tetrahedron()));
     EXPECT_TRUE(file.is_millimetres);
     EXPECT_TRUE(file.is_manifold);

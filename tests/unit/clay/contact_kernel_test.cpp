@@ -57,7 +57,7 @@ struct Wall {
                 .tool_radius_mm = 10.0F,
                 .reach_mm = reach_mm,
                 .reach_rest_mm = 1.3e-6F,
-                .share = 0.01F,
+                .fraction = 0.01F,
                 .minimum_radius_mm = minimum_radius_mm,
                 .deform = deform};
     }

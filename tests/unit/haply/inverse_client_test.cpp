@@ -22,7 +22,7 @@ class InverseDeviceTest : public ::testing::Test {
     bool comes_true(InverseDevice& device, Condition condition, const dvec3& force_n = dvec3(0.0)) {
         for (int round = 0; round < 20'000; ++round) {
             tool_ = device.read(tick_++, 0.001);
-            device.write(device.signs().force_share > 0.0 ? force_n : dvec3(0.0));
+            device.write(device.signs().force_fraction > 0.0 ? force_n : dvec3(0.0));
             if (condition()) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }

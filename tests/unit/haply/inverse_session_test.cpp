@@ -95,14 +95,14 @@ TEST_F(InverseSessionTest, RendersAllThreeAxesAfterItsRamp) {
 
 TEST_F(InverseSessionTest, TellsTheObserverHowMuchOfTheForceWentOut) {
     connect();
-    EXPECT_EQ(link_.input.latest().force_share, 0.0);
+    EXPECT_EQ(link_.input.latest().force_fraction, 0.0);
     after_ms(5, dvec3(0.0));
     after_ms(20, {1.0, 0.0, 0.0});
-    const double early = link_.input.latest().force_share;
+    const double early = link_.input.latest().force_fraction;
     EXPECT_GT(early, 0.0);
     EXPECT_LT(early, 1.0) << "its ramp";
     after_ms(1000, {1.0, 0.0, 0.0});
-    EXPECT_EQ(link_.input.latest().force_share, 1.0);
+    EXPECT_EQ(link_.input.latest().force_fraction, 1.0);
 }
 
 TEST_F(InverseSessionTest, LetsGoWhenTheLoopStandsStill) {

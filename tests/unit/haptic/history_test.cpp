@@ -162,7 +162,7 @@ TEST(History, LetsGoOfStatesAndCanStillWorkThemOut) {
     EXPECT_LT(wheel.history.ticks_to_replay(kTicks), 500U) << "what comes is kept as before";
 }
 
-TEST(History, IsTheSameWhereItIsPutAside) {
+TEST(History, IsTheSameWhereItIsSpillFile) {
     const test::TemporaryFolder folder;
     HapticParameters parameters = parameters_at(kRateHz);
     History aside(test::studio_start(), parameters, {.aside = folder / "state"});
@@ -297,8 +297,8 @@ class FiveMinutes : public testing::Test {
         for (std::uint64_t tick = 0; tick < kSession; ++tick) {
             // Up the wall in 8 s, a millimetre and a half deep, then away for one.
             const double t_s = static_cast<double>(tick) / kKioskRateHz;
-            const double share = std::fmod(t_s, 9.0) / 8.0;
-            tool.position_mm = {share < 1.0 ? 53.5 : 120.0, 20.0 + 125.0 * std::min(share, 1.0), 0.0};
+            const double fraction = std::fmod(t_s, 9.0) / 8.0;
+            tool.position_mm = {fraction < 1.0 ? 53.5 : 120.0, 20.0 + 125.0 * std::min(fraction, 1.0), 0.0};
             history.add({.tick = static_cast<std::uint32_t>(tick), .tool = tool});
         }
         return history;

@@ -25,11 +25,11 @@ haptics::ToolState finger_at(double t_s) {
     std::size_t i = 1;
     while (i + 1 < kWay.size() && kWay[i].t_s <= t_s)
         ++i;
-    const double share = std::clamp((t_s - kWay[i - 1].t_s) / (kWay[i].t_s - kWay[i - 1].t_s), 0.0, 1.0);
+    const double fraction = std::clamp((t_s - kWay[i - 1].t_s) / (kWay[i].t_s - kWay[i - 1].t_s), 0.0, 1.0);
     haptics::ToolState tool;
     tool.guided = true;
     tool.pressing = kWay[i - 1].pressing;
-    tool.position_mm = dvec3(glm::mix(kWay[i - 1].at_mm, kWay[i].at_mm, share), 0.0);
+    tool.position_mm = dvec3(glm::mix(kWay[i - 1].at_mm, kWay[i].at_mm, fraction), 0.0);
     tool.wheel_button = true;
     tool.water = 0.5;
     return tool;

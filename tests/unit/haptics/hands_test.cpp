@@ -278,7 +278,7 @@ TEST_F(HandsTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
         asked_mj += glm::dot(safety.applied_force_n, step);
         const dvec3 push(k > 1000 ? 2.0 : 0.0, 0.0, 0.0);
         hands_->write(apply_safety_chain(
-            push, {.position_mm = tool.position_mm, .dt_s = kStep, .applied_share = signs.force_share},
+            push, {.position_mm = tool.position_mm, .dt_s = kStep, .applied_fraction = signs.force_fraction},
             limits, safety));
         ASSERT_NEAR(safety.given_mj - safety.taken_mj, work_mj, 1e-9) << k;
     }

@@ -154,14 +154,14 @@ TEST(SafetyPassivity, LetsTheMotorOfTheWheelDragTheHand) {
 }
 
 // Drags a hand along by so much for 100 ms, wanting far more; the balance after a debt of 5 mJ.
-double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, double gain, double share) {
+double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, double gain, double fraction) {
     dvec3 at(60.0, 100.0, 0.0);
     const dvec3 drag(0.0, 0.0, -20.0);
     state.gain = gain;
     for (int k = 0; k < 400; ++k) {
         at.z -= 0.01;
         const SafetyInput input{
-            .position_mm = at, .dt_s = kDt, .driven_force_n = drag, .applied_share = share};
+            .position_mm = at, .dt_s = kDt, .driven_force_n = drag, .applied_fraction = fraction};
         apply_safety_chain(drag, input, limits, state);
         if (k == 0) state.energy_mj = -5.0;
     }

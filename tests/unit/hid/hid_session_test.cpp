@@ -186,16 +186,16 @@ TEST_F(HidSessionTest, SaysHowMuchOfTheForceItsOwnRampLetThrough) {
         script->report("01 10");
         step();
         if (round >= 2) {
-            ASSERT_NEAR(link.input.latest().force_share * 2.0, told->force_n.x, 1e-12) << round;
+            ASSERT_NEAR(link.input.latest().force_fraction * 2.0, told->force_n.x, 1e-12) << round;
         }
     }
-    EXPECT_EQ(link.input.latest().force_share, 1.0);
+    EXPECT_EQ(link.input.latest().force_fraction, 1.0);
     link.silences.fetch_add(1);
     step();
-    EXPECT_EQ(link.input.latest().force_share, 0.0) << "nothing goes out of what is silenced";
+    EXPECT_EQ(link.input.latest().force_fraction, 0.0) << "nothing goes out of what is silenced";
     script->read_fails = true;
     step();
-    EXPECT_EQ(link.input.latest().force_share, 0.0);
+    EXPECT_EQ(link.input.latest().force_fraction, 0.0);
 }
 
 TEST_F(HidSessionTest, TakesTheForceAwayWhenTheTickStops) {

@@ -11,7 +11,7 @@
 #include "engine/haptics/hid/pid_driver.h"
 #include "engine/haptics/hid/report_habit.h"
 #include "engine/haptics/hid/simple_drivers.h"
-#include "engine/haptics/hid/tool_mover.h"
+#include "engine/haptics/hid/tool_tracker.h"
 #include "engine/haptics/safety_chain.h"
 #include "tests/support/pid_descriptors.h"
 #include "tests/support/scripted_hid.h"
@@ -48,13 +48,13 @@ class StickInTheClay {
         for (int k = 0; k < milliseconds; ++k) {
             if (time_ms_ % 4 == 0) (void)session_.round(time_ms_ * kMs);
             ++time_ms_;
-            const ToolState tool = mover_.moved(link_.input.latest(), kStep);
+            const ToolState tool = tracker_.moved(link_.input.latest(), kStep);
             const dvec3 wanted(0.0, pushes ? 1.0 : 0.0, 0.0);
             force_n = apply_safety_chain(wanted,
                                          {.position_mm = tool.position_mm,
                                           .dt_s = kStep,
-                                          .position_is_new = mover_.was_refreshed(),
-                                          .hand_is_there = mover_.input_is_live()},
+                                          .position_is_new = tracker_.was_refreshed(),
+                                          .hand_is_there = tracker_.input_is_live()},
                                          limits_, safety_);
             link_.force.put({.force_n = {force_n.x, force_n.y},
                              .tool_mm = {tool.position_mm.x, tool.position_mm.y},
@@ -86,7 +86,7 @@ class StickInTheClay {
     HidLink link_;
     HidSession session_{link_, std::make_unique<ScriptedBus>(script), std::make_unique<PidDriver>(),
                         HidSessionOptions{.kind = HidKind::kForceJoystick, .force = {}}};
-    ToolMover mover_;
+    ToolTracker tracker_;
     SafetyLimits limits_;
     SafetyState safety_;
     std::int64_t time_ms_ = 1000;

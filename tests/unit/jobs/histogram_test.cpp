@@ -45,12 +45,12 @@ TEST(Histogram, IsWithinThreePercentAboveTheTruthAtEveryPercentile) {
         histogram.record(static_cast<std::int64_t>(duration));
     }
     std::sort(all.begin(), all.end());
-    for (const double share : {0.01, 0.25, 0.5, 0.9, 0.99, 0.999, 0.9999, 1.0}) {
-        const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(all.size()))) - 1;
-        EXPECT_GE(histogram.percentile(share), all[rank]) << share;
-        EXPECT_LE(static_cast<double>(histogram.percentile(share)),
+    for (const double fraction : {0.01, 0.25, 0.5, 0.9, 0.99, 0.999, 0.9999, 1.0}) {
+        const auto rank = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(all.size()))) - 1;
+        EXPECT_GE(histogram.percentile(fraction), all[rank]) << fraction;
+        EXPECT_LE(static_cast<double>(histogram.percentile(fraction)),
                   static_cast<double>(all[rank]) * 33.0 / 32.0 + 1)
-            << share;
+            << fraction;
     }
     EXPECT_EQ(histogram.max(), all.back());
 }

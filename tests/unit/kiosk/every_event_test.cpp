@@ -24,7 +24,7 @@ Key key_of(const State& state) {
             static_cast<int>(state.panel),
             static_cast<int>(state.keeping.outcome),
             static_cast<int>(state.firing),
-            state.left_over,
+            state.interrupted_session,
             state.throwing.target.has_value(),
             state.throwing.warning != Warning::kNone,
             state.throwing.shown.has_value(),

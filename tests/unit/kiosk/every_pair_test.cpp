@@ -93,7 +93,7 @@ std::vector<Happening> events() {
                 "any+staff -> fault+staff"),
         at_once("fault over", Kind::kFaultOver, 0,
                 "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
-        at_once("left over", Kind::kLeftOver, 0,
+        at_once("left over", Kind::kInterruptedSession, 0,
                 "attract -> attract-left, attract+language -> attract-left+language, "
                 "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
         at_once("corner held", Kind::kCornerHeld, 0,
@@ -205,7 +205,7 @@ std::pair<std::string, std::string> parted(const std::string& place) {
 
 std::string name_of_place(const State& state) {
     std::string name(name_of(state.screen));
-    if (state.screen == Screen::kAttract && state.left_over) name = "attract-left";
+    if (state.screen == Screen::kAttract && state.interrupted_session) name = "attract-left";
     if (state.screen == Screen::kKeep && state.keeping.outcome == Keeping::Outcome::kSaving) name = "saving";
     return state.panel == Panel::kNone ? name : name + "+" + std::string(name_of(state.panel));
 }
@@ -213,7 +213,7 @@ std::string name_of_place(const State& state) {
 Visitor at_screen(const std::string& name) {
     Visitor visitor(Rules{.locked = true, .pin = 1234, .pin_digits = 4});
     if (name == "attract") return visitor;
-    if (name == "attract-left") return visitor.does(Event::Kind::kLeftOver);
+    if (name == "attract-left") return visitor.does(Event::Kind::kInterruptedSession);
     if (name == "choose") return visitor.does(Event::Kind::kInput);
     if (name == "throw") return visitor.starts_to_throw();
     if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
@@ -222,7 +222,7 @@ Visitor at_screen(const std::string& name) {
     if (name == "your-pot") return visitor.sees_the_pot();
     if (name == "saving") return visitor.keeps();
     if (name == "keep") return visitor.keeps().does(Event::Kind::kSaved, 1);
-    if (name == "resume") return visitor.does(Event::Kind::kLeftOver).does(Event::Kind::kInput);
+    if (name == "resume") return visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput);
     if (name == "fault") return visitor.does(Event::Kind::kFault);
     ADD_FAILURE() << "no way is known to " << name;
     return visitor;

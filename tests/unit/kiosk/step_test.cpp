@@ -84,15 +84,15 @@ TEST(Kiosk, TakesNewClayFromTheCountdownWhenAsked) {
     EXPECT_EQ(visitor.last.back().kind, Effect::Kind::kFreshClay);
 }
 
-TEST(Kiosk, ForgetsEveryWishOfTheVisitorBefore) {
+TEST(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kLanguages);
     visitor.presses(Button::kLanguage, 2).presses(Button::kTextMore).presses(Button::kSoundMore);
     visitor.presses(Button::kReach).presses(Button::kLeftHand).presses(Button::kStill);
     visitor.presses(Button::kComfortDone);
-    const Comfort wishes{
+    const Comfort requests{
         .language = 2, .text_size = 2, .volume = 4, .reach = true, .left_hand = true, .still = true};
-    EXPECT_EQ(visitor.state.comfort, wishes);
+    EXPECT_EQ(visitor.state.comfort, requests);
     visitor.does(Event::Kind::kProgress, kTeachingSteps);  // who has learnt it all is shown no more
     visitor.all.clear();
     visitor.waits(70.0);
@@ -271,7 +271,7 @@ TEST(Kiosk, RestsWhileTheWheelCannotWork) {
 
 TEST(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
     Visitor visitor;
-    visitor.does(Event::Kind::kLeftOver).does(Event::Kind::kInput);
+    visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput);
     EXPECT_EQ(visitor.state.screen, Screen::kResume);
     visitor.presses(Button::kResumeGo);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
@@ -279,24 +279,24 @@ TEST(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
     EXPECT_FALSE(visitor.caused(Effect::Kind::kFreshClay));
 
     Visitor other;
-    other.does(Event::Kind::kLeftOver).does(Event::Kind::kInput).presses(Button::kResumeFresh);
-    EXPECT_TRUE(other.caused(Effect::Kind::kDropLeftOver));
-    EXPECT_FALSE(other.state.left_over);
+    other.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput).presses(Button::kResumeFresh);
+    EXPECT_TRUE(other.caused(Effect::Kind::kDropInterrupted));
+    EXPECT_FALSE(other.state.interrupted_session);
 }
 
 TEST(Kiosk, OffersALeftPotUntilSomebodyHasDecided) {
     Visitor visitor;
-    visitor.does(Event::Kind::kLeftOver).does(Event::Kind::kInput).waits(70.0);
+    visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput).waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract) << "who was asked went away";
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kDropLeftOver));
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kDropInterrupted));
     visitor.does(Event::Kind::kInput);
     EXPECT_EQ(visitor.state.screen, Screen::kResume);
     visitor.waits(46.0);
     EXPECT_EQ(visitor.state.panel, Panel::kIdle);
     visitor.presses(Button::kFresh);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kDropLeftOver)) << "new clay is an answer";
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kDropInterrupted)) << "new clay is an answer";
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
-    EXPECT_FALSE(visitor.state.left_over);
+    EXPECT_FALSE(visitor.state.interrupted_session);
 }
 
 TEST(Kiosk, ClosesAsAnyWindowUnlessItIsLocked) {

@@ -76,25 +76,25 @@ TEST(Camera, SaysHowManyPixelsAMillimetreSpans) {
     EXPECT_NEAR(one_mm_right->pixel.x - 400.0, scale, 1e-6);
 }
 
-TEST(PlateCamera, KeepsPotAndPlateInRegisterInEveryShapeOfPicture) {
+TEST(BackgroundCamera, KeepsPotAndBackgroundInRegisterInEveryShapeOfPicture) {
     for (const auto& [width, height] :
          {std::pair{1280, 720}, {1920, 1080}, {2560, 1080}, {720, 1280}, {1024, 768}, {333, 777}}) {
-        const Camera camera = plate_camera(kCamera, 1280, 720, width, height);
-        const vec4 window = plate_window(kCamera, 1280, 720, camera, width, height);
+        const Camera camera = background_camera(kCamera, 1280, 720, width, height);
+        const vec4 window = background_window(kCamera, 1280, 720, camera, width, height);
         for (const dvec3 point : {dvec3(60, 0, 0), dvec3(-40, 200, 30), dvec3(0, 10, -150)}) {
             const auto in_picture = project(camera, width, height, point);
-            const auto in_plate = project(kCamera, 1280, 720, point);
-            ASSERT_TRUE(in_picture && in_plate);
-            EXPECT_NEAR(in_picture->pixel.x * window.x + window.z, in_plate->pixel.x / 1280.0, 1e-5);
-            EXPECT_NEAR(in_picture->pixel.y * window.y + window.w, in_plate->pixel.y / 720.0, 1e-5);
+            const auto in_background = project(kCamera, 1280, 720, point);
+            ASSERT_TRUE(in_picture && in_background);
+            EXPECT_NEAR(in_picture->pixel.x * window.x + window.z, in_background->pixel.x / 1280.0, 1e-5);
+            EXPECT_NEAR(in_picture->pixel.y * window.y + window.w, in_background->pixel.y / 720.0, 1e-5);
         }
     }
 }
 
-TEST(PlateCamera, FillsThePictureAndShowsThePlatesMiddle) {
+TEST(BackgroundCamera, FillsThePictureAndShowsTheBackgroundsMiddle) {
     for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1000}, {720, 1280}}) {
-        const vec4 window =
-            plate_window(kCamera, 1280, 720, plate_camera(kCamera, 1280, 720, width, height), width, height);
+        const vec4 window = background_window(
+            kCamera, 1280, 720, background_camera(kCamera, 1280, 720, width, height), width, height);
         const vec2 first(window.z, window.w);
         const vec2 last =
             first + vec2(static_cast<float>(width) * window.x, static_cast<float>(height) * window.y);
@@ -105,25 +105,26 @@ TEST(PlateCamera, FillsThePictureAndShowsThePlatesMiddle) {
     }
 }
 
-TEST(PlateCamera, IsThePlatesOwnAtThePlatesSize) {
-    EXPECT_NEAR(plate_camera(kCamera, 1280, 720, 1280, 720).vertical_fov_rad, kCamera.vertical_fov_rad,
+TEST(BackgroundCamera, IsTheBackgroundsOwnAtTheBackgroundsSize) {
+    EXPECT_NEAR(background_camera(kCamera, 1280, 720, 1280, 720).vertical_fov_rad, kCamera.vertical_fov_rad,
                 1e-6F);
-    EXPECT_EQ(plate_window(kCamera, 1280, 720, plate_camera(kCamera, 1280, 720, 1280, 720), 1280, 720),
-              vec4(1.0F / 1280.0F, 1.0F / 720.0F, 0.0F, 0.0F));
+    EXPECT_EQ(
+        background_window(kCamera, 1280, 720, background_camera(kCamera, 1280, 720, 1280, 720), 1280, 720),
+        vec4(1.0F / 1280.0F, 1.0F / 720.0F, 0.0F, 0.0F));
 }
 
-TEST(PlateCamera, KeepsPotAndPlateInRegisterWhenTheLensIsShiftedAndZoomed) {
+TEST(BackgroundCamera, KeepsPotAndBackgroundInRegisterWhenTheLensIsShiftedAndZoomed) {
     for (const auto& [width, height] : {std::pair{1280, 720}, {720, 1280}, {1024, 768}}) {
-        Camera camera = zoomed(plate_camera(kCamera, 1280, 720, width, height), 0.82);
+        Camera camera = zoomed(background_camera(kCamera, 1280, 720, width, height), 0.82);
         camera.lens_shift = vec2(0.25F, -0.19F);
-        const vec4 window = plate_window(kCamera, 1280, 720, camera, width, height);
+        const vec4 window = background_window(kCamera, 1280, 720, camera, width, height);
         const mat4 matrix = view_projection(camera, width, height);
         for (const dvec3 point : {dvec3(60, 0, 0), dvec3(-40, 200, 30), dvec3(0, 10, -150)}) {
             const auto in_picture = project(camera, width, height, point);
-            const auto in_plate = project(kCamera, 1280, 720, point);
-            ASSERT_TRUE(in_picture && in_plate);
-            EXPECT_NEAR(in_picture->pixel.x * window.x + window.z, in_plate->pixel.x / 1280.0, 1e-5);
-            EXPECT_NEAR(in_picture->pixel.y * window.y + window.w, in_plate->pixel.y / 720.0, 1e-5);
+            const auto in_background = project(kCamera, 1280, 720, point);
+            ASSERT_TRUE(in_picture && in_background);
+            EXPECT_NEAR(in_picture->pixel.x * window.x + window.z, in_background->pixel.x / 1280.0, 1e-5);
+            EXPECT_NEAR(in_picture->pixel.y * window.y + window.w, in_background->pixel.y / 720.0, 1e-5);
             const vec4 clip = matrix * vec4(vec3(point), 1.0F);
             EXPECT_NEAR(0.5 * width * (1.0 + double{clip.x / clip.w}), in_picture->pixel.x, 0.01);
             EXPECT_NEAR(0.5 * height * (1.0 + double{clip.y / clip.w}), in_picture->pixel.y, 0.01);

@@ -55,9 +55,9 @@ TEST_F(SmoothedPixels, FollowALineThatIsSteepOrLeans) {
         const float off = 20.5F - line;
         const std::size_t own = at(20, y);
         const std::size_t beside = off > 0.0F ? own - 1 : own + 1;
-        const float share = 0.5F - std::abs(off);
+        const float fraction = 0.5F - std::abs(off);
         const auto grey_of = [&](std::size_t of) { return static_cast<float>(before[of] & 255U); };
-        EXPECT_NEAR(grey(own), (1.0F - share) * grey_of(own) + share * grey_of(beside), 1.0F) << y;
+        EXPECT_NEAR(grey(own), (1.0F - fraction) * grey_of(own) + fraction * grey_of(beside), 1.0F) << y;
         EXPECT_EQ(pixels_[own - 1], before[own - 1]);
         EXPECT_EQ(pixels_[own + 1], before[own + 1]);
     }

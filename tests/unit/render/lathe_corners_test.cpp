@@ -150,8 +150,8 @@ TEST_F(LatheCorners, MirrorTheSkyThatLiesInTheMirror) {
     rows_[0].light.z = 0.5F;
     // Straight back to the eye, blurred by a film's roughness.
     const float blur = 2.0F / (0.3F * 0.3F * 0.3F * 0.3F);
-    const float share = blur / (4.0F + blur);
-    expect_near(three(0, value::kMirrored), 0.5F * share * vec3(2.0F, 3.0F, 4.0F), 1e-2F);
+    const float fraction = blur / (4.0F + blur);
+    expect_near(three(0, value::kMirrored), 0.5F * fraction * vec3(2.0F, 3.0F, 4.0F), 1e-2F);
     frame_.panel_direction[0] = vec4(0.0F, 0.0F, -1.0F, 4.0F);
     EXPECT_LT(three(0, value::kMirrored).x, 0.01F);
 }

@@ -47,8 +47,8 @@ TEST(LatheEdges, RunUpBothSidesOfAWallRoundItsFootAndRoundItsRim) {
         for (const OutlinePiece& edge : outlines.edges) {
             const dvec2 a(edge.from.x, edge.from.y);
             const dvec2 b(edge.to.x, edge.to.y);
-            const double share = std::clamp(glm::dot(pixel - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
-            least = std::min(least, glm::length(pixel - a - share * (b - a)));
+            const double fraction = std::clamp(glm::dot(pixel - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+            least = std::min(least, glm::length(pixel - a - fraction * (b - a)));
         }
         return least;
     };

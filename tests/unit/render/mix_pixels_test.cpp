@@ -24,9 +24,9 @@ TEST(MixedPixels, AreEachByteOfBothByTheirShare) {
     const std::vector<std::uint32_t> from = random_picture(1);
     const std::vector<std::uint32_t> to = random_picture(2);
     constexpr PixelRect kInside{.x = 3, .y = 1, .width = 33, .height = 3};
-    for (const float share : {0.0F, 1.0F / 256.0F, 0.25F, 0.5F, 0.9F, 1.0F}) {
+    for (const float fraction : {0.0F, 1.0F / 256.0F, 0.25F, 0.5F, 0.9F, 1.0F}) {
         std::vector<std::uint32_t> into(from.size(), 0xDEADBEEFU);
-        mix_pixels(from, to, share, kInside, kAcross, into);
+        mix_pixels(from, to, fraction, kInside, kAcross, into);
         for (int y = 0; y < kDown; ++y) {
             for (int x = 0; x < kAcross; ++x) {
                 const auto at = static_cast<std::size_t>(y * kAcross + x);
@@ -39,8 +39,9 @@ TEST(MixedPixels, AreEachByteOfBothByTheirShare) {
                     const auto byte = [&](std::uint32_t pixel) {
                         return static_cast<float>(pixel >> shift & 255U);
                     };
-                    ASSERT_NEAR(byte(into[at]), byte(from[at]) * (1.0F - share) + byte(to[at]) * share, 1.01)
-                        << x << ", " << y << " at " << share;
+                    ASSERT_NEAR(byte(into[at]), byte(from[at]) * (1.0F - fraction) + byte(to[at]) * fraction,
+                                1.01)
+                        << x << ", " << y << " at " << fraction;
                 }
             }
         }

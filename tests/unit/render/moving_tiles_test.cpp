@@ -14,8 +14,8 @@ constexpr int kWidth = 640;
 constexpr int kHeight = 360;
 
 // A stick that lies aslant: most of the one box about it would be empty.
-MoverModel stick() {
-    MoverMesh mesh;
+PropModel stick() {
+    PropMesh mesh;
     for (int i = 0; i <= 200; ++i) {
         const float at = static_cast<float>(i);
         mesh.vertices.push_back({.position_mm = {at, at, 0.0F}});
@@ -25,20 +25,20 @@ MoverModel stick() {
         for (const std::uint32_t corner : {last - 2, last - 1, last, last - 1, last + 1, last})
             mesh.indices.push_back(corner);
     }
-    MoverModel model{.meshes = {mesh}, .boxes_mm = {}};
+    PropModel model{.meshes = {mesh}, .boxes_mm = {}};
     measure(model);
     return model;
 }
 
-TEST(MoverBoxes, HoldEveryTriangleAndLittleElse) {
-    const MoverModel model = stick();
+TEST(PropBoxes, HoldEveryTriangleAndLittleElse) {
+    const PropModel model = stick();
     float volume_mm3 = 0.0F;
     for (const Box& box : model.boxes_mm) {
         const vec3 size = box.high - box.low;
         volume_mm3 += size.x * size.y * size.z;
     }
     EXPECT_LT(volume_mm3, 202.0F * 202.0F * 1.0F / 10.0F);
-    const MoverMesh& mesh = model.meshes[0];
+    const PropMesh& mesh = model.meshes[0];
     for (std::size_t at = 0; at < mesh.indices.size(); at += 3) {
         EXPECT_TRUE(std::any_of(model.boxes_mm.begin(), model.boxes_mm.end(), [&](const Box& box) {
             return std::all_of(mesh.indices.begin() + static_cast<std::ptrdiff_t>(at),
@@ -52,8 +52,8 @@ TEST(MoverBoxes, HoldEveryTriangleAndLittleElse) {
     }
 }
 
-TEST(MoverBoxes, OfNothingAreNone) {
-    MoverModel nothing;
+TEST(PropBoxes, OfNothingAreNone) {
+    PropModel nothing;
     measure(nothing);
     EXPECT_TRUE(nothing.boxes_mm.empty());
 }
@@ -64,23 +64,23 @@ class MovingTiles : public testing::Test {
         scene_.camera = {
             .eye_mm = {0.0F, 350.0F, 1100.0F}, .target_mm = {0.0F, 70.0F, 0.0F}, .vertical_fov_rad = 0.3F};
         scene_.lathe = Lathe{.radii_mm = radii_, .element_height_mm = 0.1F, .edge_rounding_mm = 2.0F};
-        scene_.mover_library = std::make_shared<const MoverLibrary>(MoverLibrary{stick()});
-        scene_.movers = {{.model = 0, .place = glm::translate(mat4(1.0F), vec3(70.0F, 60.0F, 0.0F))}};
+        scene_.prop_library = std::make_shared<const PropLibrary>(PropLibrary{stick()});
+        scene_.props = {{.model = 0, .place = glm::translate(mat4(1.0F), vec3(70.0F, 60.0F, 0.0F))}};
     }
     const std::vector<std::uint8_t>& find() {
         build_frame(scene_, {.lowest_mm = -100.0F}, live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, kHeight),
                     kWidth, kHeight, built_);
-        if (built_.mover_tiles.empty()) want_stick();
+        if (built_.prop_tiles.empty()) want_stick();
         find_moving_tiles(scene_, {scene_.camera, kWidth, kHeight}, built_);
         return built_.moving_tiles;
     }
     // As whoever draws the stick says.
     void want_stick() {
         const TileGrid grid{kWidth, kHeight};
-        built_.mover_tiles.assign(grid.count(), 0);
-        for (const Box& box : (*scene_.mover_library)[0].boxes_mm) {
-            const Box there = placed(box, scene_.movers[0].place);
-            want_tiles(grid, pixels_of({&there, 1}, scene_.camera, kWidth, kHeight), built_.mover_tiles);
+        built_.prop_tiles.assign(grid.count(), 0);
+        for (const Box& box : (*scene_.prop_library)[0].boxes_mm) {
+            const Box there = placed(box, scene_.props[0].place);
+            want_tiles(grid, pixels_of({&there, 1}, scene_.camera, kWidth, kHeight), built_.prop_tiles);
         }
     }
     // Whether the tile that a point of the world is seen in is among them.
@@ -111,7 +111,7 @@ TEST_F(MovingTiles, HoldEveryPointOfThePotAndOfWhatIsHeld) {
             ASSERT_TRUE(holds(point)) << turn << " degrees, element " << i;
         }
     }
-    for (const MoverMesh::Vertex& vertex : (*scene_.mover_library)[0].meshes[0].vertices)
+    for (const PropMesh::Vertex& vertex : (*scene_.prop_library)[0].meshes[0].vertices)
         ASSERT_TRUE(holds(vertex.position_mm + vec3(70.0F, 60.0F, 0.0F)));
 }
 
@@ -158,8 +158,8 @@ TEST_F(MovingTiles, OfAHandAreNotCoveredByThePotBehindIt) {
     const auto quiet =
         static_cast<std::size_t>(std::find(tiles.begin(), tiles.end(), kNothingMoves) - tiles.begin());
     ASSERT_LT(std::max(covered, quiet), tiles.size());
-    built_.mover_tiles.assign(tiles.size(), 0);
-    built_.mover_tiles[covered] = built_.mover_tiles[quiet] = 1;
+    built_.prop_tiles.assign(tiles.size(), 0);
+    built_.prop_tiles[covered] = built_.prop_tiles[quiet] = 1;
     tiles = find();
     EXPECT_EQ(tiles[covered], kMoves);
     EXPECT_EQ(tiles[quiet], kMoves);

@@ -131,12 +131,12 @@ TEST(OverlayPaint, PutsAPicturesPixelsWhereTheyBelong) {
 // What is laid over what, against the same in real numbers.
 TEST(OverlayPaint, LaysColoursOverEachOtherWithinTwoLevels) {
     std::mt19937 random(9);
-    std::uniform_real_distribution<float> share(0.0F, 1.0F);
+    std::uniform_real_distribution<float> fraction(0.0F, 1.0F);
     for (int round = 0; round < 100; ++round) {
         ui::DrawList list;
         std::array<float, 4> wanted{};
         for (int layer = 0; layer < 3; ++layer) {
-            const ui::Colour colour{share(random), share(random), share(random), share(random)};
+            const ui::Colour colour{fraction(random), fraction(random), fraction(random), fraction(random)};
             list.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, colour);
             const std::array over{colour.r * colour.a, colour.g * colour.a, colour.b * colour.a, colour.a};
             for (std::size_t i = 0; i < 4; ++i)

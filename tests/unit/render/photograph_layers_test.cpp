@@ -35,7 +35,7 @@ class LaidPhotographs : public testing::Test {
         without_key_.assign(with_key_.size(), 0x55000000U);
         // In two parts, as one frame after another lays them.
         for (const RowSpan rows : {RowSpan{0, height / 3}, RowSpan{height / 3, height}})
-            lay_photographs(plate_, window, width, rows, with_key_, without_key_);
+            lay_photographs(background_, window, width, rows, with_key_, without_key_);
     }
     static int byte(std::uint32_t texel, unsigned at) {
         return static_cast<int>((texel >> (8U * at)) & 255U);
@@ -46,7 +46,7 @@ class LaidPhotographs : public testing::Test {
     [[nodiscard]] std::uint32_t unlit(int x, int y) const {
         return without_key_.at(static_cast<std::size_t>(y * width_ + x));
     }
-    HostPlate plate_{photograph(true), photograph(false)};
+    HostBackground background_{photograph(true), photograph(false)};
     int width_ = 0;
     std::vector<std::uint32_t> with_key_;
     std::vector<std::uint32_t> without_key_;
@@ -95,7 +95,7 @@ TEST_F(LaidPhotographs, GoOnDarkerAsTheirMirrorImageBesideTheirBorder) {
 }
 
 TEST_F(LaidPhotographs, KeepTheirByteOrder) {
-    plate_ = {photograph(true, ByteOrder::kBlueFirst), photograph(false, ByteOrder::kBlueFirst)};
+    background_ = {photograph(true, ByteOrder::kBlueFirst), photograph(false, ByteOrder::kBlueFirst)};
     lay(vec4(1.0F / kAcross, 1.0F / kDown, 0.0F, 0.0F), kAcross, kDown);
     EXPECT_EQ(byte(lit(200, 10), 2), 100);
     EXPECT_EQ(byte(lit(200, 10), 1), 20);

@@ -51,7 +51,7 @@ TEST_F(EditedShaders, AreCompiledAnewWhereTheyChanged) {
     EXPECT_TRUE(*polled);
     ASSERT_EQ(reload_->replacements().size(), 1U);
     const auto& [original, words] = *reload_->replacements().begin();
-    EXPECT_EQ(original, shaders::kMoverFrag.data());
+    EXPECT_EQ(original, shaders::kPropFrag.data());
     constexpr std::uint32_t kSpirvMagic = 0x07230203;
     EXPECT_EQ(words.at(0), kSpirvMagic);
 }

@@ -34,8 +34,8 @@ class Audit : public testing::TestWithParam<Case> {
 };
 
 // Every way in which a visitor may have set the screens up.
-std::vector<SampleWish> ways_of(const Case& one, int text_size) {
-    std::vector<SampleWish> ways;
+std::vector<SampleRequest> ways_of(const Case& one, int text_size) {
+    std::vector<SampleRequest> ways;
     for (const int way : {0, 1, 2, 3, 4, 5, 6, 7}) {
         ways.push_back({.width_px = one.width_px,
                         .height_px = one.height_px,
@@ -49,7 +49,7 @@ std::vector<SampleWish> ways_of(const Case& one, int text_size) {
     return ways;
 }
 
-std::string words_for(const SampleWish& way) {
+std::string words_for(const SampleRequest& way) {
     return fmt::format("text {}{}{}{}", way.text_size, way.reach ? ", reach" : "",
                        way.left_hand ? ", left hand" : "", way.scans ? ", ring" : "");
 }
@@ -65,7 +65,7 @@ TEST_P(Audit, FindsNothingInAnyLayout) {
     PaintingStore store(painter_, PaintingStore::Paints::kNothing);
     std::size_t ring = 0;
     for (int text_size = 1; text_size <= kiosk::kMostTextSize; ++text_size) {
-        for (const SampleWish& way : ways_of(GetParam(), text_size)) {
+        for (const SampleRequest& way : ways_of(GetParam(), text_size)) {
             for (const SampleView& sample : sample_views(way)) {
                 SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(way)));
                 Composition screen = compose(*sample.view, painter_, store);
@@ -121,14 +121,14 @@ TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
     const Case& one = GetParam();
     PaintingStore store(painter_);
     // A quarter of the size each way, and the same layout. The staff's panel keeps its size of text.
-    const auto audit = [&](SampleWish wish) {
-        wish.width_px = one.width_px / 4;
-        wish.height_px = one.height_px / 4;
-        wish.language = one.language;
+    const auto audit = [&](SampleRequest request) {
+        request.width_px = one.width_px / 4;
+        request.height_px = one.height_px / 4;
+        request.language = one.language;
         std::size_t ring = 0;
-        for (const SampleView& sample : sample_views(wish)) {
-            SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(wish)));
-            const SampleView ringed = wish.scans ? with_ring(sample, ++ring, 12) : sample;
+        for (const SampleView& sample : sample_views(request)) {
+            SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(request)));
+            const SampleView ringed = request.scans ? with_ring(sample, ++ring, 12) : sample;
             const Composition composition = compose(*ringed.view, painter_, store);
             audit_contrast(ringed, composition);
             audit_room(ringed, composition);

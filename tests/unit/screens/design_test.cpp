@@ -59,9 +59,9 @@ TEST(Design, HasTargetsOfTwentyMillimetres) {
 }
 
 TEST(Design, WritesCapitalsOfSevenTenthsOfADegree) {
-    constexpr double kCapShare = 0.719;  // of an em, the smallest of the families: Noto
+    constexpr double kCapFraction = 0.719;  // of an em, the smallest of the families: Noto
     constexpr double kDistanceMm = 600.0;
-    const double cap_mm = double{kLeastTextSize} * double{kMmPerU} * kCapShare;
+    const double cap_mm = double{kLeastTextSize} * double{kMmPerU} * kCapFraction;
     EXPECT_GE(cap_mm, kDistanceMm * 0.012217) << "tan of 0.7 degrees";
 }
 

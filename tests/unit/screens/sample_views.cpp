@@ -173,20 +173,20 @@ void add_staff_views(const View& base, std::vector<SampleView>& all) {
 
 }  // namespace
 
-std::vector<SampleView> sample_views(const SampleWish& wish) {
+std::vector<SampleView> sample_views(const SampleRequest& request) {
     View base;
-    base.width_px = wish.width_px;
-    base.height_px = wish.height_px;
-    base.px_per_mm = double{px_per_u_of(wish.width_px, wish.height_px) / design::kMmPerU};
+    base.width_px = request.width_px;
+    base.height_px = request.height_px;
+    base.px_per_mm = double{px_per_u_of(request.width_px, request.height_px) / design::kMmPerU};
     base.languages = languages();
     base.exhibits = sample_exhibits();
-    base.state.comfort.language = place_of(wish.language);
-    base.state.comfort.text_size = wish.text_size;
-    base.state.comfort.reach = wish.reach;
-    base.state.comfort.left_hand = wish.left_hand;
-    base.state.comfort.still = wish.still;
-    base.scans = wish.scans;
-    base.focus = wish.scans ? 0 : -1;
+    base.state.comfort.language = place_of(request.language);
+    base.state.comfort.text_size = request.text_size;
+    base.state.comfort.reach = request.reach;
+    base.state.comfort.left_hand = request.left_hand;
+    base.state.comfort.still = request.still;
+    base.scans = request.scans;
+    base.focus = request.scans ? 0 : -1;
     base.pot = std::make_shared<const FiredPot>(FiredPot{.shape = jar(),
                                                          .height_mm = 168.0,
                                                          .width_mm = 152.0,
@@ -327,7 +327,7 @@ std::vector<SampleView> sample_views(const SampleWish& wish) {
         view.state.panel = kiosk::Panel::kLanguage;
         view.state.comfort.still = true;
     });
-    if (!wish.staff) return all;
+    if (!request.staff) return all;
     add("pin", Screen::kThrow, [](View& view) {
         view.state.panel = kiosk::Panel::kPin;
         view.state.staff.digits = 2;

@@ -14,7 +14,7 @@ struct SampleView {
     std::shared_ptr<const View> view;
 };
 
-struct SampleWish {
+struct SampleRequest {
     int width_px = 1280;
     int height_px = 720;
     std::string language = "en";  // of en, ko, ar
@@ -27,7 +27,7 @@ struct SampleWish {
 };
 
 // One of each screen and panel, with what it needs.
-[[nodiscard]] std::vector<SampleView> sample_views(const SampleWish& wish);
+[[nodiscard]] std::vector<SampleView> sample_views(const SampleRequest& request);
 [[nodiscard]] std::shared_ptr<const std::vector<Exhibit>> sample_exhibits();
 
 }  // namespace onggi::screens

@@ -21,22 +21,22 @@ int main(int argc, char** argv) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     const std::string ways = word(7, "");
-    const screens::SampleWish wish{.width_px = std::atoi(word(3, "1280").c_str()),
-                                   .height_px = std::atoi(word(4, "720").c_str()),
-                                   .language = word(2, "en"),
-                                   .text_size = std::atoi(word(5, "1").c_str()),
-                                   .reach = ways.find('r') != std::string::npos,
-                                   .left_hand = ways.find('l') != std::string::npos,
-                                   .scans = ways.find('s') != std::string::npos};
+    const screens::SampleRequest request{.width_px = std::atoi(word(3, "1280").c_str()),
+                                         .height_px = std::atoi(word(4, "720").c_str()),
+                                         .language = word(2, "en"),
+                                         .text_size = std::atoi(word(5, "1").c_str()),
+                                         .reach = ways.find('r') != std::string::npos,
+                                         .left_hand = ways.find('l') != std::string::npos,
+                                         .scans = ways.find('s') != std::string::npos};
     ui::Painter painter;
     screens::PaintingStore store(painter);
-    for (const screens::SampleView& sample : screens::sample_views(wish)) {
+    for (const screens::SampleView& sample : screens::sample_views(request)) {
         if (!sample.name.starts_with(word(6, ""))) continue;
         const auto composition = screens::compose(*sample.view, painter, store);
         const auto png = asset::encode_png(screens::flatten(composition, ui::hex(0x8f7c64), true));
         if (!png) return 1;
-        const auto name = folder / fmt::format("{}-{}-{}x{}-{}.png", sample.name, wish.language,
-                                               wish.width_px, wish.height_px, wish.text_size);
+        const auto name = folder / fmt::format("{}-{}-{}x{}-{}.png", sample.name, request.language,
+                                               request.width_px, request.height_px, request.text_size);
         if (!files::write_file_atomically(name, *png)) return 1;
     }
     return 0;

@@ -85,14 +85,14 @@ int main(int argc, char** argv) {
     const auto word = [&](int place, const char* fallback) {
         return std::string(argc > place ? argv[place] : fallback);
     };
-    const screens::SampleWish wish{.width_px = std::atoi(word(2, "1280").c_str()),
-                                   .height_px = std::atoi(word(3, "720").c_str()),
-                                   .language = word(1, "en"),
-                                   .text_size = std::atoi(word(4, "1").c_str()),
-                                   .reach = word(5, "") == "low"};
+    const screens::SampleRequest request{.width_px = std::atoi(word(2, "1280").c_str()),
+                                         .height_px = std::atoi(word(3, "720").c_str()),
+                                         .language = word(1, "en"),
+                                         .text_size = std::atoi(word(4, "1").c_str()),
+                                         .reach = word(5, "") == "low"};
     ui::Painter painter;
     screens::PaintingStore store(painter, screens::PaintingStore::Paints::kNothing);
-    for (const screens::SampleView& sample : screens::sample_views(wish)) {
+    for (const screens::SampleView& sample : screens::sample_views(request)) {
         const auto screen = screens::compose(*sample.view, painter, store);
         for (std::size_t place = 0; place < screen.targets.size(); ++place) {
             const screens::Target& target = screen.targets[place];

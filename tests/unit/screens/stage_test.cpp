@@ -138,10 +138,10 @@ TEST_F(Theatre, LeavesWhatTwoScreensShowAlikeAndFadesTheRest) {
         const std::vector<ui::Vertex> half_way = drawn(2.1);
         const std::vector<ui::Vertex> after = drawn(2.6);
         EXPECT_LT(half_way.size(), before.size() + after.size()) << from << " to " << to;
-        const double share =
+        const double fraction =
             static_cast<double>(shared_vertices(after, half_way)) / static_cast<double>(after.size());
-        EXPECT_GT(share, least) << from << " to " << to;
-        EXPECT_LT(share, 1.0) << from << " to " << to << ": something fades";
+        EXPECT_GT(fraction, least) << from << " to " << to;
+        EXPECT_LT(fraction, 1.0) << from << " to " << to << ": something fades";
         EXPECT_LT(shared_vertices(before, half_way), before.size());
     }
 }
@@ -261,7 +261,7 @@ TEST_F(Theatre, DrawsTheWarningOnThePotWithoutTheAtlas) {
     EXPECT_GT(stage_.draw({.now_s = 1.1, .band = &band}).vertices().size(), without + 60);
 }
 
-TEST(Composer, ComposesTheNewestWishBesideTheFrame) {
+TEST(Composer, ComposesTheNewestRequestBesideTheFrame) {
     Composer composer;
     ASSERT_TRUE(composer.start());
     const auto samples = sample_views({.width_px = 640, .height_px = 360});

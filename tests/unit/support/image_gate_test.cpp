@@ -83,7 +83,7 @@ TEST_F(ImageGate, FailsAPotWiderByATwentiethOfAMillimetre) {
     const Image wider = draw_pot({.wider_mm = 0.05});
     EXPECT_FALSE(check(wider));
     const ImageDifference difference = compare_images(pot(), wider, kSameDriver.delta_limit);
-    EXPECT_GT(difference.bad_share, kSameDriver.bad_share);
+    EXPECT_GT(difference.bad_fraction, kSameDriver.bad_fraction);
     EXPECT_GT(difference.mean_delta, kSameDriver.mean_delta);
 }
 
@@ -92,7 +92,7 @@ TEST_F(ImageGate, FailsLightThatIsOnePercentWeakerThoughNoPixelDiffersVisibly) {
     const Image darker = draw_pot({.light = 0.99});
     EXPECT_FALSE(check(darker));
     const ImageDifference difference = compare_images(pot(), darker, kSameDriver.delta_limit);
-    EXPECT_EQ(difference.bad_share, 0.0) << "the mean alone must have caught it";
+    EXPECT_EQ(difference.bad_fraction, 0.0) << "the mean alone must have caught it";
 }
 
 TEST_F(ImageGate, FailsAFewWrongPixelsThoughTheMeanIsFine) {
@@ -247,7 +247,7 @@ TEST(CompareImages, CountsTheMostDifferingChannelAlphaIncluded) {
     const Image actual{2, 1, {12, 20, 27, 255, 0, 0, 0, 249}};
     const ImageDifference difference = compare_images(expected, actual, 3);
     EXPECT_DOUBLE_EQ(difference.mean_delta, 4.5);
-    EXPECT_DOUBLE_EQ(difference.bad_share, 0.5);
+    EXPECT_DOUBLE_EQ(difference.bad_fraction, 0.5);
     ASSERT_EQ(difference.worst.size(), 2U);
     EXPECT_EQ(difference.worst[0].x, 1);
     EXPECT_EQ(difference.worst[0].delta, 6);

@@ -34,12 +34,12 @@ TEST(DeviceChoice, ObeysAnIndexOrAPartOfANameInAnyCase) {
     EXPECT_EQ(*choose(machine(), "intel"), 1U);
 }
 
-TEST(DeviceChoice, RefusesAWishThatFitsNoneAndNamesThoseThereAre) {
-    for (const char* wish : {"7", "matrox", "amd"}) {
-        const auto chosen = choose(machine(), wish);
-        ASSERT_FALSE(chosen) << wish;
+TEST(DeviceChoice, RefusesARequestThatFitsNoneAndNamesThoseThereAre) {
+    for (const char* request : {"7", "matrox", "amd"}) {
+        const auto chosen = choose(machine(), request);
+        ASSERT_FALSE(chosen) << request;
         EXPECT_EQ(chosen.error().kind, ErrorKind::kBadInput);
-        EXPECT_NE(chosen.error().message.find(wish), std::string::npos);
+        EXPECT_NE(chosen.error().message.find(request), std::string::npos);
         EXPECT_NE(chosen.error().message.find("AMD old (lacks Vulkan 1.3)"), std::string::npos);
         EXPECT_EQ(chosen.error().message.find('\n'), std::string::npos);
     }

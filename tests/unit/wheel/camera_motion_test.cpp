@@ -137,14 +137,14 @@ TEST(CameraPose, IsTheCameraItCameFrom) {
     EXPECT_EQ(back.vertical_fov_rad, camera.vertical_fov_rad);
 }
 
-TEST(ShareOfAGlide, ShowsOnePlateAloneNearEachEnd) {
-    EXPECT_EQ(share_between(kThrowing, kLookingIn, kThrowing), 0.0);
-    EXPECT_EQ(share_between(kThrowing, kLookingIn, kLookingIn), 1.0);
+TEST(ShareOfATransition, ShowsOneBackgroundAloneNearEachEnd) {
+    EXPECT_EQ(fraction_between(kThrowing, kLookingIn, kThrowing), 0.0);
+    EXPECT_EQ(fraction_between(kThrowing, kLookingIn, kLookingIn), 1.0);
     CameraPose halfway = kThrowing;
     halfway.out_mm = 0.5 * (kThrowing.out_mm + kLookingIn.out_mm);
     halfway.up_mm = 0.5 * (kThrowing.up_mm + kLookingIn.up_mm);
-    EXPECT_NEAR(share_between(kThrowing, kLookingIn, halfway), 0.5, 1e-9);
-    EXPECT_EQ(share_between(kThrowing, kThrowing, kLookingIn), 0.0);
+    EXPECT_NEAR(fraction_between(kThrowing, kLookingIn, halfway), 0.5, 1e-9);
+    EXPECT_EQ(fraction_between(kThrowing, kThrowing, kLookingIn), 0.0);
 }
 
 }  // namespace

@@ -33,18 +33,18 @@ class CameraOfARoom : public testing::Test {
     render::Camera place_;  // where it began
 };
 
-TEST_F(CameraOfARoom, GlidesWhereThereIsTime) {
+TEST_F(CameraOfARoom, TransitionsWhereThereIsTime) {
     scene().look_at(View::kLookingIn);
     for (int i = 0; i < 30; ++i) {
         const render::Scene& seen = frame();
-        EXPECT_TRUE(seen.glide.has_value());
+        EXPECT_TRUE(seen.transition.has_value());
         EXPECT_FALSE(seen.next_view.has_value());
         EXPECT_FALSE(seen.fade_in.has_value());
     }
 }
 
 TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyAndIsThenThereAtOnce) {
-    scene().glide(false);
+    scene().transition(false);
     scene().look_at(View::kLookingIn);
     render::Camera next;
     for (int i = 0; i < 20; ++i) {
@@ -57,14 +57,14 @@ TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyAndIsThenThereAtOnce) {
     scene().next_view_is_ready();
     const render::Scene& seen = frame();
     EXPECT_EQ(seen.camera, next);
-    EXPECT_FALSE(seen.glide.has_value());
+    EXPECT_FALSE(seen.transition.has_value());
     EXPECT_FALSE(seen.next_view.has_value());
     EXPECT_TRUE(seen.fade_in.has_value());
     EXPECT_EQ(scene().camera_now(kWidth, kHeight), next) << "and so for touches";
 }
 
 TEST_F(CameraOfARoom, FadesForAQuarterOfASecondAtAnyFrameRate) {
-    scene().glide(false);
+    scene().transition(false);
     View view = View::kThrowing;
     for (const int rate_hz : {20, 60, 144}) {
         view = view == View::kThrowing ? View::kLookingIn : View::kThrowing;
@@ -72,17 +72,17 @@ TEST_F(CameraOfARoom, FadesForAQuarterOfASecondAtAnyFrameRate) {
         int frames = 0;
         float before = 0.0F;
         for (; frames < 100; ++frames) {
-            const std::optional<float> share = frame(1.0 / rate_hz).fade_in;
-            if (!share) break;
-            EXPECT_NEAR(*share - before, 4.0F / static_cast<float>(rate_hz), 1e-5F);
-            before = *share;
+            const std::optional<float> fraction = frame(1.0 / rate_hz).fade_in;
+            if (!fraction) break;
+            EXPECT_NEAR(*fraction - before, 4.0F / static_cast<float>(rate_hz), 1e-5F);
+            before = *fraction;
         }
         EXPECT_NEAR(frames, rate_hz / 4 - 1, 1) << rate_hz;
     }
 }
 
 TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
-    scene().glide(false);
+    scene().transition(false);
     scene().look_at(View::kLookingIn);
     EXPECT_TRUE(frame().next_view.has_value());
     scene().look_at(View::kThrowing);
@@ -93,7 +93,7 @@ TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
 
 // What is ready is the view that was asked for before.
 TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
-    scene().glide(false);
+    scene().transition(false);
     scene().look_at(View::kLookingIn);
     frame();
     scene().next_view_is_ready();
@@ -104,25 +104,25 @@ TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
     EXPECT_EQ(frame().camera.lens_shift, vec2(0.0F, 0.1F));
 }
 
-TEST_F(CameraOfARoom, IsCutWithoutAFadeForLessMotionEvenWhereItCouldGlide) {
+TEST_F(CameraOfARoom, IsCutWithoutAFadeForLessMotionEvenWhereItCouldTransition) {
     for (const bool glides : {true, false}) {
-        scene().glide(glides);
+        scene().transition(glides);
         scene().move_less(true);
         cut_to(glides ? View::kLookingIn : View::kThrowing);
         const render::Scene& seen = frame();
         EXPECT_EQ(seen.camera == place_, !glides);
         EXPECT_FALSE(seen.fade_in.has_value());
-        EXPECT_FALSE(seen.glide.has_value());
+        EXPECT_FALSE(seen.transition.has_value());
     }
 }
 
-TEST_F(CameraOfARoom, StandsWhereItWasGoingWhenThereIsNoMoreTimeToGlide) {
+TEST_F(CameraOfARoom, StandsWhereItWasGoingWhenThereIsNoMoreTimeToTransition) {
     scene().look_at(View::kLookingIn);
     for (int i = 0; i < 10; ++i)
         frame();
-    scene().glide(false);
+    scene().transition(false);
     const render::Scene& seen = frame();
-    EXPECT_FALSE(seen.glide.has_value());
+    EXPECT_FALSE(seen.transition.has_value());
     EXPECT_FALSE(seen.camera == place_);
     EXPECT_EQ(frame().camera, frame().camera);
 }

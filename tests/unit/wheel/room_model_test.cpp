@@ -71,7 +71,7 @@ TEST_F(ARoomModel, IsSeenFromOurCamerasInOurLightWhereItHasNone) {
     EXPECT_EQ(opened.lack, "");
     const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
     const render::Scene& scene = opened.scene->apply({.pot = &pot}, 1280, 720);
-    EXPECT_EQ(scene.plate, nullptr);
+    EXPECT_EQ(scene.background, nullptr);
     EXPECT_EQ(scene.camera.eye_mm, vec3(0.0F, 285.0F, 805.0F));
     EXPECT_TRUE(scene.irradiance);
     EXPECT_EQ(scene.still_life->parts.size(), 3U) << "the wall, and our wheel and pan";

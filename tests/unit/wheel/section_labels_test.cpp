@@ -32,11 +32,11 @@ clay::StudioClay jar() {
     std::vector<double> inner(clay.inner_mm().begin(), clay.inner_mm().end());
     for (std::size_t i = 0; i < outer.size(); ++i) {
         if (!(inner[i] > 0.0)) continue;
-        const double share = (clay.centre_height_mm(static_cast<int>(i)) - 12.0) / 110.0;
-        const double bulge =
-            share < 0.5 ? share * (0.5 - share) * 16.0 * 20.0 : -(share - 0.5) * (1.0 - share) * 16.0 * 12.0;
+        const double fraction = (clay.centre_height_mm(static_cast<int>(i)) - 12.0) / 110.0;
+        const double bulge = fraction < 0.5 ? fraction * (0.5 - fraction) * 16.0 * 20.0
+                                            : -(fraction - 0.5) * (1.0 - fraction) * 16.0 * 12.0;
         outer[i] = 45.0 + bulge;
-        inner[i] = outer[i] - (8.0 - 3.5 * share);
+        inner[i] = outer[i] - (8.0 - 3.5 * fraction);
     }
     clay.set_profile(outer, inner);
     return clay;
@@ -111,9 +111,9 @@ TEST(SectionLabels, FindTheThinnestPlace) {
 }
 
 TEST(SectionLabels, StandApartInsideThePictureAtEverySize) {
-    clay::StudioClay plate;
-    plate.set_wall(120.0, 7.0, 9.0, 30.0, 400);
-    for (const clay::StudioClay& clay : {jar(), plate}) {
+    clay::StudioClay background;
+    background.set_wall(120.0, 7.0, 9.0, 30.0, 400);
+    for (const clay::StudioClay& clay : {jar(), background}) {
         const pot::Pot shape = pot_of(clay);
         for (const auto& [width, height] :
              {std::array{480, 360}, std::array{640, 480}, std::array{405, 720}, std::array{1920, 1080}}) {

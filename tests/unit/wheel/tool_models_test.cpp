@@ -15,9 +15,9 @@ TEST(ToolModels, AreAllThereRightAndLeft) {
     const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
     ASSERT_EQ((*library)->size(), 2 * kToolModels);
-    for (const render::MoverModel& model : **library) {
+    for (const render::PropModel& model : **library) {
         std::size_t triangles = 0;
-        for (const render::MoverMesh& mesh : model.meshes)
+        for (const render::PropMesh& mesh : model.meshes)
             triangles += mesh.indices.size() / 3;
         EXPECT_GT(triangles, 100U);
         EXPECT_LT(triangles, 5000U) << "more than a software renderer has time for";
@@ -29,14 +29,14 @@ TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
     ASSERT_TRUE(library) << library.error().message;
     for (const ToolModel tool : {ToolModel::kHandOuter, ToolModel::kHandInner, ToolModel::kRib,
                                  ToolModel::kSponge, ToolModel::kTrimmer, ToolModel::kStick}) {
-        const render::MoverModel& model = (**library)[library_place(tool, false)];
+        const render::PropModel& model = (**library)[library_place(tool, false)];
         float leftmost_mm = 1e9F;
         for (const render::Box& box : model.boxes_mm)
             leftmost_mm = std::min(leftmost_mm, box.low.x);
         EXPECT_NEAR(leftmost_mm, 0.0F, 6.0F) << static_cast<std::size_t>(tool);
         float nearest = 1e9F;
-        for (const render::MoverMesh& mesh : model.meshes) {
-            for (const render::MoverMesh::Vertex& vertex : mesh.vertices)
+        for (const render::PropMesh& mesh : model.meshes) {
+            for (const render::PropMesh::Vertex& vertex : mesh.vertices)
                 nearest = std::min(nearest, glm::length(vertex.position_mm));
         }
         EXPECT_LT(nearest, 8.0F) << static_cast<std::size_t>(tool);
@@ -46,8 +46,8 @@ TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
 TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {
     const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
-    for (const render::MoverModel& model : **library) {
-        for (const render::MoverMesh& mesh : model.meshes) {
+    for (const render::PropModel& model : **library) {
+        for (const render::PropMesh& mesh : model.meshes) {
             std::size_t against = 0;
             for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
                 const auto corner = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]]; };

@@ -33,9 +33,9 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     ASSERT_EQ(scene.spheres.size(), 1U);
     EXPECT_EQ(scene.spheres[0].centre_mm, vec3(70.0F, 90.0F, 5.0F));
     EXPECT_EQ(scene.spheres[0].radius_mm, 12.0F);
-    ASSERT_EQ(scene.movers.size(), 1U);
-    const render::Mover& ball = scene.movers[0];
-    const std::vector<render::Box>& boxes = scene.mover_library->at(ball.model).boxes_mm;
+    ASSERT_EQ(scene.props.size(), 1U);
+    const render::Prop& ball = scene.props[0];
+    const std::vector<render::Box>& boxes = scene.prop_library->at(ball.model).boxes_mm;
     render::Box seen = render::placed(boxes.at(0), ball.place);
     for (const render::Box& box : boxes) {
         seen.low = glm::min(seen.low, render::placed(box, ball.place).low);
@@ -45,18 +45,18 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     EXPECT_LT(glm::length(seen.high - vec3(82.0F, 102.0F, 17.0F)), 0.1F);
     shown_.hand.shown = false;
     EXPECT_TRUE(show(shown_).spheres.empty());
-    EXPECT_TRUE(show(shown_).movers.empty());
+    EXPECT_TRUE(show(shown_).props.empty());
 }
 
 TEST_F(TheWheelScene, HasNobodysHandBesideAPotThatIsNoLongerWet) {
     shown_.second_hand.shown = true;
     for (const clay::Firing stage : {clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze}) {
         pot_.stage = stage;
-        EXPECT_TRUE(show(shown_).movers.empty());
+        EXPECT_TRUE(show(shown_).props.empty());
         EXPECT_TRUE(show(shown_).spheres.empty()) << "nor its shadow";
     }
     pot_.stage = clay::Firing::kWet;
-    EXPECT_EQ(show(shown_).movers.size(), 2U);
+    EXPECT_EQ(show(shown_).props.size(), 2U);
 }
 
 TEST_F(TheWheelScene, TurnsTheClayWithTheWheel) {

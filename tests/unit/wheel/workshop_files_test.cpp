@@ -50,7 +50,7 @@ class WorkshopFiles : public testing::Test {
 TEST_F(WorkshopFiles, SayWhereTheCamerasStandAndWhatLightThereIs) {
     const auto workshop = load_workshop(kOurs);
     ASSERT_TRUE(workshop) << workshop.error().message;
-    const PlateCamera* camera = workshop->camera_for(View::kThrowing, 1280, 720);
+    const BackgroundCamera* camera = workshop->camera_for(View::kThrowing, 1280, 720);
     ASSERT_NE(camera, nullptr);
     EXPECT_EQ(camera->name, "throw_16x9");
     EXPECT_EQ(camera->camera.eye_mm, vec3(0.0F, 285.0F, 805.0F));
@@ -72,18 +72,18 @@ TEST_F(WorkshopFiles, ChooseTheCameraWhoseShapeIsNearest) {
     EXPECT_EQ(workshop->camera_for(View::kLookingIn, 1080, 1920)->name, "look_in_9x16");
 }
 
-TEST_F(WorkshopFiles, BringBothPlatesOfACamera) {
+TEST_F(WorkshopFiles, BringBothBackgroundsOfACamera) {
     const auto workshop = load_workshop(kOurs);
     ASSERT_TRUE(workshop);
-    const auto plate = load_plate(*workshop, *workshop->camera_for(View::kThrowing, 1024, 768));
-    ASSERT_TRUE(plate) << plate.error().message;
+    const auto background = load_background(*workshop, *workshop->camera_for(View::kThrowing, 1024, 768));
+    ASSERT_TRUE(background) << background.error().message;
     const auto brightness = [](const asset::Image& image) {
         double sum = 0.0;
         for (const std::uint8_t value : image.rgba)
             sum += value;
         return sum / static_cast<double>(image.rgba.size());
     };
-    render::Photographs& photographs = *(*plate)->photographs;
+    render::Photographs& photographs = *(*background)->photographs;
     const auto pair = photographs.pair();
     ASSERT_TRUE(pair);
     EXPECT_GT(brightness((*pair)->key), brightness((*pair)->ambient) + 10.0);
@@ -122,7 +122,7 @@ TEST_F(WorkshopFiles, RejectsAMissingOrWrongFieldByItsName) {
     expect_refused("cameras.json: ");
 }
 
-TEST_F(WorkshopFiles, RejectsSizesThatNoPlateHas) {
+TEST_F(WorkshopFiles, RejectsSizesThatNoBackgroundHas) {
     for (const char* size : {"[1280]", "[0, 720]", "[1e9, 720]", "[1280.5, 720]", "\"big\""}) {
         restore();
         spoil("cameras.json", "[1280, 720]", size);
@@ -159,13 +159,13 @@ TEST_F(WorkshopFiles, RejectsLightThatIsNone) {
     expect_refused("irradiance_over_pi.coefficients: expected an array of 9, found an array of 10");
 }
 
-TEST_F(WorkshopFiles, RejectsPlatesThatAreMissingDamagedOrOfAnotherSize) {
+TEST_F(WorkshopFiles, RejectsBackgroundsThatAreMissingDamagedOrOfAnotherSize) {
     const auto workshop = load_workshop(folder_.path());
     ASSERT_TRUE(workshop);
-    const PlateCamera& camera = *workshop->camera_for(View::kThrowing, 1280, 720);
+    const BackgroundCamera& camera = *workshop->camera_for(View::kThrowing, 1280, 720);
     const auto refusal = [&] {
-        const auto plate = load_plate(*workshop, camera);
-        return plate ? std::string("none") : plate.error().message;
+        const auto background = load_background(*workshop, camera);
+        return background ? std::string("none") : background.error().message;
     };
     EXPECT_NE(refusal().find("throw_16x9_key.jpg: no such file"), std::string::npos);
     fs::create_directory(folder_ / "plates");
@@ -182,7 +182,7 @@ TEST_F(WorkshopFiles, ThatAreSpoiledGiveWayToTheProgramsOwnRoomAndLeaveAReason) 
     OpenedScene opened = open_scene(folder_.path(), 640, 480);
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
     const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
-    EXPECT_NE(opened.scene->apply({.pot = &pot}, 640, 480).plate, nullptr);
+    EXPECT_NE(opened.scene->apply({.pot = &pot}, 640, 480).background, nullptr);
 }
 
 TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLifeAndAReason) {
@@ -193,7 +193,7 @@ TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLif
     EXPECT_NE(opened.lack.find("cameras.json"), std::string::npos);
     const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
     const render::Scene& scene = opened.scene->apply({.pot = &pot}, 640, 480);
-    EXPECT_EQ(scene.plate, nullptr);
+    EXPECT_EQ(scene.background, nullptr);
     EXPECT_GE(scene.still_life->parts.size(), 4U);
 }
 

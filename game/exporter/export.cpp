@@ -1,0 +1,103 @@
+// See export.h. Any thread but the haptic one.
+#include "game/exporter/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/asset/stl.h"
+#include "engine/asset/three_mf.h"
+#include "game/exporter/pot_solid.h"
+
+namespace onggi::exporter {
+namespace {
+
+struct KnownEnding {
+    std::string_view ending;
+    ExportKind kind;
+};
+constexpr std::array<KnownEnding, 3> kKnownEndings{
+    {{".glb", ExportKind::kGlb}, {".stl", ExportKind::kStl}, {".3mf", ExportKind::k3mf}}};
+constexpr const char* kProgram = "Onggi " ONGGI_VERSION;
+
+char to_lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Stoneware as the wheel shows it, without the gloss of its water.
+asset::Material stoneware() {
+    return {.name = "stoneware",
+            .base_colour_linear = dvec3(0.36, 0.29, 0.215),
+            .roughness = 0.62,
+            .metallic = 0.0};
+}
+
+}  // namespace
+
+Result<ExportKind> export_kind_of(std::string_view path) {
+    for (const auto& [ending, kind] : kKnownEndings) {
+        if (path.size() <= ending.size()) continue;
+        const std::string_view tail = path.substr(path.size() - ending.size());
+        if (std::equal(tail.begin(), tail.end(), ending.begin(),
+                       [](char a, char b) { return to_lower(a) == b; })) {
+            return kind;
+        }
+    }
+    std::string known;
+    for (const KnownEnding& one : kKnownEndings)
+        known += fmt::format("{}{}",
+                             known.empty()                   ? ""
+                             : &one == &kKnownEndings.back() ? " or "
+                                                             : ", ",
+                             one.ending);
+    return bad_input(fmt::format("{}: expected a name that ends in {}", path, known));
+}
+
+Result<std::vector<std::byte>> glb_of(asset::Mesh mesh, asset::Material material,
+                                      std::vector<asset::Extra> extras) {
+    return asset::encode_glb({.name = "pot",
+                              .generator = kProgram,
+                              .mesh = std::move(mesh),
+                              .material = std::move(material),
+                              .extras = std::move(extras)});
+}
+
+std::string printing_note(double thinnest_wall_mm) {
+    if (!(thinnest_wall_mm > 0.0 && thinnest_wall_mm < kThinnestPrintedMm)) return {};
+    return fmt::format(
+        "Thinnest wall {:.1f} mm: below {:.0f} mm prints break. At {:.0f} % and above all walls are thick "
+        "enough.",
+        thinnest_wall_mm, kThinnestPrintedMm, std::ceil(100.0 * kThinnestPrintedMm / thinnest_wall_mm));
+}
+
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file) {
+    Result<PotSolid> pot = build_pot_solid(rings, {.shrinkage = file.shrinkage});
+    if (!pot) return pot.error();
+    if (kind == ExportKind::kStl) return asset::encode_stl(pot->mesh, file.title);
+    if (kind == ExportKind::k3mf) {
+        return asset::encode_3mf(pot->mesh,
+                                 {.title = file.title, .description = file.note, .application = kProgram},
+                                 file.picture);
+    }
+    return glb_of(std::move(pot->mesh), std::move(file.material), std::move(file.extras));
+}
+
+Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind,
+                                          const asset::Image* picture) {
+    double widest_mm = 0.0;
+    for (const double radius_mm : rings.outer_mm)
+        widest_mm = std::max(widest_mm, 2.0 * radius_mm);
+    return export_pot(rings, kind,
+                      {.title = fmt::format("Onggi pot, {:.1f} mm high", rings.height_mm()),
+                       .material = stoneware(),
+                       .extras = {{"height_mm", rings.height_mm()},
+                                  {"max_diameter_mm", widest_mm},
+                                  {"volume_mm3", rings.volume_mm3}},
+                       .picture = picture});
+}
+
+}  // namespace onggi::exporter

@@ -1,0 +1,169 @@
+// See pot_faces.h. Any thread but the haptic one.
+#include "game/exporter/pot_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+#include "game/exporter/slope_range.h"
+
+namespace onggi::exporter {
+namespace {
+
+constexpr double kFlakeMm = 0.05;
+// Rows nearer than this would make triangles without an area in float metres.
+constexpr double kNearestRowsMm = 1e-3;
+// An opening narrower than this is drawn as wide as this, for the same reason.
+constexpr double kNarrowestOpeningMm = 0.02;
+
+constexpr double kLedgeSteepness = 4.0;
+constexpr double kLedgeVolumeFraction = 1e-3;
+
+// Replacing a step between two rings by a straight slope takes pi h/6 (a - b)^2 of clay away; the halves of
+// the two rings that it spans hold pi h/2 (a^2 + b^2).
+bool is_ledge(double below_mm, double above_mm, double ring_mm) {
+    const double step = std::fabs(below_mm - above_mm);
+    const double lost_fraction = step * step / (3.0 * (below_mm * below_mm + above_mm * above_mm));
+    return step > kLedgeSteepness * ring_mm && lost_fraction > kLedgeVolumeFraction;
+}
+
+// The mean of the sectors about each corner. Corner k stands at k/count of a turn, sector s is about (s +
+// 1/2)/S: with half as many corners as sectors each corner takes the two next to it.
+std::vector<double> dents_at_corners(std::span<const float> row, int count) {
+    std::vector<double> dents(PotRings::at(row.empty() ? 0 : count), 0.0);
+    const auto sectors = static_cast<int>(row.size());
+    const int width = std::max(sectors / count, 2);  // sectors a corner stands for
+    for (int k = 0; k < std::ssize(dents); ++k) {
+        const int middle = k * sectors / count;  // the sector just after the corner
+        double sum = 0.0;
+        for (int j = -width / 2; j < width - width / 2; ++j)
+            sum += static_cast<double>(row[PotRings::at((middle + j + sectors) & (sectors - 1))]);
+        dents[PotRings::at(k)] = sum / width;
+    }
+    return dents;
+}
+
+FaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int corners) {
+    FaceRow row;
+    row.y_mm = y_mm;
+    row.inside = which == Which::kInner;
+    row.radius_mm = which == Which::kOuter ? rings.outer_mm[PotRings::at(ring)]
+                                           : std::max(rings.inner(ring), kNarrowestOpeningMm);
+    if (!rings.centre_mm.empty()) row.centre_mm = rings.centre_mm[PotRings::at(ring)];
+    row.dents_mm = dents_at_corners(rings.dents_of(ring), corners);
+    return row;
+}
+
+// Calls visit(number of a row, the same of another), for every number that thinning must keep.
+template <typename Visit>
+void visit_numbers(const FaceRow& a, const FaceRow& b, Visit visit) {
+    visit(a.radius_mm, b.radius_mm);
+    visit(a.centre_mm.x, b.centre_mm.x);
+    visit(a.centre_mm.y, b.centre_mm.y);
+    for (std::size_t k = 0; k < a.dents_mm.size(); ++k)
+        visit(a.dents_mm[k], b.dents_mm[k]);
+}
+
+// The row at y_mm on the lines that leave `anchor` with the ends of those slopes.
+FaceRow on_lines(const FaceRow& anchor, const std::vector<SlopeRange>& slopes, double y_mm) {
+    FaceRow row = anchor;
+    row.y_mm = y_mm;
+    const double run = y_mm - anchor.y_mm;
+    row.radius_mm += slopes[0].end() * run;
+    row.centre_mm += dvec2(slopes[1].end(), slopes[2].end()) * run;
+    for (std::size_t k = 0; k < row.dents_mm.size(); ++k)
+        row.dents_mm[k] += slopes[3 + k].end() * run;
+    return row;
+}
+
+}  // namespace
+
+std::vector<RingRun> ring_runs(const PotRings& rings) {
+    std::vector<RingRun> runs;
+    for (int i = 0; i < rings.count();) {
+        const bool hollow = rings.is_hollow(i);
+        const int first = i;
+        while (i < rings.count() && rings.is_hollow(i) == hollow)
+            ++i;
+        const double height = rings.bottom_mm(i) - rings.bottom_mm(first);
+        const bool joins = !runs.empty() && (height < kFlakeMm || runs.back().hollow == hollow);
+        if (joins)
+            runs.back().end = i;
+        else
+            runs.push_back({first, i, hollow});
+    }
+    if (runs.size() > 1 && rings.bottom_mm(runs[1].first) < kFlakeMm) {
+        runs[1].first = 0;
+        runs.erase(runs.begin());
+    }
+    return runs;
+}
+
+Face face_of(const PotRings& rings, Which which, int first, int end, int corners) {
+    const auto has_face = [&](int ring) { return which == Which::kOuter || rings.is_hollow(ring); };
+    const double top_mm = rings.bottom_mm(end);
+    const double bottom_mm = rings.bottom_mm(first);
+    // A flake of the other kind at either end lends its height only.
+    while (first + 1 < end && !has_face(first))
+        ++first;
+    while (first + 1 < end && !has_face(end - 1))
+        --end;
+    Face face{row_at(rings, which, first, bottom_mm, corners)};
+    int below = first;
+    for (int i = first; i < end; ++i) {
+        if (!has_face(i)) continue;
+        const FaceRow row = row_at(rings, which, i, rings.middle_mm(i), corners);
+        const double ring_mm = row.y_mm - (i > first ? rings.middle_mm(below) : bottom_mm);
+        if (is_ledge(face.back().radius_mm, row.radius_mm, ring_mm)) {
+            const double edge_mm = rings.bottom_mm(i);
+            if (edge_mm - face.back().y_mm >= kNearestRowsMm)
+                face.push_back(row_at(rings, which, below, edge_mm, corners));
+            face.push_back(row_at(rings, which, i, face.back().y_mm, corners));
+        }
+        below = i;
+        if (row.y_mm - face.back().y_mm >= kNearestRowsMm) face.push_back(row);
+    }
+    if (face.size() > 1 && top_mm - face.back().y_mm < kNearestRowsMm) face.pop_back();
+    face.push_back(row_at(rings, which, end - 1, top_mm, corners));
+    return face;
+}
+
+Face thinned(const Face& face, double tolerance_mm) {
+    Face out{face.front()};
+    const std::size_t numbers = 3 + face.front().dents_mm.size();
+    std::vector<SlopeRange> slopes(numbers);
+    for (std::size_t i = 1; i < face.size();) {
+        const double run = face[i].y_mm - out.back().y_mm;
+        const bool is_ledge_here = face[i].y_mm <= face[i - 1].y_mm;
+        if (is_ledge_here) {
+            if (run > 0.0) out.push_back(on_lines(out.back(), slopes, face[i - 1].y_mm));
+            out.push_back(face[i++]);
+            slopes.assign(numbers, {});
+            continue;
+        }
+        bool passes = true;
+        std::size_t number = 0;
+        visit_numbers(out.back(), face[i], [&](double from, double to) {
+            passes = passes && slopes[number++].pass(run, to - from, tolerance_mm);
+        });
+        if (passes) {
+            ++i;
+            continue;
+        }
+        // Slopes narrowed by the point that did not pass still pass all points before it.
+        out.push_back(on_lines(out.back(), slopes, face[i - 1].y_mm));
+        slopes.assign(numbers, {});
+    }
+    out.push_back(on_lines(out.back(), slopes, face.back().y_mm));
+    return out;
+}
+
+double thinnest_mm(const PotRings& rings) {
+    double thinnest = rings.outer_mm.front();
+    for (int i = 0; i < rings.count(); ++i)
+        thinnest = std::min(thinnest, rings.outer_mm[PotRings::at(i)] - rings.inner(i));
+    return thinnest;
+}
+
+}  // namespace onggi::exporter

@@ -1,0 +1,54 @@
+// A pot's faces for sharing: from thousands of rings to the few rows of corners that a smooth wall needs,
+// dents and off-centre as they are. Any thread but the haptic one. mm, wet size, the clay's frame: x along
+// its direction 0, y up, corners counter-clockwise seen from above.
+#pragma once
+
+#include <vector>
+
+#include "engine/math/math.h"
+#include "game/exporter/pot_rings.h"
+
+namespace onggi::exporter {
+
+// One row of a face: a circle about a centre of its own, whose corners lie that much further out.
+struct FaceRow {
+    double y_mm = 0.0;
+    double radius_mm = 0.0;
+    dvec2 centre_mm{0.0};
+    bool inside = false;
+    std::vector<double> dents_mm;  // one a corner; none where the whole pot is round
+
+    [[nodiscard]] double corner_mm(std::size_t k) const {
+        return dents_mm.empty() ? radius_mm : radius_mm + dents_mm[k];
+    }
+};
+// Bottom first, heights never falling; two rows at one height are a ledge.
+using Face = std::vector<FaceRow>;
+
+// Rings without a gap that are all solid or all hollow.
+struct RingRun {
+    int first = 0;
+    int end = 0;
+    bool hollow = false;
+};
+
+// The stack as runs, bottom first, neighbours of different kind. A run lower than 0.05 mm is a flake and goes
+// with the run below it, or above the first.
+std::vector<RingRun> ring_runs(const PotRings& rings);
+
+enum class Which { kOuter, kInner };
+
+// The face of rings [first, end) through the middle of each ring, straight between them, upright in the lower
+// half of the first and the upper half of the last. Rings flatter than a micrometre are passed over. Rings
+// are a staircase only because there are finitely many; a step is kept as a ledge only where it is one: where
+// a straight slope in its place would be steeper than 4 : 1 and would cost more than a thousandth of the two
+// rings' clay. corners: of each row; divides twice the sectors, or the other way round.
+Face face_of(const PotRings& rings, Which which, int first, int end, int corners);
+
+// Fewer rows, such that no radius, centre or dent is off by more than tolerance_mm. Ledges stay.
+Face thinned(const Face& face, double tolerance_mm);
+
+// The least that lies between two faces, or between a face and the axis.
+double thinnest_mm(const PotRings& rings);
+
+}  // namespace onggi::exporter

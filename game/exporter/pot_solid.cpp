@@ -1,0 +1,154 @@
+// See pot_solid.h. Any thread but the haptic one.
+#include "game/exporter/pot_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "engine/core/units.h"
+#include "game/exporter/surface_builder.h"
+
+namespace onggi::exporter {
+namespace {
+
+struct Fineness {
+    double tolerance_mm;
+    int corners;
+};
+// Both errors grow together; the last three are for what a wild hand leaves.
+constexpr std::array<Fineness, 7> kFinenesses{
+    {{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}, {0.125, 48}, {0.25, 48}, {0.5, 48}}};
+
+void append_up(Walk& walk, Face face) {
+    std::move(face.begin(), face.end(), std::back_inserter(walk.rows));
+}
+
+void append_down(Walk& walk, Face face) {
+    std::move(face.rbegin(), face.rend(), std::back_inserter(walk.rows));
+}
+
+// Every surface of the clay; take gives the rows of rings [first, end) of a face.
+template <typename Take>
+std::vector<Walk> walks_over(const PotRings& rings, Take take) {
+    std::vector<Walk> walks;
+    Walk outside;
+    Face inside;  // of the run that is open at the top
+    for (const RingRun& run : ring_runs(rings)) {
+        if (!run.hollow) continue;
+        Face face = take(Which::kInner, run.first, run.end);
+        if (run.end == rings.count()) {
+            inside = std::move(face);
+            outside.meets_itself = run.first == 0;
+        } else if (run.first == 0) {
+            append_down(outside, std::move(face));  // a cup upside down: its inside leads to the foot
+        } else {
+            append_down(walks.emplace_back(), std::move(face));
+        }
+    }
+    append_up(outside, take(Which::kOuter, 0, rings.count()));
+    append_down(outside, std::move(inside));
+    walks.push_back(std::move(outside));
+    return walks;
+}
+
+std::size_t row_count(const std::vector<Walk>& walks) {
+    std::size_t rows = 0;
+    for (const Walk& walk : walks)
+        rows += walk.rows.size();
+    return rows;
+}
+
+// Two a corner between rows, and one a corner in each of two discs or two in the band that closes.
+std::size_t triangle_count(const std::vector<Walk>& walks, int corners) {
+    return row_count(walks) * 2 * static_cast<std::size_t>(corners);
+}
+
+struct Rows {
+    std::vector<Walk> walks;
+    Fineness fineness;
+    int rings = 0;  // that they were taken from
+};
+
+// At one setting; nothing where its tolerance might push one face through the other, or it does not fit.
+std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness, std::size_t most_triangles) {
+    // Each face may move by the tolerance, and something must be left between them.
+    if (!(4.0 * fineness.tolerance_mm <= thinnest_mm(rings))) return std::nullopt;
+    auto walks = walks_over(rings, [&](Which which, int first, int end) {
+        const Face face = face_of(rings, which, first, end, fineness.corners);
+        return fineness.tolerance_mm > 0.0 ? thinned(face, fineness.tolerance_mm) : face;
+    });
+    if (triangle_count(walks, fineness.corners) > most_triangles) return std::nullopt;
+    return Rows{std::move(walks), fineness, rings.count()};
+}
+
+SurfaceBuilder built(const Rows& rows, bool unwraps = false) {
+    SurfaceBuilder builder(rows.fineness.corners, unwraps);
+    for (const Walk& walk : rows.walks)
+        builder.add_walk(walk);
+    return builder;
+}
+
+// That is to hold the clay's volume, of everything across the axis.
+double across_scale(const SurfaceBuilder& builder, const PotRings& rings) {
+    return std::sqrt(rings.volume_mm3 / builder.volume_mm3());
+}
+
+// Whether chosen rows stand for the clay that was left out.
+bool is_like(const Rows& rows, const PotRings& rings) {
+    constexpr double kMostOff = 0.01;
+    return std::fabs(across_scale(built(rows), rings) - 1.0) < kMostOff;
+}
+
+std::optional<Rows> rows_within_budget(const PotRings& rings, std::size_t most_triangles) {
+    for (const Fineness& fineness : kFinenesses)
+        if (auto rows = rows_at(rings, fineness, most_triangles)) return rows;
+    // Rough all over: every second ring, or fourth, while those are like the rest; else what all hold on
+    // average.
+    for (const Halving how : {Halving::kEverySecond, Halving::kMerged}) {
+        for (PotRings fewer = halved(rings, how), last = rings; fewer.count() < last.count();
+             last = std::exchange(fewer, halved(fewer, how))) {
+            for (const double tolerance_mm : {0.0, kFinenesses.back().tolerance_mm}) {
+                auto rows = rows_at(fewer, {tolerance_mm, kFinenesses.back().corners}, most_triangles);
+                if (rows && is_like(*rows, rings)) return rows;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& options) {
+    if (const Result<void> good = check_rings(rings); !good) return good.error();
+    const std::optional<Rows> rows = rows_within_budget(rings, options.most_triangles);
+    if (!rows) return bad_input("pot: expected clay that is not split into thousands of hollows");
+    SurfaceBuilder builder = built(*rows, options.unwraps);
+    PotSolid pot;
+    pot.corners = rows->fineness.corners;
+    pot.tolerance_mm = rows->fineness.tolerance_mm;
+    pot.rows = row_count(rows->walks);
+    pot.rings = rows->rings;
+    pot.across_scale = across_scale(builder, rings);
+    if (!std::isfinite(pot.across_scale)) return bad_input("pot: expected clay that encloses a volume");
+    const double up = options.shrinkage * units::kMetresPerMm;
+    const double across = up * pot.across_scale;
+    builder.finish_normals();
+    if (options.unwraps) builder.unwrap(options.shrinkage, pot);
+    // + 0: no negative zeros, which would part vertices that lie at one place in the eyes of a bitwise
+    // checker.
+    const vec3 zero(0.0F);
+    pot.mesh.positions_m.reserve(builder.positions_mm.size());
+    pot.mesh.normals.reserve(builder.positions_mm.size());
+    for (std::size_t i = 0; i < builder.positions_mm.size(); ++i) {
+        const dvec3& p = builder.positions_mm[i];
+        pot.mesh.positions_m.push_back(vec3(p * dvec3(across, up, across)) + zero);
+        pot.mesh.normals.push_back(vec3(builder.normals[i]) + zero);
+    }
+    pot.mesh.indices = std::move(builder.indices);
+    return pot;
+}
+
+}  // namespace onggi::exporter

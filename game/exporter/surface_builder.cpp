@@ -1,0 +1,219 @@
+// See surface_builder.h. Any thread but the haptic one.
+#include "game/exporter/surface_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "game/exporter/unit_circle.h"
+
+namespace onggi::exporter {
+namespace {
+
+// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
+// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
+// stays smooth.
+constexpr double kCreaseCosine = 0.9396926207859084;
+
+// The walk's right-hand normal between two rows at a corner, in the plane of that corner and the axis.
+dvec2 normal_between(const FaceRow& from, const FaceRow& to, std::size_t corner, const dvec2& direction) {
+    const double out =
+        to.corner_mm(corner) - from.corner_mm(corner) + glm::dot(to.centre_mm - from.centre_mm, direction);
+    return glm::normalize(dvec2(to.y_mm - from.y_mm, -out));
+}
+
+// Whether the surface turns so much at `row` that it has an edge there.
+bool is_edge(const FaceRow& before, const FaceRow& row, const FaceRow& after,
+             const std::vector<dvec2>& circle) {
+    for (std::size_t k = 0; k < circle.size(); ++k) {
+        const dvec2 below = normal_between(before, row, k, circle[k]);
+        const dvec2 above = normal_between(row, after, k, circle[k]);
+        if (glm::dot(below, above) < kCreaseCosine) return true;
+    }
+    return false;
+}
+
+// Between one walk and the next in the pictures, so that neither runs into the other.
+constexpr double kBetweenWalksMm = 3.0;
+
+double distance(double radius_mm, double y_mm, const FaceRow& row) {
+    return std::hypot(row.radius_mm - radius_mm, row.y_mm - y_mm);
+}
+
+}  // namespace
+
+SurfaceBuilder::SurfaceBuilder(int corners, bool unwraps)
+    : circle_(unit_circle(corners)),
+      unwraps_(unwraps) {}
+
+// Where places in pictures begin and end, a row's first corner stands twice.
+std::uint32_t SurfaceBuilder::in_row() const {
+    return static_cast<std::uint32_t>(circle_.size()) + (unwraps_ ? 1U : 0U);
+}
+
+std::uint32_t SurfaceBuilder::next_of(std::uint32_t corner) const {
+    return unwraps_ ? corner + 1 : (corner + 1) % static_cast<std::uint32_t>(circle_.size());
+}
+
+std::uint32_t SurfaceBuilder::add_row(const FaceRow& row) {
+    const auto first = static_cast<std::uint32_t>(positions_mm.size());
+    for (std::uint32_t k = 0; k < in_row(); ++k) {
+        const std::size_t corner = k % circle_.size();
+        const dvec2 across = row.centre_mm + row.corner_mm(corner) * circle_[corner];
+        positions_mm.emplace_back(across.x, row.y_mm, -across.y);
+        normals.emplace_back(0.0);
+    }
+    strips_.push_back({first, along_mm_, row.radius_mm, row.y_mm, row.inside, false});
+    return first;
+}
+
+// From one row of the walk to the next. Normals: each four-cornered face gives its area to its corners.
+void SurfaceBuilder::add_band(std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t k = 0; k < circle_.size(); ++k) {
+        const std::uint32_t next = next_of(k);
+        add_triangle(from + k, from + next, to + next);
+        add_triangle(from + k, to + next, to + k);
+        const dvec3 area = glm::cross(positions_mm[to + next] - positions_mm[from + k],
+                                      positions_mm[to + k] - positions_mm[from + next]);
+        for (const std::uint32_t corner : {from + k, from + next, to + k, to + next})
+            normals[corner] += area;
+    }
+}
+
+void SurfaceBuilder::add_middle(const FaceRow& rim, bool faces_up) {
+    const auto first = static_cast<std::uint32_t>(positions_mm.size());
+    strips_.push_back({first, along_mm_, 0.0, rim.y_mm, rim.inside, true});
+    for (std::size_t k = 0; k < (unwraps_ ? circle_.size() : 1); ++k) {
+        positions_mm.emplace_back(rim.centre_mm.x, rim.y_mm, -rim.centre_mm.y);
+        normals.emplace_back(0.0, faces_up ? 1.0 : -1.0, 0.0);
+    }
+}
+
+void SurfaceBuilder::add_disc(const FaceRow& rim, bool faces_up) {
+    const double from_mm = along_mm_;
+    along_mm_ += faces_up ? 0.0 : rim.radius_mm;
+    const std::uint32_t ring = add_row(rim);
+    for (std::uint32_t k = 0; k < in_row(); ++k)
+        normals[ring + k] = dvec3(0.0, faces_up ? 1.0 : -1.0, 0.0);
+    const std::uint32_t middle = ring + in_row();
+    const double rim_along_mm = along_mm_;
+    along_mm_ = faces_up ? rim_along_mm + rim.radius_mm : from_mm;
+    add_middle(rim, faces_up);
+    if (!faces_up) {
+        // The walk comes from the middle.
+        along_mm_ = rim_along_mm;
+        std::swap(strips_[strips_.size() - 1], strips_[strips_.size() - 2]);
+    }
+    for (std::uint32_t k = 0; k < circle_.size(); ++k) {
+        const std::uint32_t centre = middle + (unwraps_ ? k : 0U);
+        if (faces_up)
+            add_triangle(ring + k, ring + next_of(k), centre);
+        else
+            add_triangle(ring + next_of(k), ring + k, centre);
+    }
+}
+
+void SurfaceBuilder::add_walk(const Walk& walk) {
+    const std::vector<FaceRow>& rows = walk.rows;
+    if (!strips_.empty()) along_mm_ += kBetweenWalksMm;
+    if (!walk.meets_itself) add_disc(rows.front(), false);
+    std::uint32_t from = add_row(rows.front());
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        along_mm_ += distance(rows[i - 1].radius_mm, rows[i - 1].y_mm, rows[i]);
+        std::uint32_t to = add_row(rows[i]);
+        add_band(from, to);
+        if (i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_)) to = add_row(rows[i]);
+        from = to;
+    }
+    if (walk.meets_itself) {
+        const std::uint32_t last = add_row(rows.back());
+        along_mm_ += distance(rows.back().radius_mm, rows.back().y_mm, rows.front());
+        add_band(last, add_row(rows.front()));
+    } else {
+        add_disc(rows.back(), true);
+    }
+}
+
+void SurfaceBuilder::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    indices.insert(indices.end(), {a, b, c});
+}
+
+double SurfaceBuilder::volume_mm3() const {
+    double six_volumes = 0.0;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        six_volumes += glm::dot(positions_mm[indices[i]],
+                                glm::cross(positions_mm[indices[i + 1]], positions_mm[indices[i + 2]]));
+    }
+    return six_volumes / 6.0;
+}
+
+void SurfaceBuilder::finish_normals() {
+    // Both of a corner that stands twice are one.
+    for (const Strip& strip : strips_) {
+        if (!unwraps_ || strip.is_middle) continue;
+        const std::uint32_t last = strip.first + in_row() - 1;
+        const dvec3 discs(0.0, normals[strip.first].y > 0.0 ? 1.0 : -1.0, 0.0);
+        const bool is_disc = normals[strip.first] == discs && normals[last] == discs;
+        if (!is_disc) normals[strip.first] = normals[last] = normals[strip.first] + normals[last];
+    }
+    for (dvec3& normal : normals)
+        normal = glm::normalize(normal);
+    mend_normals();
+}
+
+// In a deep, narrow dent the mean of a corner's faces, weighted by their areas, can point away from a small
+// one. Such a normal is turned towards the face that it denies until there is none, or no direction that all
+// its faces share.
+void SurfaceBuilder::mend_normals() {
+    constexpr int kMostTurns = 32;
+    constexpr double kAgrees = 0.05;  // cosine
+    std::vector<dvec3> faces;
+    faces.reserve(indices.size() / 3);
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const dvec3& a = positions_mm[indices[i]];
+        const dvec3 area = glm::cross(positions_mm[indices[i + 1]] - a, positions_mm[indices[i + 2]] - a);
+        faces.push_back(area / std::max(glm::length(area), 1e-300));
+    }
+    for (int turn = 0; turn < kMostTurns; ++turn) {
+        bool is_mended = false;
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            dvec3& normal = normals[indices[i]];
+            const double agreement = glm::dot(normal, faces[i / 3]);
+            if (agreement >= kAgrees) continue;
+            normal = glm::normalize(normal + (2.0 * kAgrees - agreement) * faces[i / 3]);
+            is_mended = true;
+        }
+        if (!is_mended) return;
+    }
+}
+
+void SurfaceBuilder::unwrap(double shrinkage, PotSolid& pot) const {
+    const auto corners = static_cast<std::uint32_t>(circle_.size());
+    asset::Mesh& mesh = pot.mesh;
+    mesh.uvs.resize(positions_mm.size());
+    mesh.tangents.resize(positions_mm.size());
+    for (auto strip = strips_.rbegin(); strip != strips_.rend(); ++strip) {
+        const double v = 1.0 - strip->along_mm / along_mm_;
+        dvec2 mean(0.0);
+        for (std::uint32_t k = 0; k < (strip->is_middle ? corners : in_row()); ++k) {
+            const std::uint32_t vertex = strip->first + k;
+            const double u = (k + (strip->is_middle ? 0.5 : 0.0)) / corners;
+            mesh.uvs[vertex] = vec2(u, v);
+            // The way round, made square to the normal.
+            dvec2 outward = circle_[k % corners];
+            if (strip->is_middle) outward = glm::normalize(outward + circle_[(k + 1) % corners]);
+            const dvec3& normal = normals[vertex];
+            const dvec3 round(-outward.y, 0.0, -outward.x);
+            const dvec3 square = glm::normalize(round - glm::dot(round, normal) * normal);
+            mesh.tangents[vertex] = vec4(vec3(square), 1.0F);
+            mean += dvec2(normal.x * outward.x - normal.z * outward.y, normal.y);
+        }
+        pot.picture_rows.push_back({.v = v,
+                                    .radius_mm = strip->radius_mm * shrinkage,
+                                    .y_mm = strip->y_mm * shrinkage,
+                                    .normal = glm::normalize(mean),
+                                    .inside = strip->inside});
+    }
+}
+
+}  // namespace onggi::exporter

@@ -1,0 +1,165 @@
+#include "engine/render/pixels/prop_pixels.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "tests/unit/render/triangle_pixels.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr std::uint32_t kUntouched = 0x12345678U;
+
+class PropPixels : public testing::Test {
+  protected:
+    // Widths that are no multiple of what is drawn side by side.
+    void draw(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices) {
+        draw_triangles(corners, indices, {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
+    }
+    [[nodiscard]] std::uint32_t at(int x, int y) const {
+        return pixels_[static_cast<std::size_t>(y * kWidth + x)];
+    }
+    static PropCorner corner(float x, float y, float depth = 0.5F, std::array<float, 3> colour = {}) {
+        return {.at_px = {x, y}, .away_mm = 100.0F, .depth = depth, .values = colour};
+    }
+    // Two triangles over all of the picture and beyond it.
+    static std::vector<PropCorner> sheet(float depth, float grey) {
+        const std::array<float, 3> colour{grey, grey, grey};
+        return {corner(-50.0F, -50.0F, depth, colour), corner(-50.0F, 200.0F, depth, colour),
+                corner(200.0F, -50.0F, depth, colour), corner(200.0F, 200.0F, depth, colour)};
+    }
+
+    static constexpr int kWidth = 61;
+    static constexpr int kHeight = 43;
+    static constexpr std::array<std::uint32_t, 6> kSheet{0, 1, 2, 2, 1, 3};
+    std::vector<std::uint32_t> pixels_ =
+        std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, kUntouched);
+    std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
+};
+
+TEST_F(PropPixels, AreThoseWhoseMiddleATriangleHolds) {
+    const int covered = expect_those_inside(
+        {kWidth, kHeight}, {},
+        [&](const std::array<vec2, 3>& at) {
+            std::fill(pixels_.begin(), pixels_.end(), kUntouched);
+            std::fill(depth_.begin(), depth_.end(), 1.0F);
+            const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
+                                     corner(at[2].x, at[2].y)};
+            draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
+        },
+        [&](int x, int y) { return at(x, y) != kUntouched; });
+    EXPECT_GT(covered, 50000);
+}
+
+TEST_F(PropPixels, LeaveNoneOutBetweenTwoTrianglesAndDrawNoneTwice) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> off(-0.2F, 0.2F);
+    constexpr int kAcross = 30;
+    constexpr std::uint32_t kInRow = kAcross + 1;
+    std::vector<PropCorner> corners;
+    for (int row = 0; row <= kAcross; ++row) {
+        for (int column = 0; column <= kAcross; ++column) {
+            corners.push_back(corner((static_cast<float>(column) + off(random)) * 3.0F - 2.0F,
+                                     (static_cast<float>(row) + off(random)) * 2.0F - 2.0F));
+        }
+    }
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t row = 0; row < kAcross; ++row) {
+        for (std::uint32_t column = 0; column < kAcross; ++column) {
+            const std::uint32_t here = row * kInRow + column;
+            for (const std::uint32_t index :
+                 {here, here + kInRow, here + 1, here + 1, here + kInRow, here + kInRow + 1})
+                indices.push_back(index);
+        }
+    }
+    // Each triangle a little nearer than the one before would be seen in every pixel that both draw.
+    std::vector<int> times(pixels_.size(), 0);
+    for (std::size_t first = 0; first < indices.size(); first += 3) {
+        std::fill(pixels_.begin(), pixels_.end(), kUntouched);
+        std::fill(depth_.begin(), depth_.end(), 1.0F);
+        draw(corners, std::span(indices).subspan(first, 3));
+        for (std::size_t i = 0; i < pixels_.size(); ++i)
+            times[i] += pixels_[i] != kUntouched ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < times.size(); ++i)
+        ASSERT_EQ(times[i], 1) << i % kWidth << ", " << i / kWidth;
+}
+
+TEST_F(PropPixels, SpreadColoursEvenlyBetweenTheCorners) {
+    const std::array corners{corner(0.0F, 0.0F, 0.5F, {0.0F, 0.0F, 200.0F}),
+                             corner(0.0F, 40.0F, 0.5F, {0.0F, 160.0F, 200.0F}),
+                             corner(60.0F, 0.0F, 0.5F, {240.0F, 0.0F, 200.0F})};
+    draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
+    for (const auto& [x, y] : {std::pair{0, 0}, {10, 3}, {25, 20}, {5, 33}, {50, 2}}) {
+        const std::uint32_t pixel = at(x, y);
+        EXPECT_NEAR(pixel & 255U, 4.0F * (static_cast<float>(x) + 0.5F), 0.51F) << x << ", " << y;
+        EXPECT_NEAR(pixel >> 8U & 255U, 4.0F * (static_cast<float>(y) + 0.5F), 0.51F) << x << ", " << y;
+        EXPECT_EQ(pixel >> 16U & 255U, 200U);
+        EXPECT_EQ(pixel >> 24U, 255U);
+    }
+}
+
+TEST_F(PropPixels, ShowWhatIsNearest) {
+    draw(sheet(0.6F, 60.0F), kSheet);
+    draw(sheet(0.4F, 40.0F), kSheet);
+    draw(sheet(0.5F, 50.0F), kSheet);
+    EXPECT_EQ(at(30, 20) & 255U, 40U);
+    EXPECT_EQ(depth_[0], 0.4F);
+    draw(sheet(0.4F, 80.0F), kSheet);
+    EXPECT_EQ(at(30, 20) & 255U, 40U) << "the first of two at one place";
+    depth_[100] = 0.1F;
+    draw(sheet(0.2F, 20.0F), kSheet);
+    EXPECT_EQ(pixels_[99] & 255U, 20U);
+    EXPECT_EQ(pixels_[100] & 255U, 40U) << "what is there already is nearer";
+    EXPECT_EQ(depth_[100], 0.1F);
+    EXPECT_EQ(pixels_.back() & 255U, 20U) << "to the last pixel";
+}
+
+TEST_F(PropPixels, HaveNothingOfWhatIsBehindTheEyeOrHasNoArea) {
+    std::vector<PropCorner> corners = sheet(0.5F, 50.0F);
+    corners[1].away_mm = 0.0F;
+    draw(corners, kSheet);
+    corners = sheet(0.5F, 50.0F);
+    corners[1].at_px = corners[2].at_px = corners[0].at_px;
+    draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
+    EXPECT_EQ(std::count(pixels_.begin(), pixels_.end(), kUntouched),
+              static_cast<std::ptrdiff_t>(pixels_.size()));
+}
+
+TEST_F(PropPixels, StayAsTheyAreWhereTheCanvasIsNextToNothing) {
+    std::array<std::uint32_t, 4> pixels{};
+    std::array<float, 4> depth{1.0F, 1.0F, 1.0F, 1.0F};
+    draw_triangles(sheet(0.5F, 50.0F), kSheet, {.size = {2, 2}, .pixels = pixels, .depth = depth});
+    EXPECT_EQ(pixels[0], 0U);
+}
+
+TEST_F(PropPixels, LieInTheTilesThatAreWanted) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-30.0F, 90.0F);
+    std::vector<PropCorner> corners;
+    for (int i = 0; i < 60; ++i)
+        corners.push_back(corner(place(random), place(random)));
+    const TileGrid grid{kWidth, kHeight};
+    for (std::uint32_t first = 0; first < 57; ++first) {
+        std::fill(pixels_.begin(), pixels_.end(), kUntouched);
+        std::fill(depth_.begin(), depth_.end(), 1.0F);
+        const std::array<std::uint32_t, 3> indices{first, first + 1, first + 2};
+        std::vector<std::uint8_t> wanted(grid.count(), 0);
+        want_triangles(corners, indices, grid, wanted);
+        draw(corners, indices);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const int tile = y / kTileHeightPx * grid.across() + x / kTileWidthPx;
+                if (at(x, y) != kUntouched) {
+                    ASSERT_EQ(wanted[static_cast<std::size_t>(tile)], 1) << x << ", " << y;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace onggi::render
