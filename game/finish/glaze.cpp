@@ -109,6 +109,13 @@ const GlazeMaterial& glaze_at(int place) {
     return glazes()[static_cast<std::size_t>(std::clamp(place, 0, kGlazeCount - 1))];
 }
 
+const GlazeMaterial* find_glaze(std::string_view id) {
+    const auto all = glazes();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [id](const GlazeMaterial& one) { return one.id == id; });
+    return found == all.end() ? nullptr : &*found;
+}
+
 const GlazeMaterial& wet_clay() {
     static const GlazeMaterial clay{.id = "wet",
                                     .body = linear(0xa88d6c),

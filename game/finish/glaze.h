@@ -35,6 +35,8 @@ constexpr int kGlazeCount = 6;
 constexpr int kIdoGlaze = kGlazeCount;
 // One of the six, or kIdoGlaze; any other place is the nearest.
 [[nodiscard]] const GlazeMaterial& glaze_at(int place);
+// The one of the six that files call so; null: there is none.
+[[nodiscard]] const GlazeMaterial* find_glaze(std::string_view id);
 // Of wet clay on the wheel, for pictures of lumps.
 [[nodiscard]] const GlazeMaterial& wet_clay();
 

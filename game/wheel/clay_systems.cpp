@@ -12,6 +12,8 @@ void receive_clay(ecs::Registry& registry, FrameContext& context) {
     const pot::Pot& pot = *context.shown->pot;
     registry.each<Clay>([&](ecs::Entity, Clay& clay) {
         clay.pot = &pot;
+        const render::LatheMaterial* own = context.shown->material;
+        clay.material = own != nullptr ? *own : clay_material(pot.body, pot.stage);
         clay.wetness.resize(pot.liquidity.size());
         std::transform(pot.liquidity.begin(), pot.liquidity.end(), clay.wetness.begin(), darkness_of);
     });
@@ -32,7 +34,7 @@ void extract_clay(ecs::Registry& registry, FrameContext& context) {
             .element_height_mm = static_cast<float>(pot.height_mm / static_cast<double>(pot.ring_count())),
             .edge_rounding_mm = clay.edge_rounding_mm,
             .turn = vec2(wheel.direction),
-            .material = clay_material(pot.body, pot.stage),
+            .material = clay.material,
             .shows_load = clay.shows_load};
         // Dry clay has neither, whatever it held when it was thrown.
         if (pot.stage == clay::Firing::kWet) {

@@ -30,7 +30,8 @@ struct Wheel {
 // The clay on the wheel, while a frame is put together, and how it is to be shown.
 struct Clay {
     const pot::Pot* pot = nullptr;  // as WheelView has it
-    std::vector<float> wetness{};   // of each ring: how much its water darkens it
+    render::LatheMaterial material{};
+    std::vector<float> wetness{};  // of each ring: how much its water darkens it
     bool shows_load = false;
     bool is_cut_open = false;  // towards the camera
     float edge_rounding_mm = 0.0F;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <span>
 
-#include "game/wheel/clay_look.h"
 #include "game/wheel/systems.h"
 
 namespace onggi::wheel {
@@ -93,9 +92,8 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     vec3 clay(0.3F);
     float wetness = 0.0F;
     registry.each<Clay>([&](ecs::Entity, const Clay& wet) {
-        const render::LatheMaterial material = clay_material(wet.pot->body, wet.pot->stage);
-        wetness = wet.wetness.empty() ? material.wetness : wet.wetness.back();
-        clay = material.albedo * (1.0F - 0.4F * wetness);
+        wetness = wet.wetness.empty() ? wet.material.wetness : wet.wetness.back();
+        clay = wet.material.albedo * (1.0F - 0.4F * wetness);
     });
     const auto add = [&](ToolModel model, bool left, const mat4& place) {
         scene.props.push_back(

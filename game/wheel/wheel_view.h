@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/math/math.h"
+#include "engine/render/scene.h"
 #include "game/clay/studio/hand.h"
 #include "game/clay/studio/load.h"
 #include "game/clay/studio/studio_parameters.h"
@@ -23,9 +24,10 @@ struct HandView {
     bool digs = false;  // with the thumbs straight down; `side` is the top
 };
 
-// The pot must live until apply() and the draw have returned.
+// Pot and material must live until apply() and the draw have returned.
 struct WheelView {
     const pot::Pot* pot = nullptr;
+    const render::LatheMaterial* material = nullptr;  // that the pot wears; null: as clay_material() says
     double peak_load = 0.0;
     double peak_load_height_mm = 0.0;
     clay::studio::Cause peak_load_cause = clay::studio::Cause::kNone;

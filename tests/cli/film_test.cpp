@@ -21,6 +21,30 @@ TEST(FilmCommand, WritesAFilmOfThatLengthAndSize) {
     EXPECT_LE(file.size(), 1'500'000U);
 }
 
+// A kiosk films while its visitor still chooses the glaze.
+TEST(FilmCommand, ShowsThePotUnderTheGlazeThatIsSaidBeforeOrLater) {
+    const TemporaryFolder folder;
+    const auto last_of = [&](const std::string& glaze, const std::string& said) {
+        put_file(folder / "said", said);
+        expect_silent_success(run_onggi({"film", kSession, "--out", "f.webp", "--size", "160x120",
+                                         "--seconds", "1", "--quick", "--glaze", glaze, "--still", "s.webp"},
+                                        {.folder = folder.path(), .in_child = [&folder] {
+                                             if (std::freopen((folder / "said").c_str(), "r", stdin) ==
+                                                 nullptr)
+                                                 std::abort();
+                                         }}));
+        const std::string file = content_of(folder / "f.webp");
+        return webp_frames(std::as_bytes(std::span(file.data(), file.size()))).images.back().rgba;
+    };
+    const auto celadon = last_of("celadon", "");
+    EXPECT_NE(celadon, last_of("iron", ""));
+    EXPECT_EQ(celadon, last_of("-", "celadon\n"));
+    const std::string still = content_of(folder / "s.webp");
+    const WebpFrames picture = webp_frames(std::as_bytes(std::span(still.data(), still.size())));
+    ASSERT_EQ(picture.images.size(), 1U);
+    EXPECT_EQ(picture.images.front().width, 160);
+}
+
 TEST(FilmCommand, RefusesWithOneLineAndWritesNothing) {
     const TemporaryFolder folder;
     const auto film = [&](std::vector<std::string> words) {
@@ -39,6 +63,13 @@ TEST(FilmCommand, RefusesWithOneLineAndWritesNothing) {
     expect_one_line(
         film({in_checkout("tests/replay/sessions/vase-100hz.onggi"), "--out", "f.webp", "--fired", "glaze"}),
         2, "expected the studio clay");
+    expect_one_line(film({kSession, "--out", "f.webp", "--glaze", "gold"}), 2,
+                    "--glaze: expected one of celadon, porcelain, buncheong, iron, ash, bare, found 'gold'");
+    expect_one_line(
+        film({kSession, "--out", "f.webp", "--size", "160x120", "--seconds", "1", "--quick", "--glaze", "-"}),
+        2, "standard input: expected one of celadon");
+    expect_one_line(film({kSession, "--out", "f.webp", "--still", "s.png"}), 2,
+                    "expected a still's ending (.webp)");
     put_file(folder / "bad.onggi", content_of(kSession).replace(200, 1, "x"));
     expect_one_line(film({"bad.onggi", "--out", "f.webp"}), 2, "bad.onggi");
     EXPECT_EQ(run_onggi({"film", "--help"}).exit_code, 0);

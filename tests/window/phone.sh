@@ -29,5 +29,8 @@ take_it_home() {
         curl -sSf --max-time 20 "$address/$file" | cmp - "$pot/$file" ||
             fail "expected the gallery's $file at $address, found another"
     done
+    grep -q 'href="film.webp"' page.html || fail "expected a film on the page, found none: $(tail -n 3 kiosk.log 2>/dev/null)"
+    curl -sSf --max-time 20 "$address/film.webp" -o film.webp
+    [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
     printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
 }

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <iostream>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "engine/core/quote.h"
@@ -14,9 +18,12 @@
 #include "game/app/replay/film.h"
 #include "game/app/replay/film_plan.h"
 #include "game/app/system/report.h"
+#include "game/finish/glaze.h"
 
 namespace onggi::app {
 namespace {
+
+constexpr std::string_view kOfStdin = "-";
 
 struct FilmOptions {
     std::string session;
@@ -25,17 +32,51 @@ struct FilmOptions {
     std::optional<double> seconds;
     clay::Firing finished = clay::Firing::kWet;
     bool quick = false;
+    std::string still;
+    std::string glaze;
 };
 
+// One of the six, by its name.
+Result<const finish::GlazeMaterial*> glaze_called(const std::string& name, const std::string& place) {
+    if (const finish::GlazeMaterial* glaze = finish::find_glaze(name)) return glaze;
+    std::string known;
+    for (const finish::GlazeMaterial& glaze : finish::glazes())
+        known += (known.empty() ? "" : ", ") + std::string(glaze.id);
+    return bad_input(fmt::format("{}: expected one of {}, found {}", place, known, in_quotes(name)));
+}
+
+// Who films a pot while its glaze is still being chosen says it when it is.
+Result<const finish::GlazeMaterial*> glaze_of_stdin() {
+    std::array<char, 32> name{};  // longer than any
+    std::cin.getline(name.data(), name.size());
+    return glaze_called(name.data(), "standard input");
+}
+
+Result<void> check_place(const std::string& place, const std::string& what) {
+    if (!place.ends_with(".webp"))
+        return bad_input(fmt::format("{}: expected a {}'s ending (.webp)", shown_path(place), what));
+    return files::check_output_place(place);
+}
+
 Result<void> make_film(const FilmOptions& options) {
-    if (!options.out.ends_with(".webp"))
-        return bad_input(fmt::format("{}: expected a film's ending (.webp)", shown_path(options.out)));
-    if (auto place = files::check_output_place(options.out); !place) return place;
+    if (auto place = check_place(options.out, "film"); !place) return place;
+    if (!options.still.empty()) {
+        if (auto place = check_place(options.still, "still"); !place) return place;
+    }
+    const bool asks_later = options.glaze == kOfStdin;
+    const finish::GlazeMaterial* glaze = nullptr;
+    if (!options.glaze.empty() && !asks_later) {
+        const auto called = glaze_called(options.glaze, "--glaze");
+        if (!called) return called.error();
+        glaze = *called;
+    }
     auto loaded = load_session(options.session);
     if (!loaded) return loaded.error();
     if (const auto cut = remark_on_cut(loaded->session, options.session)) remark(*cut);
-    if (loaded->start.state.studio() == nullptr && options.finished != clay::Firing::kWet)
-        return bad_input("--fired: expected the studio clay, found the paper's, which is never fired");
+    if (loaded->start.state.studio() == nullptr &&
+        (options.finished != clay::Firing::kWet || !options.glaze.empty()))
+        return bad_input(
+            "--fired, --glaze: expected the studio clay, found the paper's, which is never fired");
     FilmDesc desc{.width = options.size.width,
                   .height = options.size.height,
                   .finished = options.finished,
@@ -43,8 +84,15 @@ Result<void> make_film(const FilmOptions& options) {
     desc.seconds = options.seconds.value_or(desc.seconds);
     auto maker = FilmMaker::create(std::move(loaded->session), std::move(loaded->start), desc);
     if (!maker) return maker.error();
+    if (glaze != nullptr) (*maker)->finish_in(*glaze);
     Progress progress("filming", (*maker)->picture_count());
     for (bool goes_on = true; goes_on;) {
+        if (asks_later && glaze == nullptr && (*maker)->has_drawn_the_making()) {
+            const auto called = glaze_of_stdin();
+            if (!called) return called.error();
+            glaze = *called;
+            (*maker)->finish_in(*glaze);
+        }
         const auto worked = (*maker)->work();
         if (!worked) return worked.error();
         goes_on = *worked;
@@ -52,6 +100,11 @@ Result<void> make_film(const FilmOptions& options) {
     }
     const auto film = (*maker)->take();
     if (!film) return film.error();
+    if (!options.still.empty()) {
+        const auto still = (*maker)->still();
+        if (!still) return still.error();
+        if (auto written = files::write_file_atomically(options.still, *still); !written) return written;
+    }
     return files::write_file_atomically(options.out, *film);
 }
 
@@ -70,6 +123,14 @@ void add_film_command(CLI::App& program, int& exit_status) {
     add_number_option(*command, "--seconds", options->seconds, kLeastFilmS, kLongestFilmS,
                       fmt::format("how long it is ({})", FilmDesc{}.seconds));
     add_firing_option(*command, options->finished, "the stage at which the finished pot is shown");
+    command
+        ->add_option(
+            "--glaze", options->glaze,
+            "the finished pot under that glaze; - reads its name from standard input when the making "
+            "is drawn")
+        ->type_name("NAME");
+    command->add_option("--still", options->still, "a picture from late in the making, beside the film")
+        ->type_name("F.webp");
     command->add_flag("--quick", options->quick,
                       "drawn as the live window is: a quarter of the time, and a little coarser");
     command->callback([options, &exit_status] {

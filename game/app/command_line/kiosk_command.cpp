@@ -98,7 +98,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
     take_kept_house(*settings);
     const jobs::CoreChoice core = leave_haptic_core();
-    StartKeeper starts(std::filesystem::path(settings->config.gallery.folder) / "state");
+    StartKeeper starts(state_folder(settings->config.gallery.folder));
     const StartReport start_report = starts.begin_now(settings->remarks);
     auto view =
         wheel::LiveView::open({.width = options.size.width,
@@ -147,7 +147,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (auto started = job.start(); !started) return started.error();
     if (auto started = keeper.start(); !started) return started.error();
     keeper.note_start();
-    KioskPhone phone(*settings);
+    KioskPhone phone(*settings, "/proc/self/exe");
     if (auto started = phone.start(); !started) return started.error();
     const StopGuard stop_guard(job);
     for (const std::string& line : job.refusals())

@@ -31,11 +31,11 @@ KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& star
                          const haptic::HapticParameters& parameters, Gallery gallery,
                          std::filesystem::path statistics)
     : job_(job),
-      history_(start, parameters, {.aside = gallery.folder() / "state"}),
+      history_(start, parameters, {.aside = state_folder(gallery.folder())}),
       faults_(gallery.folder() / "faults"),
       start_(start),
       parameters_(parameters),
-      visits_(gallery.folder() / "state"),
+      visits_(state_folder(gallery.folder())),
       journal_(visits_),
       gallery_(std::move(gallery)),
       statistics_(std::move(statistics)) {}
@@ -193,6 +193,9 @@ void KioskKeeper::apply(const Request& request) {
                 answer({.kind = KeeperAnswer::Kind::kCutOff, .clay = cut_});
             }
             break;
+        case Request::Kind::kWriteSession:
+            write_session_now(*request.place);
+            break;
         case Request::Kind::kSave:
             save_now(request);
             give_back_memory();  // of what was made for the files
@@ -264,6 +267,12 @@ void KioskKeeper::remove_now(const std::string& name) {
                 .words = removed ? "removed " + name : removed.error().message});
     }
     survey_now();
+}
+
+void KioskKeeper::write_session_now(const std::filesystem::path& place) {
+    if (!cut_ || !history_.is_whole()) return;
+    if (const auto saved = history_.save(place); !saved) return complain(saved);
+    answer({.kind = KeeperAnswer::Kind::kSessionWritten, .session = place});
 }
 
 void KioskKeeper::save_now(const Request& request) {

@@ -25,11 +25,21 @@
 namespace onggi::app {
 
 struct KeeperAnswer {
-    enum class Kind { kCutOff, kSaved, kSaveFailed, kSurvey, kInterruptedSession, kNotPut, kRemark };
+    enum class Kind {
+        kCutOff,
+        kSaved,
+        kSaveFailed,
+        kSurvey,
+        kInterruptedSession,
+        kNotPut,
+        kSessionWritten,
+        kRemark
+    };
     Kind kind = Kind::kRemark;
     std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
     int number = 0;                                  // of a saved one, of the day
     std::string gallery_name{};                      // likewise: "2026-11-21/pot-014"
+    std::filesystem::path session{};                 // of one that was written
     std::string words{};                             // for the log
     std::vector<std::string> pots{};                 // of a survey: newest first
     double free_mb = 0.0;                            // of a survey, as all below
@@ -53,6 +63,12 @@ class KioskKeeper final : private jobs::IoWork {
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
     void cut_off() { ask({Request::Kind::kCutOff}); }
+    // All that was done to the pot that was cut off last, as a session at that place; answered by
+    // kSessionWritten where it is known.
+    void write_session(std::filesystem::path place) {
+        ask({.kind = Request::Kind::kWriteSession,
+             .place = std::make_shared<const std::filesystem::path>(std::move(place))});
+    }
     void save(std::shared_ptr<const pot::Section> shape, int glaze);
     void forget() { ask({Request::Kind::kForget}); }
     // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
@@ -83,6 +99,7 @@ class KioskKeeper final : private jobs::IoWork {
             kUndo,
             kBefore,
             kCutOff,
+            kWriteSession,
             kSave,
             kForget,
             kJournal,
@@ -100,6 +117,7 @@ class KioskKeeper final : private jobs::IoWork {
         int glaze = 0;
         std::shared_ptr<const pot::Section> shape{};
         std::shared_ptr<const std::string> pot{};
+        std::shared_ptr<const std::filesystem::path> place{};
         VisitNote visit{};
         std::shared_ptr<const HouseDefaults> house{};
     };
@@ -115,6 +133,7 @@ class KioskKeeper final : private jobs::IoWork {
     void end_journal();
     void apply(const Request& request);
     void put_state_at(std::uint64_t tick);
+    void write_session_now(const std::filesystem::path& place);
     void save_now(const Request& request);
     void survey_now();
     void remove_now(const std::string& name);

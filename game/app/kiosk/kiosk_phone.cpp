@@ -7,6 +7,7 @@
 
 #include "engine/asset/image.h"
 #include "game/app/kiosk/kiosk_share.h"
+#include "game/finish/glaze.h"
 #include "game/kiosk/config.h"
 #include "game/sharing/share_link.h"
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr std::int64_t kAsksEveryNs = 30'000'000;
 constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
+// The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
+// second of them that shows it.
+constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
 constexpr int kPosterPx = 360;
 
 // Error correction M: a seventh of it may be in the shade of a lamp.
@@ -47,14 +51,42 @@ void KioskPhone::answer(PhoneAnswer answer) {
 std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
     std::shared_ptr<const PhoneRequest> request;
     while (requests_.try_pop(request)) {
-        if (request->pot) {
-            share_now(*request);
-        } else {
-            withdraw_now(request->gallery_name);
-        }
+        take(*request, now_ns);
     }
+    share_when_filmed(now_ns);
     look_after(now_ns);
     return kAsksEveryNs;
+}
+
+void KioskPhone::take(const PhoneRequest& request, std::int64_t now_ns) {
+    switch (request.kind) {
+        case PhoneRequest::Kind::kFilm:
+            begin_film(request);
+            break;
+        case PhoneRequest::Kind::kShare:
+            film_.finish_in(finish::glaze_at(request.glaze).id);
+            waiting_ = request;
+            waits_until_ns_ = now_ns + kFilmWaitNs;
+            break;
+        case PhoneRequest::Kind::kForget:
+            waiting_.reset();
+            film_.drop();
+            break;
+        case PhoneRequest::Kind::kWithdraw:
+            withdraw_now(request.gallery_name);
+            break;
+    }
+}
+
+// A pot without a film is a pot all the same.
+void KioskPhone::begin_film(const PhoneRequest& request) {
+    if (const auto begun = film_.begin(request.session); !begun) answer({.words = begun.error().message});
+}
+
+void KioskPhone::share_when_filmed(std::int64_t now_ns) {
+    if (!waiting_ || (film_.is_in_the_making() && now_ns < waits_until_ns_)) return;
+    const PhoneRequest request = *std::exchange(waiting_, std::nullopt);
+    share_now(request);
 }
 
 // Not at the start alone: a folder that comes later, on a disk that is plugged in, is as good.
@@ -82,6 +114,11 @@ Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
     auto poster = asset::encode_png(share_poster(request.pot->shape, request.glaze, kPosterPx));
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
+    if (const auto film = film_.files()) {
+        pot.film.path = film->film;
+        pot.film_still.path = film->still;
+        pot.film_s = KioskFilm::kSeconds;
+    }
     const auto code = outbox_->put(pot, share_time_now(config));
     if (!code) return code.error();
     screens::PhoneWay way{.page = code_of(sharing::page_url(*base, *code)), .code = code->shown()};

@@ -13,6 +13,7 @@
 
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
+#include "game/app/kiosk/kiosk_film.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_statistics.h"
 #include "game/screens/view.h"
@@ -21,13 +22,16 @@
 
 namespace onggi::app {
 
-// A kept pot, its files and what the page says of it.
 struct PhoneRequest {
+    enum class Kind { kShare, kWithdraw, kFilm, kForget };
+    Kind kind = Kind::kShare;
+    // Of kShare: a kept pot, its files and what the page says of it. Of kWithdraw: its name in the gallery.
     int number = 0;              // of the day
     std::string gallery_name{};  // "2026-11-21/pot-014"
     std::shared_ptr<const screens::FiredPot> pot{};
     int glaze = 0;
     int language = 0;
+    std::filesystem::path session{};  // of kFilm
 };
 
 struct PhoneAnswer {
@@ -41,18 +45,34 @@ struct PhoneAnswer {
 
 class KioskPhone final : private jobs::IoWork {
   public:
-    // `settings` outlives it.
-    explicit KioskPhone(const KioskSettings& settings) : settings_(settings) {}
+    // `settings` outlives it. `program`: who makes films, see KioskFilm.
+    explicit KioskPhone(const KioskSettings& settings, std::filesystem::path program = {})
+        : settings_(settings),
+          film_(std::move(program), state_folder(settings.config.gallery.folder) / "film") {}
     ~KioskPhone() override { stop(); }
 
     // Does nothing where the settings share nothing.
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Main thread, wait-free. Answered by kShared once every file is on the disk, or by kFailed.
+    // Where the keeper lays the session of a pot that was cut off, for film().
+    [[nodiscard]] std::filesystem::path session_place() const {
+        return state_folder(settings_.config.gallery.folder) / "film.onggi";
+    }
+
+    // Main thread, wait-free. Begins the film of a pot that may be shared later.
+    void film(std::filesystem::path session) {
+        ask({.kind = PhoneRequest::Kind::kFilm, .session = std::move(session)});
+    }
+    // Nobody wants that pot's code any more, nor its film.
+    void forget() { ask({.kind = PhoneRequest::Kind::kForget}); }
+    // Answered by kShared once every file is on the disk, or by kFailed. Waits for the film, but not for
+    // long.
     void share(PhoneRequest request) { ask(std::move(request)); }
     // The staff has deleted that pot. Answered by kOver where it had a code.
-    void withdraw(std::string gallery_name) { ask({.gallery_name = std::move(gallery_name)}); }
+    void withdraw(std::string gallery_name) {
+        ask({.kind = PhoneRequest::Kind::kWithdraw, .gallery_name = std::move(gallery_name)});
+    }
     [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer();
 
   private:
@@ -64,6 +84,9 @@ class KioskPhone final : private jobs::IoWork {
     void finish() noexcept override {}
     [[nodiscard]] Result<void> open();
     [[nodiscard]] Result<screens::PhoneWay> shared(const PhoneRequest& request);
+    void take(const PhoneRequest& request, std::int64_t now_ns);
+    void begin_film(const PhoneRequest& request);
+    void share_when_filmed(std::int64_t now_ns);
     void share_now(const PhoneRequest& request);
     void withdraw_now(const std::string& gallery_name);
     void look_after(std::int64_t now_ns);
@@ -75,6 +98,9 @@ class KioskPhone final : private jobs::IoWork {
     const KioskSettings& settings_;
     std::optional<sharing::Outbox> outbox_;
     std::optional<sharing::CounterReader> counter_;
+    KioskFilm film_;
+    std::optional<PhoneRequest> waiting_;  // for its film
+    std::int64_t waits_until_ns_ = 0;
     std::int64_t looked_after_ns_ = 0;
     jobs::SpscRing<std::shared_ptr<const PhoneRequest>> requests_{16};
     jobs::SpscRing<std::shared_ptr<const PhoneAnswer>> answers_{16};

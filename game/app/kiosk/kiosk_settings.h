@@ -33,6 +33,10 @@ struct KioskSettings {
     std::vector<std::string> remarks;  // what is not as it should be, and does not matter enough to stop
 };
 
+// Where the wheel keeps what it needs itself: the visit in progress, what an interrupted one left.
+[[nodiscard]] inline std::filesystem::path state_folder(const std::filesystem::path& gallery) {
+    return gallery / "state";
+}
 // Where visits are counted, and what the staff has set is kept.
 [[nodiscard]] std::filesystem::path statistics_folder(const kiosk::Config& config);
 

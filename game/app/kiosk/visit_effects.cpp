@@ -58,6 +58,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             pot_.reset();
             phone_way_.reset();
             parts_.keeper.forget();
+            if (parts_.phone != nullptr) parts_.phone->forget();
             break;
         case Effect::Kind::kRestart:
         case Effect::Kind::kQuit:
@@ -145,6 +146,10 @@ void VisitEffects::take_answers() {
             case KeeperAnswer::Kind::kCutOff:
                 pot_ = std::make_shared<const screens::FiredPot>(
                     fired_pot(*answer->clay, parts_.settings.targets, parts_.settings.relatives));
+                if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
+                break;
+            case KeeperAnswer::Kind::kSessionWritten:
+                parts_.phone->film(answer->session);
                 break;
             case KeeperAnswer::Kind::kSaved:
                 if (pot_) day_.insert(day_.begin(), {pot_->shape, flow_.state().glaze});

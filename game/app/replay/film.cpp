@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "engine/asset/webp_film.h"
 #include "game/app/kiosk/snapshot_view.h"
 #include "game/app/replay/film_plan.h"
 #include "game/app/replay/replay.h"
+#include "game/wheel/clay_look.h"
 #include "game/wheel/still_camera.h"
 
 namespace onggi::app {
@@ -21,11 +23,24 @@ namespace {
 // another quality would cost more.
 constexpr std::array kQualities{90.0, 75.0, 50.0, 25.0};
 constexpr std::uint64_t kTicksASlice = 2000;
+constexpr double kStillAt =
+    0.8;  // of the pictures of the making: hands at a pot that can be told by its shape
+constexpr double kStillQuality = 75.0;
 
 dvec2 turned(const dvec2& direction, double turns) {
     const double angle = 2.0 * std::numbers::pi * turns;
     const dvec2 by(std::cos(angle), std::sin(angle));
     return {direction.x * by.x - direction.y * by.y, direction.x * by.y + direction.y * by.x};
+}
+
+// As far as the lathe can wear it: one colour, and the glass over it.
+render::LatheMaterial lathe_material(const finish::GlazeMaterial& glaze, clay::ClayBody body) {
+    render::LatheMaterial material = wheel::clay_material(body, clay::Firing::kGlaze);
+    material.albedo = glaze.colour;
+    material.roughness = glaze.roughness;
+    material.coat = glaze.clear_coat;
+    material.coat_roughness = glaze.coat_roughness;
+    return material;
 }
 
 }  // namespace
@@ -45,6 +60,18 @@ struct FilmMaker::Parts {
     std::unique_ptr<wheel::StillCamera> camera;
     std::vector<asset::WebpFilm> films;  // of kQualities
     asset::Image picture;
+    asset::Image still;
+    const finish::GlazeMaterial* glaze = nullptr;  // null: the body's own
+
+    [[nodiscard]] std::size_t pictures_of_the_making() const {
+        const auto first =
+            std::find_if(plan.begin(), plan.end(), [](const FilmPicture& one) { return one.is_finished; });
+        return static_cast<std::size_t>(first - plan.begin());
+    }
+    // Of a film without a making, the pot.
+    [[nodiscard]] std::size_t place_of_still() const {
+        return static_cast<std::size_t>(kStillAt * static_cast<double>(pictures_of_the_making()));
+    }
 
     Result<asset::Image> draw(const FilmPicture& shown) {
         haptic::Snapshot snapshot;
@@ -54,6 +81,8 @@ struct FilmMaker::Parts {
         snapshot.pot = &pot;
         wheel::WheelView view = wheel_view(snapshot);
         if (!shown.is_finished) return camera->take(view, wheel::StillView::kThrowing);
+        std::optional<render::LatheMaterial> worn;
+        if (glaze != nullptr) view.material = &worn.emplace(lathe_material(*glaze, pot.body));
         view.wheel_direction = turned(view.wheel_direction, shown.turned);
         return camera->take(view, wheel::StillView::kPortrait);
     }
@@ -97,7 +126,17 @@ Result<bool> FilmMaker::work() {
     for (asset::WebpFilm& film : parts.films) {
         if (auto added = film.add(parts.picture, kFilmPictureMs); !added) return added.error();
     }
+    if (parts.drawn == parts.place_of_still()) parts.still = parts.picture;
     return ++parts.drawn < parts.plan.size();
+}
+
+void FilmMaker::finish_in(const finish::GlazeMaterial& glaze) {
+    parts_->desc.finished = clay::Firing::kGlaze;
+    parts_->glaze = &glaze;
+}
+
+bool FilmMaker::has_drawn_the_making() const {
+    return parts_->drawn >= parts_->pictures_of_the_making();
 }
 
 std::size_t FilmMaker::picture_count() const {
@@ -110,6 +149,14 @@ std::size_t FilmMaker::pictures_drawn() const {
 
 const asset::Image& FilmMaker::picture() const {
     return parts_->picture;
+}
+
+Result<std::vector<std::byte>> FilmMaker::still() const {
+    const asset::Image& image = parts_->still;
+    auto film = asset::WebpFilm::create({image.width, image.height, kStillQuality});
+    if (!film) return film.error();
+    if (auto added = film->add(image, kFilmPictureMs); !added) return added.error();
+    return film->finish();
 }
 
 Result<std::vector<std::byte>> FilmMaker::take() {

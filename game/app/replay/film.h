@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/record/session.h"
 #include "game/clay/studio/pot.h"
+#include "game/finish/glaze.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
@@ -39,10 +40,18 @@ class FilmMaker {
     // Some ticks, or one picture; some tens of ms where it is drawn quickly. True while there is more to do.
     // kFailed: a tick differs from its recording.
     [[nodiscard]] Result<bool> work();
+    // From here on the finished pot is shown under that glaze, not under its body's own. Where it is drawn
+    // already, nothing becomes of it.
+    void finish_in(const finish::GlazeMaterial& glaze);
+    // Whether the making is drawn, and the finished pot comes next.
+    [[nodiscard]] bool has_drawn_the_making() const;
     [[nodiscard]] std::size_t picture_count() const;
     [[nodiscard]] std::size_t pictures_drawn() const;
     // The one drawn last; none before the first.
     [[nodiscard]] const asset::Image& picture() const;
+    // What stands for the film where it does not move: from late in the making, as WebP; of a film that is
+    // whole. Bad input: as asset::WebpFilm.
+    [[nodiscard]] Result<std::vector<std::byte>> still() const;
     // The whole file, once, when no more is to do: in the best of a few qualities that fits. Bad input: none
     // of them does.
     [[nodiscard]] Result<std::vector<std::byte>> take();
