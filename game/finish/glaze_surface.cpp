@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace onggi::finish {
 namespace {
@@ -24,16 +25,27 @@ float noise(float x, float y) {
                     glm::mix(hashed(ix, iy + 1), hashed(ix + 1, iy + 1), u), v);
 }
 
-}  // namespace
+// The noise does not know that a pot is round. Behind it, where both ends of the angle meet, what is seen
+// from one runs into what would come next on the other.
+template <typename Look>
+auto closed(GlazePlace at, const Look& look) {
+    constexpr float kHalfTurn = std::numbers::pi_v<float>;
+    constexpr float kSeamRad = 0.24F * kHalfTurn;
+    at.angle -= 2.0F * kHalfTurn * std::floor((at.angle + kHalfTurn) / (2.0F * kHalfTurn));
+    const auto here = look(at);
+    const float past_seam = (at.angle + kHalfTurn) / kSeamRad;
+    if (past_seam >= 1.0F) return here;
+    at.angle += 2.0F * kHalfTurn;
+    return glm::mix(look(at), here, glm::smoothstep(0.0F, 1.0F, past_seam));
+}
 
-float finger_ring(const GlazePlace& at) {
+float open_finger_ring(const GlazePlace& at) {
     return std::sin(at.height_mm * 1.05F + 1.3F * noise(at.height_mm * 0.11F, 2.0F)) * 0.5F +
            (noise(at.height_mm * 0.8F, at.angle * 0.6F) - 0.5F);
 }
 
-vec3 glaze_colour(const GlazeMaterial& glaze, float height_mm, const GlazePlace& at) {
-    if (is_bare(glaze, at)) return glaze.body;
-    const float ring = finger_ring(at);
+vec3 open_glaze_colour(const GlazeMaterial& glaze, float height_mm, const GlazePlace& at) {
+    const float ring = open_finger_ring(at);
     float thick =
         0.5F + 0.5F * noise(at.height_mm * 0.05F, at.angle * 1.5F + 7.0F) - glaze.breaks * 0.20F * ring;
     // Glaze draws back from a rim.
@@ -52,6 +64,17 @@ vec3 glaze_colour(const GlazeMaterial& glaze, float height_mm, const GlazePlace&
     thick = glm::clamp(thick, 0.0F, 1.0F);
     const float grain = 0.97F + 0.06F * noise(at.height_mm * 2.3F, at.angle * 31.0F);
     return glm::mix(glaze.thin_colour, glaze.colour, thick) * grain;
+}
+
+}  // namespace
+
+float finger_ring(const GlazePlace& at) {
+    return closed(at, open_finger_ring);
+}
+
+vec3 glaze_colour(const GlazeMaterial& glaze, float height_mm, const GlazePlace& at) {
+    if (is_bare(glaze, at)) return glaze.body;
+    return closed(at, [&](const GlazePlace& place) { return open_glaze_colour(glaze, height_mm, place); });
 }
 
 }  // namespace onggi::finish

@@ -13,9 +13,6 @@ namespace {
 constexpr float kHalfTurn = std::numbers::pi_v<float>;
 constexpr int kColumns = 512;  // of the colours, round the pot; a power of two
 constexpr int kRows = 320;     // and up it
-// The colours of a pot that was painted to be seen from one side do not meet at its back: they are mixed over
-// this fraction of the way round.
-constexpr float kSeam = 0.12F;
 
 // encoded_pot_light(), channel by channel, from a table: pixels are painted by the hundred thousand.
 class Encoding {
@@ -103,13 +100,7 @@ void TurningPot::fill_colours(const pot::Section& shape, const finish::GlazeMate
         for (int column = 0; column < kColumns; ++column) {
             const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
             at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
-            vec3 colour = shading.colour(at);
-            if (fraction < kSeam) {
-                // From what would come next on the far side of the seam.
-                at.angle += 2.0F * kHalfTurn;
-                colour = glm::mix(shading.colour(at), colour, glm::smoothstep(0.0F, kSeam, fraction));
-            }
-            colours_[static_cast<std::size_t>(row * kColumns + column)] = colour;
+            colours_[static_cast<std::size_t>(row * kColumns + column)] = shading.colour(at);
         }
     }
 }

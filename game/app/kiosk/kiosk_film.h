@@ -3,13 +3,13 @@
 // is told the glaze when that is chosen. One thread at a time; nothing blocks.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "engine/core/result.h"
+#include "engine/jobs/idle_process.h"
 
 namespace onggi::app {
 
@@ -33,10 +33,14 @@ class KioskFilm {
     // no room, no process.
     Result<void> begin(const std::filesystem::path& session);
     // The glaze of its last seconds, as finish::GlazeMaterial::id has it. Once a film.
-    void finish_in(std::string_view glaze);
-    [[nodiscard]] bool is_in_the_making();
+    void finish_in(std::string_view glaze) {
+        if (maker_) maker_->tell(glaze);
+    }
+    [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
     // Those of the film that was begun last, once it is made; none if it came to nothing.
-    [[nodiscard]] std::optional<Files> files() const;
+    [[nodiscard]] std::optional<Files> files() const {
+        return maker_ && maker_->has_succeeded() ? std::optional(places()) : std::nullopt;
+    }
     // Whatever there is of it is taken away, and who makes it is ended.
     void drop() noexcept;
 
@@ -45,9 +49,7 @@ class KioskFilm {
 
     std::filesystem::path program_;
     std::filesystem::path folder_;
-    pid_t process_ = 0;  // 0: nobody is at work
-    int glaze_ = -1;     // its standard input
-    bool is_made_ = false;
+    std::optional<jobs::IdleProcess> maker_;
 };
 
 }  // namespace onggi::app

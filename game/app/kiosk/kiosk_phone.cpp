@@ -20,6 +20,7 @@ constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
 // second of them that shows it.
 constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
 constexpr int kPosterPx = 360;
+constexpr int kSurfaceQuality = 80;
 
 // Error correction M: a seventh of it may be in the shade of a lamp.
 screens::PhoneCode code_of(const std::string& text) {
@@ -114,6 +115,11 @@ Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
     auto poster = asset::encode_png(share_poster(request.pot->shape, request.glaze, kPosterPx));
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
+    if (const asset::Image wrapped = share_surface(request.pot->shape, request.glaze); wrapped.width > 0) {
+        auto surface = asset::encode_jpeg(wrapped, kSurfaceQuality);
+        if (!surface) return surface.error();
+        pot.surface.bytes = std::move(*surface);
+    }
     if (const auto film = film_.files()) {
         pot.film.path = film->film;
         pot.film_still.path = film->still;

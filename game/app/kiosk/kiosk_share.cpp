@@ -7,13 +7,16 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
+#include <numbers>
 #include <utility>
 
+#include "engine/render/beauty.h"
 #include "engine/ui/painter.h"
 #include "engine/ui/sketch.h"
 #include "game/app/kiosk/kiosk_gallery.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/finish/glaze.h"
+#include "game/finish/glaze_surface.h"
 #include "game/screens/pot_picture.h"
 #include "game/sharing/share_link.h"
 
@@ -88,6 +91,38 @@ asset::Image share_poster(const pot::Section& shape, int glaze, int side_px) {
     sketch.size = vec2(side);
     sketch.add(picture);
     return straight_picture(ui::Painter().paint(sketch));
+}
+
+asset::Image share_surface(const pot::Section& shape, int glaze) {
+    constexpr int kColumns = 512;
+    constexpr int kRows = 256;
+    // The page counts from the right, where it first shows the pot; both counter-clockwise seen from above.
+    constexpr float kRight = 0.5F * std::numbers::pi_v<float>;
+    const finish::GlazeMaterial& material = finish::glaze_at(glaze);
+    const std::vector<vec2>& wall = shape.outside;
+    if (wall.size() < 2) return {};
+    std::vector<float> along{0.0F};
+    for (std::size_t i = 1; i < wall.size(); ++i)
+        along.push_back(along.back() + glm::distance(wall[i - 1], wall[i]));
+    asset::Image image{.width = kColumns, .height = kRows, .rgba = {}};
+    image.rgba.reserve(std::size_t{4} * kColumns * kRows);
+    for (int row = 0; row < kRows; ++row) {
+        const float wanted = along.back() * (1.0F - (static_cast<float>(row) + 0.5F) / kRows);
+        const auto next = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(std::upper_bound(along.begin(), along.end(), wanted) - along.begin(),
+                                       1, static_cast<std::ptrdiff_t>(wall.size()) - 1));
+        const float part = (wanted - along[next - 1]) / std::max(along[next] - along[next - 1], 1e-6F);
+        finish::GlazePlace at{.height_mm = glm::mix(wall[next - 1].y, wall[next].y, part)};
+        for (int column = 0; column < kColumns; ++column) {
+            at.angle =
+                kRight + 2.0F * std::numbers::pi_v<float> * (static_cast<float>(column) + 0.5F) / kColumns;
+            const vec3 colour = finish::glaze_colour(material, shape.height_mm(), at);
+            for (int channel = 0; channel < 3; ++channel)
+                image.rgba.push_back(render::srgb_byte(colour[channel]));
+            image.rgba.push_back(255);
+        }
+    }
+    return image;
 }
 
 sharing::OutboxOptions outbox_options(const KioskSettings& settings) {

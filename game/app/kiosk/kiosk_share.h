@@ -23,6 +23,10 @@ namespace onggi::app {
 // the other's place unseen.
 [[nodiscard]] asset::Image share_poster(const pot::Section& shape, int glaze, int side_px);
 
+// The glaze as the page wraps it round the outside, see sharing::SharedPot::surface; empty where there is
+// no outside.
+[[nodiscard]] asset::Image share_surface(const pot::Section& shape, int glaze);
+
 [[nodiscard]] sharing::OutboxOptions outbox_options(const KioskSettings& settings);
 
 // What stands before the code in an address: the settings' public_url, or where `onggi share` listens. Bad

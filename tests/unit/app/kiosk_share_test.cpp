@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 
 #include "game/app/kiosk/kiosk_pot.h"
+#include "game/finish/glaze.h"
 #include "game/screens/pot_picture.h"
 
 namespace onggi::app {
@@ -93,6 +95,31 @@ TEST(KioskShare, KnowsWhereAndHowLong) {
     EXPECT_LE(std::abs(time.utc_offset_s), 14 * 3600);
     config.sharing = {};
     EXPECT_FALSE(share_base_url(config)) << "off";
+}
+
+TEST(KioskShare, WrapsEachGlazeRoundThePotWithoutASeamAndLeavesTheFootBare) {
+    const auto settings = load_settings("");
+    ASSERT_TRUE(settings);
+    const pot::Section shape = jar(*settings).shape;
+    for (int glaze = 0; glaze < finish::kGlazeCount; ++glaze) {
+        const asset::Image wrapped = share_surface(shape, glaze);
+        ASSERT_GT(wrapped.width, 0);
+        const auto at = [&](int column, int row, int channel) {
+            return int{wrapped.rgba[static_cast<std::size_t>(4 * (row * wrapped.width + column) + channel)]};
+        };
+        int most_step = 0;  // from one column to the next, anywhere but where they meet
+        int seam = 0;
+        for (int row = 0; row < wrapped.height; ++row) {
+            seam = std::max(seam, std::abs(at(0, row, 0) - at(wrapped.width - 1, row, 0)));
+            for (int column = 1; column < wrapped.width; ++column)
+                most_step = std::max(most_step, std::abs(at(column, row, 0) - at(column - 1, row, 0)));
+        }
+        EXPECT_LE(seam, most_step) << finish::glaze_at(glaze).id;
+        const bool has_bare_foot = finish::glaze_at(glaze).foot_bare_mm > 1.0F;
+        for (int column = 1; has_bare_foot && column < wrapped.width; ++column)
+            EXPECT_EQ(at(column, wrapped.height - 1, 0), at(0, wrapped.height - 1, 0));
+    }
+    EXPECT_EQ(share_surface({}, 0).width, 0) << "no outside, nothing to wrap";
 }
 
 }  // namespace

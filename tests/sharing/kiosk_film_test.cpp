@@ -1,0 +1,88 @@
+// The film of a visit, made by the built program beside the test, as beside the wheel.
+#include "game/app/kiosk/kiosk_film.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "tests/cli/cli_expectations.h"
+#include "tests/support/places.h"
+#include "tests/support/webp_frames.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class KioskFilmTest : public testing::Test {
+  protected:
+    [[nodiscard]] fs::path session() const {
+        const fs::path copy = folder_.path() / "making.onggi";
+        fs::copy_file(test::in_checkout("tests/replay/sessions/one-finger-250hz.onggi"), copy);
+        return copy;
+    }
+    static bool ends(KioskFilm& film) {
+        for (int i = 0; i < 10'000; ++i) {
+            if (!film.is_in_the_making()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+
+    test::TemporaryFolder folder_;
+    fs::path place_ = folder_.path() / "film";
+    KioskFilm film_{test::in_build("onggi"), place_};
+};
+
+TEST_F(KioskFilmTest, IsWholeOnceItsGlazeIsKnown) {
+    ASSERT_TRUE(film_.begin(session()));
+    EXPECT_TRUE(film_.is_in_the_making());
+    EXPECT_FALSE(film_.files());
+    film_.finish_in("iron");
+    ASSERT_TRUE(ends(film_));
+    const auto files = film_.files();
+    ASSERT_TRUE(files);
+    const std::string film = test::content_of(files->film.string());
+    const test::WebpFrames frames = test::webp_frames(std::as_bytes(std::span(film.data(), film.size())));
+    EXPECT_EQ(frames.ends_ms.back(), static_cast<int>(KioskFilm::kSeconds * 1000.0));
+    EXPECT_GT(fs::file_size(files->still), 0U);
+    EXPECT_FALSE(fs::exists(folder_.path() / "making.onggi")) << "nothing of a visit stays behind";
+    film_.drop();
+    EXPECT_FALSE(film_.files());
+    EXPECT_FALSE(fs::exists(place_));
+}
+
+TEST_F(KioskFilmTest, ComesToNothingWithoutASessionOrAGlazeOrAProgram) {
+    EXPECT_FALSE(film_.begin(folder_.path() / "none.onggi"));
+    std::ofstream(folder_.path() / "bad.onggi") << "no session";
+    ASSERT_TRUE(film_.begin(folder_.path() / "bad.onggi"));
+    film_.finish_in("iron");  // whether or not anybody still listens
+    ASSERT_TRUE(ends(film_));
+    EXPECT_FALSE(film_.files());
+
+    ASSERT_TRUE(film_.begin(session()));
+    film_.finish_in("gold");
+    ASSERT_TRUE(ends(film_));
+    EXPECT_FALSE(film_.files());
+
+    KioskFilm nobody("/nowhere/onggi", place_);
+    const auto begun = nobody.begin(session());
+    ASSERT_FALSE(begun);
+    EXPECT_NE(begun.error().message.find("/nowhere/onggi"), std::string::npos);
+    EXPECT_FALSE(nobody.is_in_the_making());
+}
+
+TEST_F(KioskFilmTest, IsDroppedWithWhoMakesItByTheNext) {
+    ASSERT_TRUE(film_.begin(session()));
+    const auto started = std::chrono::steady_clock::now();
+    ASSERT_TRUE(film_.begin(session()));
+    EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(5));
+    film_.drop();
+    EXPECT_FALSE(film_.is_in_the_making());
+    EXPECT_FALSE(fs::exists(place_));
+}
+
+}  // namespace
+}  // namespace onggi::app

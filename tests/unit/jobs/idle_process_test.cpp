@@ -1,0 +1,74 @@
+#include "engine/jobs/idle_process.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <optional>
+#include <thread>
+
+namespace onggi::jobs {
+namespace {
+
+// Whether a shell's script succeeds, told a line or nothing.
+bool succeeds(const std::string& script, std::optional<std::string_view> line = std::nullopt) {
+    auto process = IdleProcess::start({"/bin/sh", "-c", script});
+    if (!process) return false;
+    if (line) process->tell(*line);
+    for (int i = 0; i < 2000 && process->is_at_work(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return process->has_succeeded();
+}
+
+TEST(IdleProcess, SaysHowItEnded) {
+    EXPECT_TRUE(succeeds("exit 0"));
+    EXPECT_FALSE(succeeds("exit 2"));
+    EXPECT_FALSE(succeeds("kill -9 $$"));
+}
+
+TEST(IdleProcess, HearsOneLineAndThenTheEnd) {
+    EXPECT_TRUE(succeeds("read line && [ \"$line\" = celadon ] && ! read line", "celadon"));
+    EXPECT_FALSE(succeeds("read line && [ \"$line\" = celadon ]", "iron"));
+}
+
+TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
+    // Told when it is to look, so that it does not before it is put there.
+    constexpr const char* kPolicy =
+        "read line; [ \"$(cut -d' ' -f41 /proc/self/stat)\" = 5 ]";  // SCHED_IDLE, proc(5)
+    EXPECT_TRUE(succeeds(kPolicy, "now"));
+    const std::ifstream open("/dev/null");
+    const auto other = IdleProcess::start({"/bin/sh", "-c", "read line"});
+    ASSERT_TRUE(other);
+    EXPECT_TRUE(succeeds("! [ -e /proc/$$/fd/3 ] && ! [ -e /proc/$$/fd/4 ] && ! [ -e /proc/$$/fd/5 ]"));
+}
+
+TEST(IdleProcess, BearsWhoNeverListens) {
+    auto process = IdleProcess::start({"/bin/true"});
+    ASSERT_TRUE(process);
+    while (process->is_at_work())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    process->tell("anybody?");
+    EXPECT_TRUE(process->has_succeeded());
+}
+
+TEST(IdleProcess, EndsWithItsObject) {
+    const auto before = std::chrono::steady_clock::now();
+    {
+        auto process = IdleProcess::start({"/bin/sleep", "600"});
+        ASSERT_TRUE(process);
+        EXPECT_TRUE(process->is_at_work());
+        const IdleProcess moved = std::move(*process);
+        EXPECT_FALSE(process->is_at_work());
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(60));
+}
+
+TEST(IdleProcess, NamesTheProgramThatIsNotThere) {
+    const auto process = IdleProcess::start({"/nowhere/onggi"});
+    ASSERT_FALSE(process);
+    EXPECT_EQ(process.error().kind, ErrorKind::kSystemLacks);
+    EXPECT_NE(process.error().message.find("/nowhere/onggi"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace onggi::jobs
