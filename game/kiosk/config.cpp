@@ -149,6 +149,7 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"gallery.folder", words(config.gallery.folder, "a folder", something)},
         {"gallery.most_pots", whole(config.gallery.most_pots, 1, 100000, "a whole number, 1 to 100000")},
         {"gallery.least_free_mb", number(config.gallery.least_free_mb, 1.0, 1e6, "1 to 1000000")},
+        {"gallery.wall", yes_or_no(config.gallery.wall)},
         {"sound.volume", whole(config.sound.volume, 0, kMostVolume, "a whole number, 0 to 5")},
         {"sound.remember_staff", yes_or_no(config.sound.remember_staff)},
         {"sound.captions", yes_or_no(config.sound.captions)},
@@ -312,6 +313,7 @@ Rules rules_of(const Config& config) {
     rules.countdown_s = config.visit.countdown_s;
     rules.shows_by_itself = config.visit.shows_by_itself;
     rules.shares = shares(config);
+    rules.has_wall = config.gallery.wall;
     rules.has_wifi = !config.sharing.wifi_name.empty();
     rules.default_volume = config.sound.volume;
     rules.default_text_size = config.screen.text_always_large ? 2 : 1;

@@ -38,6 +38,7 @@ struct Config {
         std::string folder = "out";
         int most_pots = 500;           // the oldest leave first
         double least_free_mb = 200.0;  // of disk; below it nothing is saved
+        bool wall = false;             // of the day's pots: visitors may put theirs there
     } gallery;
     struct {
         int volume = 3;               // 0 to 5

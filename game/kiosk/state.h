@@ -88,6 +88,7 @@ struct Keeping {
     enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
     int number = 0;  // of the day, when kept
     Phone phone = Phone::kNone;
+    bool on_wall = false;  // of the day, for all to see, because its maker wants it there
 
     friend bool operator==(const Keeping&, const Keeping&) = default;
 };

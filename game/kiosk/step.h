@@ -45,6 +45,7 @@ enum class Button {
     kKeep,
     kOnWifi,      // the phone has joined the museum's: the pot's code now
     kShareAgain,  // another try, or another code
+    kOnWall,      // the pot goes to the wall of the day, or comes down again
     kAnother,
     kFinish,
     kStay,
@@ -124,6 +125,7 @@ struct Effect {
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
         kSave,
         kShare,      // the kept pot, for phones
+        kWall,       // the kept pot; value: 1 to the wall of the day, 0 down again
         kForgetPot,  // nothing of the visit before may be seen again
         kResume,
         kDropInterrupted,
@@ -164,6 +166,7 @@ struct Rules {
     int glaze_count = 6;
     bool shares = false;    // a kept pot can be taken home by phone
     bool has_wifi = false;  // after joining the museum's Wi-Fi
+    bool has_wall = false;  // of the day's pots
     bool locked = false;    // no way out but the staff's
     int pin = 0;            // of pin_digits; 0 digits: the staff panel cannot be opened
     int pin_digits = 0;

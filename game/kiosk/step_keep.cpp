@@ -46,6 +46,10 @@ void press_keep(Turn& turn, const Event& event) {
         turn.end_visit();
     } else if (event.button == Button::kOnWifi && keeping.phone == Phone::kWifi) {
         keeping.phone = Phone::kReady;
+    } else if (event.button == Button::kOnWall && turn.rules.has_wall &&
+               keeping.outcome == Keeping::Outcome::kKept) {
+        keeping.on_wall = !keeping.on_wall;
+        turn.add(Effect::Kind::kWall, keeping.on_wall ? 1 : 0);
     } else if (event.button == Button::kShareAgain &&
                (keeping.phone == Phone::kResting || keeping.phone == Phone::kOver)) {
         share(turn);

@@ -127,6 +127,7 @@ void attract_heritage(Page& page, const Exhibit& exhibit) {
 
 void draw_attract(Page& page) {
     const View& view = page.view();
+    if (view.wall) return draw_wall(page);
     const int exhibit = view.attract_exhibit;
     if (exhibit >= 0 && exhibit < static_cast<int>(view.exhibits->size())) {
         attract_heritage(page, (*view.exhibits)[static_cast<std::size_t>(exhibit)]);

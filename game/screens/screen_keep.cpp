@@ -221,7 +221,7 @@ void draw_keep(Page& page) {
                           : has_phone ? phone_card.bottom() + 18.0F
                                       : 432.0F,
                           150.0F, 60.0F});
-    const float words_y = tall ? has_phone ? 1028.0F : 930.0F : shelf_y + 54.0F;
+    const float words_y = tall ? has_phone ? 1028.0F : 930.0F : shelf_y + (view.has_wall ? 36.0F : 54.0F);
     if (kept) {
         const Rect rect = page.mirrored({36.0F, words_y,
                                          tall     ? width - 72.0F
@@ -230,7 +230,8 @@ void draw_keep(Page& page) {
                                          has_phone && tall ? 44.0F : 84.0F});
         const std::string number = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number)));
         const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");
-        page.words(rect, {.text = has_phone && tall ? promise : number + "\n" + promise,
+        const bool one_line = has_phone && (tall || view.has_wall);
+        page.words(rect, {.text = one_line ? promise : number + "\n" + promise,
                           .size = 28.0F,
                           .line = 40.0F,
                           .colour = design::kSlip3,
@@ -241,10 +242,17 @@ void draw_keep(Page& page) {
     const bool joins = has_phone && view.state.keeping.phone == kiosk::Phone::kWifi;
     const kiosk::Button next = joins ? kiosk::Button::kOnWifi : kiosk::Button::kAnother;
     const std::string& next_name = page.t(joins ? "home.wnext" : "keep.again");
+    const bool offers_wall = kept && view.has_wall;
+    const auto wall_token = [&](const Rect& rect) {
+        page.token(page.mirrored(rect), Look::kToken, kiosk::Button::kOnWall, page.t("home.shelf"), 0,
+                   view.state.keeping.on_wall ? std::optional(Icon::kCheck) : std::nullopt);
+    };
     if (tall) {
         page.token({60.0F, 1090.0F, width - 120.0F, 84.0F}, Look::kPrimary, next, next_name);
-        page.token(page.mirrored({60.0F, 1190.0F, finish_width, 68.0F}), Look::kOutline,
-                   kiosk::Button::kFinish, page.t("keep.end"));
+        const float wall_width = offers_wall ? 0.62F * finish_width : 0.0F;
+        if (offers_wall) wall_token({60.0F, 1190.0F, wall_width - 18.0F, 68.0F});
+        page.token(page.mirrored({60.0F + wall_width, 1190.0F, finish_width - wall_width, 68.0F}),
+                   Look::kOutline, kiosk::Button::kFinish, page.t("keep.end"));
         return;
     }
     const float y = height - (square ? 118.0F : 130.0F);
@@ -252,6 +260,12 @@ void draw_keep(Page& page) {
     page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary, next, next_name);
     page.token(page.mirrored({width - 50.0F - again - finish_width, y, finish_width, 78.0F}), Look::kOutline,
                kiosk::Button::kFinish, page.t("keep.end"));
+    if (offers_wall) {
+        const float room = width - 50.0F - again - finish_width - 18.0F - 32.0F;
+        // In a square picture the promise stands close above.
+        const float lower = square ? 30.0F : 0.0F;
+        wall_token({32.0F, y + lower, std::min(room, 440.0F), 78.0F - 0.5F * lower});
+    }
 }
 
 }  // namespace onggi::screens

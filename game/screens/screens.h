@@ -9,6 +9,7 @@ namespace onggi::screens {
 [[nodiscard]] Composition compose(const View& view, ui::Painter& painter, PaintingStore& store);
 
 void draw_attract(Page& page);
+void draw_wall(Page& page);
 void draw_choose(Page& page);
 void draw_throw(Page& page);
 void draw_failure(Page& page);

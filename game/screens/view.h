@@ -89,6 +89,10 @@ struct View {
     std::shared_ptr<const std::vector<Exhibit>> exhibits;
     std::shared_ptr<const FiredPot> pot;
     std::shared_ptr<const std::vector<ShelfPot>> shelf;
+    // The wall of the day, the oldest first, never empty: shown instead of the throwing; null: it is not.
+    std::shared_ptr<const std::vector<ShelfPot>> wall;
+    bool has_wall = false;     // it may be put there
+    bool wall_is_new = false;  // its newest was put there just now
     int attract_turn = 0;      // how many times the throwing and then a pot have been shown
     int attract_exhibit = -1;  // shown turning, instead of the throwing; -1: none
     // The target's outline over the scene, pixels: left side and right side from below, then the rim.

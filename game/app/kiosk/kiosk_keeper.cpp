@@ -38,7 +38,8 @@ KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& star
       visits_(state_folder(gallery.folder())),
       journal_(visits_),
       gallery_(std::move(gallery)),
-      statistics_(std::move(statistics)) {}
+      statistics_(std::move(statistics)),
+      wall_(visits_ / "wall.json") {}
 
 Result<void> KioskKeeper::start() {
     return thread_.start(*this, "keeper");
@@ -64,6 +65,7 @@ std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
         apply(request);
     const bool works = work_out_interrupted_session();
     write_journal(now_ns);
+    look_at_the_wall(now_ns);
     return more || works ? 0 : kLookEveryNs;
 }
 
@@ -200,6 +202,15 @@ void KioskKeeper::apply(const Request& request) {
             save_now(request);
             give_back_memory();  // of what was made for the files
             break;
+        case Request::Kind::kPutOnWall:
+            show_wall(wall_.put(*request.hung, today()));
+            break;
+        case Request::Kind::kTakeOffWall:
+            show_wall(wall_.take(*request.pot));
+            break;
+        case Request::Kind::kClearWall:
+            show_wall(wall_.clear());
+            break;
         case Request::Kind::kForget:
             cut_.reset();
             end_journal();
@@ -260,6 +271,7 @@ void KioskKeeper::survey_now() {
 }
 
 void KioskKeeper::remove_now(const std::string& name) {
+    show_wall(wall_.take(name));
     for (const KeptPot& pot : gallery_.pots()) {
         if (pot.name != name) continue;
         const auto removed = gallery_.remove(pot);
@@ -267,6 +279,28 @@ void KioskKeeper::remove_now(const std::string& name) {
                 .words = removed ? "removed " + name : removed.error().message});
     }
     survey_now();
+}
+
+// At the start for what an earlier one left; then for midnight.
+void KioskKeeper::look_at_the_wall(std::int64_t now_ns) {
+    constexpr std::int64_t kEveryNs = 60'000'000'000;
+    if (looked_at_wall_ns_ && now_ns - *looked_at_wall_ns_ < kEveryNs) return;
+    const bool is_first = !looked_at_wall_ns_;
+    looked_at_wall_ns_ = now_ns;
+    if (is_first) {
+        show_wall(wall_.open(today()));
+    } else if (wall_.day() != today()) {
+        show_wall(wall_.clear());
+    }
+}
+
+// What was changed is seen, whether or not the disk took it.
+void KioskKeeper::show_wall(const Result<void>& changed) {
+    complain(changed);
+    auto seen = std::make_shared<std::vector<screens::ShelfPot>>();
+    for (const WallPot& pot : wall_.pots())
+        seen->push_back({pot.shape, pot.glaze});
+    answer({.kind = KeeperAnswer::Kind::kWall, .wall = std::move(seen)});
 }
 
 void KioskKeeper::write_session_now(const std::filesystem::path& place) {

@@ -17,10 +17,12 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_statistics.h"
 #include "game/app/kiosk/visit_journal.h"
+#include "game/app/kiosk/wall_of_the_day.h"
 #include "game/haptic/fault_report.h"
 #include "game/haptic/history.h"
 #include "game/haptic/job.h"
 #include "game/screens/pot_picture.h"
+#include "game/screens/view.h"
 
 namespace onggi::app {
 
@@ -33,16 +35,18 @@ struct KeeperAnswer {
         kInterruptedSession,
         kNotPut,
         kSessionWritten,
+        kWall,
         kRemark
     };
     Kind kind = Kind::kRemark;
-    std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
-    int number = 0;                                  // of a saved one, of the day
-    std::string gallery_name{};                      // likewise: "2026-11-21/pot-014"
-    std::filesystem::path session{};                 // of one that was written
-    std::string words{};                             // for the log
-    std::vector<std::string> pots{};                 // of a survey: newest first
-    double free_mb = 0.0;                            // of a survey, as all below
+    std::shared_ptr<const clay::StudioClay> clay{};                // of a cut pot
+    int number = 0;                                                // of a saved one, of the day
+    std::string gallery_name{};                                    // likewise: "2026-11-21/pot-014"
+    std::filesystem::path session{};                               // of one that was written
+    std::shared_ptr<const std::vector<screens::ShelfPot>> wall{};  // of kWall: as it is now, the oldest first
+    std::string words{};                                           // for the log
+    std::vector<std::string> pots{};                               // of a survey: newest first
+    double free_mb = 0.0;                                          // of a survey, as all below
     std::optional<double> celsius{};
     UseOfDay use{};
 };
@@ -70,6 +74,16 @@ class KioskKeeper final : private jobs::IoWork {
              .place = std::make_shared<const std::filesystem::path>(std::move(place))});
     }
     void save(std::shared_ptr<const pot::Section> shape, int glaze);
+    // A kept pot to the wall of the day, or down from there; all of them. Answered by kWall, as is the start
+    // and the end of a day.
+    void put_on_wall(WallPot pot) {
+        ask({.kind = Request::Kind::kPutOnWall, .hung = std::make_shared<const WallPot>(std::move(pot))});
+    }
+    void take_off_wall(std::string pot) {
+        ask({.kind = Request::Kind::kTakeOffWall,
+             .pot = std::make_shared<const std::string>(std::move(pot))});
+    }
+    void clear_wall() { ask({Request::Kind::kClearWall}); }
     void forget() { ask({Request::Kind::kForget}); }
     // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
     // its pot is saved.
@@ -101,6 +115,9 @@ class KioskKeeper final : private jobs::IoWork {
             kCutOff,
             kWriteSession,
             kSave,
+            kPutOnWall,
+            kTakeOffWall,
+            kClearWall,
             kForget,
             kJournal,
             kResume,
@@ -118,6 +135,7 @@ class KioskKeeper final : private jobs::IoWork {
         std::shared_ptr<const pot::Section> shape{};
         std::shared_ptr<const std::string> pot{};
         std::shared_ptr<const std::filesystem::path> place{};
+        std::shared_ptr<const WallPot> hung{};
         VisitNote visit{};
         std::shared_ptr<const HouseDefaults> house{};
     };
@@ -133,6 +151,8 @@ class KioskKeeper final : private jobs::IoWork {
     void end_journal();
     void apply(const Request& request);
     void put_state_at(std::uint64_t tick);
+    void look_at_the_wall(std::int64_t now_ns);
+    void show_wall(const Result<void>& changed);
     void write_session_now(const std::filesystem::path& place);
     void save_now(const Request& request);
     void survey_now();
@@ -157,6 +177,8 @@ class KioskKeeper final : private jobs::IoWork {
     Gallery gallery_;
     std::string gallery_trouble_;  // as it was told last
     std::filesystem::path statistics_;
+    WallOfTheDay wall_;
+    std::optional<std::int64_t> looked_at_wall_ns_;
     std::shared_ptr<const clay::StudioClay> cut_;
     jobs::SpscRing<Request> requests_{64};
     jobs::SpscRing<std::shared_ptr<const KeeperAnswer>> answers_{64};

@@ -54,6 +54,9 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kShare:
             share();
             break;
+        case Effect::Kind::kWall:
+            move_on_wall(effect.value != 0, moment.now_s);
+            break;
         case Effect::Kind::kForgetPot:
             pot_.reset();
             phone_way_.reset();
@@ -118,6 +121,17 @@ void VisitEffects::share() {
                          .language = state.comfort.language});
 }
 
+void VisitEffects::move_on_wall(bool up, double now_s) {
+    if (!pot_) return;
+    put_on_wall_s_ = up ? now_s : kLongAgoS;
+    if (up) {
+        parts_.keeper.put_on_wall(
+            {.gallery_name = kept_name_, .glaze = flow_.state().glaze, .shape = pot_->shape});
+    } else {
+        parts_.keeper.take_off_wall(kept_name_);
+    }
+}
+
 void VisitEffects::take_phone_answers() {
     if (parts_.phone == nullptr) return;
     while (const auto answer = parts_.phone->next_answer()) {
@@ -139,6 +153,10 @@ void VisitEffects::keep_house() {
 }
 
 void VisitEffects::take_answers() {
+    if (wall_ && !wall_->empty() && !kiosk::is_open(parts_.settings.config, parts_.minute_of_day())) {
+        wall_.reset();  // until the keeper says so too
+        parts_.keeper.clear_wall();
+    }
     take_phone_answers();
     while (const auto answer = parts_.keeper.next_answer()) {
         if (!answer->words.empty()) flow_.say(answer->words);
@@ -161,6 +179,9 @@ void VisitEffects::take_answers() {
                 break;
             case KeeperAnswer::Kind::kSaveFailed:
                 flow_.dispatch({Event::Kind::kSaveFailed});
+                break;
+            case KeeperAnswer::Kind::kWall:
+                wall_ = answer->wall;
                 break;
             case KeeperAnswer::Kind::kSurvey:
                 desk_.take(*answer);

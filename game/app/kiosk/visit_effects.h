@@ -37,6 +37,10 @@ class VisitEffects {
     [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
     // How the kept pot goes home by phone; null where it does not, or not yet.
     [[nodiscard]] const std::shared_ptr<const screens::PhoneWay>& phone_way() const { return phone_way_; }
+    // The wall of the day, the oldest pot first; null or empty: nothing is there.
+    [[nodiscard]] const std::shared_ptr<const std::vector<screens::ShelfPot>>& wall() const { return wall_; }
+    // When a pot was put there last; long ago, where none was.
+    [[nodiscard]] double put_on_wall_s() const { return put_on_wall_s_; }
     [[nodiscard]] bool quits() const { return quits_; }
     [[nodiscard]] bool restarts() const { return restarts_; }
 
@@ -45,6 +49,7 @@ class VisitEffects {
     void share();
     void take_phone_answers();
     void keep_house();
+    void move_on_wall(bool up, double now_s);
 
     const VisitParts& parts_;
     VisitWheel& wheel_;
@@ -55,6 +60,9 @@ class VisitEffects {
     std::vector<screens::ShelfPot> day_;
     std::string kept_name_;  // of it, in the gallery
     std::shared_ptr<const screens::PhoneWay> phone_way_;
+    static constexpr double kLongAgoS = -1e9;
+    std::shared_ptr<const std::vector<screens::ShelfPot>> wall_;
+    double put_on_wall_s_ = kLongAgoS;
     bool thrown_ = false;  // clay was put on in this visit
     int kept_ = 0;         // pots of it
     std::uint64_t pots_kept_ = 0;

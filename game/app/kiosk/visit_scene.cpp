@@ -26,7 +26,7 @@ void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& s
         }};
     if (sight.width_px <= 0 || sight.height_px <= 0) return;
     const bool shows_room =
-        shown != nullptr && shown->attract_exhibit < 0 && state.panel == kiosk::Panel::kNone;
+        shown != nullptr && shown->attract_exhibit < 0 && !shown->wall && state.panel == kiosk::Panel::kNone;
     CameraRequest request = camera_.request(state, shows_room, snapshot.pot->height_mm, sight);
     request.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
     if (request == aimed_) return;

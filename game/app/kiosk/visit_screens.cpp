@@ -10,9 +10,12 @@
 namespace onggi::app {
 namespace {
 
-// Attract: the throwing, then one pot of a museum, and so on.
+// Attract: the throwing, then one pot of a museum, then the wall of the day where there is one, and so on.
+// Where a pot was put on the wall just now, its maker sees it there first.
 constexpr double kAttractThrowsS = 25.0;
 constexpr double kAttractPotS = 20.0;
+constexpr double kAttractWallS = 20.0;
+constexpr double kWallIsNewS = 60.0;
 constexpr float kNearPx = 0.5F;  // an outline that has moved by less has not moved
 
 bool are_near(const std::vector<std::vector<vec2>>& x, const std::vector<std::vector<vec2>>& y) {
@@ -52,6 +55,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.exhibits = parts_.settings.exhibits;
     view.pot = effects_.pot();
     view.phone = effects_.phone_way();
+    view.has_wall = parts_.settings.rules.has_wall;
     add_shelf(view, state);
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();
@@ -73,14 +77,23 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
 }
 
 void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, double now_s) const {
-    if (state.screen != kiosk::Screen::kAttract || view.exhibits->empty()) return;
-    // The throwing, then one of the pots, and again with the next.
-    const double in_turn = std::max(0.0, now_s - state.screen_s);
-    const double turn_s = kAttractThrowsS + kAttractPotS;
-    const auto turn = static_cast<std::size_t>(in_turn / turn_s);
-    const bool pot_now = std::fmod(in_turn, turn_s) >= kAttractThrowsS;
+    if (state.screen != kiosk::Screen::kAttract) return;
+    const bool has_wall = effects_.wall() && !effects_.wall()->empty() && !is_closed(state);
+    const double pot_s = view.exhibits->empty() ? 0.0 : kAttractPotS;
+    const double wall_s = has_wall ? kAttractWallS : 0.0;
+    const double put_s = effects_.put_on_wall_s();
+    const double first_s = has_wall && state.screen_s - put_s < kWallIsNewS ? kAttractWallS : 0.0;
+    const double in_turns_s = std::max(0.0, now_s - state.screen_s) - first_s;
+    const double turn_s = kAttractThrowsS + pot_s + wall_s;
+    const auto turn = static_cast<std::size_t>(std::max(0.0, in_turns_s) / turn_s);
+    const double in_turn_s = std::fmod(std::max(0.0, in_turns_s), turn_s);
     view.attract_turn = static_cast<int>(turn);
-    if (pot_now) view.attract_exhibit = static_cast<int>(turn % view.exhibits->size());
+    if (in_turns_s < 0.0 || in_turn_s >= kAttractThrowsS + pot_s) {
+        view.wall = effects_.wall();
+        view.wall_is_new = now_s - put_s < kWallIsNewS;
+    } else if (in_turn_s >= kAttractThrowsS) {
+        view.attract_exhibit = static_cast<int>(turn % view.exhibits->size());
+    }
 }
 
 // The newest stands in the middle already while its maker looks at it.

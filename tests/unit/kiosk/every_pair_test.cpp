@@ -145,6 +145,7 @@ std::vector<Happening> buttons() {
         {Button::kKeep, any + ", your-pot -> saving"},
         {Button::kOnWifi, any},
         {Button::kShareAgain, any},
+        {Button::kOnWall, any},
         {Button::kAnother, any + ", keep -> choose"},
         {Button::kFinish, any + ", keep -> attract"},
         {Button::kStay, any},

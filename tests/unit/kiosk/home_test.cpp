@@ -73,5 +73,22 @@ TEST(TakingHome, SharesNothingThatCouldNotBeKept) {
     EXPECT_FALSE(visitor.caused(Effect::Kind::kShare));
 }
 
+TEST(WallOfTheDay, IsForWhoWantsItAndForNobodyElse) {
+    Visitor visitor(Rules{.has_wall = true});
+    visitor.keeps().presses(Button::kOnWall);
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kWall)) << "not before it is kept";
+    visitor.does(Event::Kind::kSaved, 7);
+    EXPECT_FALSE(visitor.state.keeping.on_wall);
+    visitor.presses(Button::kOnWall);
+    EXPECT_TRUE(visitor.state.keeping.on_wall);
+    visitor.presses(Button::kOnWall);
+    EXPECT_FALSE(visitor.state.keeping.on_wall) << "pressed again it comes down";
+    EXPECT_EQ(visitor.count(Effect::Kind::kWall), 2);
+
+    Visitor elsewhere(Rules{});
+    elsewhere.keeps().does(Event::Kind::kSaved, 7).presses(Button::kOnWall);
+    EXPECT_FALSE(elsewhere.caused(Effect::Kind::kWall));
+}
+
 }  // namespace
 }  // namespace onggi::kiosk

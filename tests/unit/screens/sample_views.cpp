@@ -313,6 +313,20 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
                 PhoneWay{.page = code, .code = "K73F\u00b7Q9TX", .wifi = code, .wifi_name = "Museum-Guest"});
         });
     }
+    add("keep-wall", Screen::kKeep, [](View& view) {
+        view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14, kiosk::Phone::kPacking, true};
+        view.has_wall = true;
+    });
+    for (const int count : {1, 18, 27}) {
+        add("wall-" + std::to_string(count), Screen::kAttract, [&](View& view) {
+            std::vector<ShelfPot> pots;
+            for (int i = 0; i < count; ++i)
+                pots.push_back(
+                    {(*view.exhibits)[static_cast<std::size_t>(i) % view.exhibits->size()].shape, i % 6});
+            view.wall = std::make_shared<const std::vector<ShelfPot>>(std::move(pots));
+            view.wall_is_new = count != 27;
+        });
+    }
     add("keep-saving", Screen::kKeep, nothing);
     add("keep-full", Screen::kKeep, [](View& view) {
         view.state.keeping = {kiosk::Keeping::Outcome::kFull, 0};
