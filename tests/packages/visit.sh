@@ -8,14 +8,16 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 what=$1 build=$2 root=$3
 source "$here/root.sh"
 
-# Which the compositor gave the wheel; there is one in this namespace.
+# Which the compositor gave the wheel; there is one in this namespace. A process may be gone while it is looked at.
 display_of_kiosk() {
-    local process
+    local process display
     for process in $(pgrep --exact onggi); do
-        tr '\0' '\n' <"/proc/$process/environ" | sed -n 's/^DISPLAY=//p'
-    done | head -1
+        display=$(tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" | sed -n 's/^DISPLAY=//p') || continue
+        [ -z "$display" ] || { echo "$display"; return; }
+    done
+    return 1
 }
-has_display() { [ -n "$(display_of_kiosk 2>/dev/null)" ]; }
+has_display() { DISPLAY=$(display_of_kiosk 2>/dev/null); }
 
 # In the place of visitor.sh's: by the starter, with the settings in /etc/onggi.
 open_installed() {
@@ -27,7 +29,6 @@ open_installed() {
     kiosk=$!
     ln -sfn "$root/var/lib/onggi/gallery" gallery
     wait_for "display" has_display
-    DISPLAY=$(display_of_kiosk)
     export DISPLAY
 }
 # Locked: no key ends it, systemd does.
@@ -76,7 +77,7 @@ begin)
     open_it
     on_screen throw
     end_kiosk
-    wait "$kiosk"
+    wait "$kiosk" || fail "the kiosk ended with exit code $?"
     grep -q . gallery/state/visit-* || fail "expected the visit to wait, found nothing"
     echo "stopped in the middle of a visit, which waits"
     ;;
@@ -89,7 +90,7 @@ resume)
     press resume resume-go; on_screen throw
     has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
     end_kiosk
-    wait "$kiosk"
+    wait "$kiosk" || fail "the kiosk ended with exit code $?"
     echo "picked up where it was left"
     ;;
 esac
