@@ -17,7 +17,7 @@ packages_to_check=(
     systemd cage xwayland dpkg-dev)
 packages_for_web=(chromium)
 packages_for_slicer=(prusa-slicer)
-packages_for_packages=(mmdebstrap lintian)
+packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)
 
 # install_packages NAME...: installs those that are missing, after saying so.
 install_packages() {

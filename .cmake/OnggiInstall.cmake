@@ -18,7 +18,9 @@ install(CODE [[
     if(EXISTS ${record})
         file(STRINGS ${record} folders)
     endif()
-    foreach(place bin lib/onggi lib/systemd/system lib/sysusers.d lib/tmpfiles.d lib/udev/rules.d share/doc/onggi share/onggi)
+    foreach(place bin lib/onggi lib/systemd/system lib/sysusers.d lib/tmpfiles.d lib/udev/rules.d share/applications
+            share/bash-completion/completions share/doc/onggi share/icons/hicolor/scalable/apps share/man/man1
+            share/man/man5 share/man/man8 share/metainfo share/onggi)
         list(APPEND places ${CMAKE_INSTALL_PREFIX}/${place})
     endforeach()
     foreach(place IN LISTS places ITEMS ${ONGGI_ETC}/security/limits.d)
@@ -47,6 +49,21 @@ install(FILES assets/gestures/attract.csv DESTINATION share/onggi/gestures)
 install(DIRECTORY assets/languages DESTINATION share/onggi)
 install(FILES assets/kiosk.toml DESTINATION share/onggi RENAME kiosk-settings.toml)
 install(FILES README.md assets/package/copyright DESTINATION share/doc/onggi)
+# How menus and shells know it. What the program says of itself is asked of it when it is installed.
+install(FILES assets/manual/onggi.desktop DESTINATION share/applications)
+install(FILES assets/manual/onggi.svg DESTINATION share/icons/hicolor/scalable/apps)
+install(CODE "set(onggi_program $<TARGET_FILE:onggi>)" ALL_COMPONENTS)
+install(CODE [[
+    set(made ${build}/install)
+    include(${source}/.cmake/manual.cmake)
+    configure_file(${source}/assets/manual/onggi.metainfo.xml.in ${made}/onggi.metainfo.xml @ONLY)
+    onggi_manual(1 onggi COMMAND ${onggi_program} manual ${made})
+    file(RENAME ${made}/onggi.bash ${made}/onggi)
+    file(INSTALL ${made}/onggi.1.gz DESTINATION ${CMAKE_INSTALL_PREFIX}/share/man/man1)
+    file(INSTALL ${made}/onggi.metainfo.xml DESTINATION ${CMAKE_INSTALL_PREFIX}/share/metainfo)
+    file(INSTALL ${made}/onggi DESTINATION ${CMAKE_INSTALL_PREFIX}/share/bash-completion/completions)
+]] COMPONENT onggi)
+
 # Where udev and systemd look, whether the prefix is /usr or /usr/local.
 install(FILES assets/udev/70-onggi.rules DESTINATION lib/udev/rules.d)
 
@@ -61,6 +78,13 @@ install(CODE [[
     configure_file(${source}/assets/install/tmpfiles.conf.in ${made}/onggi.conf @ONLY)
     configure_file(${source}/assets/install/kiosk.in ${made}/kiosk @ONLY)
     configure_file(${source}/assets/install/limits.conf ${made}/70-onggi.conf COPYONLY)
+    include(${source}/.cmake/manual.cmake)
+    configure_file(${source}/assets/manual/onggi-kiosk.8.in ${made}/onggi-kiosk.8 @ONLY)
+    onggi_manual(8 onggi-kiosk)
+    onggi_manual(5 kiosk.toml COMMAND awk -v named=${named} -v day=${day} -f ${source}/assets/manual/kiosk_toml.awk
+        ${source}/assets/kiosk.toml ${source}/assets/install/kiosk.toml OUTPUT_FILE ${made}/kiosk.toml.5)
+    file(INSTALL ${made}/onggi-kiosk.8.gz DESTINATION ${CMAKE_INSTALL_PREFIX}/share/man/man8)
+    file(INSTALL ${made}/kiosk.toml.5.gz DESTINATION ${CMAKE_INSTALL_PREFIX}/share/man/man5)
     file(INSTALL ${made}/onggi-kiosk.service ${made}/onggi-share.service DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/systemd/system)
     file(INSTALL ${made}/onggi.conf DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/tmpfiles.d)
     file(INSTALL ${made}/kiosk DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/onggi

@@ -40,6 +40,8 @@ tree packed >"$folder/packed.txt"
 tree installed >"$folder/installed.txt"
 diff "$folder/installed.txt" "$folder/packed.txt" || fail "expected packages (>) that hold what is installed (<)"
 
+[ -s "$folder/packed/usr/share/doc/onggi/README.md" ] || fail "expected a README among the documents"
+
 # Where it was built is nobody's business, and would differ between builders.
 for path in "$PWD" "$build"; do
     if grep -rlaF "$path" "$folder/packed"; then fail "expected no file that names $path"; fi

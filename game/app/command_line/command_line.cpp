@@ -42,7 +42,8 @@ int refuse_usage(const CLI::App& program, const CLI::ParseError& error) {
 
 std::string known_commands(CLI::App& program) {
     std::string names;
-    for (const CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+    for (const CLI::App* command :
+         program.get_subcommands([](CLI::App* one) { return !one->get_group().empty(); })) {
         names += (names.empty() ? "" : ", ") + command->get_name();
     }
     return names;

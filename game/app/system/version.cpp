@@ -10,4 +10,8 @@ std::string version() {
     return fmt::format("{} ({}, {})", ONGGI_VERSION, kCommit, kCommitDay);
 }
 
+std::string commit_day() {
+    return kCommitDay;
+}
+
 }  // namespace onggi::app
