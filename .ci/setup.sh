@@ -14,9 +14,10 @@ packages_to_run=(
 packages_to_check=(
     clang-14 clang-format-14 libclang-rt-14-dev glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
     xvfb xdotool libx11-dev umockdev libumockdev-dev admesh zbar-tools curl python3-minimal git
-    systemd cage xwayland)
+    systemd cage xwayland dpkg-dev)
 packages_for_web=(chromium)
 packages_for_slicer=(prusa-slicer)
+packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)
 
 # install_packages NAME...: installs those that are missing, after saying so.
 install_packages() {

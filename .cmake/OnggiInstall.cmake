@@ -1,5 +1,6 @@
-# What `cmake --install` lays down: the program, what it brings along, and what makes a machine a kiosk
-# (assets/install). `--target uninstall` takes it away again.
+# What `cmake --install` lays down: the program and what it brings along (component onggi), and what makes a machine a
+# kiosk (assets/install; component kiosk). Each component is a Debian package too (OnggiPackage.cmake). `--target uninstall`
+# takes all of it away again.
 
 # Read at installing, when the prefix is known. systemd and PAM look into /etc whatever the prefix is.
 install(CODE [[
@@ -8,16 +9,18 @@ install(CODE [[
     else()
         set(ONGGI_ETC ${CMAKE_INSTALL_PREFIX}/etc)
     endif()
-]])
-install(CODE "set(source ${CMAKE_SOURCE_DIR})\nset(build ${CMAKE_BINARY_DIR})")
-# Folders that are not there yet: an uninstall takes them away again.
+]] ALL_COMPONENTS)
+install(CODE "set(source ${CMAKE_SOURCE_DIR})\nset(build ${CMAKE_BINARY_DIR})" ALL_COMPONENTS)
+# Folders that are not there yet: an uninstall takes them away again. Of no component, so not done for packages.
 install(CODE [[
     set(record ${build}/install_folders.txt)
     set(folders "")
     if(EXISTS ${record})
         file(STRINGS ${record} folders)
     endif()
-    foreach(place bin lib/onggi lib/systemd/system lib/sysusers.d lib/tmpfiles.d lib/udev/rules.d share/onggi)
+    foreach(place bin lib/onggi lib/systemd/system lib/sysusers.d lib/tmpfiles.d lib/udev/rules.d share/applications
+            share/bash-completion/completions share/doc/onggi share/icons/hicolor/scalable/apps share/man/man1
+            share/man/man5 share/man/man8 share/metainfo share/onggi)
         list(APPEND places ${CMAKE_INSTALL_PREFIX}/${place})
     endforeach()
     foreach(place IN LISTS places ITEMS ${ONGGI_ETC}/security/limits.d)
@@ -32,19 +35,40 @@ install(CODE [[
     file(WRITE ${record} "${folders}\n")
 ]])
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME onggi)
 install(TARGETS onggi RUNTIME DESTINATION bin)
 # bin/onggi looks into share/onggi: see engine/files/asset_folder.h.
 install(DIRECTORY assets/workshop DESTINATION share/onggi FILES_MATCHING
-    PATTERN "*.json" PATTERN "*.jpg" PATTERN "*.glb" PATTERN "README.md" PATTERN "maker" EXCLUDE)
+    PATTERN "*.json" PATTERN "*.jpg" PATTERN "*.png" PATTERN "*.glb" PATTERN "README.md" PATTERN "maker" EXCLUDE)
 install(DIRECTORY assets/heritage DESTINATION share/onggi)
 install(DIRECTORY assets/tools DESTINATION share/onggi FILES_MATCHING PATTERN "*.glb" PATTERN "maker" EXCLUDE)
 install(DIRECTORY assets/demonstrations DESTINATION share/onggi FILES_MATCHING
     PATTERN "*.onggi" PATTERN "shown.txt" PATTERN "README.md")
 install(FILES assets/gestures/attract.csv DESTINATION share/onggi/gestures)
+# Built in; here as what a museum's own tables begin with.
+install(DIRECTORY assets/languages DESTINATION share/onggi)
 install(FILES assets/kiosk.toml DESTINATION share/onggi RENAME kiosk-settings.toml)
+install(FILES README.md assets/package/copyright DESTINATION share/doc/onggi)
+# How menus and shells know it. What the program says of itself is asked of it when it is installed.
+install(FILES assets/manual/onggi.desktop DESTINATION share/applications)
+install(FILES assets/manual/onggi.svg DESTINATION share/icons/hicolor/scalable/apps)
+install(CODE "set(onggi_program $<TARGET_FILE:onggi>)" ALL_COMPONENTS)
+install(CODE [[
+    set(made ${build}/install)
+    include(${source}/.cmake/manual.cmake)
+    configure_file(${source}/assets/manual/onggi.metainfo.xml.in ${made}/onggi.metainfo.xml @ONLY)
+    onggi_manual(1 onggi COMMAND ${onggi_program} manual ${made})
+    file(RENAME ${made}/onggi.bash ${made}/onggi)
+    file(INSTALL ${made}/onggi.1.gz DESTINATION ${CMAKE_INSTALL_PREFIX}/share/man/man1)
+    file(INSTALL ${made}/onggi.metainfo.xml DESTINATION ${CMAKE_INSTALL_PREFIX}/share/metainfo)
+    file(INSTALL ${made}/onggi DESTINATION ${CMAKE_INSTALL_PREFIX}/share/bash-completion/completions)
+]] COMPONENT onggi)
 
 # Where udev and systemd look, whether the prefix is /usr or /usr/local.
-install(FILES assets/udev/70-onggi.rules assets/install/71-onggi-kiosk.rules DESTINATION lib/udev/rules.d)
+install(FILES assets/udev/70-onggi.rules DESTINATION lib/udev/rules.d)
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME kiosk)
+install(FILES assets/install/71-onggi-kiosk.rules DESTINATION lib/udev/rules.d)
 install(FILES assets/install/kiosk.toml DESTINATION share/onggi)
 install(FILES assets/install/sysusers.conf DESTINATION lib/sysusers.d RENAME onggi.conf)
 install(CODE [[
@@ -54,12 +78,19 @@ install(CODE [[
     configure_file(${source}/assets/install/tmpfiles.conf.in ${made}/onggi.conf @ONLY)
     configure_file(${source}/assets/install/kiosk.in ${made}/kiosk @ONLY)
     configure_file(${source}/assets/install/limits.conf ${made}/70-onggi.conf COPYONLY)
+    include(${source}/.cmake/manual.cmake)
+    configure_file(${source}/assets/manual/onggi-kiosk.8.in ${made}/onggi-kiosk.8 @ONLY)
+    onggi_manual(8 onggi-kiosk)
+    onggi_manual(5 kiosk.toml COMMAND awk -v named=${named} -v day=${day} -f ${source}/assets/manual/kiosk_toml.awk
+        ${source}/assets/kiosk.toml ${source}/assets/install/kiosk.toml OUTPUT_FILE ${made}/kiosk.toml.5)
+    file(INSTALL ${made}/onggi-kiosk.8.gz DESTINATION ${CMAKE_INSTALL_PREFIX}/share/man/man8)
+    file(INSTALL ${made}/kiosk.toml.5.gz DESTINATION ${CMAKE_INSTALL_PREFIX}/share/man/man5)
     file(INSTALL ${made}/onggi-kiosk.service ${made}/onggi-share.service DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/systemd/system)
     file(INSTALL ${made}/onggi.conf DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/tmpfiles.d)
     file(INSTALL ${made}/kiosk DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/onggi
         PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
     file(INSTALL ${made}/70-onggi.conf DESTINATION ${ONGGI_ETC}/security/limits.d)
-]])
+]] COMPONENT kiosk)
 
 add_custom_target(uninstall
     COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_BINARY_DIR} -P ${CMAKE_SOURCE_DIR}/.cmake/uninstall.cmake

@@ -9,6 +9,7 @@
 #include "game/app/command_line/film_command.h"
 #include "game/app/command_line/kiosk_command.h"
 #include "game/app/command_line/live_command.h"
+#include "game/app/command_line/manual_command.h"
 #include "game/app/command_line/replay_command.h"
 #include "game/app/command_line/share_command.h"
 #include "game/app/command_line/throw_command.h"
@@ -28,5 +29,6 @@ int main(int argc, char** argv) {
     onggi::app::add_share_command(program, exit_status);
     onggi::app::add_devices_command(program, exit_status);
     onggi::app::add_doctor_command(program, exit_status);
+    onggi::app::add_manual_command(program, exit_status);
     return onggi::app::run_command_line(program, argc, argv, exit_status);
 }

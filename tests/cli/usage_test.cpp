@@ -1,6 +1,8 @@
 // Wrong usage: exit code 2, one line, and what would have been right.
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "tests/cli/cli_expectations.h"
 
 namespace onggi::test {
@@ -20,7 +22,13 @@ TEST(Usage, HelpAndVersionAreThereForEveryCommand) {
         }
     }
     EXPECT_NE(run_onggi({"throw", "--help"}).out.find("--profile"), std::string::npos);
-    EXPECT_TRUE(run_onggi({"--version"}).out.starts_with("onggi "));
+}
+
+TEST(Usage, TheVersionNamesTheCommit) {
+    const ProgramRun run = run_onggi({"--version"});
+    const std::regex expected("onggi " ONGGI_VERSION
+                              R"( \((unknown|[0-9a-f]{12}(\.changed)?), \d{4}-\d{2}-\d{2}\)\n)");
+    EXPECT_TRUE(std::regex_match(run.out, expected)) << run.out;
 }
 
 TEST(Usage, HelpThatCannotBePrintedIsNoSuccess) {

@@ -24,6 +24,8 @@ for file in usr/bin/onggi usr/lib/onggi/kiosk usr/lib/systemd/system/onggi-kiosk
     usr/lib/systemd/system/onggi-share.service usr/lib/sysusers.d/onggi.conf \
     usr/lib/tmpfiles.d/onggi.conf usr/lib/udev/rules.d/70-onggi.rules usr/lib/udev/rules.d/71-onggi-kiosk.rules \
     usr/share/onggi/kiosk.toml usr/share/onggi/heritage/targets.csv usr/share/onggi/gestures/attract.csv \
+    usr/share/man/man1/onggi.1.gz usr/share/man/man5/kiosk.toml.5.gz usr/share/man/man8/onggi-kiosk.8.gz \
+    usr/share/metainfo/onggi.metainfo.xml usr/share/bash-completion/completions/onggi \
     usr/share/onggi/tools/stick.glb usr/share/onggi/workshop/room.glb etc/security/limits.d/70-onggi.conf; do
     [ -s "$root/$file" ] || fail "expected $file, found none"
 done

@@ -4,7 +4,8 @@
 # picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
 # others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
 # have no buttons for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
-# likewise; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment.
+# likewise; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment;
+# OPENS, ENDS: functions that start the kiosk, putting its process into `kiosk`, and end it, in the place of those here.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/throwing.sh"
@@ -57,6 +58,10 @@ open_kiosk() {
         kiosk=$!
     fi
 }
+# Whoever else knows how to, and how it ends, names his own functions for it.
+[ -z "${OPENS:-}" ] || open_kiosk() { "$OPENS"; }
+end_kiosk() { "${ENDS:-press_escape}"; }
+press_escape() { xdotool key Escape; }
 open_kiosk
 # look_at_memory SCREEN: the most that was held at any moment from the start to there, in MB of a million bytes.
 look_at_memory() {
@@ -181,7 +186,7 @@ keep_the_pot() {
         press keep finish
     fi
     on_screen attract
-    xdotool key Escape
+    end_kiosk
     wait "$kiosk" || status=$?
     [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"
     printf 'kept by %s in %s: %s, %s\n' "$hand" "$language" "$pot" "$verdict"

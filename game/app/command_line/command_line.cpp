@@ -11,6 +11,7 @@
 
 #include "engine/core/quote.h"
 #include "game/app/system/report.h"
+#include "game/app/system/version.h"
 
 namespace onggi::app {
 namespace {
@@ -41,7 +42,8 @@ int refuse_usage(const CLI::App& program, const CLI::ParseError& error) {
 
 std::string known_commands(CLI::App& program) {
     std::string names;
-    for (const CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+    for (const CLI::App* command :
+         program.get_subcommands([](CLI::App* one) { return !one->get_group().empty(); })) {
         names += (names.empty() ? "" : ", ") + command->get_name();
     }
     return names;
@@ -50,10 +52,10 @@ std::string known_commands(CLI::App& program) {
 }  // namespace
 
 int run_command_line(CLI::App& program, int argc, const char* const* argv, const int& exit_status) {
-    const std::string version = program.get_name() + " " + ONGGI_VERSION;
-    program.set_version_flag("--version", version);
+    const std::string named = program.get_name() + " " + version();
+    program.set_version_flag("--version", named);
     for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
-        command->set_version_flag("--version", version);
+        command->set_version_flag("--version", named);
     }
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     const bool asks_program =

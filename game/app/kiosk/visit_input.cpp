@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "game/app/kiosk/kiosk_pot.h"
+
 namespace onggi::app {
 namespace {
 

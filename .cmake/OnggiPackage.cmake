@@ -1,0 +1,54 @@
+# `--target package` makes two Debian packages of what is installed: onggi and onggi-kiosk, for the components onggi and
+# kiosk of OnggiInstall.cmake. What only a package needs lies in assets/package, whose README says why it is CPack.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME onggi)
+set(CPACK_PACKAGE_VENDOR Onggi)
+set(CPACK_PACKAGE_CONTACT "Onggi maintainers <maintainers@onggi.invalid>")
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_COMPONENTS_ALL onggi kiosk)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+# Places are written into units when they are installed: the prefix has to be the real one, below DESTDIR.
+set(CPACK_SET_DESTDIR ON)
+set(CPACK_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+# Version and date are those of the commit that is there when the package is made, not when this was configured.
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/.cmake/package_version.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/.cmake/package_tree.cmake)
+set(CPACK_ONGGI_SOURCE ${CMAKE_SOURCE_DIR})
+
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(package ${CMAKE_SOURCE_DIR}/assets/package)
+set(CPACK_DEBIAN_ONGGI_PACKAGE_NAME onggi)
+set(CPACK_DEBIAN_ONGGI_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_ONGGI_PACKAGE_SHLIBDEPS ON)
+# What GLFW opens while it runs, and its package does not ask for: pointers and fingers, several screens.
+set(CPACK_DEBIAN_ONGGI_PACKAGE_DEPENDS "libxcursor1, libxi6, libxinerama1, libxrandr2")
+set(CPACK_DEBIAN_ONGGI_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, fonts-nanum, fonts-noto-core")
+set(CPACK_DEBIAN_ONGGI_PACKAGE_CONTROL_EXTRA ${package}/onggi/postinst)
+
+set(CPACK_DEBIAN_KIOSK_PACKAGE_NAME onggi-kiosk)
+set(CPACK_DEBIAN_KIOSK_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_KIOSK_PACKAGE_CONTROL_EXTRA ${package}/onggi-kiosk/postinst ${package}/onggi-kiosk/prerm
+    ${package}/onggi-kiosk/postrm ${package}/onggi-kiosk/conffiles)
+
+set(CPACK_COMPONENT_ONGGI_DESCRIPTION "potter's wheel that one can feel
+Pots are thrown on a wheel by stylus, force-feedback joystick, controller,
+mouse or touch screen; the clay yields, drags and pushes back. Sessions replay
+to the bit, and pots leave as glTF, STL and 3MF.
+
+This package holds the program, what it brings along, and the udev rules by
+which whoever sits at the machine may open the devices.")
+set(CPACK_COMPONENT_KIOSK_DESCRIPTION "museum kiosk around the Onggi potter's wheel
+Makes of a machine a wheel that is always up: a service that starts with it, is
+watched and started again, a user of its own, a full screen without a desktop,
+settings in /etc/onggi, a server for pots that visitors take home by phone.
+
+Installing it takes the machine's screen and tty1. Pots are kept in
+/var/lib/onggi, and stay there when the package is purged.")
+
+include(CPack)

@@ -1,0 +1,59 @@
+# A bare Debian 12 in a folder, and what is run in it. Sourced, never run, in a mount namespace of the script's own
+# (bare_debian.sh); `root` is where it stands, `cache` where what was fetched stays between runs.
+
+fail() { printf '%s\n' "$*"; exit 1; }
+say() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
+# show COMMAND...: as a transcript has it.
+show() {
+    printf '# %s\n' "$*"
+    "$@"
+}
+
+# The smallest root that apt can go on from, made once from the machine's own sources.
+unpack_bare_debian() {
+    if [ ! -s "$cache/bookworm.tar" ]; then
+        mkdir -p "$cache"
+        mmdebstrap --variant=minbase --include=ca-certificates bookworm "$cache/bookworm.part.tar" \
+            "${ONGGI_DEBIAN_SOURCES:-/etc/apt/sources.list.d/debian.sources}" >"$cache/mmdebstrap.log" 2>&1 ||
+            { cat "$cache/mmdebstrap.log"; fail "expected a bare Debian 12, made none"; }
+        mv "$cache/bookworm.part.tar" "$cache/bookworm.tar"
+    fi
+    mkdir -p "$root"
+    tar -xf "$cache/bookworm.tar" -C "$root"
+}
+
+# What a kernel and an early systemd would have put there. Nothing of the machine's own devices.
+mount_machine() {
+    local node
+    mount --bind "$root" "$root"
+    mount -t proc proc "$root/proc"
+    mount -t sysfs -o ro sysfs "$root/sys"
+    mount -t tmpfs tmpfs "$root/run"
+    mount -t tmpfs -o mode=1777 tmpfs "$root/tmp"
+    mount -t tmpfs tmpfs "$root/dev"
+    mkdir "$root/dev/pts" "$root/dev/shm"
+    mount -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts"
+    mount -t tmpfs -o mode=1777 tmpfs "$root/dev/shm"
+    ln -s pts/ptmx "$root/dev/ptmx"
+    ln -s /proc/self/fd "$root/dev/fd"
+    for node in null zero full random urandom tty; do
+        : >"$root/dev/$node"
+        mount --bind "/dev/$node" "$root/dev/$node"
+    done
+    mkdir -p "$cache/archives/partial" "$cache/lists/partial"
+    mount --bind "$cache/archives" "$root/var/cache/apt/archives"
+    mount --bind "$cache/lists" "$root/var/lib/apt/lists"
+}
+
+# in_root COMMAND...; `(exec "${into_root[@]}" COMMAND...) &` for what is to be ended by its number.
+into_root=(chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin TZ=UTC LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive)
+in_root() { "${into_root[@]}" "$@"; }
+# As the service runs the wheel: its user, limits and environment, by the installed unit. A container may refuse the limits.
+as_service() {
+    local unit=$root/usr/lib/systemd/system/onggi-kiosk.service environment limits
+    read -ra environment < <(sed -n 's/^Environment=//p' "$unit")
+    limits=(prlimit --rtprio="$(sed -n 's/^LimitRTPRIO=//p' "$unit")" --memlock=unlimited)
+    "${limits[@]}" true 2>/dev/null || limits=()
+    exec "${limits[@]}" chroot --userspec="$(sed -n 's/^User=//p' "$unit")" "$root" \
+        env -i -C /var/lib/onggi PATH=/usr/bin:/bin TZ=UTC "${environment[@]}" "$@"
+}

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# The packages hold what `cmake --install` lays down, byte for byte, and nothing else but what Debian asks of a package; each
+# file of assets/ is in one of them or has a reason not to be (not_installed.txt), and a licence. trees.sh BUILD FOLDER
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$1 folder=$2
+fail() { printf '%s\n' "$*"; exit 1; }
+rm -rf "$folder"
+mkdir -p "$folder/packed" "$folder/installed"
+
+# Hardly compressed: that would be most of the time.
+cpack --config "$build/CPackConfig.cmake" -B "$folder/packages" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip >"$folder/cpack.log" 2>&1 ||
+    { cat "$folder/cpack.log"; fail "expected two packages"; }
+for name in onggi onggi-kiosk; do
+    package=$(echo "$folder/packages/${name}_"*.deb)
+    [ -f "$package" ] || fail "expected one package $name, found $package"
+    dpkg-deb -R "$package" "$folder/$name"
+    mv "$folder/$name/DEBIAN" "$folder/$name.control"
+    for script in "$folder/$name.control/"{pre,post}{inst,rm}; do
+        [ ! -e "$script" ] || { sh -n "$script" && [ -x "$script" ]; } || fail "expected a script of $name's that can be run: $script"
+    done
+    # No file is in both: dpkg would refuse the second.
+    while read -r file; do
+        [ ! -e "$folder/packed/$file" ] || fail "$file: expected it in one package, found it in both"
+    done < <(cd "$folder/$name" && find . ! -type d -printf '%P\n')
+    cp -a "$folder/$name/." "$folder/packed"
+done
+# What is packed at all, by its bytes.
+(cd "$folder/packed" && find . -type f -exec sha256sum {} +) | cut -d ' ' -f 1 | sort -u >"$folder/sums"
+
+DESTDIR=$folder/installed cmake --install "$build" --prefix /usr --strip >"$folder/install.log"
+for only in usr/share/doc/onggi/changelog.gz usr/share/doc/onggi/changelog.Debian.gz usr/share/doc/onggi-kiosk \
+    usr/share/lintian/overrides/onggi; do
+    [ -e "$folder/packed/$only" ] || fail "expected $only in a package, found none"
+    rm "$folder/packed/$only"
+done
+rmdir "$folder/packed/usr/share/lintian/overrides" "$folder/packed/usr/share/lintian"
+tree() { (cd "$folder/$1" && find . -printf '%y %m %p %l\n' | sort && find . -type f -exec sha256sum {} + | sort -k 2); }
+tree packed >"$folder/packed.txt"
+tree installed >"$folder/installed.txt"
+diff "$folder/installed.txt" "$folder/packed.txt" || fail "expected packages (>) that hold what is installed (<)"
+
+[ -s "$folder/packed/usr/share/doc/onggi/README.md" ] || fail "expected a README among the documents"
+
+# Where it was built is nobody's business, and would differ between builders.
+for path in "$PWD" "$build"; do
+    if grep -rlaF "$path" "$folder/packed"; then fail "expected no file that names $path"; fi
+done
+
+# Each file of assets/, by its bytes.
+mapfile -t assets < <(git ls-files --cached --others --exclude-standard -- assets)
+[ ${#assets[@]} -gt 60 ] || fail "expected the files of assets/, found ${#assets[@]}"
+declare -A named=()
+while read -r line; do
+    [ -z "$line" ] || [[ "$line" = \#* ]] || named["${line%%  *}"]=0
+done <"$here/not_installed.txt"
+for file in "${assets[@]}"; do
+    installed=false pattern=
+    grep -q "^$(sha256sum "$file" | cut -d ' ' -f 1)\$" "$folder/sums" && installed=true
+    for one in "${!named[@]}"; do
+        # shellcheck disable=SC2053  # a pattern
+        [[ "$file" = $one ]] || continue
+        pattern=$one
+        named[$one]=$((named[$one] + 1))
+    done
+    $installed || [ -n "$pattern" ] || fail "$file: expected an install rule that takes it, or a line in not_installed.txt, found neither"
+    if $installed && [ -n "$pattern" ]; then fail "$file: is installed, and yet not_installed.txt has '$pattern'"; fi
+done
+for one in "${!named[@]}"; do
+    [ "${named[$one]}" -gt 0 ] || fail "not_installed.txt: expected a file that is called $one, found none"
+done
+
+# The table of licences names it, other than by the paragraph for everything.
+mapfile -t licensed < <(awk '/^Files:/ { on = 1; sub(/^Files:/, "") } /^[A-Z]/ && !/^Files:/ { on = 0 } on' assets/package/copyright |
+    tr ' ' '\n' | grep '^assets/')
+for file in "${assets[@]}"; do
+    covered=false
+    for one in "${licensed[@]}"; do
+        # shellcheck disable=SC2053  # a pattern
+        [[ "$file" = $one ]] && covered=true
+    done
+    $covered || fail "$file: expected a paragraph of assets/package/copyright that names it, found none"
+done
+# And each library that the program is linked with, each font that it asks for.
+for name in $(sed -n 's/^\(Depends\|Recommends\): //p' "$folder/onggi.control/control" | tr ',|' '\n\n' | awk '{ print $1 }'); do
+    case $name in
+    libc6 | libgcc-s1 | libstdc++6 | libpangocairo-1.0-0 | libwebpmux3) ;;  # with their like in the table
+    libxcursor1 | libxi6 | libxinerama1 | libxrandr2 | mesa-vulkan-drivers | vulkan-icd) ;;  # used by others, not linked
+    *) grep -q "\b${name//+/\\+}\b" assets/package/copyright || fail "$name: expected its licence in assets/package/copyright" ;;
+    esac
+done
+echo "two packages of $(wc -l <"$folder/packed.txt") lines: what is installed, no more; ${#assets[@]} assets have a place or a reason"

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# A visitor at the installed kiosk, which runs in its root under cage on wlroots' headless back end, as the unit starts and
+# stops it. The visitor's own tools stay outside: they reach Xwayland by its abstract socket.
+# visit.sh keep|begin|resume BUILD ROOT FOLDER: to a kept pot; until the clay is open, when the service is stopped;
+# or on from there.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+what=$1 build=$2 root=$3
+source "$here/root.sh"
+
+# Which the compositor gave the wheel; there is one in this namespace. A process may be gone while it is looked at.
+display_of_kiosk() {
+    local process display
+    for process in $(pgrep --exact onggi); do
+        display=$(tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" | sed -n 's/^DISPLAY=//p') || continue
+        [ -z "$display" ] || { echo "$display"; return; }
+    done
+    return 1
+}
+has_display() { DISPLAY=$(display_of_kiosk 2>/dev/null); }
+
+# In the place of visitor.sh's: by the starter, with the settings in /etc/onggi.
+open_installed() {
+    # RuntimeDirectory= and its mode.
+    in_root install -d -o onggi -g onggi -m 0700 /run/onggi
+    owner=$(in_root id -u onggi)
+    chown "$owner" .
+    (as_service WLR_BACKENDS=headless WLR_LIBINPUT_NO_DEVICES=1 WLR_RENDERER=pixman /usr/lib/onggi/kiosk start) >>kiosk.log 2>&1 &
+    kiosk=$!
+    ln -sfn "$root/var/lib/onggi/gallery" gallery
+    wait_for "display" has_display
+    export DISPLAY
+}
+# Locked: no key ends it, systemd does.
+end_installed() {
+    (as_service MAINPID="$kiosk" /usr/lib/onggi/kiosk stop)
+}
+installed_onggi() {
+    local words=("$@") at
+    for at in "${!words[@]}"; do words[at]=${words[at]/#gallery\//\/var\/lib\/onggi\/gallery\/}; done
+    in_root onggi "${words[@]}"
+}
+
+# All that doctor may miss is what this machine has none of: a sound card, and what a container refuses.
+look_for_lacks() {
+    local lacks
+    (as_service DISPLAY="$DISPLAY" onggi doctor) | tee doctor.txt
+    lacks=$(grep '^lacking' doctor.txt | grep -vE \
+        -e '^lacking  sound      expected a sound card or a sound server, found neither' \
+        -e '^lacking  real time  .* was refused: (Operation not permitted|Cannot allocate memory|No such file or directory)' || true)
+    [ -z "$lacks" ] || fail "expected a doctor who lacks a sound card at most, found: $lacks"
+    grep -q '^good     display' doctor.txt || fail "expected a display"
+}
+
+# Xwayland answers whoever has its owner's number.
+as_owner() { setpriv --reuid="$owner" --regid="$owner" --clear-groups "$@"; }
+xdotool() { as_owner xdotool "$@"; }
+! command -v import >/dev/null || import() { as_owner import "$@"; }
+
+export CAGED=1
+OPENS=open_installed ENDS=end_installed
+set -- installed_onggi "$build/tests" "$4" mouse en
+source "$here/../window/visitor.sh"
+case $what in
+keep)
+    begin_visit
+    look_for_lacks
+    press choose free; on_screen throw
+    throw_a_pot
+    on_screen throw
+    keep_the_pot
+    ;;
+begin)
+    begin_visit
+    press choose free; on_screen throw
+    press_it
+    open_it
+    on_screen throw
+    end_kiosk
+    wait "$kiosk" || fail "the kiosk ended with exit code $?"
+    grep -q . gallery/state/visit-* || fail "expected the visit to wait, found nothing"
+    echo "stopped in the middle of a visit, which waits"
+    ;;
+resume)
+    wait_for "window" xdotool search --name '^Onggi'
+    on_screen attract
+    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
+    click $((width / 2)) $((height / 2))
+    on_screen resume
+    press resume resume-go; on_screen throw
+    has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
+    end_kiosk
+    wait "$kiosk" || fail "the kiosk ended with exit code $?"
+    echo "picked up where it was left"
+    ;;
+esac
