@@ -227,10 +227,10 @@ void draw_keep(Page& page) {
                                          tall     ? width - 72.0F
                                          : square ? 480.0F
                                                   : 620.0F,
-                                         has_phone && tall ? 44.0F : 84.0F});
+                                         (has_phone && tall) || (view.has_wall && !tall) ? 44.0F : 84.0F});
         const std::string number = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number)));
         const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");
-        const bool one_line = has_phone && (tall || view.has_wall);
+        const bool one_line = tall ? has_phone : view.has_wall;
         page.words(rect, {.text = one_line ? promise : number + "\n" + promise,
                           .size = 28.0F,
                           .line = 40.0F,
@@ -248,11 +248,12 @@ void draw_keep(Page& page) {
                    view.state.keeping.on_wall ? std::optional(Icon::kCheck) : std::nullopt);
     };
     if (tall) {
-        page.token({60.0F, 1090.0F, width - 120.0F, 84.0F}, Look::kPrimary, next, next_name);
-        const float wall_width = offers_wall ? 0.62F * finish_width : 0.0F;
-        if (offers_wall) wall_token({60.0F, 1190.0F, wall_width - 18.0F, 68.0F});
-        page.token(page.mirrored({60.0F + wall_width, 1190.0F, finish_width - wall_width, 68.0F}),
-                   Look::kOutline, kiosk::Button::kFinish, page.t("keep.end"));
+        const float wall_width = offers_wall ? 0.62F * (width - 120.0F) : 0.0F;
+        if (offers_wall) wall_token({60.0F, 1090.0F, wall_width - 18.0F, 84.0F});
+        page.token(page.mirrored({60.0F + wall_width, 1090.0F, width - 120.0F - wall_width, 84.0F}),
+                   Look::kPrimary, next, next_name);
+        page.token(page.mirrored({60.0F, 1190.0F, finish_width, 68.0F}), Look::kOutline,
+                   kiosk::Button::kFinish, page.t("keep.end"));
         return;
     }
     const float y = height - (square ? 118.0F : 130.0F);
