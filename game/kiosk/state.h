@@ -98,7 +98,7 @@ enum class StaffPage { kHealth, kVisits, kGallery, kDevices };
 constexpr int kStaffPageCount = 4;
 
 // What the staff is asked again before it is done.
-enum class StaffQuestion { kNone, kDeletePot, kRestart, kQuit };
+enum class StaffQuestion { kNone, kDeletePot, kWithdrawCode, kRestart, kQuit };
 
 struct Staff {
     int typed = 0;  // digits of the PIN, so far

@@ -69,8 +69,9 @@ enum class Button {
     kStaffList,  // value: the line at the top
     kStaffForceTest,
     kStaffSoundTest,
-    kStaffLanguage,   // the next of them, for every visit to begin with
-    kStaffDeletePot,  // value: which of the gallery's; asks first, as do the next two
+    kStaffLanguage,      // the next of them, for every visit to begin with
+    kStaffDeletePot,     // value: which of the gallery's; asks first, as do the next three
+    kStaffWithdrawCode,  // value: of which pot
     kStaffRestart,
     kStaffQuit,
     kStaffYes,
@@ -135,7 +136,8 @@ struct Effect {
         kVisitEnded,  // value: dwell in whole seconds
         kTestForce,
         kTestSound,
-        kDeletePot,  // value: which
+        kDeletePot,     // value: which
+        kWithdrawCode,  // value: of which pot; phones find it no more
         kRestart,
         kQuit,
     };

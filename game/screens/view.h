@@ -61,6 +61,7 @@ struct StaffLine {
     std::string value;
     std::string status;  // "ok", "warn", "fault", or nothing
     int pot = -1;        // of the gallery, for the delete key
+    int code = -1;       // of which pot, for the key that withdraws it
 
     friend bool operator==(const StaffLine&, const StaffLine&) = default;
 };

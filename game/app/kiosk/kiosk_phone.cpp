@@ -9,6 +9,7 @@
 #include "game/app/kiosk/kiosk_share.h"
 #include "game/finish/glaze.h"
 #include "game/kiosk/config.h"
+#include "game/sharing/page_folder.h"
 #include "game/sharing/share_link.h"
 
 namespace onggi::app {
@@ -75,6 +76,9 @@ void KioskPhone::take(const PhoneRequest& request, std::int64_t now_ns) {
             break;
         case PhoneRequest::Kind::kWithdraw:
             withdraw_now(request.gallery_name);
+            break;
+        case PhoneRequest::Kind::kSurvey:
+            survey_now();
             break;
     }
 }
@@ -154,6 +158,19 @@ void KioskPhone::withdraw_now(const std::string& gallery_name) {
     const auto gone = outbox_->withdraw_named(gallery_name);
     if (!gone) return answer({.words = "sharing: " + gone.error().message});
     if (*gone) answer({.kind = PhoneAnswer::Kind::kOver, .gallery_name = gallery_name});
+}
+
+void KioskPhone::survey_now() {
+    if (auto opened = open(); !opened) return;  // said when somebody wants it
+    const auto entries = outbox_->list();
+    if (!entries) return answer({.words = "sharing: " + entries.error().message});
+    PhoneAnswer found{.kind = PhoneAnswer::Kind::kSurvey};
+    sharing::ShareTime time = share_time_now(settings_.config);
+    for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
+        time.expires_s = entry->expires_s;
+        found.shared.push_back({.gallery_name = entry->gallery_name, .until = sharing::gone_at(time).text});
+    }
+    answer(std::move(found));
 }
 
 void KioskPhone::look_after(std::int64_t now_ns) {

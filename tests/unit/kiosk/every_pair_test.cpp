@@ -171,6 +171,7 @@ std::vector<Happening> buttons() {
         {Button::kStaffSoundTest, any},
         {Button::kStaffLanguage, any},
         {Button::kStaffDeletePot, any},
+        {Button::kStaffWithdrawCode, any},
         {Button::kStaffRestart, any},
         {Button::kStaffQuit, any},
         {Button::kStaffYes, any},

@@ -146,6 +146,10 @@ void add_staff_views(const View& base, std::vector<SampleView>& all) {
     const auto pots = [](View& view) {
         for (int pot = 24; pot > 0; --pot)
             view.staff_lines.push_back({"Pot", "2026-11-22/pot-" + std::to_string(100 + pot), "", pot});
+        for (const std::size_t pot : {0U, 2U}) {
+            view.staff_lines[pot].name = "Shared until 18:00";
+            view.staff_lines[pot].code = view.staff_lines[pot].pot;
+        }
     };
     add("staff-gallery", StaffPage::kGallery, pots);
     add("staff-gallery-on", StaffPage::kGallery, [&](View& view) {
@@ -167,6 +171,7 @@ void add_staff_views(const View& base, std::vector<SampleView>& all) {
         });
     };
     asks("staff-asks-delete", kiosk::StaffQuestion::kDeletePot);
+    asks("staff-asks-withdraw", kiosk::StaffQuestion::kWithdrawCode);
     asks("staff-asks-restart", kiosk::StaffQuestion::kRestart);
     asks("staff-asks-quit", kiosk::StaffQuestion::kQuit);
 }
