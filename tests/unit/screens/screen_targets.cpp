@@ -67,6 +67,8 @@ const char* word_of(onggi::kiosk::Button button) {
             return "another";
         case Button::kFinish:
             return "finish";
+        case Button::kOnWall:
+            return "on-wall";
         case Button::kResumeGo:
             return "resume-go";
         case Button::kResumeFresh:
