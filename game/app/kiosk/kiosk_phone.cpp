@@ -20,7 +20,8 @@ constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
 // The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
 // second of them that shows it.
 constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
-constexpr int kPosterPx = 360;
+constexpr int kPosterPx = 720;
+constexpr int kPosterQuality = 85;
 constexpr int kSurfaceQuality = 80;
 
 // Error correction M: a seventh of it may be in the shade of a lamp.
@@ -116,7 +117,8 @@ Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
     pot.model_glb.path = folder / "pot.glb";
     pot.print_stl.path = folder / "pot.stl";
     pot.print_3mf.path = folder / "pot.3mf";
-    auto poster = asset::encode_png(share_poster(request.pot->shape, request.glaze, kPosterPx));
+    auto poster =
+        asset::encode_webp(share_poster(request.pot->shape, request.glaze, kPosterPx), kPosterQuality);
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
     if (const asset::Image wrapped = share_surface(request.pot->shape, request.glaze); wrapped.width > 0) {
