@@ -170,7 +170,9 @@ void draw_throw(Page& page) {
     page.ledge(y);
     if (warned) warning_card(page);
     // The ring comes to the hand's keys before it comes to what ends the throwing.
-    if (has_hand_pad(view) && !view.state.throwing.shown) hand_pad(page);
+    const kiosk::Throwing& throwing = view.state.throwing;
+    const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire;
+    if (has_hand_pad(view) && works_clay) hand_pad(page);
     add_throw_ledge(page);
     // Brought low, they stand over the hand's keys, or across from them.
     const Rect languages =
@@ -180,6 +182,14 @@ void draw_throw(Page& page) {
     add_guards(page);
     if (view.can_look_in) page.look_in_token(languages);
     const float middle = 0.5F * page.width();
+    if (view.wire_at_px) {
+        const vec2 at = *view.wire_at_px / page.px_per_u();
+        constexpr float kWide = 300.0F;
+        constexpr float kHigh = 48.0F;
+        const float x = std::min(at.x, page.width() - kWide - 16.0F);
+        chip(page, {x, std::clamp(at.y + 20.0F, 120.0F, y - 2.0F * kHigh), kWide, kHigh},
+             page.t("wire.off", page.digits(std::to_string(view.wire_off_mm))));
+    }
     if (view.state.device_lost || view.state.force_rests) {
         const bool tall = page.shape() == Shape::kTall;
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);

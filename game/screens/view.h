@@ -103,6 +103,8 @@ struct View {
     bool can_look_in = false;           // there is a view from above into the pot
     double thinnest_mm = 0.0;           // of the wall, for the warning
     std::optional<vec2> warning_at_px;  // its place on the pot's edge, for the leader
+    int wire_off_mm = 0;                // what the wire that is held would take off
+    std::optional<vec2> wire_at_px;     // right of the pot, at its height; none: no wire is held
     int focus = -1;                     // target with the ring; -1: none
     bool scans = false;                 // the ring moves by itself
     std::string heard;                  // key of a caption for sound; empty: none

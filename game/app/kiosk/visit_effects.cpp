@@ -37,6 +37,9 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kMoveHand:
             input_.nudge(static_cast<Button>(effect.value));
             break;
+        case Effect::Kind::kCutRim:
+            wheel_.hand().cut_rim();
+            break;
         case Effect::Kind::kShowStep:
             wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
                                side_of(flow_.state()));

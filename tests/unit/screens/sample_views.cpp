@@ -247,6 +247,24 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.scans = true;
         view.focus = 4;
     });
+    for (int held = 0; held < kiosk::kHeldCount; ++held) {
+        const auto holds = [&](View& view) {
+            view.state.throwing.held = static_cast<kiosk::Held>(held);
+            view.state.throwing.steps_done = kiosk::kTeachingSteps;
+        };
+        add("tools-" + std::to_string(held), Screen::kThrow, [&](View& view) {
+            holds(view);
+            view.state.throwing.tray = true;
+        });
+        if (held == 0) continue;
+        add("held-" + std::to_string(held), Screen::kThrow, [&](View& view) {
+            holds(view);
+            if (view.state.throwing.held != kiosk::Held::kWire) return;
+            view.wire_off_mm = 6;
+            view.wire_at_px =
+                vec2(0.66F * static_cast<float>(view.width_px), 0.2F * static_cast<float>(view.height_px));
+        });
+    }
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
     add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
     add("throw-reach-left", Screen::kThrow, [](View& view) {
