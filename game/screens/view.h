@@ -74,6 +74,15 @@ struct FramePlot {
     friend bool operator==(const FramePlot&, const FramePlot&) = default;
 };
 
+// A tool on the bench, as large as what can be touched of it.
+struct BenchTool {
+    kiosk::Held held = kiosk::Held::kHand;
+    vec2 centre_px{0.0F};
+    vec2 size_px{0.0F};
+
+    friend bool operator==(const BenchTool&, const BenchTool&) = default;
+};
+
 // Two that are equal look the same, and nothing in it changes that is not seen: what asks for a new screen is
 // a View that differs. What turns, blinks or follows the hand is drawn over it, frame by frame.
 struct View {
@@ -103,6 +112,7 @@ struct View {
     bool can_look_in = false;           // there is a view from above into the pot
     double thinnest_mm = 0.0;           // of the wall, for the warning
     std::optional<vec2> warning_at_px;  // its place on the pot's edge, for the leader
+    std::vector<BenchTool> bench;       // ringed while the tray is open
     int wire_off_mm = 0;                // what the wire that is held would take off
     std::optional<vec2> wire_at_px;     // right of the pot, at its height; none: no wire is held
     int focus = -1;                     // target with the ring; -1: none
