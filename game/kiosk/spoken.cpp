@@ -82,6 +82,8 @@ std::string_view spoken_key(const State& state) {
             return "idle.title";
         case Panel::kLanguage:
             return "lang.title";
+        case Panel::kCard:
+            return "card.about";
         case Panel::kPin:
         case Panel::kStaff:
             return {};

@@ -22,8 +22,8 @@ enum class Screen {
 constexpr int kScreenCount = 10;
 
 // What lies over the screen.
-enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff };
-constexpr int kPanelCount = 5;
+enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
+constexpr int kPanelCount = 6;
 
 // What a visitor may set, and what every visit begins with again.
 struct Comfort {
@@ -38,7 +38,6 @@ struct Comfort {
     friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
-constexpr int kShelfShown = 3;     // choices, with the largest text
 constexpr int kTeachingSteps = 3;  // press, open, raise
 constexpr int kMostTool = 3;
 constexpr int kMostWater = 5;
@@ -131,7 +130,8 @@ struct ScreenState {
     Panel panel = Panel::kNone;
     Comfort comfort;
     Throwing throwing;
-    int shelf_first = 0;  // choose, where only kShelfShown fit: the first of them; 0 is throwing as one likes
+    int shelf_first = 0;  // choose: the first that is seen of the shelf; 0 is throwing as one likes
+    int card = 0;         // of which pot of the shelf
     FiringStage firing = FiringStage::kCut;
     int glaze = 0;
     Keeping keeping;

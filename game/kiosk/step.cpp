@@ -15,7 +15,8 @@ std::string_view name_of(Screen screen) {
 }
 
 std::string_view name_of(Panel panel) {
-    constexpr std::array<std::string_view, kPanelCount> kNames{"", "language", "idle", "pin", "staff"};
+    constexpr std::array<std::string_view, kPanelCount> kNames{"",    "language", "idle",
+                                                               "pin", "staff",    "card"};
     return kNames[static_cast<std::size_t>(panel)];
 }
 
@@ -111,6 +112,7 @@ void pass_time(Turn& turn) {
             return;
         case Panel::kNone:
         case Panel::kLanguage:
+        case Panel::kCard:
             break;
     }
     if (state.screen == Screen::kFault) return;
@@ -147,6 +149,9 @@ void press(Turn& turn, const Event& event) {
             return;
         case Panel::kLanguage:
             press_language(turn, event);
+            return;
+        case Panel::kCard:
+            press_card(turn, event);
             return;
         case Panel::kPin:
         case Panel::kStaff:

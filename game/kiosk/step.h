@@ -17,9 +17,12 @@ enum class Button {
     kLanguages,
     kBack,
     kFree,
-    kTarget,  // value: which
-    kShelfBefore,
+    kTarget,       // value: which
+    kShelfBefore,  // value: the first to be seen, as of the next
     kShelfNext,
+    kCard,  // value: which pot's
+    kCardClose,
+    kCardThrow,  // that pot
     kNewClay,
     kUndo,
     kTools,     // the tray of what there is to hold, and away again

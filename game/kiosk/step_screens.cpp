@@ -24,13 +24,17 @@ void show_glazes(Turn& turn) {
     turn.show(Screen::kGlaze);
 }
 
+bool is_pot(const Turn& turn, int place) {
+    return place >= 0 && place < turn.rules.target_count;
+}
+
 void press_choose(Turn& turn, const Event& event) {
-    const bool is_target =
-        event.button == Button::kTarget && event.value >= 0 && event.value < turn.rules.target_count;
+    const bool is_target = event.button == Button::kTarget && is_pot(turn, event.value);
     if (event.button == Button::kShelfBefore || event.button == Button::kShelfNext) {
-        const int by = event.button == Button::kShelfNext ? kShelfShown - 1 : 1 - kShelfShown;
-        int& first = turn.state.shelf_first;
-        first = std::clamp(first + by, 0, std::max(0, turn.rules.target_count + 1 - kShelfShown));
+        turn.state.shelf_first = std::clamp(event.value, 0, turn.rules.target_count);
+    } else if (event.button == Button::kCard && is_pot(turn, event.value)) {
+        turn.state.card = event.value;
+        turn.lay_over(Panel::kCard);
     } else if (event.button == Button::kBack) {
         turn.end_visit();
     } else if (event.button == Button::kFree || is_target) {
@@ -201,6 +205,16 @@ void press_screen(Turn& turn, const Event& event) {
             break;
         case Screen::kFault:
             break;
+    }
+}
+
+void press_card(Turn& turn, const Event& event) {
+    if (event.button == Button::kCardClose) {
+        turn.lay_over(Panel::kNone);
+    } else if (event.button == Button::kCardThrow) {
+        const int place = turn.state.card;
+        turn.lay_over(Panel::kNone);
+        press_choose(turn, Event::pressed(Button::kTarget, place));
     }
 }
 

@@ -31,6 +31,8 @@ struct Turn {
 void press_screen(Turn& turn, const Event& event);
 void press_idle(Turn& turn, const Event& event);
 void press_language(Turn& turn, const Event& event);
+// What is told of a museum's pot.
+void press_card(Turn& turn, const Event& event);
 // PIN and panel; in step_staff.cpp.
 void press_staff(Turn& turn, const Event& event);
 // The wheel's own hands, on the throwing screen; in step_show.cpp. They begin with the next step, or where

@@ -93,6 +93,9 @@ std::vector<Stroke> strokes_of(Icon icon) {
                     {"M9 55 H55", {}, 3.0F}};
         case Icon::kMore:
             return {{"M16 40 L32 24 L48 40", {}, 6.0F}};
+        case Icon::kAbout:
+            return {{"M12 8 H44 L54 18 V56 H12 Z", design::kPorcelain},
+                    {"M22 24 H42 M22 34 H44 M22 44 H36", {}, 3.0F}};
         case Icon::kShow:
             return {{"M22 40 V22 a4 4 0 0 1 8 0 V32 M30 32 V16 a4 4 0 0 1 8 0 V32 M38 32 V20 a4 4 0 0 1 8 0 "
                      "V42 C46 52 40 57 32 57 C24 57 20 53 13 42 C11 38 16 35 20 39",

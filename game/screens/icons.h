@@ -28,6 +28,7 @@ enum class Icon {
     kSponge,
     kWire,
     kMore,
+    kAbout,
     kLow,
     kStill,
     kCheck,

@@ -58,6 +58,9 @@ Composition compose(const View& view, ui::Painter& painter, PaintingStore& store
         case kiosk::Panel::kStaff:
             draw_staff(page);
             break;
+        case kiosk::Panel::kCard:
+            draw_card_panel(page);
+            break;
     }
     store.forget_unused();
     return page.take();

@@ -23,6 +23,7 @@ void draw_idle(Page& page);
 void draw_language(Page& page);
 void draw_pin(Page& page);
 void draw_staff(Page& page);
+void draw_card_panel(Page& page);
 
 // The card by which the pot goes home by phone, at whatever that has come to.
 void add_phone_card(Page& page, const ui::Rect& card);

@@ -2,6 +2,7 @@
 // handed to the composer's thread. Lengths: pixels, mm, u, as named.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,16 @@
 
 namespace onggi::screens {
 
+// What is told of a museum's pot on request.
+struct ExhibitCard {
+    // What it was for, how it was made, what to look for; in the order of View::languages.
+    std::vector<std::array<std::string, 3>> lines;
+    std::array<int, 3> known_by{};  // 0: by its own record, 1: by pots of its kind, 2: generally
+    std::string source;
+    int published_points = 0;  // of its outline
+    int drawn_points = 0;
+};
+
 // A pot of a museum, in the order of the choose screen.
 struct Exhibit {
     std::string name_key;    // "pot.moon"
@@ -23,6 +34,7 @@ struct Exhibit {
     std::string part;  // "1/3": thrown at so much of its size, because the clay would not do; empty: all
     int glaze = 0;
     pot::Section shape;
+    std::shared_ptr<const ExhibitCard> card{};  // null: there is none
 };
 
 // The visitor's pot, as fired.

@@ -14,7 +14,7 @@ struct Lying {
     dvec3 at_mm;
     vec2 size_u;
 };
-const std::array kLying{Lying{kiosk::Held::kSponge, {300.0, -35.0, 45.0}, {112.0F, 94.0F}},
+const std::array kLying{Lying{kiosk::Held::kSponge, {300.0, -45.0, 45.0}, {112.0F, 94.0F}},
                         Lying{kiosk::Held::kWire, {-325.0, -50.0, -128.0}, {250.0F, 78.0F}}};
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "game/app/kiosk/bench_tools.h"
+#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_pot.h"
 
 namespace onggi::app {

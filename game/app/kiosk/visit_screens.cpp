@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "game/app/kiosk/bench_tools.h"
+#include "game/app/kiosk/exhibits.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {

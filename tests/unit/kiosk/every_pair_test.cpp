@@ -27,7 +27,8 @@ const std::map<std::string, std::string> kPanels{{"", "any"},
                                                  {"+language", "attract attract-left visit"},
                                                  {"+idle", "left-alone"},
                                                  {"+pin", "any"},
-                                                 {"+staff", "any"}};
+                                                 {"+staff", "any"},
+                                                 {"+card", "choose"}};
 
 struct Happening {
     std::string name;
@@ -53,7 +54,7 @@ std::vector<Happening> events() {
     const std::string leaves =
         "left-alone -> same+idle, firing -> glaze+idle, left-alone+language -> same+idle, "
         "firing+language -> glaze+idle, attract+language -> attract, attract-left+language -> attract-left, "
-        "left-alone+idle -> attract, resume+idle -> attract-left";
+        "left-alone+idle -> attract, resume+idle -> attract-left, choose+card -> same+idle";
     return {
         tick("a frame", 0.0, ""),
         tick("21 s", 21.0,
@@ -91,7 +92,7 @@ std::vector<Happening> events() {
         at_once("fault", Kind::kFault, 0,
                 "any -> fault, attract+language -> fault, attract-left+language -> fault, "
                 "visit+language -> fault, left-alone+idle -> fault, any+pin -> fault+pin, "
-                "any+staff -> fault+staff"),
+                "any+staff -> fault+staff, choose+card -> fault"),
         at_once("fault over", Kind::kFaultOver, 0,
                 "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
         at_once("left over", Kind::kInterruptedSession, 0,
@@ -99,7 +100,7 @@ std::vector<Happening> events() {
                 "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
         at_once("corner held", Kind::kCornerHeld, 0,
                 "any -> same+pin, attract+language -> same+pin, attract-left+language -> same+pin, "
-                "visit+language -> same+pin, left-alone+idle -> same+pin"),
+                "visit+language -> same+pin, left-alone+idle -> same+pin, choose+card -> same+pin"),
         at_once("close asked", Kind::kCloseAsked, 0, ""),
     };
 }
@@ -121,6 +122,9 @@ std::vector<Happening> buttons() {
         {Button::kTarget, any + ", choose -> throw"},
         {Button::kShelfBefore, any},
         {Button::kShelfNext, any},
+        {Button::kCard, any + ", choose -> same+card"},
+        {Button::kCardClose, any + ", choose+card -> same"},
+        {Button::kCardThrow, any + ", choose+card -> throw"},
         {Button::kNewClay, any + ", failure -> throw"},
         {Button::kUndo, any},
         {Button::kTools, any},
@@ -242,6 +246,7 @@ Visitor at_place(const std::string& name) {
         visitor.now_s += 46.0;
         visitor.does(Event::Kind::kTick);
     }
+    if (panel == "+card") visitor.presses(Button::kCard, 1);
     if (panel == "+pin" || panel == "+staff") visitor.does(Event::Kind::kCornerHeld);
     if (panel == "+staff") {
         for (const int digit : {1, 2, 3, 4})

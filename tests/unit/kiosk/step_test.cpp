@@ -145,16 +145,34 @@ TEST(Kiosk, LooksIntoThePotAndOutAgain) {
     EXPECT_FALSE(visitor.state.throwing.looks_in) << "new clay has nothing to look into";
 }
 
-TEST(Kiosk, WalksAlongTheShelfWhereOnlyThreePotsFit) {
+TEST(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
     Visitor visitor;
-    visitor.does(Event::Kind::kInput).presses(Button::kShelfBefore);
+    visitor.does(Event::Kind::kInput).presses(Button::kShelfBefore, -4);
     EXPECT_EQ(visitor.state.shelf_first, 0);
-    visitor.presses(Button::kShelfNext);
+    visitor.presses(Button::kShelfNext, 2);
     EXPECT_EQ(visitor.state.shelf_first, 2);
-    visitor.presses(Button::kShelfNext);
-    EXPECT_EQ(visitor.state.shelf_first, 2) << "the last three of five";
+    visitor.presses(Button::kShelfNext, 400);
+    EXPECT_EQ(visitor.state.shelf_first, visitor.rules.target_count);
     visitor.presses(Button::kTarget, 3).presses(Button::kBack);
     EXPECT_EQ(visitor.state.shelf_first, 0);
+}
+
+TEST(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kInput).presses(Button::kCard, 2);
+    EXPECT_EQ(visitor.state.panel, Panel::kCard);
+    EXPECT_EQ(visitor.state.card, 2);
+    visitor.presses(Button::kCardClose);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+    EXPECT_EQ(visitor.state.screen, Screen::kChoose);
+    visitor.presses(Button::kCard, 99).presses(Button::kCard, -1);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "there is no such pot";
+    visitor.presses(Button::kCard, 2).presses(Button::kCardThrow);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(visitor.state.throwing.target, 2);
+    Visitor reader;
+    reader.does(Event::Kind::kInput).presses(Button::kCard, 2).waits(300.0);
+    EXPECT_EQ(reader.state.screen, Screen::kAttract) << "nobody reads any more";
 }
 
 TEST(Kiosk, NeverTeachesBackwards) {
