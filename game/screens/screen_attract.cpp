@@ -253,7 +253,7 @@ void draw_choose(Page& page) {
 
     // As many as have room beside each other, fewer with the largest text or brought low, and a way to the
     // others.
-    const bool is_narrow = square || page.text_scale() > 1.9F || (tall && page.is_low());
+    const bool is_narrow = square || page.text_scale() > 1.9F || page.is_low();
     const int all = static_cast<int>(choices.size());
     const int count = std::min(all, is_narrow ? 3 : 4);
     const bool is_paged = count < all;
@@ -293,7 +293,7 @@ void draw_choose(Page& page) {
     } else {
         const float shelf_y = tall ? 606.0F : square ? (page.is_low() ? 346.0F : 306.0F) : 340.0F;
         const float card_top = shelf_y + 40.0F;
-        const float card_height = height - card_top - 84.0F;
+        const float card_height = height - card_top - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
         const float gap = 10.0F;
         const float card_width =
             (width - 48.0F - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
@@ -304,8 +304,10 @@ void draw_choose(Page& page) {
             const Rect touched = pot(choice_at(i), {card.centre().x, shelf_y + 9.0F});
             draw_card(page, card, choice_at(i), first + i);
             page.also_touched_at(touched);
-            about(page, {card.right() - kAboutSide, shelf_y - kAboutSide - 2.0F, kAboutSide, kAboutSide},
-                  choice_at(i), first + i);
+            // On the shelf beside its pot, or brought low below its card.
+            const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
+            about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, choice_at(i),
+                  first + i);
         }
     }
     page.token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}), Look::kOutline, kiosk::Button::kBack,

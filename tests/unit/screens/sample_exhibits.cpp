@@ -12,27 +12,31 @@
 namespace onggi::screens {
 namespace {
 
-// Line by line the longest of all cards, in each language; not one pot's.
+// The card with the most to say, in whichever language it says it.
 std::shared_ptr<const ExhibitCard> longest_card() {
     const std::string folder = test::in_checkout("assets/heritage");
     const auto targets = heritage::load_targets(folder).value();
     const auto cards = heritage::load_cards(folder, targets).value();
-    auto longest = std::make_shared<ExhibitCard>();
-    longest->known_by = {0, 1, 2};
-    longest->published_points = 4;
-    longest->drawn_points = 9;
-    for (const char* language : {"ko", "en", "ar"}) {  // as the samples order them
-        std::array<std::string, 3> lines;
-        for (const auto& [id, card] : cards) {
-            for (std::size_t line = 0; line < lines.size(); ++line) {
-                const std::string& other = card.in(language)[line];
-                if (other.size() > lines[line].size()) lines[line] = other;
-            }
-            if (card.source.size() > longest->source.size()) longest->source = card.source;
+    const heritage::Card* longest = nullptr;
+    std::size_t most = 0;
+    for (const auto& [id, card] : cards) {
+        for (const char* language : {"ko", "en", "ar"}) {
+            std::size_t all = card.source.size();
+            for (const std::string& line : card.in(language))
+                all += line.size();
+            if (all <= most) continue;
+            most = all;
+            longest = &card;
         }
-        longest->lines.push_back(lines);
     }
-    return longest;
+    auto shown = std::make_shared<ExhibitCard>();
+    for (const char* language : {"ko", "en", "ar"})  // as the samples order them
+        shown->lines.push_back(longest->in(language));
+    shown->known_by = {0, 1, 2};
+    shown->source = longest->source;
+    shown->published_points = 4;
+    shown->drawn_points = 9;
+    return shown;
 }
 
 std::shared_ptr<const std::vector<Exhibit>> make_exhibits() {
