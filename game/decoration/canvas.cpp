@@ -75,6 +75,11 @@ Result<Canvas> Canvas::of(const Wall& wall, const Strokes& strokes) {
     return canvas;
 }
 
+Texture texture_of(const Marks& marks) {
+    auto canvas = Canvas::of(marks.wall, marks.recorded.strokes);
+    return canvas ? std::move(canvas->texture_) : Texture();
+}
+
 Result<void> Canvas::begin(const Stroke& stroke) {
     if (auto checked = check_stroke(stroke, fmt::format("stroke {}", strokes_.size() + 1)); !checked)
         return checked;
@@ -82,6 +87,9 @@ Result<void> Canvas::begin(const Stroke& stroke) {
         return bad_input(fmt::format("decoration: expected at most {} strokes, found more", kMostStrokes));
     if (points_ + stroke.points.size() > kMostPoints)
         return bad_input(fmt::format("decoration: expected at most {} points, found more", kMostPoints));
+    for (const StrokePoint& point : stroke.points) {
+        if (auto checked = check_height(point, strokes_.size() + 1); !checked) return checked;
+    }
     if (strokes_.size() % kStrokesACheckpoint == 0) keep_checkpoint();
     strokes_.push_back(stroke);
     points_ += stroke.points.size();
@@ -95,6 +103,7 @@ Result<void> Canvas::add(const StrokePoint& point) {
     Stroke& stroke = strokes_.back();
     if (stroke.points.size() >= kMostPointsOfStroke || points_ >= kMostPoints)
         return bad_input(fmt::format("stroke {}: expected no more points, found another", strokes_.size()));
+    if (auto checked = check_height(point, strokes_.size()); !checked) return checked;
     const StrokePoint& from = stroke.points.empty() ? point : stroke.points.back();
     const Piece piece = piece_between(from, point, stroke);
     stroke.points.push_back(point);
@@ -127,6 +136,13 @@ bool Canvas::undo() {
     }
     changed_ = TextureRect::all();
     return true;
+}
+
+Result<void> Canvas::check_height(const StrokePoint& point, std::size_t stroke) const {
+    constexpr float kRoundedMm = 0.02F;
+    if (height_of(point) <= wall_.height_mm + kRoundedMm) return {};
+    return bad_input(fmt::format("stroke {}: expected a height of 0 to {} mm, found {}", stroke,
+                                 wall_.height_mm, height_of(point)));
 }
 
 void Canvas::keep_checkpoint() {

@@ -15,6 +15,16 @@
 
 namespace onggi::decoration {
 
+// A decoration as it is kept: what it is drawn on, and its strokes.
+struct Marks {
+    Wall wall;
+    Recorded recorded;
+
+    friend bool operator==(const Marks&, const Marks&) = default;
+};
+// What they come to; blank where they were never drawn on that wall.
+[[nodiscard]] Texture texture_of(const Marks& marks);
+
 // Nothing is drawn nearer to foot and rim.
 constexpr float kMarginMm = 4.0F;
 
@@ -24,8 +34,8 @@ class Canvas {
     // With all those strokes laid. Bad input: as begin() and add().
     [[nodiscard]] static Result<Canvas> of(const Wall& wall, const Strokes& strokes);
 
-    // A new stroke, with what points it has. Bad input: check_stroke(), or more strokes or points than may be
-    // recorded; then nothing has changed.
+    // A new stroke, with what points it has. Bad input: check_stroke(), more strokes or points than may be
+    // recorded, or a point above the wall; then nothing has changed.
     Result<void> begin(const Stroke& stroke);
     // The newest stroke goes on to a point. Bad input: likewise, and where it is a motif, or older than the
     // last undoing.
@@ -38,10 +48,12 @@ class Canvas {
     [[nodiscard]] const Texture& texture() const { return texture_; }
     [[nodiscard]] bool is_plain() const { return strokes_.empty(); }
     [[nodiscard]] Recorded recorded() const { return {strokes_, texture_.hash()}; }
+    [[nodiscard]] Marks marks() const { return {wall_, recorded()}; }
     // What has changed of the texture since this was asked last.
     [[nodiscard]] TextureRect take_changed();
 
   private:
+    friend Texture texture_of(const Marks& marks);
     void lay(const Stroke& stroke);
     void lay_motif(const Stroke& stroke);
     void lay_piece(const Piece& piece, Ink ink);
@@ -50,6 +62,7 @@ class Canvas {
     [[nodiscard]] Piece piece_between(const StrokePoint& from, const StrokePoint& to,
                                       const Stroke& stroke) const;
     void keep_checkpoint();
+    [[nodiscard]] Result<void> check_height(const StrokePoint& point, std::size_t stroke) const;
 
     struct Checkpoint {
         std::size_t strokes = 0;

@@ -208,6 +208,16 @@ TEST(Canvas, SaysWhatOfTheTextureHasChanged) {
     }
 }
 
+TEST(Canvas, RejectsStrokesThatLieAboveThePot) {
+    Canvas canvas(sample_wall());
+    Stroke stroke{.technique = Technique::kIron, .points = {point(0.2, 161)}};
+    EXPECT_EQ(canvas.begin(stroke).error().message, "stroke 1: expected a height of 0 to 160 mm, found 161");
+    EXPECT_TRUE(canvas.is_plain());
+    stroke.points = {point(0.2, 160)};
+    ASSERT_TRUE(canvas.begin(stroke));
+    EXPECT_FALSE(canvas.add(point(0.2, 170)));
+}
+
 TEST(Canvas, RejectsMoreStrokesAndPointsThanMayBeRecorded) {
     Canvas canvas(sample_wall());
     Stroke dot{.technique = Technique::kIron, .width = 100, .points = {point(0.2, 40)}};
