@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "game/finish/glaze_surface.h"
+#include "game/finish/mark_colour.h"
 
 namespace onggi::screens {
 namespace {
@@ -18,8 +20,10 @@ finish::GlazePlace place_of(const PotSurface& at) {
 
 }  // namespace
 
-PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad)
+PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad,
+                       const decoration::Texture* marks)
     : glaze_(glaze),
+      marks_(marks),
       height_mm_(height_mm),
       to_eye_(0.0F, std::sin(elevation_rad), std::cos(elevation_rad)) {}
 
@@ -51,7 +55,14 @@ PotLight PotShading::light(const PotSurface& at) const {
 }
 
 vec3 PotShading::colour(const PotSurface& at) const {
-    return finish::glaze_colour(glaze_, height_mm_, place_of(at));
+    const vec3 own = finish::glaze_colour(glaze_, height_mm_, place_of(at));
+    if (marks_ == nullptr || at.inside) return own;
+    // In front is a quarter of a turn before the pot's own direction 0.
+    constexpr float kFront = -0.25F;
+    const float turns = kFront + 0.5F * at.angle * std::numbers::inv_pi_v<float>;
+    const decoration::Texel& texel =
+        marks_->at(decoration::column_at(turns), decoration::row_at(at.height_mm / height_mm_));
+    return finish::marked(own, finish::mark_colour(glaze_.marks, texel));
 }
 
 // Less light the deeper inside.

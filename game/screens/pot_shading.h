@@ -2,8 +2,12 @@
 // clay, and the window light they stand in. Any thread; pure. mm, rad; linear light.
 #pragma once
 
+#include <optional>
+
 #include "engine/math/math.h"
+#include "game/decoration/texture.h"
 #include "game/finish/glaze.h"
+#include "game/pot/section.h"
 
 namespace onggi::screens {
 
@@ -21,9 +25,24 @@ struct PotLight {
     vec3 gloss{0.0F};
 };
 
+// What was drawn on a pot, laid for its pictures.
+class DrawnOn {
+  public:
+    explicit DrawnOn(const pot::Section& shape) {
+        if (shape.marks) texture_.emplace(decoration::texture_of(*shape.marks));
+    }
+    // Null: nothing was.
+    [[nodiscard]] const decoration::Texture* texture() const { return texture_ ? &*texture_ : nullptr; }
+
+  private:
+    std::optional<decoration::Texture> texture_;
+};
+
 class PotShading {
   public:
-    PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad);
+    // marks: what was drawn on it; null: nothing. Both outlive it.
+    PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad,
+               const decoration::Texture* marks = nullptr);
 
     // What stays where it is while the pot turns.
     [[nodiscard]] PotLight light(const PotSurface& at) const;
@@ -35,6 +54,7 @@ class PotShading {
     [[nodiscard]] vec3 reflected(const vec3& direction) const;
 
     const finish::GlazeMaterial& glaze_;
+    const decoration::Texture* marks_;
     float height_mm_;
     vec3 to_eye_;
 };

@@ -77,6 +77,7 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
                 pixel.row =
                     is_foot ? static_cast<float>(kRows)
                             : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
+                if (inside) pixel.row += static_cast<float>(inside_from_);
                 pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * kColumns;
             }
             if (count == 0) continue;
@@ -91,18 +92,27 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
 
 void TurningPot::fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                               float elevation_rad) {
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
-    colours_.resize(static_cast<std::size_t>(kRows + 1) * kColumns, glaze.body);
-    for (int row = 0; row < kRows; ++row) {
+    const DrawnOn drawn_on(shape);
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on.texture());
+    // Where nothing is drawn outside, it looks there as it does inside.
+    const bool differs = drawn_on.texture() != nullptr;
+    inside_from_ = differs ? kRows + 1 : 0;
+    colours_.resize(static_cast<std::size_t>(kRows + 1 + (differs ? kRows : 0)) * kColumns, glaze.body);
+    const auto fill = [&](int first_row, bool inside) {
         PotSurface at;
-        at.inside = true;  // glazed down to the foot; the foot has a row of its own
-        at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
-        for (int column = 0; column < kColumns; ++column) {
-            const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
-            at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
-            colours_[static_cast<std::size_t>(row * kColumns + column)] = shading.colour(at);
+        at.inside = inside;
+        for (int row = 0; row < kRows; ++row) {
+            at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
+            for (int column = 0; column < kColumns; ++column) {
+                const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
+                at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
+                colours_[static_cast<std::size_t>((first_row + row) * kColumns + column)] =
+                    shading.colour(at);
+            }
         }
-    }
+    };
+    fill(inside_from_, true);  // glazed down to the foot; the foot has a row of its own
+    if (differs) fill(0, false);
 }
 
 std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {

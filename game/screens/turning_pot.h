@@ -47,7 +47,9 @@ class TurningPot {
     int height_ = 0;
     vec2 foot_px_{0.0F};
     std::vector<Pixel> pixels_;
-    std::vector<vec3> colours_;  // rows from the foot up, then the foot's own
+    int inside_from_ = 0;  // the row of the colours where those of the inside begin
+    std::vector<vec3>
+        colours_;  // rows from the foot up, then the foot's own, then the inside's if it differs
 };
 
 }  // namespace onggi::screens
