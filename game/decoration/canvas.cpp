@@ -211,7 +211,23 @@ void Canvas::lay_motif(const Stroke& stroke) {
 }
 
 void Canvas::lay_piece(const Piece& piece, Ink ink) {
-    blend(mask_.lay(piece, tip_of(ink), wall_), ink);
+    if (ink != Ink::kWipe) {
+        blend(mask_.lay(piece, tip_of(ink), wall_), ink);
+        return;
+    }
+    // Three fingers of a hand that comes from the side: one above the other, whichever way it goes.
+    constexpr float kApart = 0.68F;  // of the half width
+    constexpr float kFinger = 0.30F;
+    TextureRect touched;
+    for (const float place : {-kApart, 0.0F, kApart}) {
+        Piece finger = piece;
+        finger.along_mm += place * piece.half_mm;
+        finger.end_along_mm += place * piece.end_half_mm;
+        finger.half_mm *= kFinger;
+        finger.end_half_mm *= kFinger;
+        touched.add(mask_.lay(finger, tip_of(ink), wall_));
+    }
+    blend(touched, ink);
 }
 
 void Canvas::blend(const TextureRect& rect, Ink ink) {

@@ -48,12 +48,12 @@ Texel pigmented(Texel texel, Pigment pigment, std::uint8_t amount) {
 int density(Ink ink, int column, int row) {
     switch (ink) {
         case Ink::kIron: {
-            constexpr float kLeast = 185.0F;
-            return static_cast<int>(kLeast + 70.0F * grain(column, row, 256, 6.0F));
+            constexpr float kLeast = 200.0F;
+            return static_cast<int>(kLeast + 55.0F * grain(column, row, 72, 15.0F));
         }
         case Ink::kCobalt: {
-            constexpr float kLeast = 165.0F;
-            return static_cast<int>(kLeast + 90.0F * grain(column, row, 128, 11.0F));
+            constexpr float kLeast = 175.0F;
+            return static_cast<int>(kLeast + 80.0F * grain(column, row, 56, 21.0F));
         }
         case Ink::kBrushedSlip: {
             // Hairs of a coarse brush that goes round the pot.
@@ -125,14 +125,15 @@ Texel coated(const Texel& under, int column, int row) {
     // Dipped or poured: neither the foot nor the neck, with a line that is not quite straight.
     constexpr float kLow = 0.17F * kRows;
     constexpr float kHigh = 0.86F * kRows;
-    constexpr float kEdgeRows = 1.5F;
+    constexpr float kEdgeRows = 3.0F;
+    constexpr float kEdge = 0.55F;  // it ends in a lip, not in nothing
     if (under.coat != 0) return under;
     const float wave = 5.0F * (grain(column, 0, 18, 1.0F) - 0.5F);
     const float off = std::min(static_cast<float>(row) - kLow - wave, kHigh + wave - static_cast<float>(row));
     if (off <= 0.0F) return under;
     Texel texel = under;
     constexpr float kThickness = 255.0F - Texel::kWiped;
-    const float thick = std::min(1.0F, off / kEdgeRows);
+    const float thick = std::min(1.0F, kEdge + off / kEdgeRows);
     texel.coat = static_cast<std::uint8_t>(Texel::kWiped + thick * kThickness);
     return texel;
 }

@@ -13,7 +13,7 @@ enum class Ink { kWipe, kIron, kCobalt, kWhiteInlay, kBlackInlay, kBrushedSlip }
 
 [[nodiscard]] Ink ink_of(Technique technique, Slip slip);
 [[nodiscard]] inline Tip tip_of(Ink ink) {
-    return ink == Ink::kWipe ? Tip::kThreeFingers : Tip::kBrush;
+    return ink == Ink::kWipe ? Tip::kFinger : Tip::kBrush;
 }
 
 // `under`: before the stroke. cover: of StrokeMask.

@@ -9,12 +9,9 @@ namespace {
 // 0 to 1 at so far from the middle of a trace. soft_mm: over how much its edge fades.
 float cover_at(Tip tip, float off_mm, float half_mm, float soft_mm) {
     if (tip == Tip::kBrush) return std::clamp((half_mm - off_mm) / soft_mm + 0.5F, 0.0F, 1.0F);
-    if (off_mm > half_mm || half_mm <= 0.0F) return 0.0F;
-    // A finger in the middle and one to either side.
+    if (off_mm >= half_mm) return 0.0F;
     const float place = off_mm / half_mm;
-    const float middle = place / 0.25F;
-    const float side = (place - 0.71F) / 0.25F;
-    return std::clamp(1.7F * (1.0F - std::min(middle * middle, side * side)), 0.0F, 1.0F);
+    return std::min(1.6F * (1.0F - place * place), 1.0F);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace onggi::decoration {
 
 // What the hand holds: how its trace looks across.
-enum class Tip { kBrush, kThreeFingers };
+enum class Tip { kBrush, kFinger };
 
 // A straight piece of a stroke on the unrolled wall, with its half widths at both ends.
 struct Piece {
