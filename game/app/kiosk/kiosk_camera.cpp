@@ -133,7 +133,7 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
         request.framing = framer.looking_in(fitted_mm_);
         return request;
     }
-    const bool throws = state.screen == kiosk::Screen::kThrow;
+    const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kDecorate;
     request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
     return request;
 }

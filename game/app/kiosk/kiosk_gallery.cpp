@@ -128,8 +128,10 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     auto folder = files::AtomicFolder::create(place);
     if (!folder) return folder.error();
     const fs::path session = folder->inside() / "pot.onggi";
-    const auto saved =
-        pot.history->is_whole() ? pot.history->save(session) : pot.history->save_outcome(session);
+    const std::vector<std::byte> drawn =
+        pot.marks ? decoration::bytes_of(pot.marks->recorded) : std::vector<std::byte>();
+    const auto saved = pot.history->is_whole() ? pot.history->save(session, drawn)
+                                               : pot.history->save_outcome(session, drawn);
     if (!saved) return saved.error();
     const auto write = [&](const char* name, const Result<std::vector<std::byte>>& bytes) -> Result<void> {
         if (!bytes) return bytes.error();
@@ -147,11 +149,12 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     }
     const double scale = clay::shrunk_scale(pot.clay->lump().body, clay::Firing::kGlaze);
     const auto height_mm = static_cast<float>(pot.clay->height_mm() * scale);
-    if (auto written =
-            write("pot.glb",
-                  look::dressed_glb(
-                      exporter::rings_of(pot.clay->rings()), look::glaze_look(*pot.glaze, height_mm),
-                      {.extras = exporter::pot_extras(*pot.clay, clay::Firing::kGlaze), .shrinkage = scale}));
+    look::PotLook worn = look::glaze_look(*pot.glaze, height_mm);
+    if (pot.marks) worn = look::marked_look(std::move(worn), *pot.marks, pot.glaze->marks, height_mm);
+    if (auto written = write(
+            "pot.glb", look::dressed_glb(exporter::rings_of(pot.clay->rings()), worn,
+                                         {.extras = exporter::pot_extras(*pot.clay, clay::Firing::kGlaze),
+                                          .shrinkage = scale}));
         !written)
         return written.error();
     if (auto written = write(

@@ -61,7 +61,34 @@ void VisitInput::help_along() {
     hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
 }
 
+bool VisitInput::take_drawing(const PointerNews& news) {
+    switch (news.kind) {
+        case PointerNews::Kind::kHandDown:
+            keys_lead_ = false;
+            flow_.dispatch({Event::Kind::kInput});
+            drawing_.press(news.at_px);
+            return true;
+        case PointerNews::Kind::kHandMoved:
+            flow_.dispatch({Event::Kind::kInput});
+            drawing_.drag(news.at_px);
+            return true;
+        case PointerNews::Kind::kHandUp:
+            drawing_.release();
+            return true;
+        case PointerNews::Kind::kHovered:
+            keys_lead_ = false;
+            drawing_.hover(news.at_px);
+            return true;
+        case PointerNews::Kind::kNudged:
+            flow_.dispatch(Event::pressed(news.button));
+            return true;
+        default:
+            return false;
+    }
+}
+
 void VisitInput::take_news(const PointerNews& news, double now_s) {
+    if (drawing_is_open(flow_.state()) && take_drawing(news)) return;
     const bool scene_is_open =
         flow_.state().panel == Panel::kNone &&
         (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kChoose);
