@@ -75,6 +75,21 @@ Result<Canvas> Canvas::of(const Wall& wall, const Strokes& strokes) {
     return canvas;
 }
 
+float front_of(const Strokes& strokes) {
+    float front = kPlainFront;
+    bool is_found = false;
+    for (const Stroke& stroke : strokes) {
+        if (stroke.technique == Technique::kClear) {
+            front = kPlainFront;
+            is_found = false;
+        } else if (!is_found && !stroke.points.empty()) {
+            front = turns_of(stroke.points.front());
+            is_found = true;
+        }
+    }
+    return front;
+}
+
 Texture texture_of(const Marks& marks) {
     auto canvas = Canvas::of(marks.wall, marks.recorded.strokes);
     return canvas ? std::move(canvas->texture_) : Texture();
@@ -145,7 +160,9 @@ Result<void> Canvas::check_height(const StrokePoint& point, std::size_t stroke) 
                                  wall_.height_mm, height_of(point)));
 }
 
+// The blank wall is no secret.
 void Canvas::keep_checkpoint() {
+    if (strokes_.empty()) return;
     if (checkpoints_.size() >= kMostCheckpoints) checkpoints_.erase(checkpoints_.begin());
     checkpoints_.push_back({strokes_.size(), texture_});
 }

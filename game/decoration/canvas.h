@@ -25,6 +25,11 @@ struct Marks {
 // What they come to; blank where they were never drawn on that wall.
 [[nodiscard]] Texture texture_of(const Marks& marks);
 
+// Which way the pot is turned to be looked at: the direction, in turns, that was drawn on first. Where
+// nothing is drawn, a quarter of a turn before the pot's own direction 0.
+constexpr float kPlainFront = -0.25F;
+[[nodiscard]] float front_of(const Strokes& strokes);
+
 // Nothing is drawn nearer to foot and rim.
 constexpr float kMarginMm = 4.0F;
 

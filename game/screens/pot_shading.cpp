@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "game/finish/glaze_surface.h"
 #include "game/finish/mark_colour.h"
@@ -21,9 +20,9 @@ finish::GlazePlace place_of(const PotSurface& at) {
 }  // namespace
 
 PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad,
-                       const decoration::Texture* marks)
+                       const DrawnOn& drawn_on)
     : glaze_(glaze),
-      marks_(marks),
+      drawn_on_(drawn_on),
       height_mm_(height_mm),
       to_eye_(0.0F, std::sin(elevation_rad), std::cos(elevation_rad)) {}
 
@@ -56,13 +55,9 @@ PotLight PotShading::light(const PotSurface& at) const {
 
 vec3 PotShading::colour(const PotSurface& at) const {
     const vec3 own = finish::glaze_colour(glaze_, height_mm_, place_of(at));
-    if (marks_ == nullptr || at.inside) return own;
-    // In front is a quarter of a turn before the pot's own direction 0.
-    constexpr float kFront = -0.25F;
-    const float turns = kFront + 0.5F * at.angle * std::numbers::inv_pi_v<float>;
-    const decoration::Texel& texel =
-        marks_->at(decoration::column_at(turns), decoration::row_at(at.height_mm / height_mm_));
-    return finish::marked(own, finish::mark_colour(glaze_.marks, texel));
+    if (drawn_on_.texture() == nullptr || at.inside) return own;
+    return finish::marked(
+        own, finish::mark_colour(glaze_.marks, drawn_on_.at(at.angle, at.height_mm / height_mm_)));
 }
 
 // Less light the deeper inside.

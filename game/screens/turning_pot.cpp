@@ -38,12 +38,14 @@ class Encoding {
 
 TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                        float elevation_rad) {
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
+    const DrawnOn drawn_on(shape);
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
     width_ = extent.width_px;
     height_ = extent.height_px;
     foot_px_ = extent.foot_px;
-    fill_colours(shape, glaze, elevation_rad);
+    fill_colours(shape, shading, drawn_on.texture() != nullptr);
+    std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(kRows) * kColumns, kColumns, glaze.body);
     for (int top = 0; top < height_; top += kBandPx) {
         add_pixels(sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx}), shading, shape,
                    glaze.foot_bare_mm);
@@ -90,14 +92,10 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
     }
 }
 
-void TurningPot::fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze,
-                              float elevation_rad) {
-    const DrawnOn drawn_on(shape);
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on.texture());
-    // Where nothing is drawn outside, it looks there as it does inside.
-    const bool differs = drawn_on.texture() != nullptr;
+// `differs`: where nothing is drawn outside, it looks there as it does inside.
+void TurningPot::fill_colours(const pot::Section& shape, const PotShading& shading, bool differs) {
     inside_from_ = differs ? kRows + 1 : 0;
-    colours_.resize(static_cast<std::size_t>(kRows + 1 + (differs ? kRows : 0)) * kColumns, glaze.body);
+    colours_.resize(static_cast<std::size_t>(kRows + 1 + (differs ? kRows : 0)) * kColumns);
     const auto fill = [&](int first_row, bool inside) {
         PotSurface at;
         at.inside = inside;

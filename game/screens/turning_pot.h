@@ -41,7 +41,7 @@ class TurningPot {
     // Those of a band's pixels.
     void add_pixels(const PotSamples& samples, const PotShading& shading, const pot::Section& shape,
                     float foot_bare_mm);
-    void fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze, float elevation_rad);
+    void fill_colours(const pot::Section& shape, const PotShading& shading, bool differs);
 
     int width_ = 0;
     int height_ = 0;

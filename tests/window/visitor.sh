@@ -180,6 +180,7 @@ decorate_the_pot() {
         ;;
     esac
     wait_for "a stroke" has_strokes 1
+    on_screen decorate
 }
 # From the wheel to the shelf, where what was thrown has to be a pot; and out of the kiosk.
 keep_the_pot() {

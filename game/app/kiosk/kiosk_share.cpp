@@ -121,10 +121,7 @@ asset::Image share_surface(const pot::Section& shape, int glaze) {
                 kRight + 2.0F * std::numbers::pi_v<float> * (static_cast<float>(column) + 0.5F) / kColumns;
             vec3 colour = finish::glaze_colour(material, shape.height_mm(), at);
             if (drawn_on.texture() != nullptr) {
-                // The page's right is the pot's own direction 0.
-                const auto& texel = drawn_on.texture()->at(
-                    decoration::column_at((static_cast<float>(column) + 0.5F) / kColumns),
-                    decoration::row_at(at.height_mm / shape.height_mm()));
+                const auto& texel = drawn_on.at(at.angle, at.height_mm / shape.height_mm());
                 colour = finish::marked(colour, finish::mark_colour(material.marks, texel));
             }
             for (int channel = 0; channel < 3; ++channel)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/jobs/thread_setup.h"
 #include "game/app/replay/session_marks.h"
 
 namespace onggi::app {
@@ -268,6 +269,11 @@ void VisitDrawing::tell() {
 
 void VisitDrawing::pass(double dt_s) {
     constexpr double kTurnS = 10.0;
+    const kiosk::Screen screen = flow_.state().screen;
+    if (screen == kiosk::Screen::kGlaze && work_) {
+        forget();  // it is fired: what it came to goes with the pot
+        jobs::give_back_freed_memory();
+    }
     if (!drawing_is_open(flow_.state())) {
         release();
         put_brush(false);
