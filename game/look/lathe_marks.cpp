@@ -59,4 +59,13 @@ void DressedMarks::dress_changed(const decoration::Texture& texture, const decor
     }
 }
 
+render::LatheMaterial glazed_lathe(const render::LatheMaterial& body, const finish::GlazeMaterial& glaze) {
+    render::LatheMaterial material = body;
+    material.albedo = glaze.colour;
+    material.roughness = glaze.roughness;
+    material.coat = glaze.clear_coat;
+    material.coat_roughness = glaze.coat_roughness;
+    return material;
+}
+
 }  // namespace onggi::look

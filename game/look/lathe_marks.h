@@ -23,4 +23,9 @@ class DressedMarks {
     render::LatheMarks marks_;
 };
 
+// A glazed lathe, as far as it can wear that glaze: one colour, and the glass over it. body: as its clay
+// wears its own.
+[[nodiscard]] render::LatheMaterial glazed_lathe(const render::LatheMaterial& body,
+                                                 const finish::GlazeMaterial& glaze);
+
 }  // namespace onggi::look
