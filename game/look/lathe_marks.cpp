@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/hash.h"
 #include "game/finish/mark_colour.h"
 
 namespace onggi::look {
@@ -44,7 +45,9 @@ void DressedMarks::dress_changed(const decoration::Texture& texture, const decor
                                  const finish::MarkPalette& palette, const decoration::TextureRect& changed) {
     if (changed.empty()) return;
     marks_.texels.resize(texture.texels.size());
-    ++marks_.revision;
+    // Of what was there and of what comes, so that no two that differ have the same.
+    StateHash revision;
+    revision.add_word(marks_.revision);
     // Relief leans its neighbours too.
     const int from = std::max(changed.row - 1, 0);
     const int end = std::min(changed.row + changed.row_count + 1, kRows);
@@ -55,8 +58,11 @@ void DressedMarks::dress_changed(const decoration::Texture& texture, const decor
             const auto at = static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column);
             marks_.texels[at] = {colour_word(finish::mark_colour(palette, texture.texels[at])),
                                  lean_word(finish::relief_lean(texture, wall, column, row))};
+            revision.add_word(std::uint64_t{marks_.texels[at].colour} << 32U | marks_.texels[at].lean);
+            revision.add_word(at);
         }
     }
+    marks_.revision = revision.value();
 }
 
 render::LatheMaterial glazed_lathe(const render::LatheMaterial& body, const finish::GlazeMaterial& glaze) {

@@ -97,7 +97,7 @@ struct Painted {
     Float8 lean_round;  // counter-clockwise from above
     Float8 lean_up;
 };
-// The nearest mark, as the streaks are read; past the outside's end there is none.
+// Between four marks; past the outside's end there is none.
 [[gnu::always_inline]] inline Painted painted_at(const LatheLook& look, const Pixels& own) {
     const vec4& marks = look.draw.marks;
     const Float8 away = 1.0F / own[value::kNear];
@@ -105,24 +105,45 @@ struct Painted {
     const float columns_a_texel =
         -0.5F * static_cast<float>(kMarkColumns) / static_cast<float>(look.streak_size.across);
     constexpr float kNotBelow0 = kMarkColumns * 8.0F;
-    const Int8 column = ints(own[value::kStreak] * away * columns_a_texel + kNotBelow0) & (kMarkColumns - 1);
-    const Float8 height = own[value::kPlace + 1];
-    const Int8 row = ints(float8::clamp(height * marks.x, 0.0F, kMarkRows - 1.0F));
-    const float along_a_texel = shaders::kStreakMm / static_cast<float>(look.streak_size.up);
-    const Float8 along = own[value::kStreak + 1] * away * along_a_texel;
-    const Float8 is_outside = float8::select(along > marks.y, 0.0F, 1.0F);
+    const Float8 across = own[value::kStreak] * away * columns_a_texel + (kNotBelow0 - 0.5F);
+    const Float8 up = float8::clamp(own[value::kPlace + 1] * marks.x - 0.5F, 0.0F, kMarkRows - 1.0F);
+    const Int8 left = ints(across);
+    const Int8 low = ints(up);
+    const Float8 to_right = across - floats(left);
+    const Float8 to_high = up - floats(low);
     const auto* const words = reinterpret_cast<const std::uint32_t*>(look.marks.data());
-    const Int8 at = (row * kMarkColumns + column) * 2;
-    const Int8 colour = looked_up(words, at);
-    const Int8 lean = looked_up(words, at + 1);
     constexpr float kOneOver255 = 1.0F / 255.0F;
     const auto byte = [&](const Int8& word, int shift) __attribute__((always_inline)) {
         return floats((word >> shift) & 255) * kOneOver255;
     };
-    return {.roots = {byte(colour, 0), byte(colour, 8), byte(colour, 16)},
-            .cover = byte(colour, 24) * is_outside,
-            .lean_round = shaders::lathe_mark_lean(byte(lean, 0), marks.w) * is_outside,
-            .lean_up = shaders::lathe_mark_lean(byte(lean, 8), marks.w) * is_outside};
+    Painted found{};
+    const auto add = [&](int step_across, int step_up, const Float8& weight) __attribute__((always_inline)) {
+        const Int8 column = (left + step_across) & (kMarkColumns - 1);
+        const Int8 next = low + step_up;
+        const Int8 row = next - ((next >= kMarkRows) & 1);
+        const Int8 at = (row * kMarkColumns + column) * 2;
+        const Int8 colour = looked_up(words, at);
+        const Int8 lean = looked_up(words, at + 1);
+        const Float8 cover = byte(colour, 24) * weight;
+        found.roots.x += byte(colour, 0) * cover;
+        found.roots.y += byte(colour, 8) * cover;
+        found.roots.z += byte(colour, 16) * cover;
+        found.cover += cover;
+        found.lean_round += byte(lean, 0) * weight;
+        found.lean_up += byte(lean, 8) * weight;
+    };
+    add(0, 0, (1.0F - to_right) * (1.0F - to_high));
+    add(1, 0, to_right * (1.0F - to_high));
+    add(0, 1, (1.0F - to_right) * to_high);
+    add(1, 1, to_right * to_high);
+    const Float8 one_over = 1.0F / max(found.cover, 1e-4F);
+    const float along_a_texel = shaders::kStreakMm / static_cast<float>(look.streak_size.up);
+    const Float8 along = own[value::kStreak + 1] * away * along_a_texel;
+    const Float8 is_outside = float8::select(along > marks.y, 0.0F, 1.0F);
+    return {.roots = {found.roots.x * one_over, found.roots.y * one_over, found.roots.z * one_over},
+            .cover = found.cover * is_outside,
+            .lean_round = shaders::lathe_mark_lean(found.lean_round, marks.w) * is_outside,
+            .lean_up = shaders::lathe_mark_lean(found.lean_up, marks.w) * is_outside};
 }
 
 // The way the wall looks there, not of unit length: the outline's own normal, leaned by dents and streaks.
