@@ -213,6 +213,23 @@ TEST_F(Decorators, BandAPotThatTurnsAndSetMotifsAllRoundIt) {
                 0.05 * marks.wall.height_mm);
 }
 
+TEST_F(Decorators, SeeTheirStrokeUnderTheFingerInTheVeryFrame) {
+    ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
+    asset::Image before = still();
+    kiosk.point(at(-0.4, 0.0).x, at(-0.4, 0.0).y);
+    kiosk.hold(true);
+    kiosk.frame();
+    for (int i = 1; i < 10; ++i) {
+        const asset::Image last = kiosk.picture();
+        const dvec2 px = at(-0.4 + 0.08 * i, 0.0);
+        kiosk.point(px.x, px.y);
+        kiosk.frame();
+        ASSERT_LT(nearest(changed(last, kiosk.picture()), px), kMostOffMm * px_per_mm_) << i;
+    }
+    kiosk.hold(false);
+    kiosk.frame();
+}
+
 TEST_F(Decorators, DrawByKeysAlone) {
     ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
     const auto key = [&](window::Key which) {

@@ -72,19 +72,14 @@ VisitDrawing::Work::Work(const pot::Pot& wet)
     static_cast<void>(canvas.take_changed());
 }
 
-VisitDrawing& VisitDrawing::operator=(const VisitDrawing& other) {
-    pot_ = other.pot_;
-    work_ = other.work_;
-    begun_ = other.begun_;
-    turned_rad_ = other.turned_rad_;
-    finger_px_ = other.finger_px_;
-    hover_px_ = other.hover_px_;
-    turns_by_hand_ = other.turns_by_hand_;
-    draws_ = other.draws_;
-    brush_down_ = other.brush_down_;
-    dot_rad_ = other.dot_rad_;
-    dot_fraction_ = other.dot_fraction_;
-    return *this;
+void VisitDrawing::forget() {
+    release();
+    pot_.reset();
+    work_.reset();
+    hover_px_.reset();
+    begun_ = brush_down_ = false;
+    dot_rad_ = 0.0;
+    dot_fraction_ = 0.5;
 }
 
 void VisitDrawing::take(std::shared_ptr<const pot::Pot> pot) {

@@ -33,7 +33,7 @@ class VisitDrawing {
     // The pot that was cut off, wet; it is drawn on from begin() on, as far as the wheel has turned then.
     void take(std::shared_ptr<const pot::Pot> pot);
     void begin(const dvec2& heading);
-    void forget() { *this = VisitDrawing(view_, flow_); }
+    void forget();
 
     // A finger comes down on the picture, goes on, leaves it; or a mouse is over it.
     void press(vec2 px);
@@ -64,7 +64,6 @@ class VisitDrawing {
         look::DressedMarks dressed;
         double scale;  // of the dry pot, beside the wall
     };
-    VisitDrawing& operator=(const VisitDrawing& other);
     void start_if_ready();
     void dress();
     void tell();
