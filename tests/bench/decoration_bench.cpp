@@ -1,5 +1,5 @@
-// stroke_point/N: what a point of a stroke so many mm wide costs the frame in which the finger gets there: laid, and
-// dressed for the picture. stroke_undo: the last of many strokes taken back.
+// stroke_point/N: what a point of a stroke so many mm wide costs the frame in which the finger gets there:
+// laid, and dressed for the picture. stroke_undo: the last of many strokes taken back.
 #include <benchmark/benchmark.h>
 
 #include "game/finish/glaze.h"
@@ -35,7 +35,8 @@ void stroke_point(benchmark::State& state) {
             state.ResumeTiming();
         }
         turns += 0.004;
-        if (!canvas.add(decoration::stroke_point(turns, 80.0).value())) return fail(state, "no point was laid");
+        if (!canvas.add(decoration::stroke_point(turns, 80.0).value()))
+            return fail(state, "no point was laid");
         dressed.dress_changed(canvas.texture(), canvas.wall(), raw, canvas.take_changed());
         ++points;
     }
@@ -45,11 +46,11 @@ BENCHMARK(stroke_point)->Arg(4)->Arg(20)->Arg(36);
 void stroke_undo(benchmark::State& state) {
     decoration::Canvas canvas(straight_wall());
     const auto draw = [&](int number) {
-        return static_cast<bool>(canvas.begin(
-            {.technique = decoration::Technique::kIron,
-             .width = 400,
-             .points = {decoration::stroke_point(0.1 * number, 40.0).value(),
-                        decoration::stroke_point(0.1 * number + 0.2, 120.0).value()}}));
+        return static_cast<bool>(
+            canvas.begin({.technique = decoration::Technique::kIron,
+                          .width = 400,
+                          .points = {decoration::stroke_point(0.1 * number, 40.0).value(),
+                                     decoration::stroke_point(0.1 * number + 0.2, 120.0).value()}}));
     };
     for (int i = 0; i < 39; ++i) {
         if (!draw(i)) return fail(state, "no stroke was drawn");
