@@ -47,6 +47,17 @@ asset::Image straight_picture(ui::Painting painting) {
     return image;
 }
 
+Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
+                                            const decoration::Marks* marks) {
+    const double scale = clay::shrunk_scale(clay.lump().body, clay::Firing::kGlaze);
+    const auto height_mm = static_cast<float>(clay.height_mm() * scale);
+    look::PotLook worn = look::glaze_look(glaze, height_mm);
+    if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
+    return look::dressed_glb(
+        exporter::rings_of(clay.rings()), worn,
+        {.extras = exporter::pot_extras(clay, clay::Firing::kGlaze), .shrinkage = scale});
+}
+
 std::string today() {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
@@ -147,15 +158,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             !written)
             return written.error();
     }
-    const double scale = clay::shrunk_scale(pot.clay->lump().body, clay::Firing::kGlaze);
-    const auto height_mm = static_cast<float>(pot.clay->height_mm() * scale);
-    look::PotLook worn = look::glaze_look(*pot.glaze, height_mm);
-    if (pot.marks) worn = look::marked_look(std::move(worn), *pot.marks, pot.glaze->marks, height_mm);
-    if (auto written = write(
-            "pot.glb", look::dressed_glb(exporter::rings_of(pot.clay->rings()), worn,
-                                         {.extras = exporter::pot_extras(*pot.clay, clay::Firing::kGlaze),
-                                          .shrinkage = scale}));
-        !written)
+    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get())); !written)
         return written.error();
     if (auto written = write(
             "pot.stl", exporter::export_pot(*pot.clay, clay::Firing::kGlaze, exporter::ExportKind::kStl));

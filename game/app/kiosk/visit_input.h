@@ -42,6 +42,7 @@ class VisitInput {
     void take_news(const PointerNews& news, double now_s);
     // On the pot that is being decorated; false: it is no such news.
     bool take_drawing(const PointerNews& news);
+    bool pick_up(vec2 px);
     void take_devices();
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // draws a finger to the outline that is shown
