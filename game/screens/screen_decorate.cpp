@@ -218,7 +218,7 @@ void draw_decorate(Page& page) {
                      decorating.all_round, kWideLabel);
         choice_token(page, places.back, label,
                      {page.right_to_left() ? Icon::kRight : Icon::kLeft, "ctl.back"}, Button::kBack, 0, false,
-                     0.0F);
+                     2.5F);
     } else if (decorating.tool == kiosk::kInlayTool) {
         choice_token(page, places.slips[0], label, {Icon::kPale, "dec.fillw"}, Button::kSlip, 0,
                      !decorating.black);
