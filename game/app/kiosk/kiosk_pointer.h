@@ -45,6 +45,10 @@ class KioskPointer {
     [[nodiscard]] int pressed() const { return pressed_over_ ? pressed_ : -1; }
     // Target with the ring; -1: none.
     [[nodiscard]] int focus() const { return focus_; }
+    // Who leads a dot with the arrow keys has left the ring; one that walks by itself stays.
+    void leave_ring() {
+        if (!scans_) focus_ = -1;
+    }
     [[nodiscard]] bool scans() const { return scans_; }
     [[nodiscard]] vec2 at_px() const { return at_px_; }
     // A finger lies beside all targets. One that leaves the window, stays a minute where it is, comes with a

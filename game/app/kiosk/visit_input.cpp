@@ -81,6 +81,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
             drawing_.hover(news.at_px);
             return true;
         case PointerNews::Kind::kNudged:
+            pointer_.leave_ring();
             flow_.dispatch(Event::pressed(news.button));
             return true;
         default:
