@@ -111,7 +111,7 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
         case Key::kEnter:
             if (key.repeat) return;
             // Where no ring is, there may be a brush.
-            if (focus_ < 0) news.push_back({Kind::kPressed, kiosk::Button::kPutBrush, 0, {}});
+            if (focus_ < 0) news.push_back({.kind = Kind::kPutDown});
             press_focus(news);
             return;
         case Key::kSpace:

@@ -22,6 +22,7 @@ struct PointerNews {
         kHandUp,      // lifted, or taken for lifted: it cannot be a finger's any more
         kHovered,     // the mouse, with no button held
         kNudged,      // an arrow key where nothing has the ring; `button` is one of the pad's
+        kPutDown,     // Enter, where nothing has the ring
         kCornerHeld,  // the staff's corner, long enough
         kCloseAsked,
         kFullScreen,

@@ -84,6 +84,9 @@ bool VisitInput::take_drawing(const PointerNews& news) {
             pointer_.leave_ring();
             flow_.dispatch(Event::pressed(news.button));
             return true;
+        case PointerNews::Kind::kPutDown:
+            flow_.dispatch(Event::pressed(Button::kPutBrush));
+            return true;
         default:
             return false;
     }
@@ -133,6 +136,8 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             hovered_s_ = now_s;
             keys_lead_ = false;
             if (const auto place = place_at(parts_.view, news.at_px)) hand_.hover(*place);
+            break;
+        case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
             if (!clay_is_open(flow_.state())) break;
