@@ -9,8 +9,9 @@
 namespace onggi::kiosk {
 
 std::string_view name_of(Screen screen) {
-    constexpr std::array<std::string_view, kScreenCount> kNames{
-        "attract", "choose", "throw", "failure", "firing", "glaze", "your-pot", "keep", "resume", "fault"};
+    constexpr std::array<std::string_view, kScreenCount> kNames{"attract", "choose",   "throw", "failure",
+                                                                "firing",  "decorate", "glaze", "your-pot",
+                                                                "keep",    "resume",   "fault"};
     return kNames[static_cast<std::size_t>(screen)];
 }
 
@@ -239,6 +240,9 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
                     static_cast<Warning>(std::clamp(event.value, 0, static_cast<int>(Warning::kFast)));
                 turn.show(Screen::kFailure);
             }
+            break;
+        case Event::Kind::kDrawn:
+            take_drawn(turn, event);
             break;
         case Event::Kind::kSaved:
         case Event::Kind::kSaveFailed:

@@ -165,10 +165,10 @@ void Turn::change_volume(int by) {
 void pass_firing(Turn& turn) {
     const double passed_s = turn.now_s - turn.state.screen_s;
     const Rules& rules = turn.rules;
-    if (passed_s >= rules.cut_s + rules.dry_s + rules.fire_s) {
-        show_glazes(turn);
+    if (turn.state.firing == FiringStage::kFire) {
+        if (passed_s >= rules.fire_s) show_glazes(turn);
     } else if (passed_s >= rules.cut_s + rules.dry_s) {
-        turn.state.firing = FiringStage::kFire;
+        begin_decorating(turn);
     } else if (passed_s >= rules.cut_s) {
         turn.state.firing = FiringStage::kDry;
     }
@@ -189,7 +189,15 @@ void press_screen(Turn& turn, const Event& event) {
             press_failure(turn, event);
             break;
         case Screen::kFiring:
-            if (event.button == Button::kSkip) show_glazes(turn);
+            if (event.button != Button::kSkip) break;
+            if (turn.state.firing == FiringStage::kFire) {
+                show_glazes(turn);
+            } else {
+                begin_decorating(turn);
+            }
+            break;
+        case Screen::kDecorate:
+            press_decorate(turn, event);
             break;
         case Screen::kGlaze:
             press_glaze(turn, event);

@@ -44,6 +44,10 @@ void pass_show(Turn& turn);
 void press_keep(Turn& turn, const Event& event);
 void take_saved(Turn& turn, const Event& event);
 void take_shared(Turn& turn, const Event& event);
+// Decorating; in step_decorate.cpp. Whoever was offered it goes on to the kiln.
+void begin_decorating(Turn& turn);
+void press_decorate(Turn& turn, const Event& event);
+void take_drawn(Turn& turn, const Event& event);
 // Cutting, drying and firing go on by themselves.
 void pass_firing(Turn& turn);
 

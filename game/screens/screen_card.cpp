@@ -86,9 +86,11 @@ void draw_card_panel(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.shape() == Shape::kTall;
+    // A squarer picture leaves the words more of its width.
+    const float left = tall ? 1.0F : page.shape() == Shape::kSquare ? 0.26F : 0.34F;
     const float foot_y = height - 96.0F;
     const float shelf_y = tall ? 300.0F : foot_y - 50.0F;
-    const Rect stage = page.mirrored({0.0F, 0.0F, tall ? width : 0.34F * width, shelf_y});
+    const Rect stage = page.mirrored({0.0F, 0.0F, left * width, shelf_y});
     page.museum({stage.centre().x, 0.5F * shelf_y}, {0.4F * width, 0.5F * height}, 0.28F);
     page.shelf(shelf_y, 30.0F);
     const Exhibit* const exhibit = exhibit_of(view);
@@ -99,7 +101,7 @@ void draw_card_panel(Page& page) {
                                          {stage.centre().x, shelf_y + 10.0F}));
         const Rect card =
             page.mirrored(tall ? Rect{24.0F, shelf_y + 44.0F, width - 48.0F, foot_y - shelf_y - 60.0F}
-                               : Rect{0.34F * width, 24.0F, 0.66F * width - 32.0F, foot_y - 44.0F});
+                               : Rect{left * width, 24.0F, (1.0F - left) * width - 32.0F, foot_y - 44.0F});
         page.card(card, design::kHanji, design::kHanji);
         add_lines(page, {card.x + 22.0F, card.y + 14.0F, card.width - 44.0F, card.height - 24.0F},
                   lines_of(page, *exhibit));

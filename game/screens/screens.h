@@ -14,6 +14,7 @@ void draw_choose(Page& page);
 void draw_throw(Page& page);
 void draw_failure(Page& page);
 void draw_firing(Page& page);
+void draw_decorate(Page& page);
 void draw_glazes(Page& page);
 void draw_your_pot(Page& page);
 void draw_keep(Page& page);

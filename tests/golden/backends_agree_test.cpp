@@ -64,12 +64,12 @@ asset::Image in_exact_srgb(asset::Image picture) {
 }
 
 // One of each kind is enough: solid, hollow, dented and off its centre, looked into, with hands, cut open,
-// with its load, none.
+// with its load, none, drawn on.
 std::vector<GoldenScene> scenes_of_both_backends() {
     std::vector<GoldenScene> chosen;
     for (const GoldenScene& scene : golden_scenes()) {
         for (const char* name : {"stepped", "tool-pressing", "stoneware-wet", "celadon", "failure", "pulling",
-                                 "cutaway", "load", "empty-wheel"}) {
+                                 "cutaway", "load", "empty-wheel", "drawn-celadon"}) {
             if (scene.name == name) chosen.push_back(scene);
         }
     }

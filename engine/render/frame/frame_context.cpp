@@ -33,7 +33,8 @@ constexpr std::array kBindings{vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kB
                                kImage,
                                vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
                                vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
-                               kVertexData};
+                               kVertexData,
+                               vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 static_assert(kBindings.size() == shaders::kBindings);
 
 // Vulkan does not promise it everywhere; every desktop driver we know has it.

@@ -53,6 +53,9 @@ Result<void> LathePass::create(const VulkanFrame& frame) {
         vk::write_buffer(frame.device, frame.set(), static_cast<std::uint32_t>(place.binding),
                          VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place.buffer.handle());
     }
+    // Until there are marks: what is bound must be there, though nothing reads it.
+    vk::write_buffer(frame.device, frame.set(), shaders::kBindMarks, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                     rows_.handle());
     auto normals = vk::create_texels(frame.device, normals_.handle(), VK_FORMAT_R32_UINT, "outline normals");
     if (!normals) return normals.error();
     normal_texels_ = std::move(*normals);
@@ -83,13 +86,34 @@ Result<void> LathePass::upload_streaks(const VulkanFrame& frame) {
     });
 }
 
-void LathePass::upload(const BuiltFrame& built) const {
-    if (built.faces.indices.empty()) return;
+// A room of their own as soon as there are some: most pots have none. No frame is in flight here.
+Result<void> LathePass::upload_marks(const VulkanFrame& frame) {
+    const LatheMarks* const marks = frame.built.marks;
+    if (marks == nullptr || marks->revision == marks_revision_) return {};
+    const auto texels = std::as_bytes(std::span(marks->texels));
+    if (marks_.size() < texels.size()) {
+        auto buffer = vk::Buffer::create(
+            frame.device,
+            {.name = "lathe marks", .size = texels.size(), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+        if (!buffer) return buffer.error();
+        marks_ = std::move(*buffer);
+        vk::write_buffer(frame.device, frame.set(), shaders::kBindMarks, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                         marks_.handle());
+    }
+    marks_.write(texels);
+    marks_revision_ = marks->revision;
+    return {};
+}
+
+Result<void> LathePass::upload(const VulkanFrame& frame) {
+    const BuiltFrame& built = frame.built;
+    if (built.faces.indices.empty()) return {};
     outline_.write(std::as_bytes(std::span(built.samples.outer_mm)));
     rows_.write(std::as_bytes(std::span(built.rows)));
     vertices_.write(std::as_bytes(std::span(built.vertices)));
     normals_.write(std::as_bytes(std::span(built.normals)));
     indices_.write(std::as_bytes(std::span(built.faces.indices)));
+    return upload_marks(frame);
 }
 
 void LathePass::draw(const VulkanFrame& frame) const {
@@ -105,6 +129,8 @@ void LathePass::draw(const VulkanFrame& frame) const {
     frame.push(frame.built.lathe);
     if (frame.built.shows_load) {
         draw_faces(frame.pipelines.lathe_load, 0, all);
+    } else if (frame.built.marks != nullptr) {
+        draw_faces(frame.pipelines.lathe_marks, 0, all);
     } else {
         draw_faces(frame.pipelines.lathe, 0, faces.plain);
         draw_faces(frame.pipelines.lathe_near_spheres, faces.plain, all - faces.plain);

@@ -11,12 +11,14 @@ namespace onggi::render {
 class LathePass {
   public:
     Result<void> create(const VulkanFrame& frame);
-    void upload(const BuiltFrame& built) const;
+    // Errors: no memory for the marks, where there are some.
+    Result<void> upload(const VulkanFrame& frame);
 
     // The lathe, inside the caller's pass.
     void draw(const VulkanFrame& frame) const;
 
   private:
+    Result<void> upload_marks(const VulkanFrame& frame);
     static Result<void> upload_streaks(const VulkanFrame& frame);
 
     vk::Buffer outline_;
@@ -25,6 +27,8 @@ class LathePass {
     vk::Buffer normals_;
     vk::BufferView normal_texels_;
     vk::Buffer indices_;
+    vk::Buffer marks_;
+    std::uint64_t marks_revision_ = 0;  // that it holds, 0: none
 };
 
 }  // namespace onggi::render

@@ -56,8 +56,15 @@ void make_transition_pipelines(PipelineMaker& maker, const vk::PipelineDesc& bac
     }
 }
 
+// What not every scene shows.
+struct Needs {
+    bool own_colours = false;  // of the still life: there is no background
+    bool section = false;
+    bool marks = false;
+};
+
 // The lathe. From one that draws into the picture.
-void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool needs_section,
+void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, const Needs& needs,
                           const vk::PipelineDesc& into_picture, VulkanPipelines& pipelines) {
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
     constexpr std::uint32_t kNoSphereIsNear = 0;
@@ -89,14 +96,13 @@ void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool n
     section.vertex_spirv = shaders::kLatheSectionVert;
     section.fragment_spirv = shaders::kLatheSectionFrag;
     section.cull = VK_CULL_MODE_NONE;
-    if (needs_section) maker.make(pipelines.lathe_section, section);
-}
+    if (needs.section) maker.make(pipelines.lathe_section, section);
 
-// What not every scene shows.
-struct Needs {
-    bool own_colours = false;  // of the still life: there is no background
-    bool section = false;
-};
+    vk::PipelineDesc marks = lathe;
+    marks.name = "lathe with marks";
+    marks.fragment_spirv = shaders::kLatheMarksFrag;
+    if (needs.marks) maker.make(pipelines.lathe_marks, marks);
+}
 
 // Those that every scene may show, and those that are needed, where they are not there yet.
 Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, VulkanPipelines& pipelines) {
@@ -124,7 +130,7 @@ Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, Vulka
     background_surface.attributes = std::span(kMeshAttributes).first(2);
     maker.make(pipelines.background_surface, background_surface);
     make_transition_pipelines(maker, background_surface, picture_formats, transfer, pipelines);
-    make_lathe_pipelines(maker, desc, needs.section, still, pipelines);
+    make_lathe_pipelines(maker, desc, needs, still, pipelines);
 
     vk::PipelineDesc mask = screen_pipeline(frame, "shadow mask", shaders::kMaskFrag);
     mask.colour_formats = mask_formats;
@@ -143,12 +149,15 @@ Result<void> create_pipelines(const FrameContext& frame, VulkanPipelines& pipeli
 }
 
 Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, VulkanPipelines& pipelines) {
-    const Needs needs{.own_colours = scene.background == nullptr, .section = scene.lathe && scene.lathe->cut};
+    const Needs needs{.own_colours = scene.background == nullptr,
+                      .section = scene.lathe && scene.lathe->cut,
+                      .marks = scene.lathe && scene.lathe->marks != nullptr};
     const auto is_missing = [](bool is_needed, const vk::Pipeline& pipeline) {
         return is_needed && pipeline.get() == VK_NULL_HANDLE;
     };
     if (!is_missing(needs.own_colours, pipelines.still) &&
-        !is_missing(needs.section, pipelines.lathe_section)) {
+        !is_missing(needs.section, pipelines.lathe_section) &&
+        !is_missing(needs.marks, pipelines.lathe_marks)) {
         return {};
     }
     return make_pipelines(frame, needs, pipelines);

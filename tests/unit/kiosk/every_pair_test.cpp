@@ -19,9 +19,11 @@ namespace {
 
 // Sets of places that rules may name. "attract-left": an interrupted pot waits; "saving": not kept yet.
 const std::map<std::string, std::string> kSets{
-    {"visit", "choose throw failure firing glaze your-pot saving keep resume"},
-    {"left-alone", "choose throw failure glaze your-pot saving keep resume"},  // firing goes on by itself
-    {"any", "attract attract-left choose throw failure firing glaze your-pot saving keep resume fault"}};
+    {"visit", "choose throw failure firing decorate glaze your-pot saving keep resume"},
+    {"left-alone",
+     "choose throw failure decorate glaze your-pot saving keep resume"},  // firing goes on by itself
+    {"any",
+     "attract attract-left choose throw failure firing decorate glaze your-pot saving keep resume fault"}};
 // Over which of them each panel may lie.
 const std::map<std::string, std::string> kPanels{{"", "any"},
                                                  {"+language", "attract attract-left visit"},
@@ -52,13 +54,14 @@ std::vector<Happening> events() {
         return Happening{name, {Kind::kTick, Button::kNone, 0}, after_s, rules};
     };
     const std::string leaves =
-        "left-alone -> same+idle, firing -> glaze+idle, left-alone+language -> same+idle, "
-        "firing+language -> glaze+idle, attract+language -> attract, attract-left+language -> attract-left, "
+        "left-alone -> same+idle, firing -> decorate+idle, left-alone+language -> same+idle, "
+        "firing+language -> decorate+idle, attract+language -> attract, attract-left+language -> "
+        "attract-left, "
         "left-alone+idle -> attract, resume+idle -> attract-left, choose+card -> same+idle";
     return {
         tick("a frame", 0.0, ""),
         tick("21 s", 21.0,
-             "firing -> glaze, firing+language -> glaze+language, left-alone+idle -> attract, "
+             "firing -> decorate, firing+language -> decorate+language, left-alone+idle -> attract, "
              "resume+idle -> attract-left"),
         tick("46 s", 46.0, leaves),
         tick("130 s", 130.0, leaves + ", " + kClosesStaff),
@@ -66,7 +69,8 @@ std::vector<Happening> events() {
                 "attract -> choose, attract-left -> resume, left-alone+idle -> same"),
         at_once("clay touched", Kind::kClayTouched, 0,
                 "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
-                "throw+idle -> same, failure+idle -> same, glaze+idle -> same, your-pot+idle -> same, "
+                "throw+idle -> same, failure+idle -> same, decorate+idle -> same, glaze+idle -> same, "
+                "your-pot+idle -> same, "
                 "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
         at_once("held", Kind::kHeld, 1, ""),
         at_once("show over", Kind::kShowOver, 0, ""),
@@ -76,6 +80,7 @@ std::vector<Happening> events() {
         at_once("collapsed", Kind::kCollapsed, 1,
                 "throw -> failure, throw+language -> failure, throw+idle -> failure+idle, "
                 "throw+pin -> failure+pin, throw+staff -> failure+staff"),
+        at_once("drawn", Kind::kDrawn, 3, ""),
         at_once("saved", Kind::kSaved, 5,
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
                 "saving+pin -> keep+pin, saving+staff -> keep+staff"),
@@ -136,7 +141,7 @@ std::vector<Happening> buttons() {
         {Button::kWaterMore, any},
         {Button::kSpeedLess, any},
         {Button::kSpeedMore, any},
-        {Button::kDone, any + ", throw -> firing"},
+        {Button::kDone, any + ", throw -> firing, decorate -> firing"},
         {Button::kHandUp, any},
         {Button::kHandDown, any},
         {Button::kHandLeft, any},
@@ -146,7 +151,14 @@ std::vector<Happening> buttons() {
         {Button::kMyTurn, any},
         {Button::kBeforeCollapse, any + ", failure -> throw"},
         {Button::kKeepSlump, any + ", failure -> firing"},
-        {Button::kSkip, any + ", firing -> glaze"},
+        {Button::kSkip, any + ", firing -> decorate"},
+        {Button::kDrawingTool, any},
+        {Button::kMotif, any},
+        {Button::kAllRound, any},
+        {Button::kSlip, any},
+        {Button::kTurning, any},
+        {Button::kPutBrush, any},
+        {Button::kClear, any},
         {Button::kGlaze, any},
         {Button::kTakeGlaze, any + ", glaze -> your-pot"},
         {Button::kOtherGlaze, any + ", your-pot -> glaze"},
@@ -228,7 +240,8 @@ Visitor at_screen(const std::string& name) {
     if (name == "throw") return visitor.starts_to_throw();
     if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
     if (name == "firing") return visitor.fires();
-    if (name == "glaze") return visitor.fires().presses(Button::kSkip);
+    if (name == "decorate") return visitor.decorates();
+    if (name == "glaze") return visitor.chooses_a_glaze();
     if (name == "your-pot") return visitor.sees_the_pot();
     if (name == "saving") return visitor.keeps();
     if (name == "keep") return visitor.keeps().does(Event::Kind::kSaved, 1);

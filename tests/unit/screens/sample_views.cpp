@@ -276,6 +276,21 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.firing = kiosk::FiringStage::kFire;
         view.heard = "cap.kiln";
     });
+    for (int tool = 0; tool < kiosk::kDrawingTools; ++tool) {
+        add("decorate-" + std::to_string(tool), Screen::kDecorate, [&](View& view) {
+            view.state.decorating.tool = tool;
+            view.state.decorating.strokes = tool % 2;
+            view.state.decorating.turns = tool < 3;
+        });
+    }
+    add("decorate-scan", Screen::kDecorate, [](View& view) {
+        view.scans = true;
+        view.focus = 0;
+    });
+    add("decorate-drawn", Screen::kDecorate, [](View& view) {
+        view.state.decorating.touched = true;
+        view.state.decorating.strokes = 7;
+    });
     for (int glaze = 0; glaze < 6; ++glaze) {
         add("glaze-" + std::to_string(glaze), Screen::kGlaze, [&](View& view) { view.state.glaze = glaze; });
     }
