@@ -14,6 +14,7 @@ struct FrameStats {
     bool still_life_drawn = false;
     bool shadow_drawn = false;
     bool next_view_ready = false;  // of the scene: the next frame may show it, in no more time than another
+    double host_ms = 0.0;          // from having the target's image to handing the frame over; 0: no clock
     double device_ms = 0.0;        // of the frame before, from its first command to its last; 0: not measured
     std::vector<PassTime> parts{};   // and of its parts, the host's too, where they are measured
     bool device_drew_scene = false;  // in that time; false: it showed a screen, or a scene at rest under one

@@ -64,7 +64,7 @@ Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage&
     const bool moves_under = any(work_.moves_under);
     if (is_laid_over || moves_under) {
         if (auto made = vk::make_room(frame.device, laid_, "picture with the overlay", picture.pixels.size(),
-                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vk::MemoryUse::kWork);
             !made) {
             return made;
         }
