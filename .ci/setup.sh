@@ -16,6 +16,7 @@ packages_to_check=(
     xvfb xdotool libx11-dev umockdev libumockdev-dev admesh zbar-tools curl python3-minimal git
     systemd cage xwayland dpkg-dev)
 packages_for_web=(chromium)
+packages_for_swiftshader=(chromium)
 packages_for_slicer=(prusa-slicer)
 packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)
 
