@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -24,11 +25,13 @@ constexpr const char* kTitle = "Onggi in a storm";
 
 class AWindow : public testing::Test {
   protected:
-    void SetUp() override {
+    void SetUp() override { open(true); }
+    void open(bool validation) {
         ASSERT_NE(std::getenv("DISPLAY"), nullptr) << "run by with_display.sh, which brings a display";
+        view_.reset();
         auto view = LiveView::open({.width = 640,
                                     .height = 480,
-                                    .validation = true,
+                                    .validation = validation,
                                     .backend = test::backend_of_environment(),
                                     .title = kTitle});
         ASSERT_TRUE(view) << view.error().message;
@@ -59,6 +62,19 @@ class AWindow : public testing::Test {
         ASSERT_EQ(
             std::system(fmt::format("xrandr --fb 1280x720 --output screen {} >/dev/null", words).c_str()), 0);
     }
+    // Fifty sizes, the last of them always the same.
+    void blow(int gust) {
+        constexpr int kSizesInAGust = 50;
+        std::string sizes;
+        for (int size = 0; size < kSizesInAGust; ++size) {
+            const int number = kSizesInAGust * gust + size;
+            sizes += fmt::format("windowsize %1 {} {} sleep 0.004 ", 200 + (number * 137) % 500,
+                                 150 + (number * 91) % 350);
+        }
+        weather(sizes + "windowsize %1 500 400");
+        ASSERT_TRUE(becomes(500)) << gust;
+        draw(3);
+    }
     // Until the picture is so wide, or a long time has gone by.
     bool becomes(int width) {
         for (int round = 0; round < 200; ++round) {
@@ -86,30 +102,27 @@ TEST_F(AWindow, TakesSizesThatChangeFasterThanFrames) {
     EXPECT_GT(draw(5), 0);
 }
 
-TEST_F(AWindow, HoldsNoMoreAfterAThousandSizesThanAfterAHundred) {
-    constexpr int kSizesInAGust = 50;
-    double kb = 0.0;
-    long handles = 0;
-    for (int gust = 0; gust < 1000 / kSizesInAGust; ++gust) {
-        std::string sizes;
-        for (int size = 0; size < kSizesInAGust; ++size) {
-            const int number = kSizesInAGust * gust + size;
-            sizes += fmt::format("windowsize %1 {} {} sleep 0.004 ", 200 + (number * 137) % 500,
-                                 150 + (number * 91) % 350);
-        }
-        // The last of each gust is one size, so that as much is held each time.
-        weather(sizes + "windowsize %1 500 400");
-        ASSERT_TRUE(becomes(500)) << gust;
-        draw(3);
-        if (gust == 2) {
-            kb = test::resident_kb();
-            handles = test::open_handles();
-        }
-    }
-    constexpr double kMostKb = 30'000.0;  // the validation layer keeps a little of everything
-    EXPECT_LE(test::resident_kb() - kb, kMostKb);
-    EXPECT_LE(test::open_handles(), handles);
+TEST_F(AWindow, TakesAThousandSizes) {
+    for (int gust = 0; gust < 20; ++gust)
+        blow(gust);
     EXPECT_EQ(view_->mended(), 0) << "a size is no trouble";
+}
+
+// Without the validation layer, which keeps something of every object there ever was.
+TEST_F(AWindow, HoldsNoMoreAfterAThousandSizesThanAfterHalfOfThem) {
+    open(false);
+    double before_kb = 0.0;
+    double after_kb = 0.0;
+    long handles = 0;
+    for (int gust = 0; gust < 20; ++gust) {
+        blow(gust);
+        double& most_kb = gust < 10 ? before_kb : after_kb;
+        most_kb = std::max(most_kb, test::resident_kb());
+        if (gust == 9) handles = test::open_handles();
+    }
+    constexpr double kMostKb = 24'000.0;  // what the driver's allocator keeps varies by as much
+    EXPECT_LE(after_kb - before_kb, kMostKb);
+    EXPECT_LE(test::open_handles(), handles);
 }
 
 TEST_F(AWindow, FillsTheScreenAgainThatWasUnpluggedAndPluggedIn) {
@@ -134,7 +147,6 @@ TEST_F(AWindow, ComesBackWithinTwoSecondsOfItsDeviceBeingLostAtAnyMoment) {
     std::mt19937 chance(22);
     constexpr std::array kCalls{"vkQueueSubmit2", "vkWaitSemaphores", "vkAcquireNextImageKHR",
                                 "vkQueuePresentKHR", "vkAllocateMemory"};
-    double kb = 0.0;
     long handles = 0;
     constexpr int kLosses = 10;
     for (int loss = 0; loss < kLosses; ++loss) {
@@ -153,12 +165,8 @@ TEST_F(AWindow, ComesBackWithinTwoSecondsOfItsDeviceBeingLostAtAnyMoment) {
         const double took_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         EXPECT_LT(took_s, 2.0) << "of processor time, under the validation layer";
         EXPECT_GT(draw(5), 0);
-        if (loss != 2) continue;
-        kb = test::resident_kb();
-        handles = test::open_handles();
+        if (loss == 2) handles = test::open_handles();
     }
-    constexpr double kMostKb = 40'000.0;
-    EXPECT_LE(test::resident_kb() - kb, kMostKb);
     EXPECT_LE(test::open_handles(), handles + 2);
 }
 
