@@ -1,4 +1,5 @@
-// Who draws in tests of the moving picture: ONGGI_TEST_BACKEND, "gpu", "cpu" or "auto"; auto where it is not set.
+// Who draws in tests of the moving picture: ONGGI_TEST_BACKEND, "gpu", "cpu" or "auto"; auto where it is not
+// set.
 #pragma once
 
 #include <gtest/gtest.h>

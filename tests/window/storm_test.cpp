@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/jobs/thread_setup.h"
 #include "game/wheel/live_view.h"
 #include "tests/support/process_hold.h"
 #include "tests/support/test_backend.h"
@@ -116,11 +117,14 @@ TEST_F(AWindow, HoldsNoMoreAfterAThousandSizesThanAfterHalfOfThem) {
     long handles = 0;
     for (int gust = 0; gust < 20; ++gust) {
         blow(gust);
-        double& most_kb = gust < 10 ? before_kb : after_kb;
-        most_kb = std::max(most_kb, test::resident_kb());
+        jobs::give_back_freed_memory();
+        double& least_kb = gust < 10 ? before_kb : after_kb;
+        least_kb = gust % 10 < 3 ? test::resident_kb() : std::min(least_kb, test::resident_kb());
         if (gust == 9) handles = test::open_handles();
     }
-    constexpr double kMostKb = 24'000.0;  // what the driver's allocator keeps varies by as much
+    // By the least of either half: what a driver's own allocator keeps varies more than a leak would be.
+    fmt::print("{:.0f} kB after half of them, {:.0f} kB after all\n", before_kb, after_kb);
+    constexpr double kMostKb = 16'000.0;
     EXPECT_LE(after_kb - before_kb, kMostKb);
     EXPECT_LE(test::open_handles(), handles);
 }

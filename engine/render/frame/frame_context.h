@@ -36,6 +36,8 @@ struct FrameContext {
     // shaders/frame_data.h: a software device reads what is in a slot whether a shader does or not. Errors:
     // the device's, or that it lacks a format.
     Result<void> create(std::size_t bindings);
+    // Of that, only what pipelines are made with.
+    Result<void> create_layout(std::size_t bindings);
     // The command buffer; end() leaves the target, which is laid out as colour, as whoever shows it wants it.
     Result<void> begin();
     Result<void> end(const vk::TargetImage& target);
