@@ -61,9 +61,11 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     std::vector<PassTime> parts = std::move(frame.stats.parts);
     const double device_ms = frame.clock.read(frame.device, parts);  // the target has waited for it
     if (auto fitted = impl_->backend->fit(scene, image.extent); !fitted) return fitted.error();
+    frame.work = {};
     frame.stats.still_life_drawn = frame.stats.shadow_drawn = frame.stats.next_view_ready = false;
     auto drawn = impl_->backend->draw(scene, image, overlay);
     if (!drawn) return drawn.error();
+    frame.stats.work = frame.work;
     frame.stats.device_ms = device_ms;
     frame.stats.device_drew_scene = std::exchange(impl_->drew_scene, *drawn);
     frame.stats.parts = std::move(parts);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "engine/render/frame/pass.h"
@@ -31,6 +32,7 @@ struct FrameContext {
     FrameStats stats{};
     PassClock clock{};
     vk::Buffer uniforms{};
+    mutable FrameWork work{};  // counted as it is recorded, by whoever only reads the rest
 
     // Makes what is here but the shadow map's pipeline, with the first so many bindings of
     // shaders/frame_data.h: a software device reads what is in a slot whether a shader does or not. Errors:
@@ -51,6 +53,7 @@ struct FrameContext {
     void build(const Scene& scene, const StillBounds& still);
     void upload_uniforms(const shaders::FrameData& data) {
         uniforms.write(std::as_bytes(std::span(&data, 1)));
+        work.uploaded_bytes += sizeof data;
     }
 
     [[nodiscard]] VkDescriptorSet set() const { return scene_set.set; }
@@ -77,10 +80,15 @@ struct FrameContext {
         vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                            0, sizeof constants, &constants);
     }
+    void count_draw(std::uint32_t vertices) const {
+        ++work.draws;
+        work.vertices += vertices;
+    }
     // One triangle over the whole target.
     void draw_screen(const vk::Pipeline& pipeline) const {
         bind(pipeline);
         vkCmdDraw(commands, 3, 1, 0, 0);
+        count_draw(3);
     }
 };
 

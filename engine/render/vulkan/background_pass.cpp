@@ -217,6 +217,7 @@ void BackgroundPass::draw_relief(const VulkanFrame& frame, const CameraTransitio
     vkCmdBindVertexBuffers(frame.commands, 0, 1, &buffer, &offset);
     vkCmdBindIndexBuffer(frame.commands, nearer->relief_indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     vkCmdDrawIndexed(frame.commands, nearer->relief_index_count, 1, 0, 0, 0);
+    frame.count_draw(nearer->relief_index_count);
 }
 
 }  // namespace onggi::render

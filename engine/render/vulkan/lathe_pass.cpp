@@ -89,19 +89,21 @@ Result<void> LathePass::upload_streaks(const VulkanFrame& frame) {
     });
 }
 
-void LathePass::Kept::write(std::span<const std::byte> bytes) {
+void LathePass::Kept::write(const VulkanFrame& frame, std::span<const std::byte> bytes) {
     if (std::ranges::equal(bytes, there)) return;
     there.assign(bytes.begin(), bytes.end());
     buffer.write(bytes);
+    frame.work.uploaded_bytes += bytes.size();
 }
 
-void LathePass::upload(const BuiltFrame& built) {
+void LathePass::upload(const VulkanFrame& frame) {
+    const BuiltFrame& built = frame.built;
     if (built.faces.indices.empty()) return;
-    outline_.write(std::as_bytes(std::span(built.samples.outer_mm)));
-    rows_.write(std::as_bytes(std::span(built.rows)));
-    vertices_.write(std::as_bytes(std::span(built.vertices)));
-    normals_.write(std::as_bytes(std::span(built.normals)));
-    indices_.write(std::as_bytes(std::span(built.faces.indices)));
+    outline_.write(frame, std::as_bytes(std::span(built.samples.outer_mm)));
+    rows_.write(frame, std::as_bytes(std::span(built.rows)));
+    vertices_.write(frame, std::as_bytes(std::span(built.vertices)));
+    normals_.write(frame, std::as_bytes(std::span(built.normals)));
+    indices_.write(frame, std::as_bytes(std::span(built.faces.indices)));
 }
 
 void LathePass::draw(const VulkanFrame& frame) const {
@@ -112,6 +114,7 @@ void LathePass::draw(const VulkanFrame& frame) const {
         if (count == 0) return;
         frame.bind(pipeline);
         vkCmdDrawIndexed(frame.commands, count, 1, first, 0, 0);
+        frame.count_draw(count);
     };
     vkCmdBindIndexBuffer(frame.commands, indices_.buffer.handle(), 0, VK_INDEX_TYPE_UINT16);
     frame.push(frame.built.lathe);
@@ -125,6 +128,7 @@ void LathePass::draw(const VulkanFrame& frame) const {
     frame.bind(frame.pipelines.lathe_section);
     frame.push(frame.built.section);
     vkCmdDraw(frame.commands, frame.built.section_count, 1, frame.built.section_first, 0);
+    frame.count_draw(frame.built.section_count);
 }
 
 }  // namespace onggi::render

@@ -15,7 +15,7 @@ class LathePass {
   public:
     Result<void> create(const VulkanFrame& frame);
     // What has changed since the frame before, which has left the device.
-    void upload(const BuiltFrame& built);
+    void upload(const VulkanFrame& frame);
 
     // The lathe, inside the caller's pass.
     void draw(const VulkanFrame& frame) const;
@@ -27,7 +27,7 @@ class LathePass {
     struct Kept {
         vk::Buffer buffer;
         std::vector<std::byte> there;
-        void write(std::span<const std::byte> bytes);
+        void write(const VulkanFrame& frame, std::span<const std::byte> bytes);
     };
 
     Kept outline_;

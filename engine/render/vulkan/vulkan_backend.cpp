@@ -66,7 +66,7 @@ Result<void> VulkanBackend::upload(const Scene& scene) {
     shadow_.update(frame_, scene);
     frame_.clock.end_host();
     frame_.upload_uniforms(frame_.built.frame);
-    lathe_.upload(frame_.built);
+    lathe_.upload(frame_);
     return {};
 }
 
