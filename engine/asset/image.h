@@ -38,6 +38,10 @@ Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name
 // fine as light. quality 1 to 100. The same picture gives the same bytes. kBadInput as encode_png().
 Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality);
 
+// WebP (RFC 9649) with its alpha, quality 1 to 100: a tenth of the PNG's bytes. The same picture gives the
+// same bytes. kBadInput as encode_png().
+Result<std::vector<std::byte>> encode_webp(const Image& image, int quality);
+
 // Any JPEG (ITU-T T.81) of grey or coloured light, turned into 8-bit RGBA with alpha 255; the values stay as
 // the file has them. kBadInput if the bytes are not a JPEG, are cut short or damaged, want more passes than
 // an honest file, or claim a side above kMaxImageSide.

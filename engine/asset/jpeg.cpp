@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/asset/image.h"
+#include "engine/asset/image_rules.h"
 
 namespace onggi::asset {
 namespace {
@@ -20,11 +21,7 @@ using Encoder = Decoder;
 }  // namespace
 
 Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality) {
-    const bool is_whole = image.width >= 1 && image.width <= kMaxImageSide && image.height >= 1 &&
-                          image.height <= kMaxImageSide &&
-                          image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                                   static_cast<std::size_t>(image.height);
-    if (!is_whole || quality < 1 || quality > 100) {
+    if (!is_whole(image) || quality < 1 || quality > 100) {
         return bad_input(fmt::format(
             "JPEG: expected sides of 1 to {} pixels and a quality of 1 to 100, found {} x {} and {}",
             kMaxImageSide, image.width, image.height, quality));

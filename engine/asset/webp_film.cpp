@@ -1,4 +1,4 @@
-// See webp_film.h. The only file that includes libwebp. Any thread.
+// See webp_film.h. Any thread.
 #include "engine/asset/webp_film.h"
 
 #include <fmt/format.h>

@@ -27,6 +27,7 @@ enum class Key {
     kQ,
     kR,
     kS,
+    kT,
     kU,
     kV,
     kW,

@@ -78,6 +78,8 @@ Key key_of(int code) {
             return Key::kR;
         case GLFW_KEY_S:
             return Key::kS;
+        case GLFW_KEY_T:
+            return Key::kT;
         case GLFW_KEY_U:
             return Key::kU;
         case GLFW_KEY_V:

@@ -23,6 +23,10 @@ std::string_view throwing_key(const State& state) {
     if (state.device_lost) return "dev.lost";
     if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
     if (state.throwing.shown) return "show.on";
+    if (state.throwing.tray) return "tool.title";
+    constexpr std::array<std::string_view, kHeldCount> kHeld{"", "tool.rib.line", "tool.sponge.line",
+                                                             "wire.how"};
+    if (state.throwing.held != Held::kHand) return kHeld[static_cast<std::size_t>(state.throwing.held)];
     constexpr std::array<std::string_view, kTeachingSteps + 1> kSteps{"step.press", "step.open", "step.raise",
                                                                       "step.own"};
     return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];

@@ -49,12 +49,19 @@ constexpr int kMostTextSize = 3;
 enum class Warning { kNone, kThin, kWet, kFast };
 enum class FiringStage { kCut, kDry, kFire };
 
+// What the hand holds while it throws.
+enum class Held { kHand, kRib, kSponge, kWire };
+constexpr int kHeldCount = 4;
+
 struct Throwing {
     std::optional<int> target{};  // place among the heritage pots; none: as you like
     int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
     bool looks_in = false;        // the camera, from above into the pot
-    // What the wheel's own hands are showing on the visitor's clay: a step, counted from 0.
+    // What the wheel's own hands are showing on the visitor's clay: a step, counted from 0, or behind the
+    // last what is held.
     std::optional<int> shown{};
+    Held held = Held::kHand;
+    bool tray = false;  // the ledge shows what there is to hold
     int tool = 2;
     int water = 3;
     int speed = 3;
@@ -98,7 +105,7 @@ enum class StaffPage { kHealth, kVisits, kGallery, kDevices };
 constexpr int kStaffPageCount = 4;
 
 // What the staff is asked again before it is done.
-enum class StaffQuestion { kNone, kDeletePot, kRestart, kQuit };
+enum class StaffQuestion { kNone, kDeletePot, kWithdrawCode, kRestart, kQuit };
 
 struct Staff {
     int typed = 0;  // digits of the PIN, so far

@@ -179,6 +179,7 @@ void touch_clay(Turn& turn) {
     }
     if (state.screen != Screen::kThrow) return;
     end_show(turn);
+    state.throwing.tray = false;
     state.pace.touched_s = turn.now_s;
     state.pace.seen_since_touch.reset();
 }
@@ -209,6 +210,9 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             break;
         case Event::Kind::kShowOver:
             end_show(turn);
+            break;
+        case Event::Kind::kSoaked:
+            if (state.screen == Screen::kThrow) state.throwing.water = std::max(1, state.throwing.water - 1);
             break;
         case Event::Kind::kProgress:
             if (state.screen == Screen::kThrow && event.value > state.throwing.steps_done) {

@@ -22,6 +22,9 @@ enum class Button {
     kShelfNext,
     kNewClay,
     kUndo,
+    kTools,     // the tray of what there is to hold, and away again
+    kTakeTool,  // value: a Held
+    kCut,       // the rim, where the wire is
     kToolLess,
     kToolMore,
     kWaterLess,
@@ -69,8 +72,9 @@ enum class Button {
     kStaffList,  // value: the line at the top
     kStaffForceTest,
     kStaffSoundTest,
-    kStaffLanguage,   // the next of them, for every visit to begin with
-    kStaffDeletePot,  // value: which of the gallery's; asks first, as do the next two
+    kStaffLanguage,      // the next of them, for every visit to begin with
+    kStaffDeletePot,     // value: which of the gallery's; asks first, as do the next three
+    kStaffWithdrawCode,  // value: of which pot
     kStaffRestart,
     kStaffQuit,
     kStaffYes,
@@ -87,6 +91,7 @@ struct Event {
         kClayTouched,  // by the visitor's hand
         kHeld,         // value: 1 while the visitor's hand is at work, 0 when it lets go
         kShowOver,     // the wheel's hands have shown what they were to show
+        kSoaked,       // the sponge has gone round once: the hands are a dot less wet
         kProgress,     // value: teaching steps that the pot shows as done
         kWarned,       // value: a Warning
         kCollapsed,    // value: the Warning that says what it gave way by
@@ -120,6 +125,7 @@ struct Effect {
         kUndo,            // the last touch
         kBeforeCollapse,  // back to 2 s before it began
         kMoveHand,        // value: a Button of the pad
+        kCutRim,          // by the wire, where it is
         kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay
         kStopShow,        // they leave the clay as it is
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
@@ -135,7 +141,8 @@ struct Effect {
         kVisitEnded,  // value: dwell in whole seconds
         kTestForce,
         kTestSound,
-        kDeletePot,  // value: which
+        kDeletePot,     // value: which
+        kWithdrawCode,  // value: of which pot; phones find it no more
         kRestart,
         kQuit,
     };

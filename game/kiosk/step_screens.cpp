@@ -11,6 +11,8 @@ void change(int& value, int by, int most) {
 }
 
 void finish_throwing(Turn& turn) {
+    turn.state.throwing.held = Held::kHand;
+    turn.state.throwing.tray = false;
     turn.add(Effect::Kind::kCutOff);
     turn.state.firing = FiringStage::kCut;
     turn.state.throwing.warning = Warning::kNone;
@@ -53,6 +55,19 @@ void press_throw(Turn& turn, const Event& event) {
             break;
         case Button::kUndo:
             turn.add(Effect::Kind::kUndo);
+            break;
+        case Button::kTools:
+            throwing.tray = !throwing.tray;
+            break;
+        case Button::kTakeTool:
+            if (event.value < 0 || event.value >= kHeldCount) break;
+            throwing.held = static_cast<Held>(event.value);
+            throwing.tray = false;
+            break;
+        case Button::kCut:
+            if (throwing.held != Held::kWire) break;
+            throwing.held = Held::kHand;  // one pull, and it is laid back
+            turn.add(Effect::Kind::kCutRim);
             break;
         case Button::kToolLess:
         case Button::kToolMore:

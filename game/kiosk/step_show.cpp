@@ -8,7 +8,10 @@ namespace onggi::kiosk {
 
 void begin_show(Turn& turn) {
     Throwing& throwing = turn.state.throwing;
-    const int step = std::min(throwing.steps_done, kTeachingSteps - 1);
+    const bool is_tool = throwing.held == Held::kRib || throwing.held == Held::kSponge;
+    const int step = is_tool ? kTeachingSteps : std::min(throwing.steps_done, kTeachingSteps - 1);
+    if (!is_tool) throwing.held = Held::kHand;
+    throwing.tray = false;
     throwing.shown = step;
     turn.state.pace.shown_s = turn.now_s;
     turn.state.pace.seen_since_touch = step;
@@ -31,8 +34,9 @@ void pass_show(Turn& turn) {
         if (now_s - pace.shown_s >= rules.show_most_s) end_show(turn);
         return;
     }
-    // Once a step, and never under a visitor's hand, or on clay that hardly stands.
+    // Once a step, and never under a visitor's hand or with a tool in it, or on clay that hardly stands.
     const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
+                           throwing.held == Held::kHand && !throwing.tray &&
                            pace.seen_since_touch != throwing.steps_done && throwing.warning == Warning::kNone;
     const double quiet_s = now_s - std::max(pace.touched_s, pace.show_over_s);
     if (is_wanted && now_s - pace.progress_s >= rules.show_after_s && quiet_s >= rules.show_rests_s)

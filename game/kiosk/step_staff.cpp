@@ -43,6 +43,9 @@ void answer_question(Turn& turn, bool yes) {
         case StaffQuestion::kDeletePot:
             turn.add(Effect::Kind::kDeletePot, staff.pot);
             break;
+        case StaffQuestion::kWithdrawCode:
+            turn.add(Effect::Kind::kWithdrawCode, staff.pot);
+            break;
         case StaffQuestion::kRestart:
             turn.add(Effect::Kind::kRestart);
             break;
@@ -84,7 +87,9 @@ void press_panel(Turn& turn, const Event& event) {
             turn.add(Effect::Kind::kKeepHouse);
             break;
         case Button::kStaffDeletePot:
-            staff.question = StaffQuestion::kDeletePot;
+        case Button::kStaffWithdrawCode:
+            staff.question = event.button == Button::kStaffDeletePot ? StaffQuestion::kDeletePot
+                                                                     : StaffQuestion::kWithdrawCode;
             staff.pot = event.value;
             break;
         case Button::kStaffRestart:

@@ -20,6 +20,8 @@ struct Stroke {
 
 constexpr ui::Colour kMetal = ui::hex(0xc9bfae);
 constexpr ui::Colour kSkin = ui::hex(0xe6cfae);
+constexpr ui::Colour kSpongeFill = ui::hex(0xe8c76a);
+constexpr ui::Colour kWoodFill = ui::hex(0xb07f4c);
 constexpr ui::Colour kStepFill = ui::hex(0xc79a6c);
 
 std::vector<Stroke> strokes_of(Icon icon) {
@@ -75,6 +77,22 @@ std::vector<Stroke> strokes_of(Icon icon) {
                  "V40 "
                  "C48 52 40 58 31 58 C22 58 17 53 9 38 C7 33 13 30 18 36",
                  kSkin}};
+        case Icon::kRib:
+            return {
+                {"M23 6 C35 3 47 9 47 21 C47 29 41 33 42 41 C44 52 37 60 28 58 C18 56 14 46 15 32 C16 22 14 "
+                 "9 23 6 Z",
+                 kClayFill},
+                {"M27 19 a4.5 4.5 0 1 1 9 0 a4.5 4.5 0 1 1 -9 0 Z", kSlip}};
+        case Icon::kSponge:
+            return {{"M7 36 C7 22 19 13 33 13 C48 13 58 23 57 36 C56 48 44 54 31 53 C18 53 7 48 7 36 Z",
+                     kSpongeFill},
+                    {"M20 30 h1 M31 23 h1 M43 29 h1 M26 41 h1 M38 43 h1 M48 39 h1", {}, 5.0F}};
+        case Icon::kWire:
+            return {{"M22 24 C26 42 38 42 42 24", {}, 2.6F},
+                    {"M10 12 L22 24 M54 12 L42 24", {}, 8.0F, kWoodFill},
+                    {"M9 55 H55", {}, 3.0F}};
+        case Icon::kMore:
+            return {{"M16 40 L32 24 L48 40", {}, 6.0F}};
         case Icon::kShow:
             return {{"M22 40 V22 a4 4 0 0 1 8 0 V32 M30 32 V16 a4 4 0 0 1 8 0 V32 M38 32 V20 a4 4 0 0 1 8 0 "
                      "V42 C46 52 40 57 32 57 C24 57 20 53 13 42 C11 38 16 35 20 39",

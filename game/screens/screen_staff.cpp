@@ -72,6 +72,9 @@ void draw_question(Page& page) {
     } else if (staff.question == kiosk::StaffQuestion::kDeletePot) {
         question = fmt::format("Delete {}? It cannot be brought back.", page.view().staff_pot);
         yes = "Delete";
+    } else if (staff.question == kiosk::StaffQuestion::kWithdrawCode) {
+        question = fmt::format("Withdraw the code of {}? Phones find it no more.", page.view().staff_pot);
+        yes = "Withdraw";
     }
     const float width = std::min(680.0F, page.width() - 48.0F);
     const Rect box{0.5F * (page.width() - width), 0.5F * page.height() - 130.0F, width, 230.0F};
@@ -119,29 +122,40 @@ int draw_lines(Page& page, const Rect& rect) {
     const int first = std::min(page.view().state.staff.first_line, static_cast<int>(lines.size()));
     constexpr float kStep = 40.0F;
     constexpr float kKeyHeight = 50.0F;
+    constexpr float kDeleteWidth = 120.0F;
+    constexpr float kWithdrawWidth = 152.0F;
+    constexpr float kGap = 12.0F;
     const float name_width = 0.28F * rect.width;
     const float status_width = 84.0F;
     float y = rect.y;
     int shown = 0;
     for (auto line = lines.begin() + first; line != lines.end(); ++line, ++shown) {
-        const bool has_key = line->pot >= 0;
-        const float value_width = rect.width - name_width - 12.0F -
-                                  (has_key                ? 132.0F
+        const float delete_width = line->pot >= 0 ? kDeleteWidth + kGap : 0.0F;
+        const float withdraw_width = line->code >= 0 ? kWithdrawWidth + kGap : 0.0F;
+        const bool has_key = delete_width + withdraw_width > 0.0F;
+        const float value_width = rect.width - name_width - kGap -
+                                  (has_key                ? delete_width + withdraw_width
                                    : line->status.empty() ? 0.0F
                                                           : status_width);
         const Words name = plain(line->name, page, kDim);
         const Words value = plain(line->value, page);
         const float words_height = std::max(page.words_size(name, 1.0F, name_width).height,
                                             page.words_size(value, 1.0F, value_width).height);
-        const float height =
-            has_key ? kKeyHeight + 10.0F : std::max(kStep, words_height + kStep - value.line);
+        constexpr float kRoom = 10.0F;
+        const float height = has_key ? std::max(kKeyHeight, words_height) + kRoom
+                                     : std::max(kStep, words_height + kStep - value.line);
         if (y + height > rect.bottom() + 4.0F) break;
         page.fixed_words({rect.x, y, name_width, words_height}, name);
-        page.fixed_words({rect.x + name_width + 12.0F, y, value_width, words_height}, value);
-        if (has_key) {
-            key(page, {rect.right() - 120.0F, y - 8.0F, 120.0F, kKeyHeight}, Button::kStaffDeletePot,
-                line->pot, "Delete");
-        } else if (!line->status.empty()) {
+        page.fixed_words({rect.x + name_width + kGap, y, value_width, words_height}, value);
+        if (line->pot >= 0) {
+            key(page, {rect.right() - kDeleteWidth, y - 8.0F, kDeleteWidth, kKeyHeight},
+                Button::kStaffDeletePot, line->pot, "Delete");
+        }
+        if (line->code >= 0) {
+            key(page, {rect.right() - delete_width - kWithdrawWidth, y - 8.0F, kWithdrawWidth, kKeyHeight},
+                Button::kStaffWithdrawCode, line->code, "Withdraw");
+        }
+        if (!has_key && !line->status.empty()) {
             Words status = plain(line->status, page,
                                  line->status == "ok"     ? kOk
                                  : line->status == "warn" ? kWarn

@@ -67,6 +67,35 @@ void outline(Page& page) {
     }
 }
 
+// Round what lies on the bench and may be picked up there.
+void bench_rings(Page& page) {
+    const float u = 1.0F / page.px_per_u();
+    for (const BenchTool& tool : page.view().bench) {
+        const vec2 size = tool.size_px * u;
+        const vec2 corner = tool.centre_px * u - 0.5F * size;
+        if (corner.y + size.y > ledge_y(page)) continue;
+        const float r = 0.42F * std::min(size.x, size.y);
+        constexpr float kMargin = 6.0F;
+        const float left = kMargin;
+        const float top = kMargin;
+        const float right = kMargin + size.x;
+        const float low = kMargin + size.y;
+        const std::string path = fmt::format(
+            "M{:.1f} {:.1f} H{:.1f} Q{:.1f} {:.1f} {:.1f} {:.1f} V{:.1f} Q{:.1f} {:.1f} {:.1f} {:.1f} "
+            "H{:.1f} "
+            "Q{:.1f} {:.1f} {:.1f} {:.1f} V{:.1f} Q{:.1f} {:.1f} {:.1f} {:.1f} Z",
+            left + r, top, right - r, right, top, right, top + r, low - r, right, low, right - r, low,
+            left + r, left, low, left, low - r, top + r, left, top, left + r, top);
+        ui::Sketch sketch;
+        sketch.add(ui::Shape{
+            .path = path, .stroke = design::kNight.with_alpha(0.55F), .stroke_width = 7.0F, .dash = 13.0F});
+        sketch.add(ui::Shape{.path = path, .stroke = design::kOutline, .stroke_width = 4.4F, .dash = 13.0F});
+        page.sprite(
+            {corner.x - kMargin, corner.y - kMargin, size.x + 2.0F * kMargin, size.y + 2.0F * kMargin},
+            std::move(sketch));
+    }
+}
+
 void warning_card(Page& page) {
     const View& view = page.view();
     const bool tall = page.shape() == Shape::kTall;
@@ -166,11 +195,14 @@ void draw_throw(Page& page) {
     page.keep_clear(pot_box(page));
     page.scene_ends();
     outline(page);
+    bench_rings(page);
     const bool warned = view.state.throwing.warning != kiosk::Warning::kNone;
     page.ledge(y);
     if (warned) warning_card(page);
     // The ring comes to the hand's keys before it comes to what ends the throwing.
-    if (has_hand_pad(view) && !view.state.throwing.shown) hand_pad(page);
+    const kiosk::Throwing& throwing = view.state.throwing;
+    const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire;
+    if (has_hand_pad(view) && works_clay) hand_pad(page);
     add_throw_ledge(page);
     // Brought low, they stand over the hand's keys, or across from them.
     const Rect languages =
@@ -180,6 +212,14 @@ void draw_throw(Page& page) {
     add_guards(page);
     if (view.can_look_in) page.look_in_token(languages);
     const float middle = 0.5F * page.width();
+    if (view.wire_at_px) {
+        const vec2 at = *view.wire_at_px / page.px_per_u();
+        constexpr float kWide = 300.0F;
+        constexpr float kHigh = 48.0F;
+        const float x = std::min(at.x, page.width() - kWide - 16.0F);
+        chip(page, {x, std::clamp(at.y + 20.0F, 120.0F, y - 2.0F * kHigh), kWide, kHigh},
+             page.t("wire.off", page.digits(std::to_string(view.wire_off_mm))));
+    }
     if (view.state.device_lost || view.state.force_rests) {
         const bool tall = page.shape() == Shape::kTall;
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);

@@ -12,7 +12,7 @@ namespace {
 using ui::Rect;
 
 constexpr float kLit = 1.0F;
-constexpr float kDim = 0.74F;  // the others, beside the newest
+constexpr float kDimmed = 0.74F;  // the others, beside the newest
 constexpr float kMostGap = 90.0F;
 constexpr float kLeastGap = 14.0F;
 constexpr float kSide = 36.0F;
@@ -114,7 +114,8 @@ void draw_wall(Page& page) {
         if (view.wall_is_new && i + 1 == pots.size()) {
             page.keep_clear(page.turning_pot(pots[i].shape, glaze, scale, feet[i]));
         } else {
-            page.keep_clear(page.pot(pots[i].shape, glaze, scale, feet[i], view.wall_is_new ? kDim : kLit));
+            page.keep_clear(
+                page.pot(pots[i].shape, glaze, scale, feet[i], view.wall_is_new ? kDimmed : kLit));
         }
     }
     if (view.wall_is_new) just_made(page, lit, language);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "game/screens/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {
@@ -12,32 +13,6 @@ namespace {
 
 using kiosk::Button;
 using ui::Rect;
-
-// What larger text has made the ledge higher by, for the caption's row and for the labels below the tokens.
-struct Growth {
-    float caption = 0.0F;
-    float labels = 0.0F;
-};
-Growth growth(const Page& page) {
-    const float all = ledge_growth(page.view().state.comfort);
-    if (page.shape() == Shape::kWide) return {all, all};
-    return {0.45F * all, 0.55F * all};
-}
-
-float top_of(const Page& page) {
-    return ledge_y(page.shape(), page.height(), page.view().state.comfort);
-}
-
-// Where the tokens' row begins; on a tall picture there is another below it.
-float row_y(const Page& page) {
-    const float above = page.shape() == Shape::kTall     ? 116.0F + growth(page).caption
-                        : page.shape() == Shape::kSquare ? 92.0F + growth(page).caption
-                                                         : 22.0F;
-    return top_of(page) + above;
-}
-float second_row_y(const Page& page) {
-    return row_y(page) + 132.0F + 0.5F * growth(page).labels;
-}
 
 constexpr std::array kStepIcons{Icon::kStepPress, Icon::kStepOpen, Icon::kStepRaise};
 constexpr std::array kStepKeys{"step.press", "step.open", "step.raise"};
@@ -68,13 +43,9 @@ void steps(Page& page, float x, float y, float pitch, int done) {
     }
 }
 
-ui::Align along_ledge(const Page& page) {
-    return page.view().state.comfort.left_hand ? ui::Align::kEnd : ui::Align::kStart;
-}
-
 // The steps, and one line below or beside them.
 void teaching(Page& page, const std::string& text) {
-    const float y = top_of(page);
+    const float y = ledge_top(page);
     const int done = page.view().state.throwing.steps_done;
     if (page.shape() == Shape::kWide) {
         steps(page, 28.0F, y + 16.0F, 64.0F, done);
@@ -120,89 +91,50 @@ void gauge(Page& page, const Rect& rect) {
                 .align = ui::Align::kCentre});
 }
 
-constexpr float kBelow = 8.0F;  // the ring goes round a control and not through its label
-
-float label_height(const Page& page) {
-    return 36.0F + growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
-}
-
-// What a stepper changes.
-struct Setting {
-    Icon icon;
-    const char* key;
-    int most;
-    int now;
-    Button less;
-    Button more;
-};
-std::array<Setting, 3> settings_of(const kiosk::Throwing& throwing) {
-    return {{{Icon::kTool, "ctl.tool", kiosk::kMostTool, throwing.tool, Button::kToolLess, Button::kToolMore},
-             {Icon::kWater, "ctl.water", kiosk::kMostWater, throwing.water, Button::kWaterLess,
-              Button::kWaterMore},
-             {Icon::kSpeed, "ctl.speed", kiosk::kMostSpeed, throwing.speed, Button::kSpeedLess,
-              Button::kSpeedMore}}};
-}
-
-void stepper(Page& page, const Rect& place, const Setting& setting, bool rests) {
-    const Rect rect = page.on_ledge(place);
-    page.stepper(rect, setting.icon, setting.most, setting.now, rests ? Button::kNone : setting.less,
-                 setting.more, page.t(setting.key), page.right_to_left());
-    page.label({rect.x - 6.0F, rect.bottom() + kBelow, rect.width + 12.0F, label_height(page)},
-               page.t(setting.key), rests ? design::kRestingWords : design::kSlip);
-}
-
-// A token with its name below.
-void round(Page& page, const Rect& place, Icon icon, Button button, const char* key, float label_width) {
-    const Rect rect = page.on_ledge(place);
-    page.token(rect, Look::kToken, button, page.t(key), 0, icon, false);
-    constexpr float kEdge = 14.0F;
-    const float x =
-        std::clamp(rect.centre().x - 0.5F * label_width, kEdge, page.width() - kEdge - label_width);
-    page.label({x, rect.bottom() + kBelow, label_width, label_height(page)}, page.t(key));
-}
-
 // The ring comes to what is done to the clay first, and to the settings last.
 void controls(Page& page) {
-    const auto [tool, water, speed] = settings_of(page.view().state.throwing);
+    const Setting water = water_setting(page.view().state.throwing);
+    const Setting speed = speed_setting(page.view().state.throwing);
     const float width = page.width();
     const float y = row_y(page);
     if (page.shape() == Shape::kTall) {
         const float below = second_row_y(page);
-        round(page, {280.0F, below, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
-        round(page, {32.0F, below, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 120.0F);
-        round(page, {156.0F, below, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 120.0F);
+        add_round(page, {280.0F, below, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
+        add_round(page, {32.0F, below, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 120.0F);
+        add_round(page, {156.0F, below, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 120.0F);
         page.token(page.on_ledge({width - 300.0F, below, 268.0F, 80.0F}), Look::kPrimary, Button::kDone,
                    page.t("ctl.done"), 0, Icon::kDone);
-        stepper(page, {32.0F, y, 164.0F, 66.0F}, tool, false);
-        stepper(page, {278.0F, y, 164.0F, 66.0F}, water, false);
-        stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
+        add_held_token(page, {32.0F, y, 116.0F, 66.0F}, 164.0F);
+        add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, false);
+        add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
         return;
     }
     if (page.shape() == Shape::kSquare) {
-        round(page, {32.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
-        round(page, {153.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
-        round(page, {255.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
+        add_round(page, {32.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
+        add_round(page, {153.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
+        add_round(page, {255.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
         page.token(page.on_ledge({width - 152.0F, y, 132.0F, 66.0F}), Look::kPrimary, Button::kDone,
                    page.t("ctl.done"));
-        stepper(page, {352.0F, y, 164.0F, 66.0F}, tool, false);
-        stepper(page, {width - 500.0F, y, 164.0F, 66.0F}, water, false);
-        stepper(page, {width - 328.0F, y, 164.0F, 66.0F}, speed, false);
+        add_held_token(page, {352.0F, y, 100.0F, 66.0F}, 116.0F);
+        add_stepper(page, {width - 500.0F, y, 164.0F, 66.0F}, water, false);
+        add_stepper(page, {width - 328.0F, y, 164.0F, 66.0F}, speed, false);
         return;
     }
     page.token(page.on_ledge({232.0F, y, 172.0F, 66.0F}), Look::kToken, Button::kShowMe, page.t("show.me"), 0,
                Icon::kShow);
-    round(page, {416.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
-    round(page, {518.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
+    add_round(page, {416.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
+    add_round(page, {518.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
     page.token(page.on_ledge({width - 188.0F, y, 156.0F, 66.0F}), Look::kPrimary, Button::kDone,
                page.t("ctl.done"));
-    stepper(page, {width - 680.0F, y, 144.0F, 66.0F}, tool, false);
-    stepper(page, {width - 524.0F, y, 156.0F, 66.0F}, water, false);
-    stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
+    add_held_token(page, {width - 668.0F, y, 116.0F, 66.0F}, 132.0F);
+    add_stepper(page, {width - 524.0F, y, 156.0F, 66.0F}, water, false);
+    add_stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
 }
 
 // All rests but what takes over; and touching the clay does.
 void show_controls(Page& page) {
-    const auto [tool, water, speed] = settings_of(page.view().state.throwing);
+    const Setting water = water_setting(page.view().state.throwing);
+    const Setting speed = speed_setting(page.view().state.throwing);
     const float width = page.width();
     const float y = row_y(page);
     const Words line{.text = page.t("show.line"),
@@ -215,9 +147,8 @@ void show_controls(Page& page) {
                    Icon::kHand);
     };
     if (page.shape() == Shape::kTall) {
-        stepper(page, {32.0F, y, 164.0F, 66.0F}, tool, true);
-        stepper(page, {278.0F, y, 164.0F, 66.0F}, water, true);
-        stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, true);
+        add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, true);
+        add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, true);
         const float below = second_row_y(page);
         page.words(page.on_ledge({32.0F, below + 8.0F, width - 348.0F, 108.0F}), line);
         my_turn({width - 300.0F, below, 268.0F, 80.0F});
@@ -225,8 +156,8 @@ void show_controls(Page& page) {
     }
     const bool square = page.shape() == Shape::kSquare;
     const float right = width - (square ? 20.0F : 32.0F);
-    stepper(page, {right - 584.0F, y, 164.0F, 66.0F}, water, true);
-    stepper(page, {right - 408.0F, y, 164.0F, 66.0F}, speed, true);
+    add_stepper(page, {right - 584.0F, y, 164.0F, 66.0F}, water, true);
+    add_stepper(page, {right - 408.0F, y, 164.0F, 66.0F}, speed, true);
     const float left = square ? 32.0F : 276.0F;
     const float high = 70.0F + (square ? growth(page).labels : 0.0F);  // else it ends above the caption
     page.words(page.on_ledge({left, y + 2.0F, right - 608.0F - left, high}), line);
@@ -243,9 +174,11 @@ void add_throw_ledge(Page& page) {
         show_controls(page);
         return;
     }
+    if (throwing.tray) return add_tool_tray(page);
+    if (throwing.held == kiosk::Held::kWire) return add_wire_ledge(page);
     const bool is_thin = throwing.warning == kiosk::Warning::kThin && view.thinnest_mm > 0.0;
     if (is_thin && page.shape() == Shape::kWide) {
-        gauge(page, page.on_ledge({34.0F, top_of(page) + 26.0F, 180.0F, 104.0F}));
+        gauge(page, page.on_ledge({34.0F, ledge_top(page) + 26.0F, 180.0F, 104.0F}));
     } else {
         const int done = throwing.steps_done;
         teaching(page, page.t(done < kiosk::kTeachingSteps ? kStepKeys[static_cast<std::size_t>(done)]

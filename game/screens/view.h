@@ -61,6 +61,7 @@ struct StaffLine {
     std::string value;
     std::string status;  // "ok", "warn", "fault", or nothing
     int pot = -1;        // of the gallery, for the delete key
+    int code = -1;       // of which pot, for the key that withdraws it
 
     friend bool operator==(const StaffLine&, const StaffLine&) = default;
 };
@@ -71,6 +72,15 @@ struct FramePlot {
     std::vector<float> device_ms;  // that the graphics device took; 0: not measured
 
     friend bool operator==(const FramePlot&, const FramePlot&) = default;
+};
+
+// A tool on the bench, as large as what can be touched of it.
+struct BenchTool {
+    kiosk::Held held = kiosk::Held::kHand;
+    vec2 centre_px{0.0F};
+    vec2 size_px{0.0F};
+
+    friend bool operator==(const BenchTool&, const BenchTool&) = default;
 };
 
 // Two that are equal look the same, and nothing in it changes that is not seen: what asks for a new screen is
@@ -102,6 +112,9 @@ struct View {
     bool can_look_in = false;           // there is a view from above into the pot
     double thinnest_mm = 0.0;           // of the wall, for the warning
     std::optional<vec2> warning_at_px;  // its place on the pot's edge, for the leader
+    std::vector<BenchTool> bench;       // ringed while the tray is open
+    int wire_off_mm = 0;                // what the wire that is held would take off
+    std::optional<vec2> wire_at_px;     // right of the pot, at its height; none: no wire is held
     int focus = -1;                     // target with the ring; -1: none
     bool scans = false;                 // the ring moves by itself
     std::string heard;                  // key of a caption for sound; empty: none

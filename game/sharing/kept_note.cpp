@@ -28,6 +28,13 @@ std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
 
 }  // namespace
 
+bool is_over(const KeptNote& note, std::int64_t now_s) {
+    constexpr std::int64_t kLongestStayS = (std::int64_t{168} + 1) * 3600;
+    constexpr std::int64_t kClockIsSetS = 1'767'225'600;  // 2026-01-01: no kiosk is older than its program
+    if (note.expires_s <= now_s) return true;
+    return now_s >= kClockIsSetS && note.expires_s - now_s > kLongestStayS;
+}
+
 std::string written(const KeptNote& note) {
     std::string name = note.gallery_name.substr(0, kMostNoteBytes / 2);
     std::replace(name.begin(), name.end(), '\n', ' ');

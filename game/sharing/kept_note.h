@@ -16,6 +16,11 @@ struct KeptNote {
 
 constexpr std::size_t kMostNoteBytes = 512;
 
+// Whether the pot's time is over. Also where it was shared by a clock that was far ahead: none stays longer
+// than the settings can say (a week) and an hour, except while the machine's own clock plainly stands before
+// today, as without a battery it does until the network tells it the time.
+[[nodiscard]] bool is_over(const KeptNote& note, std::int64_t now_s);
+
 [[nodiscard]] std::string written(const KeptNote& note);
 // None for anything that written() does not give.
 [[nodiscard]] std::optional<KeptNote> read_note(std::string_view text);

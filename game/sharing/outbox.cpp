@@ -142,7 +142,7 @@ Result<int> Outbox::expire(std::int64_t now_s) {
         // A disk that does not give the note back is no reason to throw the pot away.
         if (!text && text.error().kind != ErrorKind::kBadInput) continue;
         const auto note = text ? read_note(*text) : std::nullopt;
-        if (note && note->expires_s > now_s) continue;
+        if (note && !is_over(*note, now_s)) continue;
         if (auto taken = files::take_away_folder(entry); !taken) return taken.error();
         ++gone;
     }

@@ -1,7 +1,7 @@
-// make_outbox SESSION FOLDER [--poster FILE] [--film FILE] [--surface FILE] [--url URL]: puts the pot that a
-// session left into the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic pages, for
-// checks that other programs make; and lays what was put beside it, as FOLDER/pot.glb and so on. Prints the
-// code.
+// make_outbox SESSION FOLDER [--glaze NAME] [--poster FILE] [--film FILE] [--surface FILE] [--url URL]: puts
+// the pot that a session left into the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic
+// pages, for checks that other programs make; and lays what was put beside it, as FOLDER/pot.glb and so on.
+// Prints the code.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,9 +12,11 @@
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
 #include "game/app/command_line/start_pot.h"
+#include "game/app/kiosk/kiosk_gallery.h"
 #include "game/app/kiosk/kiosk_pot.h"
 #include "game/app/kiosk/kiosk_share.h"
 #include "game/exporter/studio_export.h"
+#include "game/finish/glaze.h"
 
 namespace {
 
@@ -23,6 +25,7 @@ using namespace onggi;
 struct Words {
     std::string session;
     std::filesystem::path folder;
+    std::string glaze = "celadon";
     std::string poster;
     std::string film;
     std::string surface;
@@ -37,13 +40,15 @@ Result<sharing::ShareCode> put(const Words& words) {
     const auto clay = app::start_pot({.on = words.session});
     if (!clay) return clay.error();
     const screens::FiredPot fired = app::fired_pot(**clay, settings->targets, settings->relatives);
-    constexpr int kCeladon = 0;
+    const finish::GlazeMaterial* material = finish::find_glaze(words.glaze);
+    if (material == nullptr) return bad_input("make_outbox: expected a glaze, found " + words.glaze);
+    const int glaze = static_cast<int>(material->glaze);
     constexpr int kPortraitPx = 1024;
-    sharing::SharedPot pot = app::shared_pot(fired, kCeladon, *settings, settings->rules.default_language);
-    const ui::Painting painting = app::portrait(fired.shape, kCeladon, kPortraitPx);
+    sharing::SharedPot pot = app::shared_pot(fired, glaze, *settings, settings->rules.default_language);
+    const ui::Painting painting = app::portrait(fired.shape, glaze, kPortraitPx);
     auto picture = asset::encode_png(
         {.width = painting.width, .height = painting.height, .rgba = painting.rgba});  // opaque
-    auto model = exporter::export_pot(**clay, clay::Firing::kGlaze, exporter::ExportKind::kGlb);
+    auto model = app::glazed_model(**clay, *material);
     auto print = exporter::export_pot(**clay, clay::Firing::kGlaze, exporter::ExportKind::kStl);
     if (!picture) return picture.error();
     if (!model) return model.error();
@@ -52,7 +57,7 @@ Result<sharing::ShareCode> put(const Words& words) {
     pot.model_glb.bytes = *model;
     pot.print_stl.bytes = *print;
     constexpr int kPosterPx = 720;
-    auto poster = asset::encode_png(app::share_poster(fired.shape, kCeladon, kPosterPx));
+    auto poster = asset::encode_png(app::share_poster(fired.shape, glaze, kPosterPx));
     if (!poster) return poster.error();
     if (words.poster.empty()) {
         pot.poster.bytes = *poster;
@@ -86,6 +91,7 @@ int main(int argc, char** argv) {
     Words words;
     program.add_option("SESSION", words.session)->required();
     program.add_option("FOLDER", words.folder)->required();
+    program.add_option("--glaze", words.glaze);
     program.add_option("--poster", words.poster);
     program.add_option("--film", words.film);
     program.add_option("--surface", words.surface);

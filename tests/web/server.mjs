@@ -1,4 +1,4 @@
-// Serves the page, three.js and the pots on 127.0.0.1, at a port of the system's choice: what a visitor's phone would
+// Serves the pages, three.js, model-viewer and the pots on 127.0.0.1, at a port of the system's choice: what a visitor's phone would
 // get from the kiosk, and nothing from outside.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
@@ -8,11 +8,12 @@ import { fileURLToPath } from 'node:url';
 const here = path.dirname(fileURLToPath(import.meta.url));
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.glb': 'model/gltf-binary' };
 
-/** Where a request's path lies on the disk; nothing outside the three roots. */
+/** Where a request's path lies on the disk; nothing outside the roots. */
 function locate(pathname, potsFolder) {
     const roots = {
         '/pots/': potsFolder,
         '/three/': path.join(here, 'node_modules/three'),
+        '/model-viewer/': path.join(here, 'node_modules/@google/model-viewer/dist'),
         '/': path.join(here, 'page'),
     };
     const prefix = Object.keys(roots).find((start) => pathname.startsWith(start));

@@ -1,7 +1,8 @@
-# A kept pot goes home by phone: whoever visits points one at the screen. Sourced by visitor.sh, never run. A server of
+# A kept pot goes home by phone: whoever visits points one at the screen, and puts the pot on the wall of the day. Sourced by visitor.sh, never run. A server of
 # the kiosk's own listens here; what it needs besides is zbarimg, which reads the code off the screen, and curl.
 phones=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
 cat >>kiosk.toml <<TOML
+wall = true
 [sharing]
 listen = "127.0.0.1"
 port = $phones
@@ -33,4 +34,18 @@ take_it_home() {
     curl -sSf --max-time 20 "$address/film.webp" -o film.webp
     [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
     printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
+}
+# Up, down again, and up: as who changes their mind twice.
+hangs() { grep -qs "\"$(basename "$(dirname "$pot")")/$(basename "$pot")\"" gallery/state/wall.json; }
+hangs_not() { ! hangs; }
+hang_it_on_the_wall() {
+    press keep-wall on-wall; wait_for "the pot on the wall" hangs
+    press keep-wall on-wall; wait_for "the wall without the pot" hangs_not
+    press keep-wall on-wall; wait_for "the pot on the wall again" hangs
+    on_screen keep
+}
+# Its maker sees it there first: the boards are darker than the room, and nothing of the wheel is there.
+look_at_the_wall() {
+    sleep 1
+    on_screen attract
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The staff at a locked kiosk, with real X events: staff.sh ONGGI ASK_TO_CLOSE FOLDER. First everything a visitor might
-# try to get out; then the corner, the PIN, the panel, its tests, a pot deleted, a restart, the panel left alone; at
+# try to get out; then the corner, the PIN, the panel, its tests, a pot deleted, a code withdrawn, a restart, the panel left alone; at
 # last a window that is not locked, which closes like any. It brings a display of its own and leaves pictures in FOLDER.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
@@ -29,6 +29,9 @@ pin = "2580"
 locked = $1
 closes_after_s = 10
 name = "Wheel 2"
+[sharing]
+public_url = "http://127.0.0.1:8080"
+outbox = "outbox"
 TOML
 }
 start() {
@@ -67,6 +70,10 @@ ask_to_close() { "$ask" "$(window)"; }
 # A pot to delete.
 mkdir -p gallery/2026-01-02/pot-001 gallery/2026-01-02/pot-002
 for pot in 1 2; do echo clay >"gallery/2026-01-02/pot-00$pot/pot.glb"; done
+# The first of them on phones, as the outbox keeps it.
+mkdir -p outbox/7777ZZZZ
+now=$(date +%s)
+printf 'made %d\nexpires %d\nname 2026-01-02/pot-001\n' "$now" $((now + 36000)) >outbox/7777ZZZZ/.kept
 
 settings true
 start
@@ -123,6 +130,16 @@ click 800 414
 gone() { [ ! -e gallery/2026-01-02/pot-002 ]; }
 wait_for "the pot gone" gone
 [ -d gallery/2026-01-02/pot-001 ] || fail "the other pot is gone as well"
+# Withdraw the code of the pot that is left, likewise: it stays on the shelf.
+click 704 168; on_screen '.* - staff' asks-withdraw
+click 480 414; sleep 0.5
+[ -d outbox/7777ZZZZ ] || fail "a code was withdrawn that nobody said yes to"
+click 704 168; sleep 0.5
+click 800 414
+withdrawn() { [ ! -e outbox/7777ZZZZ ]; }
+wait_for "the code withdrawn" withdrawn
+[ -d gallery/2026-01-02/pot-001 ] || fail "the pot is gone with its code"
+on_screen '.* - staff' withdrawn
 # Restart: the same process goes on with a new window.
 action 5; sleep 0.5
 click 800 414

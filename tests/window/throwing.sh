@@ -97,6 +97,15 @@ do_this_step() {
     wait_for "hands that have done it" is_at_rest
 }
 
+# draw_along TOP: what is held, up along the wall.
+draw_along() {
+    local low=$(($1 * 3 / 10)) high=$(($1 * 8 / 10))
+    case $hand in
+    mouse | touch) stroke 2 "45 $low" "45 $high" ;;
+    keys) keys Left; sleep 0.5; keys Up Left ;;
+    esac
+}
+
 # The moves of the lesson. How high the clay stands everybody sees.
 press_in() {
     local low=$(($(clay_mm) * 3 / 10))

@@ -40,6 +40,34 @@ through_a_failure_of_power() {
     has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
 }
 
+# take_tool FROM NUMBER: the tray, and what lies there; FROM is the ledge that is seen, NUMBER as screen_targets counts.
+take_tool() {
+    press "$1" tools; on_screen throw
+    press "tools-${1##*-}" take-tool "$2"; on_screen throw
+}
+# Rib, sponge and wire: the wall is faired and wiped, and a ring comes off the rim and back again, and off.
+with_every_tool() {
+    local top
+    top=$(clay_mm)
+    press "$throwing" tools; on_screen throw
+    press tools-0 take-tool 1; on_screen throw
+    draw_along "$top"
+    on_screen throw
+    take_tool held-1 2
+    draw_along "$top"
+    on_screen throw
+    take_tool held-2 3
+    press held-3 hand-down; press held-3 hand-down
+    on_screen throw
+    press held-3 cut
+    is_lower() { [ "$(clay_mm)" -le $((top - 6)) ]; }
+    wait_for "a lower rim" is_lower
+    on_screen throw
+    press "$throwing" undo
+    is_back() { [ "$(clay_mm)" -ge $((top - 1)) ]; }
+    wait_for "the rim as it was" is_back
+}
+
 is_a_lump() { [ "$(clay_mm)" -eq 50 ]; }
 
 begin_visit
@@ -65,6 +93,7 @@ on_screen throw
 [ "$hand" = touch ] && through_a_failure_of_power
 raise_it
 on_screen throw
+case $hand in mouse | touch | keys) with_every_tool ;; esac
 if [ "$hand" != switch ]; then  # whom it takes half a minute
     press $throwing look-in
     sleep 2

@@ -181,11 +181,14 @@ keep_the_pot() {
     on_screen keep
     if [ -n "${SHARES:-}" ]; then
         take_it_home
+        hang_it_on_the_wall
         press home-ready finish
+        on_screen attract
+        look_at_the_wall
     else
         press keep finish
+        on_screen attract
     fi
-    on_screen attract
     end_kiosk
     wait "$kiosk" || status=$?
     [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"

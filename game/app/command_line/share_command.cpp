@@ -1,6 +1,7 @@
 #include "game/app/command_line/share_command.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 #include "engine/core/quote.h"
 #include "engine/files/read_file.h"
 #include "engine/jobs/clock.h"
+#include "engine/jobs/thread_setup.h"
 #include "game/app/sharing/confinement.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/app/sharing/share_server.h"
@@ -66,6 +68,14 @@ Result<void> read_settings_and_start_over(const std::string& file) {
     return start_over(*config);
 }
 
+// Where it runs beside a wheel, the picture goes first and the haptic thread's core is not touched. A refusal
+// costs phones nothing, so nobody is told.
+void stand_back() {
+    constexpr int kPicturesFirst = 10;  // as nice(1): a tenth of a core's claim
+    static_cast<void>(::setpriority(PRIO_PROCESS, 0, kPicturesFirst));
+    static_cast<void>(jobs::keep_this_thread_off_haptic_core(jobs::choose_haptic_core()));
+}
+
 std::int64_t wall_clock_s() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
     return std::chrono::duration_cast<std::chrono::seconds>(since).count();
@@ -77,6 +87,7 @@ Result<void> serve(const ShareOptions& options) {
         return bad_input(
             fmt::format("{}: expected a folder of shared pots, found none", shown_path(options.outbox)));
     }
+    stand_back();
     std::signal(SIGPIPE, SIG_IGN);  // a phone that goes away in the middle is nothing special
     note_end_signals();
     const auto listening = listen_at(options.listen, options.port);

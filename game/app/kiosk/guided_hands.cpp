@@ -165,8 +165,11 @@ void show_guided_hands(wheel::WheelView& shown, const haptic::Snapshot& snapshot
     shown.hand.digs = shown.second_hand.digs = false;
     shown.second_hand.shown = false;
     shown.second_hand.guided = true;
-    const Grip grip =
-        works ? report.grip : clay::studio::grip_of_touch(grip_outline(shape, finger_mm.y), finger_mm);
+    // A tool lies on the wall wherever the finger comes from.
+    const bool holds_tool = shown.hand.tool != clay::StudioTool::kHand;
+    const Grip grip = works        ? report.grip
+                      : holds_tool ? Grip::kWall
+                                   : clay::studio::grip_of_touch(grip_outline(shape, finger_mm.y), finger_mm);
     switch (grip) {
         case Grip::kNone:
             return hang_about(shown, scene);

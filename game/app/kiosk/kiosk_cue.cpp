@@ -67,12 +67,18 @@ CueGuard words_of(GripGuard guard) {
 
 }  // namespace
 
-std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_mm) {
+std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_mm, bool with_tool) {
     const auto& outer = shape.outer_mm;
     if (outer.empty() || finger_mm.y < 0.0) return std::nullopt;
     const double top_mm = shape.height_mm;
     const Wall rim = wall_at(shape, top_mm - 0.01);
     const double y_mm = std::min(finger_mm.y, top_mm - 0.01);
+    constexpr double kNearMm = 30.0;
+    if (with_tool) {
+        const bool is_near =
+            std::abs(finger_mm.x) < wall_at(shape, y_mm).outer_mm + kNearMm && finger_mm.y < top_mm + kNearMm;
+        return is_near ? std::optional(about(y_mm, top_mm)) : std::nullopt;
+    }
     const Grip grip = clay::studio::grip_of_touch({.height_mm = top_mm,
                                                    .floor_mm = shape.floor_mm,
                                                    .outer_mm = wall_at(shape, y_mm).outer_mm,
@@ -154,9 +160,9 @@ std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {
     } else {
         place.step = moment.wanted_step;
         if (moment.marker_mm) {
-            place.hold = hold_of_touch(moment.shape, *moment.marker_mm);
-        } else if (moment.hovers_mm && (!is_known_ || moment.wanted_step)) {
-            place.hold = hold_of_touch(moment.shape, *moment.hovers_mm);
+            place.hold = hold_of_touch(moment.shape, *moment.marker_mm, moment.with_tool);
+        } else if (moment.hovers_mm && (!is_known_ || moment.wanted_step || moment.with_tool)) {
+            place.hold = hold_of_touch(moment.shape, *moment.hovers_mm, moment.with_tool);
         }
         if (!place.hold && moment.wanted_step) place.hold = hold_of_step(moment.shape, *moment.wanted_step);
     }

@@ -19,7 +19,8 @@ struct CueHold {
 };
 
 // What a finger at that place of the upright plane would take hold of; nothing where it is off the clay.
-[[nodiscard]] std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_mm);
+[[nodiscard]] std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_mm,
+                                                   bool with_tool = false);
 // Where a step of the lesson, counted from 0, begins.
 [[nodiscard]] CueHold hold_of_step(const pot::Pot& shape, int step);
 
@@ -40,6 +41,7 @@ struct CueMoment {
     std::optional<int> wanted_step{};      // of the lesson, while its cue is to be seen
     std::optional<dvec2> hovers_mm{};      // a mouse, over the upright plane
     std::optional<dvec2> marker_mm{};      // where keys work, which nobody could see otherwise
+    bool with_tool = false;                // a rib or a sponge is held, which lies on the wall
     bool still = false;                    // less motion
 };
 

@@ -47,6 +47,15 @@ asset::Image straight_picture(ui::Painting painting) {
     return image;
 }
 
+Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
+                                            const finish::GlazeMaterial& glaze) {
+    const double scale = clay::shrunk_scale(clay.lump().body, clay::Firing::kGlaze);
+    const auto height_mm = static_cast<float>(clay.height_mm() * scale);
+    return look::dressed_glb(
+        exporter::rings_of(clay.rings()), look::glaze_look(glaze, height_mm),
+        {.extras = exporter::pot_extras(clay, clay::Firing::kGlaze), .shrinkage = scale});
+}
+
 std::string today() {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
@@ -145,14 +154,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             !written)
             return written.error();
     }
-    const double scale = clay::shrunk_scale(pot.clay->lump().body, clay::Firing::kGlaze);
-    const auto height_mm = static_cast<float>(pot.clay->height_mm() * scale);
-    if (auto written =
-            write("pot.glb",
-                  look::dressed_glb(
-                      exporter::rings_of(pot.clay->rings()), look::glaze_look(*pot.glaze, height_mm),
-                      {.extras = exporter::pot_extras(*pot.clay, clay::Firing::kGlaze), .shrinkage = scale}));
-        !written)
+    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze)); !written)
         return written.error();
     if (auto written = write(
             "pot.stl", exporter::export_pot(*pot.clay, clay::Firing::kGlaze, exporter::ExportKind::kStl));

@@ -55,6 +55,10 @@ class Gallery {
     double least_free_mb_;
 };
 
+// The pot as pot.glb has it: glaze-fired, wearing its glaze. Errors as look::dressed_glb() has them.
+[[nodiscard]] Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
+                                                          const finish::GlazeMaterial& glaze);
+
 // A painting, whose colours are dimmed by what is seen through them, as files have them.
 [[nodiscard]] asset::Image straight_picture(ui::Painting painting);
 

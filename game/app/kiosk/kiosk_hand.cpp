@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "game/haptic/tools.h"
+
 namespace onggi::app {
 namespace {
 
@@ -20,6 +22,23 @@ constexpr std::size_t kMostWaiting = 3;
 constexpr std::array kToolRadiiMm{7.0, 12.0, 20.0};
 constexpr std::array kWater{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr std::array kSpeedsRevMin{50.0, 80.0, 110.0, 145.0, 180.0};
+
+constexpr double kWireBelowRimMm = 6.0;  // where it is held at first
+constexpr double kWireStepMm = 1.0;      // of a key
+constexpr double kLowestCut = 0.5;       // of the height
+
+haptics::ToolKind kind_of(kiosk::Held held) {
+    switch (held) {
+        case kiosk::Held::kRib:
+            return haptic::kRib;
+        case kiosk::Held::kSponge:
+            return haptic::kSponge;
+        case kiosk::Held::kHand:
+        case kiosk::Held::kWire:
+            break;
+    }
+    return haptics::ToolKind::kHand;
+}
 
 template <std::size_t count>
 double step_of(const std::array<double, count>& steps, int step) {
@@ -163,14 +182,33 @@ bool KioskHand::presses_now() {
     return pressing_.has_value();
 }
 
+// A finger takes the line along, a key moves it; nothing presses the clay.
+void KioskHand::hold_wire(const pot::Pot& shape) {
+    if (!wire_mm_) wire_mm_ = shape.height_mm - kWireBelowRimMm;
+    if (presser_ != Presser::kNobody) wire_mm_ = finger_mm_.y;
+    for (const WaitingKey& key : waiting_) {
+        if (key.key == HandKey::kUp) *wire_mm_ += kWireStepMm;
+        if (key.key == HandKey::kDown) *wire_mm_ -= kWireStepMm;
+    }
+    waiting_.clear();
+    wire_mm_ = std::clamp(*wire_mm_, kLowestCut * shape.height_mm, shape.height_mm);
+}
+
 haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
     help_.pass_time(dt_s);
     haptics::ToolState tool;
     tool.guided = true;
+    if (settings.held == kiosk::Held::kWire) hold_wire(shape);
     tool.position_mm = dvec3(finger_now(shape, dt_s), 0.0);
-    tool.pressing = presses_now();
+    tool.pressing = presses_now() && settings.held != kiosk::Held::kWire;
     shown_before_mm_ = finger_mm_;
-    marker_mm_ = marker_.place_mm(shape);
+    marker_mm_ = settings.held == kiosk::Held::kWire ? std::nullopt : marker_.place_mm(shape);
+    tool.tool = kind_of(settings.held);
+    if (std::exchange(cuts_, false)) {
+        tool.command = haptic::kCutRim;
+        tool.command_height_mm = *wire_mm_;
+    }
+    if (settings.held != kiosk::Held::kWire) wire_mm_.reset();
     tool.radius_mm = step_of(kToolRadiiMm, settings.tool);
     tool.water = step_of(kWater, settings.water);
     tool.wheel_speed_rev_min = step_of(kSpeedsRevMin, settings.speed);

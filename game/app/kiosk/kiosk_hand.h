@@ -12,11 +12,13 @@
 #include "game/app/kiosk/kiosk_marker.h"
 #include "game/app/kiosk/kiosk_touch.h"
 #include "game/app/kiosk/outline_help.h"
+#include "game/kiosk/state.h"
 #include "game/pot/pot.h"
 
 namespace onggi::app {
 
 struct HandSettings {
+    kiosk::Held held = kiosk::Held::kHand;
     int tool = 2;   // 1 to 3: how large
     int water = 3;  // 1 to 5
     int speed = 3;  // 1 to 5
@@ -47,6 +49,11 @@ class KioskHand {
     void stop_showing();
     [[nodiscard]] bool shows() const { return shows_ && touch_.runs(); }
 
+    // The wire that is held, as high as the line round the wall; none: another thing is held.
+    [[nodiscard]] std::optional<double> wire_mm() const { return wire_mm_; }
+    // Pulls it through, once.
+    void cut_rim() { cuts_ = wire_mm_.has_value(); }
+
     // Where keys and buttons work; none until the first of them.
     [[nodiscard]] std::optional<dvec2> marker_mm() const { return marker_mm_; }
     // Draws the finger to an outline when it is near; see OutlineHelp::set().
@@ -76,6 +83,7 @@ class KioskHand {
     void work_off_keys(const pot::Pot& shape);
     [[nodiscard]] dvec2 finger_now(const pot::Pot& shape, double dt_s);
     [[nodiscard]] bool presses_now();
+    void hold_wire(const pot::Pot& shape);
 
     Presser presser_ = Presser::kNobody;
     dvec2 finger_mm_{0.0};
@@ -90,6 +98,8 @@ class KioskHand {
     bool shows_ = false;                     // the touch is a step of the lesson
     KioskMarker marker_;
     std::optional<dvec2> marker_mm_;
+    std::optional<double> wire_mm_;
+    bool cuts_ = false;
     OutlineHelp help_;
 };
 

@@ -9,6 +9,7 @@
 #include "game/app/kiosk/kiosk_share.h"
 #include "game/finish/glaze.h"
 #include "game/kiosk/config.h"
+#include "game/sharing/page_folder.h"
 #include "game/sharing/share_link.h"
 
 namespace onggi::app {
@@ -19,7 +20,8 @@ constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
 // The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
 // second of them that shows it.
 constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
-constexpr int kPosterPx = 360;
+constexpr int kPosterPx = 720;
+constexpr int kPosterQuality = 85;
 constexpr int kSurfaceQuality = 80;
 
 // Error correction M: a seventh of it may be in the shade of a lamp.
@@ -76,6 +78,9 @@ void KioskPhone::take(const PhoneRequest& request, std::int64_t now_ns) {
         case PhoneRequest::Kind::kWithdraw:
             withdraw_now(request.gallery_name);
             break;
+        case PhoneRequest::Kind::kSurvey:
+            survey_now();
+            break;
     }
 }
 
@@ -112,7 +117,8 @@ Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
     pot.model_glb.path = folder / "pot.glb";
     pot.print_stl.path = folder / "pot.stl";
     pot.print_3mf.path = folder / "pot.3mf";
-    auto poster = asset::encode_png(share_poster(request.pot->shape, request.glaze, kPosterPx));
+    auto poster =
+        asset::encode_webp(share_poster(request.pot->shape, request.glaze, kPosterPx), kPosterQuality);
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
     if (const asset::Image wrapped = share_surface(request.pot->shape, request.glaze); wrapped.width > 0) {
@@ -154,6 +160,19 @@ void KioskPhone::withdraw_now(const std::string& gallery_name) {
     const auto gone = outbox_->withdraw_named(gallery_name);
     if (!gone) return answer({.words = "sharing: " + gone.error().message});
     if (*gone) answer({.kind = PhoneAnswer::Kind::kOver, .gallery_name = gallery_name});
+}
+
+void KioskPhone::survey_now() {
+    if (auto opened = open(); !opened) return;  // said when somebody wants it
+    const auto entries = outbox_->list();
+    if (!entries) return answer({.words = "sharing: " + entries.error().message});
+    PhoneAnswer found{.kind = PhoneAnswer::Kind::kSurvey};
+    sharing::ShareTime time = share_time_now(settings_.config);
+    for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
+        time.expires_s = entry->expires_s;
+        found.shared.push_back({.gallery_name = entry->gallery_name, .until = sharing::gone_at(time).text});
+    }
+    answer(std::move(found));
 }
 
 void KioskPhone::look_after(std::int64_t now_ns) {

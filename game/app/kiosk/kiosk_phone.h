@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
@@ -22,8 +23,16 @@
 
 namespace onggi::app {
 
+// A pot that phones may fetch, for the staff.
+struct SharedPotNote {
+    std::string gallery_name;
+    std::string until;  // "18:00", "2026-11-26, 18:00"
+
+    friend bool operator==(const SharedPotNote&, const SharedPotNote&) = default;
+};
+
 struct PhoneRequest {
-    enum class Kind { kShare, kWithdraw, kFilm, kForget };
+    enum class Kind { kShare, kWithdraw, kFilm, kForget, kSurvey };
     Kind kind = Kind::kShare;
     // Of kShare: a kept pot, its files and what the page says of it. Of kWithdraw: its name in the gallery.
     int number = 0;              // of the day
@@ -35,12 +44,13 @@ struct PhoneRequest {
 };
 
 struct PhoneAnswer {
-    enum class Kind { kShared, kFailed, kOver, kRemark };
+    enum class Kind { kShared, kFailed, kOver, kRemark, kSurvey };
     Kind kind = Kind::kRemark;
     int number = 0;                                  // of the request
     std::string gallery_name{};                      // likewise; of kOver: whose code is over
     std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
     std::string words{};                             // for the log; never the code
+    std::vector<SharedPotNote> shared{};             // of kSurvey, the newest first
 };
 
 class KioskPhone final : private jobs::IoWork {
@@ -69,10 +79,12 @@ class KioskPhone final : private jobs::IoWork {
     // Answered by kShared once every file is on the disk, or by kFailed. Waits for the film, but not for
     // long.
     void share(PhoneRequest request) { ask(std::move(request)); }
-    // The staff has deleted that pot. Answered by kOver where it had a code.
+    // The staff has deleted that pot, or will not have it shared. Answered by kOver where it had a code.
     void withdraw(std::string gallery_name) {
         ask({.kind = PhoneRequest::Kind::kWithdraw, .gallery_name = std::move(gallery_name)});
     }
+    // What is shared now; answered by kSurvey.
+    void survey() { ask({.kind = PhoneRequest::Kind::kSurvey}); }
     [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer();
 
   private:
@@ -89,6 +101,7 @@ class KioskPhone final : private jobs::IoWork {
     void share_when_filmed(std::int64_t now_ns);
     void share_now(const PhoneRequest& request);
     void withdraw_now(const std::string& gallery_name);
+    void survey_now();
     void look_after(std::int64_t now_ns);
     void expire();
     void count_opened();

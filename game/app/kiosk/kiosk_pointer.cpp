@@ -129,6 +129,17 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
         case Key::kF1:
             if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kShowMe, 0, {}});
             return;
+        case Key::kT:
+            if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kTools, 0, {}});
+            return;
+        case Key::k1:
+        case Key::k2:
+        case Key::k3:
+        case Key::k4: {
+            const int place = static_cast<int>(key.key) - static_cast<int>(Key::k1);
+            if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kTakeTool, place, {}});
+            return;
+        }
         case Key::kV:
             if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kForces, 0, {}});
             return;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <map>
+#include <utility>
 
 namespace onggi::app {
 namespace {
@@ -110,8 +112,25 @@ std::vector<StaffLine> visit_lines(const UseOfDay& use) {
 
 std::vector<StaffLine> gallery_lines(const Health& health) {
     std::vector<StaffLine> lines;
-    for (const auto& [number, name] : health.pots)
-        lines.push_back({.name = "Pot", .value = name, .status = "", .pot = number});
+    std::map<int, std::string> until;
+    for (const auto& [number, note] : health.shared)
+        until[number] = note.until;
+    for (const auto& [number, name] : health.pots) {
+        StaffLine line{.name = "Pot", .value = name, .status = "", .pot = number};
+        if (const auto shared = until.extract(number); !shared.empty()) {
+            line.name = "Shared until " + shared.mapped();
+            line.code = number;
+        }
+        lines.push_back(std::move(line));
+    }
+    // What has left the gallery by other hands is still on phones.
+    for (const auto& [number, note] : health.shared) {
+        if (!until.contains(number)) continue;
+        lines.push_back({.name = "Shared until " + note.until,
+                         .value = note.gallery_name + ", no longer here",
+                         .status = "",
+                         .code = number});
+    }
     if (lines.empty()) lines.push_back({.name = "Pots", .value = "none", .status = ""});
     return lines;
 }

@@ -9,6 +9,7 @@
 
 #include "engine/render/pass_clock.h"
 #include "game/app/devices/hand_devices.h"
+#include "game/app/kiosk/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_statistics.h"
 #include "game/haptic/force_test.h"
 #include "game/screens/view.h"
@@ -40,6 +41,7 @@ struct Health {
     std::string holder = {};  // of the tool; empty: touch and mouse
     UseOfDay use = {};
     std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first
+    std::vector<std::pair<int, SharedPotNote>> shared = {};  // likewise, for the key that withdraws
 };
 
 [[nodiscard]] std::vector<screens::StaffLine> staff_lines(const Health& health, kiosk::StaffPage page);

@@ -24,6 +24,8 @@ constexpr double kOpenDownFraction = 0.6;  // of that time, for the way down
 constexpr double kRaiseMm = 40.0;
 constexpr double kHighestRaiseMm = 150.0;
 constexpr double kRaiseS = 2.5;
+constexpr double kDrawnFromFraction = 0.2;  // of the height: below it the wheel head is in a tool's way
+constexpr double kDrawS = 3.6;
 
 // Hands begin after 3 mm of way, and the wall keeps the distance from the finger at which it was touched,
 // which wears off. A touch that begins so far on the near side and ends so little on the far one has moved
@@ -111,6 +113,14 @@ TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
             goes(kRaiseS, rim_of(shape).outer_mm,
                  std::max(top_mm, std::min(top_mm + scale * kRaiseMm, scale * kHighestRaiseMm)));
             break;
+        case ShownStep::kDrawTool: {
+            const double from_mm = kDrawnFromFraction * top_mm;
+            goes(0.0, wall_at(shape, from_mm).outer_mm, from_mm);
+            goes(kComesS, wall_at(shape, from_mm).outer_mm, from_mm);
+            for (const double fraction : {0.4, 0.6, 0.8, 0.97})
+                goes(kDrawS / 4.0, wall_at(shape, fraction * top_mm).outer_mm, fraction * top_mm);
+            break;
+        }
     }
     path.points.push_back({path.points.back().at_s + kStaysS, path.points.back().place_mm});
     return path;

@@ -24,8 +24,8 @@ struct Wall {
 // As good as without a hollow.
 [[nodiscard]] bool is_solid(const pot::Pot& shape);
 
-// A step of the lesson.
-enum class ShownStep { kPress, kOpen, kRaise };
+// A step of the lesson; behind them, a rib or a sponge drawn up along the wall.
+enum class ShownStep { kPress, kOpen, kRaise, kDrawTool };
 
 struct TouchPoint {
     double at_s = 0.0;  // since the path began

@@ -76,7 +76,7 @@ Result<void> KioskVisit::frame(double now_s) {
     wheel_.move_hand(moment);
     parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
     scene_.aim_camera(state_, moment.snapshot, screens_.asked(), stage_.covers());
-    screens_.update(state_, moment, scene_.edges());
+    screens_.update(state_, moment, scene_.edges(), wheel_.hand().wire_mm());
     const Result<void> drawn = draw(moment);
     moment_ = nullptr;
     return drawn;
@@ -88,6 +88,11 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     composer.hold(input_.pointer().rests_on_scene());
     stage_.turn(composer.turned());
     wheel::WheelView shown = wheel_view(moment.snapshot);
+    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+        shown.wire_shown = true;
+        shown.wire_height_mm = *wire_mm;
+        shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends
+    }
     const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),

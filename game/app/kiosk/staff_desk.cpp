@@ -29,6 +29,12 @@ void StaffDesk::take(const KeeperAnswer& answer) {
     page_.reset();  // it is news
 }
 
+void StaffDesk::take(const PhoneAnswer& answer) {
+    if (answer.shared == shared_) return;
+    shared_ = answer.shared;
+    page_.reset();
+}
+
 void StaffDesk::test_force() {
     test_ = Test::kForce;
     static_cast<void>(parts_.job.send(haptic::Command::kTestForce));
@@ -39,11 +45,19 @@ void StaffDesk::test_sound() {
     parts_.sound.test();
 }
 
+const std::string* StaffDesk::name_of(int number) const {
+    if (number < 0 || static_cast<std::size_t>(number) >= pots_.size()) return nullptr;
+    return &pots_[static_cast<std::size_t>(number)];
+}
+
 void StaffDesk::delete_pot(int number) {
-    if (number < 0 || static_cast<std::size_t>(number) >= pots_.size()) return;
-    const std::string& name = pots_[static_cast<std::size_t>(number)];
-    parts_.keeper.remove(name);
-    if (parts_.phone != nullptr) parts_.phone->withdraw(name);
+    if (const std::string* name = name_of(number)) parts_.keeper.remove(*name);
+    withdraw_code(number);
+}
+
+void StaffDesk::withdraw_code(int number) {
+    const std::string* name = name_of(number);
+    if (name != nullptr && parts_.phone != nullptr) parts_.phone->withdraw(*name);
 }
 
 void StaffDesk::leave() {
@@ -54,6 +68,7 @@ void StaffDesk::leave() {
     lines_.clear();
     plot_ = {};
     survey_.reset();
+    shared_.clear();
     test_ = Test::kNone;
     parts_.view.measure_parts(false);
 }
@@ -85,7 +100,8 @@ Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snap
                   .devices = parts_.devices.seen(),
                   .holder = parts_.devices.holder(),
                   .use = {},
-                  .pots = {}};
+                  .pots = {},
+                  .shared = {}};
     return health;
 }
 
@@ -121,6 +137,8 @@ void StaffDesk::add_to(screens::View& view, const haptic::Snapshot& snapshot) {
             now.use = survey_->use;
             for (const std::string& pot : survey_->pots)
                 now.pots.emplace_back(number_of(pot), pot);
+            for (const SharedPotNote& pot : shared_)
+                now.shared.emplace_back(number_of(pot.gallery_name), pot);
         }
         // Nothing is said of what has not been looked at yet.
         lines_ = survey_ || page == kiosk::StaffPage::kDevices ? staff_lines(now, page)
@@ -131,12 +149,11 @@ void StaffDesk::add_to(screens::View& view, const haptic::Snapshot& snapshot) {
     if (is_due) {
         surveyed_s_ = now_s_;
         parts_.keeper.survey();
+        if (parts_.phone != nullptr) parts_.phone->survey();
     }
     view.staff_lines = lines_;
     view.staff_plot = plot_;
-    const int pot = view.state.staff.pot;
-    if (pot >= 0 && static_cast<std::size_t>(pot) < pots_.size())
-        view.staff_pot = pots_[static_cast<std::size_t>(pot)];
+    if (const std::string* pot = name_of(view.state.staff.pot)) view.staff_pot = *pot;
 }
 
 }  // namespace onggi::app

@@ -37,10 +37,13 @@ class StaffDesk {
     void see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot);
     // A survey that the keeper has answered.
     void take(const KeeperAnswer& answer);
+    void take(const PhoneAnswer& answer);
     void test_force();
     void test_sound();
     // The pot of that number goes; nothing happens where there is none.
     void delete_pot(int number);
+    // Its code is over, and the pot stays.
+    void withdraw_code(int number);
 
     // What the panel shows. Lines and plot change once a second at most, so that they can be read.
     void add_to(screens::View& view, const haptic::Snapshot& snapshot);
@@ -51,12 +54,14 @@ class StaffDesk {
     [[nodiscard]] Health health(const screens::View& view, const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::string notice(const haptic::Snapshot& snapshot) const;
     [[nodiscard]] int number_of(const std::string& pot);
+    [[nodiscard]] const std::string* name_of(int number) const;
 
     DeskParts parts_;
     HealthMeter meter_;
     std::optional<double> started_s_;
     double now_s_ = 0.0;
     std::optional<KeeperAnswer> survey_;
+    std::vector<SharedPotNote> shared_;     // as the last survey found them
     std::vector<std::string> pots_;         // all that were ever surveyed; the number is the place
     std::optional<kiosk::StaffPage> page_;  // that lines_ are of
     std::vector<screens::StaffLine> lines_;

@@ -37,6 +37,9 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kMoveHand:
             input_.nudge(static_cast<Button>(effect.value));
             break;
+        case Effect::Kind::kCutRim:
+            wheel_.hand().cut_rim();
+            break;
         case Effect::Kind::kShowStep:
             wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
                                side_of(flow_.state()));
@@ -95,6 +98,9 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kDeletePot:
             desk_.delete_pot(effect.value);
             break;
+        case Effect::Kind::kWithdrawCode:
+            desk_.withdraw_code(effect.value);
+            break;
         case Effect::Kind::kTestForce:
             desk_.test_force();
             break;
@@ -136,8 +142,11 @@ void VisitEffects::take_phone_answers() {
     if (parts_.phone == nullptr) return;
     while (const auto answer = parts_.phone->next_answer()) {
         if (!answer->words.empty()) flow_.say(answer->words);
+        if (answer->kind == PhoneAnswer::Kind::kSurvey) desk_.take(*answer);
         const bool is_this_pot = answer->gallery_name == kept_name_ && pot_ != nullptr;
-        if (!is_this_pot || answer->kind == PhoneAnswer::Kind::kRemark) continue;
+        if (!is_this_pot || answer->kind == PhoneAnswer::Kind::kRemark ||
+            answer->kind == PhoneAnswer::Kind::kSurvey)
+            continue;
         if (answer->kind == PhoneAnswer::Kind::kShared) phone_way_ = answer->way;
         const Event::Kind kind = answer->kind == PhoneAnswer::Kind::kShared   ? Event::Kind::kShared
                                  : answer->kind == PhoneAnswer::Kind::kFailed ? Event::Kind::kShareFailed

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "game/app/kiosk/bench_tools.h"
 #include "game/app/kiosk/kiosk_pot.h"
 
 namespace onggi::app {
@@ -61,6 +62,14 @@ void VisitInput::help_along() {
     hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
 }
 
+// What lies on the bench is taken by touching it.
+bool VisitInput::pick_up(vec2 px) {
+    if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
+    const auto held = bench_tool_at(bench_tools(parts_.view, flow_.state().throwing.looks_in), px);
+    if (held) flow_.dispatch(Event::pressed(Button::kTakeTool, static_cast<int>(*held)));
+    return held.has_value();
+}
+
 void VisitInput::take_news(const PointerNews& news, double now_s) {
     const bool scene_is_open =
         flow_.state().panel == Panel::kNone &&
@@ -75,6 +84,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             flow_.dispatch(Event::pressed(news.button, news.value));
             break;
         case PointerNews::Kind::kHandDown:
+            if (pick_up(news.at_px)) break;
             if (clay_is_open(flow_.state())) {
                 keys_lead_ = false;
                 flow_.dispatch({Event::Kind::kClayTouched});

@@ -37,6 +37,7 @@ class VisitInput {
 
   private:
     void take_news(const PointerNews& news, double now_s);
+    bool pick_up(vec2 px);
     void take_devices();
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // draws a finger to the outline that is shown

@@ -97,6 +97,12 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
                                             const screens::Stage& stage) {
     if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;
+    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+        // Where it would cut: a line, and not a belt.
+        constexpr double kHalfMm = 0.5;
+        auto line = band_round(shape, *wire_mm - kHalfMm, *wire_mm + kHalfMm);
+        return line ? std::optional(screens::Cue{.belt = std::move(*line)}) : std::nullopt;
+    }
     const vec2 at_px = input_.pointer().at_px();
     std::optional<dvec2> hovers_mm;
     if (input_.hovers(moment.now_s) && stage.target_at(at_px) < 0) {
@@ -105,7 +111,9 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
     std::optional<dvec2> marker_mm;
     if (input_.keys_lead()) marker_mm = wheel_.hand().marker_mm();
     std::optional<int> wanted;
-    if (kiosk::shows_hint(state, moment.now_s, parts_.settings.rules)) wanted = state.throwing.steps_done;
+    const bool holds_tool = state.throwing.held != kiosk::Held::kHand;
+    if (kiosk::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
+        wanted = state.throwing.steps_done;
     const auto place = cue_.look({.now_s = moment.now_s,
                                   .shape = shape,
                                   .grip = moment.snapshot.result.grip,
@@ -113,6 +121,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
                                   .wanted_step = wanted,
                                   .hovers_mm = hovers_mm,
                                   .marker_mm = marker_mm,
+                                  .with_tool = holds_tool,
                                   .still = state.comfort.still});
     if (!place) return std::nullopt;
     screens::Cue cue{.guard = place->guard, .words_on_left = place->hand_side > 0.0};

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "game/app/kiosk/bench_tools.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {
@@ -36,7 +37,8 @@ bool VisitScreens::is_closed(const kiosk::State& state) const {
            !kiosk::is_open(parts_.settings.config, parts_.minute_of_day());
 }
 
-void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges) {
+void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges,
+                          const std::optional<double>& wire_mm) {
     screens::View view;
     view.state = state;
     view.width_px = parts_.view.width();
@@ -65,6 +67,9 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.can_look_in = parts_.view.project_framed(wheel::View::kLookingIn, {}, dvec3(0.0)).has_value();
     view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
     add_scene(view, state, moment.snapshot);
+    add_wire(view, moment.snapshot, wire_mm);
+    if (state.screen == kiosk::Screen::kThrow && state.throwing.tray)
+        view.bench = bench_tools(parts_.view, state.throwing.looks_in);
     if (state.panel == kiosk::Panel::kStaff) {
         desk_.add_to(view, moment.snapshot);
     } else {
@@ -115,13 +120,17 @@ bool VisitScreens::is_asked(screens::View& view) const {
     // Compared as if they had not moved; asked for as they are.
     std::vector<std::vector<vec2>> outline_px = view.outline_px;
     const std::optional<vec2> warning_at_px = view.warning_at_px;
+    const std::optional<vec2> wire_at_px = view.wire_at_px;
     if (are_near(asked_->outline_px, outline_px)) view.outline_px = asked_->outline_px;
     if (asked_->warning_at_px && warning_at_px &&
         glm::length(*asked_->warning_at_px - *warning_at_px) < kWarningPx)
         view.warning_at_px = asked_->warning_at_px;
+    if (asked_->wire_at_px && wire_at_px && glm::length(*asked_->wire_at_px - *wire_at_px) < kWarningPx)
+        view.wire_at_px = asked_->wire_at_px;
     const bool is_same = *asked_ == view;
     view.outline_px = std::move(outline_px);
     view.warning_at_px = warning_at_px;
+    view.wire_at_px = wire_at_px;
     return is_same;
 }
 
@@ -157,6 +166,16 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
                             double{outline.back().x} * std::sin(angle)}));
     }
     view.outline_px = {std::move(left), std::move(right), std::move(rim)};
+}
+
+void VisitScreens::add_wire(screens::View& view, const haptic::Snapshot& snapshot,
+                            const std::optional<double>& wire_mm) const {
+    if (!wire_mm || view.state.screen != kiosk::Screen::kThrow) return;
+    constexpr double kBesideMm = 90.0;
+    const auto px = parts_.view.project({kBesideMm, *wire_mm, 0.0});
+    if (!px) return;
+    view.wire_off_mm = static_cast<int>(std::lround(std::max(0.0, snapshot.pot->height_mm - *wire_mm)));
+    view.wire_at_px = vec2(*px);
 }
 
 // Long enough to be read, however the hand comes and goes.

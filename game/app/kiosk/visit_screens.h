@@ -32,8 +32,9 @@ class VisitScreens {
 
     // Nobody is there and the museum is closed.
     [[nodiscard]] bool is_closed(const kiosk::State& state) const;
-    // Once a frame. edges: of the photographed room.
-    void update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges);
+    // Once a frame. edges: of the photographed room. wire_mm: how high the wire is held that the hand has.
+    void update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges,
+                const std::optional<double>& wire_mm);
     // What was asked for last; null before the first.
     [[nodiscard]] const screens::View* asked() const { return asked_.get(); }
     [[nodiscard]] screens::Composer& composer() { return composer_; }
@@ -41,6 +42,8 @@ class VisitScreens {
   private:
     void add_attract(screens::View& view, const kiosk::State& state, double now_s) const;
     void add_scene(screens::View& view, const kiosk::State& state, const haptic::Snapshot& snapshot) const;
+    void add_wire(screens::View& view, const haptic::Snapshot& snapshot,
+                  const std::optional<double>& wire_mm) const;
     void add_shelf(screens::View& view, const kiosk::State& state);
     // Whether it is what was asked for last, but for what has moved by less than anybody sees.
     [[nodiscard]] bool is_asked(screens::View& view) const;

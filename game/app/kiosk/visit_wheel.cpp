@@ -1,7 +1,10 @@
 #include "game/app/kiosk/visit_wheel.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
+
+#include "game/haptic/tools.h"
 
 namespace onggi::app {
 namespace {
@@ -106,12 +109,24 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
     }
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
-    haptics::ToolState tool =
-        hand_.request({throwing.tool, throwing.water, throwing.speed}, *moment.snapshot.pot, moment.dt_s);
+    haptics::ToolState tool = hand_.request({throwing.held, throwing.tool, throwing.water, throwing.speed},
+                                            *moment.snapshot.pot, moment.dt_s);
     const bool throws = flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kFailure ||
                         flow_.state().screen == Screen::kChoose || flow_.state().screen == Screen::kAttract;
     tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;
     parts_.hand.set_target(tool);
+    soak(moment);
+}
+
+// Each time that the wall has gone round under a sponge, the hands are less wet.
+void VisitWheel::soak(const VisitMoment& moment) {
+    const haptic::Snapshot& snapshot = moment.snapshot;
+    const bool soaks = snapshot.tool.tool == haptic::kSponge && snapshot.tool.guided &&
+                       snapshot.result.grip.grip != clay::studio::Grip::kNone && !hand_.shows();
+    soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
+    if (soaked_rad_ < 2.0 * std::numbers::pi) return;
+    soaked_rad_ = 0.0;
+    flow_.dispatch({Event::Kind::kSoaked});
 }
 
 }  // namespace onggi::app

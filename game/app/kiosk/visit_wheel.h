@@ -43,6 +43,7 @@ class VisitWheel {
   private:
     // False: there is nothing to show.
     bool play_show(const VisitMoment& moment);
+    void soak(const VisitMoment& moment);
 
     const VisitParts& parts_;
     VisitFlow& flow_;
@@ -55,6 +56,7 @@ class VisitWheel {
     std::size_t shows_begun_ = 0;
     std::uint64_t run_ = 0;
     std::uint64_t lumps_asked_ = 0;
+    double soaked_rad_ = 0.0;  // that the wall has turned under the sponge since it last took water
 };
 
 }  // namespace onggi::app

@@ -33,7 +33,7 @@ bool is_over(int folder, std::int64_t wall_s) {
     const ssize_t got = ::read(note.descriptor(), text.data(), text.size());
     if (got <= 0) return true;
     const auto read = sharing::read_note({text.data(), static_cast<std::size_t>(got)});
-    return !read || read->expires_s <= wall_s;
+    return !read || sharing::is_over(*read, wall_s);
 }
 
 }  // namespace

@@ -202,22 +202,6 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     return press_down(rings, sink);
 }
 
-// The torque that half breaks the weakest ring under the hands: a steady potter rubs no harder.
-double bearable_twist(const Rings& rings, double y) {
-    double least = 1e9;
-    const int end = rings.ring_at(std::clamp(y, 0.0, rings.top_mm())) + 1;
-    for (int i = 0; i < end; ++i) {
-        const std::size_t k = Rings::at(i);
-        const double middle = 0.5 * (rings.outer_mm[k] + rings.inner_mm[k]);
-        const double wall = rings.outer_mm[k] - rings.inner_mm[k];
-        const double bears = static_cast<double>(rings.strength_kpa[k]) * middle * middle * wall;
-        least = bears < least ? bears : least;
-    }
-    // su of 2 pi r^2 t; what is equivalent to it by von Mises is the square root of three as much.
-    constexpr double kHalf = 0.5;
-    return kHalf * least * 2.0 * std::numbers::pi / (std::sqrt(3.0) * kKpaPerNMm2);
-}
-
 // A floor too thick for a pot is lowered while the hands are at work.
 Changed lower_floor(Rings& rings, double rate_mm_s) {
     const double floor = rings.floor_mm();
@@ -289,6 +273,21 @@ Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
 }
 
 }  // namespace
+
+double bearable_twist(const Rings& rings, double y) {
+    double least = 1e9;
+    const int end = rings.ring_at(std::clamp(y, 0.0, rings.top_mm())) + 1;
+    for (int i = 0; i < end; ++i) {
+        const std::size_t k = Rings::at(i);
+        const double middle = 0.5 * (rings.outer_mm[k] + rings.inner_mm[k]);
+        const double wall = rings.outer_mm[k] - rings.inner_mm[k];
+        const double bears = static_cast<double>(rings.strength_kpa[k]) * middle * middle * wall;
+        least = bears < least ? bears : least;
+    }
+    // su of 2 pi r^2 t; what is equivalent to it by von Mises is the square root of three as much.
+    constexpr double kHalf = 0.5;
+    return kHalf * least * 2.0 * std::numbers::pi / (std::sqrt(3.0) * kKpaPerNMm2);
+}
 
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
                   const GripClimate& climate, double dt_s) noexcept {

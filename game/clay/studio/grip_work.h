@@ -16,6 +16,10 @@ struct GripClimate {
     double size = 1.0;        // of the lump, 1 for a kilogram: its cube root
 };
 
+// The torque that half breaks the weakest ring from the wheel up to that height, N mm: a steady potter rubs
+// no harder.
+double bearable_twist(const Rings& rings, double y_mm);
+
 // dt_s more of a finger that presses at (x, y). Returns the rings that changed; places are worked out.
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger_mm,
                   const GripClimate& climate, double dt_s) noexcept;

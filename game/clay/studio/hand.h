@@ -41,6 +41,7 @@ struct Hand {
     StudioTool tool = StudioTool::kHand;
     Side side = Side::kFree;
     bool is_assist = false;
+    bool drinks = false;  // a sponge that was squeezed out takes up water
 };
 
 // The side after a hand with that position, from the side it was on. It changes only over the rim: no

@@ -108,4 +108,12 @@ void wet_ring(Rings& rings, int i, double water_g) {
         rings.liquidity[at] + static_cast<float>(water_g / water_of_index_g(rings, i)), kWettestLiquidity);
 }
 
+void drain_ring(Rings& rings, int i, double water_g, double film_fraction) {
+    constexpr float kFreshLiquidity = 0.6F;
+    const std::size_t at = Rings::at(i);
+    rings.film[at] -= static_cast<float>(film_fraction) * rings.film[at];
+    const float drained = rings.liquidity[at] - static_cast<float>(water_g / water_of_index_g(rings, i));
+    rings.liquidity[at] = std::max(drained, std::min(rings.liquidity[at], kFreshLiquidity));
+}
+
 }  // namespace onggi::clay::studio

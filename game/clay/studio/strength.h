@@ -42,4 +42,8 @@ void wet_faces(Rings& rings, int first, int end, const double* depth_mm, double 
 // Gives ring i water; the strength follows at its next refresh. The ledger counts clay: nothing swells.
 void wet_ring(Rings& rings, int i, double water_g);
 
+// Takes water from ring i, and that fraction of what stands on it as a film; none out of clay that is as firm
+// as fresh clay.
+void drain_ring(Rings& rings, int i, double water_g, double film_fraction);
+
 }  // namespace onggi::clay::studio

@@ -207,6 +207,10 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
             if (!(contact.deepest_mm > 0.0)) break;
             const int touched = std::max(contact.range.size(), 1);
             const double water_g = water * parameters.sponge_water_ml_s * dt / touched;
+            constexpr double kFilmS = 0.1;  // chosen: gone within a turn or two
+            for (int i = contact.range.first; hand.drinks && i < contact.range.end; ++i)
+                studio::drain_ring(rings_, i, parameters.sponge_water_ml_s * dt / touched,
+                                   studio::relaxed_fraction(dt / kFilmS));
             for (int i = contact.range.first; water_g > 0.0 && i < contact.range.end; ++i)
                 studio::wet_ring(rings_, i, water_g);
             // A wet sponge carries a little clay off as slip.
@@ -231,7 +235,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                              studio::relaxed_fraction(dt / parameters.centring_time_s),
                              parameters.yield_depth_mm);
     studio::round_sectors(rings_, contact, hand, stripe_, parameters);
-    if (film_ > 0.0)
+    if (film_ > 0.0 && !hand.drinks)
         studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(), film_);
     return changed;
 }

@@ -158,6 +158,10 @@ class StudioClay {
                         const studio::Hand* other, double water, const StudioParameters& parameters);
     [[nodiscard]] studio::GripClimate climate(const StudioParameters& parameters) const;
     studio::Changed guide(const StudioInput& input, const StudioParameters& parameters, StudioForces& result);
+    studio::Changed guide_tool(const StudioInput& input, const StudioParameters& parameters,
+                               StudioForces& result);
+    void feel_guided(const studio::Contact& contact, const studio::Hand& hand, double bears_n_mm,
+                     const StudioParameters& parameters, StudioForces& result);
     bool tend_rings(double dt_s);
     double allowed_speed(double wanted_rad_s, const StudioParameters& parameters) const;
     ContactForces feel_hand(studio::HandState& state, const studio::Contact& contact,

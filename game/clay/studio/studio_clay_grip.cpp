@@ -38,10 +38,13 @@ Side side_of(Grip grip) {
     return Side::kFree;
 }
 
-// The hands of a grip as one contact, of the depth that a ball would need to do what they do.
-void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double depth_mm) {
+// The hands of a grip as one contact, of the depth that a ball would need to do what they do; print_mm above
+// and below its middle.
+void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double depth_mm,
+                       double print_mm = kPrintMm) {
     contact.height_mm = std::clamp(y_mm, 0.0, rings.top_mm());
-    contact.range = rings.rings_between(contact.height_mm - kPrintMm, contact.height_mm + kPrintMm);
+    contact.range = rings.rings_between(contact.height_mm - print_mm, contact.height_mm + print_mm);
+    const double per_mm = 1.0 / print_mm;
     contact.nearest = rings.ring_at(contact.height_mm);
     contact.floor_depth_mm = 0.0;
     contact.far_depth_mm = contact.rim_depth_mm = -1e9;
@@ -50,7 +53,7 @@ void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double
     rings.centres_from(contact.height_mm, contact.range, contact.offset_mm.data());
     for (int k = 0; k < contact.range.size(); ++k) {
         const std::size_t at = Rings::at(k);
-        const double s = contact.offset_mm[at] * (1.0 / kPrintMm);
+        const double s = contact.offset_mm[at] * per_mm;
         contact.half_width_mm[at] = kFingersMm;
         contact.depth_mm[at] = depth_mm * std::max(1.0 - s * s, 0.0);
         contact.residual_mm[at] = 0.0;
@@ -79,6 +82,7 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
+    if (turning && input.hand.tool != StudioTool::kHand) return guide_tool(input, parameters, result);
     Changed changed{};
     if (turning) {
         changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
@@ -114,23 +118,66 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     }
     if (film_ > 0.0)
         studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(), film_);
+    feel_guided(contact, hand, turning ? grip_.bears_n_mm : 1e9, parameters, result);
+    return changed;
+}
+
+// A rib or a sponge lies along the outer face at the finger's height, with fingers behind the wall.
+Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters& parameters,
+                               StudioForces& result) {
+    constexpr double kNearMm = 30.0;  // a finger farther out means something else
+    constexpr double kDepthMm = 0.8;  // chosen: lies on it, and does not push
+    constexpr double kDry = 1e-6;
+    studio::let_go(grip_);
+    const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
+    result.grip.hand_mm = result.grip.finger_mm = finger;
+    const double top = rings_.top_mm();
+    const double side = finger.x < 0.0 ? -1.0 : 1.0;
+    const double y = std::clamp(finger.y, 0.0, top);
+    if (rings_.count < 3) return {};
+    const double face = studio::outer_face_mm(rings_, y);
+    if (std::fabs(finger.x) > face + kNearMm || finger.y > top + kNearMm) return {};
+    Hand hand;
+    hand.tool = input.hand.tool;
+    hand.radius_mm = input.hand.radius_mm;
+    hand.side = result.side = Side::kOut;
+    hand.drinks = hand.tool == StudioTool::kSponge && !(input.water > kDry);
+    hand.direction = {side, 0.0};
+    hand.in_clay = studio::into_clay(hand.direction, wheel_.heading());
+    hand.distance_mm = face + hand.radius_mm - kDepthMm;
+    hand.position_mm = {side * hand.distance_mm, y, 0.0};
+    result.grip.grip = Grip::kWall;
+    result.grip.hand_mm = result.grip.finger_mm = {side * face, y};
+    result.grip.low_mm = std::max(y - hand.radius_mm, 0.0);
+    result.grip.high_mm = std::min(y + hand.radius_mm, top);
+    Contact& contact = contacts_[0];
+    find_grip_contact(contact, rings_, y, kDepthMm, hand.radius_mm);
+    if (!contact.touches() || contact.range.size() <= 0) return {};
+    feel_guided(contact, hand, studio::bearable_twist(rings_, y), parameters, result);
+    const Changed changed = act(hands_[0], contact, hand, nullptr, input.water, parameters);
+    if (changed.size() > 0) rings_.place(changed.first, rings_.count);
+    return changed;
+}
+
+// What a guided hand feels, and the wheel of it: no more than the clay bears.
+void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double bears_n_mm,
+                             const StudioParameters& parameters, StudioForces& result) {
     // The other hand holds against it: a wall does not give way as a whole.
     constexpr double kHeld = 1.0;
     const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     studio::Feel felt =
         studio::feel(rings_, contact, hand, dvec3(0.0), wheel_.speed_rad_s(), wet, kHeld, parameters);
-    if (turning && felt.wheel_load_n_mm > grip_.bears_n_mm) {
-        const double fraction = grip_.bears_n_mm / felt.wheel_load_n_mm;
+    if (felt.wheel_load_n_mm > bears_n_mm) {
+        const double fraction = bears_n_mm / felt.wheel_load_n_mm;
         felt.forces.stiffness_n *= fraction;
         felt.forces.friction_n *= fraction;
-        felt.wheel_load_n_mm = grip_.bears_n_mm;
+        felt.wheel_load_n_mm = bears_n_mm;
     }
     if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);
     wheel_load_n_mm_ += felt.wheel_load_n_mm;
     result.hand = felt.forces;
     result.hand.first_touched = contact.range.first;
     result.hand.touched_count = contact.range.size();
-    return changed;
 }
 
 }  // namespace onggi::clay

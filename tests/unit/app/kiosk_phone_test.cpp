@@ -124,5 +124,29 @@ TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
     EXPECT_TRUE(shared().empty());
 }
 
+TEST_F(KioskPhoneTest, TellsTheStaffWhatIsSharedUntilItIsWithdrawn) {
+    KioskPhone phone(settings_);
+    ASSERT_TRUE(phone.start());
+    phone.survey();
+    const auto none = answer_of(phone);
+    ASSERT_TRUE(none);
+    ASSERT_EQ(none->kind, PhoneAnswer::Kind::kSurvey);
+    EXPECT_TRUE(none->shared.empty());
+    phone.share(request());
+    ASSERT_TRUE(answer_of(phone));
+    phone.survey();
+    const auto one = answer_of(phone);
+    ASSERT_TRUE(one);
+    ASSERT_EQ(one->shared.size(), 1U);
+    EXPECT_EQ(one->shared[0].gallery_name, kName);
+    EXPECT_FALSE(one->shared[0].until.empty());
+    phone.withdraw(kName);
+    ASSERT_TRUE(answer_of(phone));
+    phone.survey();
+    const auto after = answer_of(phone);
+    ASSERT_TRUE(after);
+    EXPECT_TRUE(after->shared.empty());
+}
+
 }  // namespace
 }  // namespace onggi::app

@@ -109,6 +109,21 @@ TEST(StaffLines, GiveEachPotItsOwnNumberForTheDeleteKey) {
     EXPECT_EQ(lines[1].pot, 2);
 }
 
+TEST(StaffLines, SayWhichPotsPhonesMayFetchAndGiveThemAKeyToWithdraw) {
+    Health health = well();
+    health.pots = {{7, "2026-11-22/pot-003"}, {2, "2026-11-22/pot-002"}};
+    health.shared = {{2, {"2026-11-22/pot-002", "18:00"}}, {9, {"2026-11-22/pot-001", "18:00"}}};
+    const auto lines = staff_lines(health, StaffPage::kGallery);
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0].code, -1) << "it is not shared";
+    EXPECT_EQ(lines[1].pot, 2);
+    EXPECT_EQ(lines[1].code, 2);
+    EXPECT_EQ(lines[1].name, "Shared until 18:00");
+    EXPECT_EQ(lines[2].pot, -1) << "the gallery has it no more";
+    EXPECT_EQ(lines[2].code, 9);
+    EXPECT_EQ(lines[2].value, "2026-11-22/pot-001, no longer here");
+}
+
 TEST(StaffLines, TellEachDeviceWithWhatItCanAndWhyItCannot) {
     Health health = well();
     EXPECT_EQ(line(health, "Plugged in", StaffPage::kDevices).value, "none");

@@ -78,11 +78,12 @@ TEST(StaffPanel, AsksBeforeItDestroysAnything) {
         Button button;
         Effect effect;
     } kCases[] = {{Button::kStaffDeletePot, {Effect::Kind::kDeletePot, 7}},
+                  {Button::kStaffWithdrawCode, {Effect::Kind::kWithdrawCode, 7}},
                   {Button::kStaffRestart, {Effect::Kind::kRestart, 0}},
                   {Button::kStaffQuit, {Effect::Kind::kQuit, 0}}};
     for (const auto& one : kCases) {
         Visitor staff = at_the_panel();
-        staff.presses(one.button, one.effect.kind == Effect::Kind::kDeletePot ? 7 : 0);
+        staff.presses(one.button, 7);
         EXPECT_TRUE(staff.all.empty());
         EXPECT_NE(staff.state.staff.question, StaffQuestion::kNone);
         staff.presses(Button::kStaffForceTest).presses(Button::kStaffPage, 1);

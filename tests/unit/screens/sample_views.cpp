@@ -146,6 +146,10 @@ void add_staff_views(const View& base, std::vector<SampleView>& all) {
     const auto pots = [](View& view) {
         for (int pot = 24; pot > 0; --pot)
             view.staff_lines.push_back({"Pot", "2026-11-22/pot-" + std::to_string(100 + pot), "", pot});
+        for (const std::size_t pot : {0U, 2U}) {
+            view.staff_lines[pot].name = "Shared until 18:00";
+            view.staff_lines[pot].code = view.staff_lines[pot].pot;
+        }
     };
     add("staff-gallery", StaffPage::kGallery, pots);
     add("staff-gallery-on", StaffPage::kGallery, [&](View& view) {
@@ -167,6 +171,7 @@ void add_staff_views(const View& base, std::vector<SampleView>& all) {
         });
     };
     asks("staff-asks-delete", kiosk::StaffQuestion::kDeletePot);
+    asks("staff-asks-withdraw", kiosk::StaffQuestion::kWithdrawCode);
     asks("staff-asks-restart", kiosk::StaffQuestion::kRestart);
     asks("staff-asks-quit", kiosk::StaffQuestion::kQuit);
 }
@@ -242,6 +247,24 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.scans = true;
         view.focus = 4;
     });
+    for (int held = 0; held < kiosk::kHeldCount; ++held) {
+        const auto holds = [&](View& view) {
+            view.state.throwing.held = static_cast<kiosk::Held>(held);
+            view.state.throwing.steps_done = kiosk::kTeachingSteps;
+        };
+        add("tools-" + std::to_string(held), Screen::kThrow, [&](View& view) {
+            holds(view);
+            view.state.throwing.tray = true;
+        });
+        if (held == 0) continue;
+        add("held-" + std::to_string(held), Screen::kThrow, [&](View& view) {
+            holds(view);
+            if (view.state.throwing.held != kiosk::Held::kWire) return;
+            view.wire_off_mm = 6;
+            view.wire_at_px =
+                vec2(0.66F * static_cast<float>(view.width_px), 0.2F * static_cast<float>(view.height_px));
+        });
+    }
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
     add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
     add("throw-reach-left", Screen::kThrow, [](View& view) {

@@ -49,6 +49,12 @@ const char* word_of(onggi::kiosk::Button button) {
             return "hand-left";
         case Button::kHandRight:
             return "hand-right";
+        case Button::kTools:
+            return "tools";
+        case Button::kTakeTool:
+            return "take-tool";
+        case Button::kCut:
+            return "cut";
         case Button::kWaterMore:
             return "water-more";
         case Button::kSpeedMore:
@@ -67,6 +73,8 @@ const char* word_of(onggi::kiosk::Button button) {
             return "another";
         case Button::kFinish:
             return "finish";
+        case Button::kOnWall:
+            return "on-wall";
         case Button::kResumeGo:
             return "resume-go";
         case Button::kResumeFresh:

@@ -72,5 +72,70 @@ TEST(OutboxOverDays, LetsCodesRunOutAndKeepsTheDiskFlat) {
     EXPECT_LT(most_bytes, 1'500'000U) << "twelve pots of some 60 kB, and what is at the door";
 }
 
+// Seconds since 1970 of a day's noon.
+constexpr std::int64_t kNoonS = 1'795'608'000;  // 2026-11-25
+constexpr std::int64_t kHourS = 3600;
+constexpr std::int64_t kDayS = 24 * kHourS;
+
+class OutboxUnderAnyClock : public testing::Test {
+  protected:
+    std::string put(std::int64_t now_s, std::int64_t stays_s = 6 * kHourS) {
+        const auto code = outbox_.put(support::full_pot("clock"), {now_s, now_s + stays_s});
+        EXPECT_TRUE(code) << code.error().message;
+        return code ? code->text() : "";
+    }
+    [[nodiscard]] bool is_served(const std::string& code, std::int64_t now_s) const {
+        const app::PageStore store(folder_ / "box");
+        return static_cast<bool>(store.open(*ShareCode::read_exactly(code), "pot.glb", now_s));
+    }
+
+    test::TemporaryFolder folder_;
+    Outbox outbox_ =
+        Outbox::open({.folder = folder_ / "box", .most_pots = 3, .languages = support::three_languages()})
+            .value();
+};
+
+TEST_F(OutboxUnderAnyClock, LosesNothingWhenAMachineWithoutABatteryStartsIn1970) {
+    const std::string code = put(kNoonS);
+    ASSERT_TRUE(outbox_.expire(60));
+    EXPECT_TRUE(is_served(code, 60));
+    ASSERT_TRUE(outbox_.expire(kNoonS + kHourS)) << "the network has told it the time";
+    EXPECT_TRUE(is_served(code, kNoonS + kHourS));
+    EXPECT_FALSE(is_served(code, kNoonS + 7 * kHourS));
+}
+
+TEST_F(OutboxUnderAnyClock, LetsGoWhatWasSharedInTheWrongYear) {
+    const std::string past = put(120);
+    EXPECT_TRUE(is_served(past, 180));
+    const std::string future = put(kNoonS + 3650 * kDayS);
+    EXPECT_FALSE(is_served(past, kNoonS));
+    EXPECT_FALSE(is_served(future, kNoonS)) << "or it would stay ten years";
+    const std::string code = put(kNoonS);
+    EXPECT_EQ(outbox_.list()->size(), 1U);
+    EXPECT_TRUE(is_served(code, kNoonS));
+}
+
+TEST_F(OutboxUnderAnyClock, KeepsTheNewestWhenTheClockStepsBackAnHour) {
+    for (int pot = 0; pot < 3; ++pot)
+        put(kNoonS + pot);
+    const std::string code = put(kNoonS - kHourS);
+    EXPECT_EQ(outbox_.list()->size(), 3U);
+    EXPECT_TRUE(is_served(code, kNoonS - kHourS)) << "who has just been shown a code finds a pot there";
+}
+
+TEST_F(OutboxUnderAnyClock, GoesOnAfter2038) {
+    constexpr std::int64_t kSecondsOf32Bits = 2'147'483'647;
+    const std::string code = put(kSecondsOf32Bits - 60);
+    ASSERT_TRUE(outbox_.expire(kSecondsOf32Bits + 60));
+    EXPECT_TRUE(is_served(code, kSecondsOf32Bits + 60));
+    EXPECT_FALSE(is_served(code, kSecondsOf32Bits + 6 * kHourS));
+}
+
+TEST_F(OutboxUnderAnyClock, KeepsAWeekWhereTheHouseGivesOne) {
+    const std::string code = put(kNoonS, 168 * kHourS);
+    EXPECT_TRUE(is_served(code, kNoonS - kHourS)) << "a summer's hour back";
+    EXPECT_TRUE(is_served(code, kNoonS + 167 * kHourS));
+}
+
 }  // namespace
 }  // namespace onggi::sharing

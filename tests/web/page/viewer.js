@@ -1,5 +1,7 @@
-// Loads ?pot=NAME with three.js's own loader, draws it once, and leaves in window.found what it saw.
+// Loads ?pot=NAME with three.js's own loader, draws it once, and leaves in window.found what it saw. ?room=1 puts it
+// into a room that glazes mirror.
 import * as THREE from 'three';
+import { RoomEnvironment } from '/three/examples/jsm/environments/RoomEnvironment.js';
 import { GLTFLoader } from '/three/examples/jsm/loaders/GLTFLoader.js';
 
 const SIZE_PX = 480;
@@ -33,13 +35,13 @@ function describe(gltf) {
     };
 }
 
-function draw(gltf) {
+function draw(gltf, inRoom) {
     const scene = new THREE.Scene();
     scene.background = new THREE.Color(BACKGROUND);
     scene.add(gltf.scene);
     const lamp = new THREE.DirectionalLight(0xffffff, 3.0);
     lamp.position.set(-1, 1.2, 1.5);
-    scene.add(lamp, new THREE.HemisphereLight(0xbfd0e0, 0x403028, 0.8));
+    if (!inRoom) scene.add(lamp, new THREE.HemisphereLight(0xbfd0e0, 0x403028, 0.8));
 
     const box = new THREE.Box3().setFromObject(gltf.scene, true);
     const centre = box.getCenter(new THREE.Vector3());
@@ -50,6 +52,10 @@ function draw(gltf) {
 
     const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     renderer.setSize(SIZE_PX, SIZE_PX);
+    if (inRoom) {
+        scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.04).texture;
+        renderer.toneMapping = THREE.NeutralToneMapping;
+    }
     document.body.append(renderer.domElement);
     renderer.render(scene, camera);
     return renderer;
@@ -73,10 +79,11 @@ function look(renderer) {
 }
 
 try {
-    const name = new URLSearchParams(location.search).get('pot');
+    const asked = new URLSearchParams(location.search);
+    const name = asked.get('pot');
     const gltf = await new GLTFLoader().loadAsync(`/pots/${name}.glb`);
     const facts = describe(gltf);
-    window.found = { ...facts, ...look(draw(gltf)) };
+    window.found = { ...facts, ...look(draw(gltf, asked.has('room'))) };
 } catch (problem) {
     window.found = { error: String(problem) };
 }

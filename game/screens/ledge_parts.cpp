@@ -1,0 +1,79 @@
+#include "game/screens/ledge_parts.h"
+
+#include <algorithm>
+
+namespace onggi::screens {
+
+using kiosk::Button;
+using ui::Rect;
+
+namespace {
+
+constexpr float kBelow = 8.0F;  // the ring goes round a control and not through its label
+
+float label_height(const Page& page) {
+    return 36.0F + labels_growth(page);
+}
+
+}  // namespace
+
+LedgeGrowth growth(const Page& page) {
+    const float all = ledge_growth(page.view().state.comfort);
+    if (page.shape() == Shape::kWide) return {all, all};
+    return {0.45F * all, 0.55F * all};
+}
+
+float labels_growth(const Page& page) {
+    return growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
+}
+
+float ledge_top(const Page& page) {
+    return ledge_y(page.shape(), page.height(), page.view().state.comfort);
+}
+
+float row_y(const Page& page) {
+    const float above = page.shape() == Shape::kTall     ? 116.0F + growth(page).caption
+                        : page.shape() == Shape::kSquare ? 92.0F + growth(page).caption
+                                                         : 22.0F;
+    return ledge_top(page) + above;
+}
+float second_row_y(const Page& page) {
+    return row_y(page) + 132.0F + 0.5F * growth(page).labels;
+}
+
+ui::Align along_ledge(const Page& page) {
+    return page.view().state.comfort.left_hand ? ui::Align::kEnd : ui::Align::kStart;
+}
+
+Setting size_setting(const kiosk::Throwing& throwing) {
+    return {Icon::kTool, "tool.size", kiosk::kMostTool, throwing.tool, Button::kToolLess, Button::kToolMore};
+}
+Setting water_setting(const kiosk::Throwing& throwing) {
+    return {Icon::kWater,   "ctl.water",        kiosk::kMostWater,
+            throwing.water, Button::kWaterLess, Button::kWaterMore};
+}
+Setting speed_setting(const kiosk::Throwing& throwing) {
+    return {Icon::kSpeed,   "ctl.speed",        kiosk::kMostSpeed,
+            throwing.speed, Button::kSpeedLess, Button::kSpeedMore};
+}
+
+void add_stepper(Page& page, const Rect& place, const Setting& setting, bool rests) {
+    const Rect rect = page.on_ledge(place);
+    page.stepper(rect, setting.icon, setting.most, setting.now, rests ? Button::kNone : setting.less,
+                 setting.more, page.t(setting.key), page.right_to_left());
+    page.label({rect.x - 6.0F, rect.bottom() + kBelow, rect.width + 12.0F, label_height(page)},
+               page.t(setting.key), rests ? design::kRestingWords : design::kSlip);
+}
+
+int add_round(Page& page, const Rect& place, Icon icon, Button button, const char* key, float label_width,
+              int value) {
+    const Rect rect = page.on_ledge(place);
+    const int target = page.token(rect, Look::kToken, button, page.t(key), value, icon, false);
+    constexpr float kEdge = 14.0F;
+    const float x =
+        std::clamp(rect.centre().x - 0.5F * label_width, kEdge, page.width() - kEdge - label_width);
+    page.label({x, rect.bottom() + kBelow, label_width, label_height(page)}, page.t(key));
+    return target;
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,51 @@
+// What all ledges under the clay are made of: where their rows lie, steppers and tokens with a name below.
+// The composer's thread.
+#pragma once
+
+#include "game/screens/page.h"
+
+namespace onggi::screens {
+
+// What larger text has made the ledge higher by, for the caption's row and for the labels below the tokens.
+struct LedgeGrowth {
+    float caption = 0.0F;
+    float labels = 0.0F;
+};
+[[nodiscard]] LedgeGrowth growth(const Page& page);
+
+[[nodiscard]] float ledge_top(const Page& page);
+// Of the labels of one row.
+[[nodiscard]] float labels_growth(const Page& page);
+// Where the tokens' row begins; on a tall picture there is another below it.
+[[nodiscard]] float row_y(const Page& page);
+[[nodiscard]] float second_row_y(const Page& page);
+// Words begin where the hand does.
+[[nodiscard]] ui::Align along_ledge(const Page& page);
+
+// What a stepper changes.
+struct Setting {
+    Icon icon;
+    const char* key;
+    int most;
+    int now;
+    kiosk::Button less;
+    kiosk::Button more;
+};
+[[nodiscard]] Setting size_setting(const kiosk::Throwing& throwing);
+[[nodiscard]] Setting water_setting(const kiosk::Throwing& throwing);
+[[nodiscard]] Setting speed_setting(const kiosk::Throwing& throwing);
+
+// `place` is of a ledge for the right hand, read from the left. `rests`: to be seen and not to be pressed.
+void add_stepper(Page& page, const ui::Rect& place, const Setting& setting, bool rests);
+// A token with its name below, that wide at most; gives its target.
+int add_round(Page& page, const ui::Rect& place, Icon icon, kiosk::Button button, const char* key,
+              float label_width, int value = 0);
+
+// What the hand holds, with a sign that there is more: opens the tray.
+void add_held_token(Page& page, const ui::Rect& place, float label_width);
+// The ledge turned over: what there is to hold, how large, and back.
+void add_tool_tray(Page& page);
+// The ledge while the wire is held: where it is to cut, and the cut.
+void add_wire_ledge(Page& page);
+
+}  // namespace onggi::screens

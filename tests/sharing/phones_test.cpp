@@ -1,0 +1,180 @@
+// Two hundred phones fetch everything from a pot's folder, all at once and again and again, while a pot is
+// thrown at 4 kHz and drawn beside the server on the same machine: in turns with nobody fetching, in one run.
+// The phones are no part of that machine in a museum, so here they get only what nobody else wants of it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/sharing/http_client.h"
+#include "tests/sharing/served_outbox.h"
+#include "tests/support/places.h"
+
+namespace onggi::test {
+namespace {
+
+constexpr int kPhones = 200;
+constexpr int kTurns = 3;
+
+// Sizes of a real pot's files; bytes that no packing makes smaller.
+std::vector<std::byte> any_bytes(std::size_t count, std::uint32_t seed) {
+    std::vector<std::byte> bytes;
+    bytes.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        seed = seed * 1664525U + 1013904223U;
+        bytes.push_back(static_cast<std::byte>(seed >> 24U));
+    }
+    return bytes;
+}
+
+sharing::SharedPot pot_of_real_size() {
+    constexpr std::size_t kKilobyte = 1000;
+    sharing::SharedPot pot = support::full_pot("one");
+    pot.model_glb.bytes = any_bytes(700 * kKilobyte, 1);
+    pot.print_stl.bytes = any_bytes(1500 * kKilobyte, 2);
+    pot.print_3mf.bytes = any_bytes(600 * kKilobyte, 3);
+    pot.film.bytes = any_bytes(450 * kKilobyte, 4);
+    return pot;
+}
+
+// What a phone that wants everything asks for, and what it is to get.
+std::map<std::string, std::string> everything_in(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.front() != '.' && entry.path().extension() != ".gz") files[name] = content_of(entry.path());
+    }
+    return files;
+}
+
+class Phones {
+  public:
+    Phones(int port, const std::string& code, const std::map<std::string, std::string>& files)
+        : files_(files),
+          thread_([this, port, code] { fetch(port, code); }) {}
+    Phones(const Phones&) = delete;
+    Phones& operator=(const Phones&) = delete;
+    ~Phones() { leave(); }
+
+    // Once everything that was asked for is there.
+    void leave() {
+        leaving_ = true;
+        if (thread_.joinable()) thread_.join();
+    }
+    [[nodiscard]] long files() const { return fetched_; }
+    [[nodiscard]] const std::string& trouble() const { return trouble_; }
+
+  private:
+    void fetch(int port, const std::string& code) {
+        const sched_param none{};
+        if (::sched_setscheduler(0, SCHED_IDLE, &none) != 0) trouble_ = "phones would take what frames need";
+        while (!leaving_ && trouble_.empty())
+            wave(port, code);
+    }
+
+    // Every phone from an address of its own; all have asked before the first is listened to.
+    void wave(int port, const std::string& code) {
+        constexpr std::uint32_t kFirstAddress = 0x7f010001;
+        constexpr int kWaitMs = 30'000;
+        std::vector<std::unique_ptr<HttpClient>> phones;
+        for (std::uint32_t i = 0; i < kPhones; ++i)
+            phones.push_back(std::make_unique<HttpClient>(port, kWaitMs, kFirstAddress + i));
+        for (const auto& [name, bytes] : files_) {
+            const std::string request = "GET /" + code + "/" + name + " HTTP/1.1\r\nHost: pots\r\n\r\n";
+            for (const auto& phone : phones)
+                phone->say(request);
+            for (const auto& phone : phones) {
+                const HttpAnswer answer = phone->answer();
+                if (answer.status != 200 || answer.body != bytes) {
+                    trouble_ = fmt::format("{}: expected {} bytes, found status {} with {}", name,
+                                           bytes.size(), answer.status, answer.body.size());
+                    return;
+                }
+                ++fetched_;
+            }
+        }
+    }
+
+    const std::map<std::string, std::string>& files_;
+    std::atomic<bool> leaving_ = false;
+    std::atomic<long> fetched_ = 0;
+    std::string trouble_;  // the thread's until it has been joined
+    std::thread thread_;
+};
+
+struct Times {
+    double tick_us = 0.0;   // the work of a tick, 99th of 100
+    double wake_us = 0.0;   // how late one began
+    double frame_ms = 0.0;  // the work of a frame
+};
+
+Times wheel_at_work(const TemporaryFolder& folder) {
+    const std::string stats = (folder / "stats.json").string();
+    const ProgramRun run = run_onggi({"live", in_checkout("assets/gestures/attract.csv"), "--headless",
+                                      "--rate", "4000", "--seconds", "8", "--stats", stats});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const auto found = nlohmann::json::parse(content_of(stats));
+    EXPECT_EQ(found.at("rate_hz"), 4000.0);
+    return {.tick_us = found.at("tick_ns").at("p99").get<double>() / 1000.0,
+            .wake_us = found.at("wake_latency_us").at("p99").get<double>(),
+            .frame_ms = found.at("frame_ms").at("p99").get<double>()};
+}
+
+// Of all its life so far, MB.
+double most_memory_mb(int process) {
+    std::ifstream status(fmt::format("/proc/{}/status", process));
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024.0;
+    return 0.0;
+}
+
+// A neighbour on the machine makes a turn slower, and never faster.
+double least(const std::vector<Times>& turns, double Times::*time) {
+    double found = turns.front().*time;
+    for (const Times& turn : turns)
+        found = std::min(found, turn.*time);
+    return found;
+}
+
+TEST(Phones, TwoHundredAtOnceTakeNothingFromTheWheelNorFromThePicture) {
+    ServedOutbox served;
+    const std::string code = served.put(pot_of_real_size());
+    const auto files = everything_in(served.box() / code);
+    ASSERT_GE(files.size(), 10U);
+    std::vector<Times> alone;
+    std::vector<Times> beside;
+    long fetched = 0;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        alone.push_back(wheel_at_work(served.folder()));
+        Phones phones(served.port(), code, files);
+        beside.push_back(wheel_at_work(served.folder()));
+        phones.leave();
+        EXPECT_EQ(phones.trouble(), "");
+        fetched += phones.files();
+    }
+    for (const auto& [name, turns] : {std::pair{"alone", &alone}, {"beside phones", &beside}})
+        for (const Times& turn : *turns)
+            fmt::print("{}: tick {:.2f} us, woken {:.1f} us late, frame {:.2f} ms (p99 each)\n", name,
+                       turn.tick_us, turn.wake_us, turn.frame_ms);
+    const double memory_mb = most_memory_mb(served.server().process());
+    fmt::print("{} files to {} phones; the server held {:.1f} MB at most\n", fetched, kPhones, memory_mb);
+    EXPECT_GE(fetched, static_cast<long>(kPhones * files.size())) << "less than everything to each";
+    EXPECT_GT(memory_mb, 0.0);
+    EXPECT_LE(memory_mb, 64.0);
+    EXPECT_LE(least(beside, &Times::frame_ms), 1.25 * least(alone, &Times::frame_ms));
+    EXPECT_LE(least(beside, &Times::tick_us), 1.25 * least(alone, &Times::tick_us));
+    // Waking is short and coarse: beside a period of 250 us it may be a few more.
+    EXPECT_LE(least(beside, &Times::wake_us), 1.25 * least(alone, &Times::wake_us) + 25.0);
+}
+
+}  // namespace
+}  // namespace onggi::test

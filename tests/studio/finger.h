@@ -1,0 +1,67 @@
+// A finger on a pot of clay in skilled hands: what tests of grips and of tools in the hand share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "game/clay/studio/studio_clay.h"
+
+namespace onggi::clay::studio {
+
+// A finger on the clay's plane, a millisecond at a time whatever the rate.
+struct Finger {
+    explicit Finger(double rate_hz = 1000.0, double mass_g = 1000.0) : clay({.mass_g = mass_g}) {
+        parameters.rate_hz = rate_hz;
+        parameters.forgiving = true;
+        input.guided = true;
+        input.pressing = false;
+        input.water = 0.5;
+        input.wheel_speed_rad_s = 11.5;
+        wait(1.0);
+    }
+
+    void tick() {
+        const bool counts = input.pressing;
+        forces = clay.tick(input, parameters);
+        EXPECT_TRUE(!counts || clay.ledger_error_mm3() == 0.0);
+    }
+    void wait(double seconds) {
+        input.pressing = false;
+        for (int i = 0; i < static_cast<int>(seconds * parameters.rate_hz); ++i)
+            tick();
+    }
+    // Presses from one place to another; both at the same moments at every rate.
+    void stroke(const dvec2& from, const dvec2& to, double seconds) {
+        input.pressing = true;
+        const int ticks = static_cast<int>(seconds * parameters.rate_hz);
+        const int each = static_cast<int>(parameters.rate_hz / 1000.0);
+        for (int i = 0; i < ticks; ++i) {
+            const double part = static_cast<double>(i / each) * each / ticks;
+            const dvec2 place = from + (to - from) * part;
+            input.hand.position_mm = {place.x, place.y, 0.0};
+            tick();
+        }
+        input.pressing = false;
+        tick();
+    }
+    void open() { stroke({0.0, clay.height_mm()}, {0.0, 10.0}, 2.0); }
+    void pull(double to_mm) {
+        const double rim = clay.outer_mm().back();
+        stroke({clay.outer_mm()[clay.outer_mm().size() / 4] + 1.0, 0.3 * clay.height_mm()}, {rim, to_mm},
+               3.0);
+    }
+    [[nodiscard]] std::vector<double> faces() const {
+        std::vector<double> all(clay.outer_mm().begin(), clay.outer_mm().end());
+        all.insert(all.end(), clay.inner_mm().begin(), clay.inner_mm().end());
+        return all;
+    }
+
+    StudioClay clay;
+    StudioParameters parameters;
+    StudioInput input;
+    StudioForces forces;
+};
+
+}  // namespace onggi::clay::studio
