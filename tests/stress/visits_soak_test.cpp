@@ -10,6 +10,7 @@
 #include <random>
 
 #include "tests/stress/unseen_kiosk.h"
+#include "tests/support/process_hold.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/visitors/judge.h"
 
@@ -26,21 +27,6 @@ constexpr double kSlowly = 0.002;
 int visits() {
     const char* wanted = std::getenv("ONGGI_VISITS");
     return wanted != nullptr ? std::atoi(wanted) : 6;
-}
-
-double resident_kb() {
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    while (status >> word) {
-        double kb = 0.0;
-        if (word == "VmRSS:" && status >> kb) return kb;
-    }
-    return 0.0;
-}
-
-long open_handles() {
-    const fs::directory_iterator all("/proc/self/fd");
-    return std::distance(begin(all), end(all));
 }
 
 // From attract to attract. True where a pot was to be kept.
@@ -152,15 +138,15 @@ TEST(Visitors, LeaveMemoryAndHandlesAsTheyWereAndEveryPotOnTheShelf) {
     for (int number = 0; number < count; ++number) {
         to_keep += visit(kiosk, chance) ? 1U : 0U;
         if (HasFailure()) FAIL() << "in visit " << number + 1;
-        if (number == warm) handles = open_handles();
-        if (number == warm) first_kb = resident_kb();
+        if (number == warm) handles = test::open_handles();
+        if (number == warm) first_kb = test::resident_kb();
         if (number < warm) continue;
         // The keeper works beside us and may have files open just now, and have had one when we counted.
-        EXPECT_TRUE(kiosk.until([&] { return open_handles() <= handles + 1; }))
+        EXPECT_TRUE(kiosk.until([&] { return test::open_handles() <= handles + 1; }))
             << "after visit " << number + 1 << ": expected " << handles << " open files, found "
-            << open_handles();
+            << test::open_handles();
         const double x = number - warm;
-        const double y = resident_kb();
+        const double y = test::resident_kb();
         sum_x += x;
         sum_y += y;
         sum_xx += x * x;
@@ -170,7 +156,7 @@ TEST(Visitors, LeaveMemoryAndHandlesAsTheyWereAndEveryPotOnTheShelf) {
     const double n = count - warm;
     const double slope_kb = n > 1 ? (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x) : 0.0;
     std::printf("%d visits, %zu pots kept; resident %.0f kB, then %+.1f kB a visit; %ld handles\n", count,
-                to_keep, first_kb, slope_kb, open_handles());
+                to_keep, first_kb, slope_kb, test::open_handles());
     if (count >= 100) {
         EXPECT_LT(slope_kb, 40.0) << "memory grows";
     }
