@@ -30,6 +30,8 @@ struct UnseenOptions {
     bool forgiving = true;                                         // it bears more than real clay
     bool plain = true;                                             // no photographed room
     bool shows = false;                                            // recordings, while nobody is there
+    bool real_time = false;                                        // 60 frames a second, no more
+    int most_pots = 100'000;
     int width = kWidth;
     int height = kHeight;
     kiosk::Config config = {};  // but its gallery
@@ -40,14 +42,15 @@ struct UnseenOptions {
 class UnseenKiosk {
   public:
     explicit UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options = {})
-        : start_(std::move(options.lump)) {
+        : start_(std::move(options.lump)),
+          frame_pause_(options.real_time ? 16 : 1) {
         auto settings = load_settings("");
         EXPECT_TRUE(settings);
         settings_ = std::move(*settings);
         settings_.config = std::move(options.config);
         settings_.config.gallery.folder = gallery.string();
         settings_.config.gallery.least_free_mb = 1.0;
-        settings_.config.gallery.most_pots = 100'000;
+        settings_.config.gallery.most_pots = options.most_pots;
         auto view = wheel::LiveView::open(
             {.width = options.width, .height = options.height, .headless = true, .plain = options.plain});
         EXPECT_TRUE(view) << view.error().message;
@@ -108,7 +111,7 @@ class UnseenKiosk {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         while (!condition() && std::chrono::steady_clock::now() < end) {
             frame(dt_s);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(frame_pause_);
         }
         return condition();
     }
@@ -205,7 +208,7 @@ class UnseenKiosk {
             ASSERT_TRUE(px);
             point(px->x, px->y);
             if (!is_down) hold(true);
-            std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            std::this_thread::sleep_for(std::max(std::chrono::milliseconds(4), frame_pause_));
             const std::chrono::duration<double> now = std::chrono::steady_clock::now() - begun;
             frame(now.count() - since_s);
             since_s = now.count();
@@ -217,6 +220,7 @@ class UnseenKiosk {
     KioskSettings settings_;
     std::unique_ptr<wheel::LiveView> view_;
     haptic::HapticState start_;
+    std::chrono::milliseconds frame_pause_;
     haptic::HapticParameters parameters_;
     haptics::SimulatedDevice* hand_ = nullptr;
     std::unique_ptr<HandDevices> devices_;
