@@ -60,18 +60,24 @@ std::filesystem::path spoken_folder(const kiosk::Config& config) {
     return found ? *found : std::filesystem::path();
 }
 
-Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
-                        KioskSound& sound) {
+Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, KioskKeeper& keeper,
+                        const KioskSettings& settings, KioskSound& sound) {
     Service service;
     KioskVoice voice(spoken_folder(settings.config));
     if (auto started = voice.start(); !started) remark(started.error().message);
     jobs::MonotonicClock clock;
     jobs::FramePacer<> pacer(clock, kFrameRateHz);
+    std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the hand's loop has ended by itself");
         pacer.wait();
         const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
+        // The first as soon as there is a picture to tell of.
+        if (beat_s ? now_s - *beat_s >= KioskHeartbeat::kEveryS : visit.frames_shown() > 0) {
+            beat_s = now_s;
+            keeper.beat(visit.pulse());
+        }
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
         service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
                                 visit.pots_kept()));
@@ -142,8 +148,8 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     constexpr double kMostLateS = 16.0;
     job_options.record_capacity = static_cast<std::size_t>(kMostLateS * parameters.rate_hz());
     haptic::HapticJob job(start, parameters, devices->take(), job_options);
-    KioskKeeper keeper(job, start, parameters, Gallery(settings->config),
-                       statistics_folder(settings->config));
+    KioskKeeper keeper(job, start, parameters, Gallery(settings->config), statistics_folder(settings->config),
+                       KioskHeartbeat(settings->config));
     if (auto started = job.start(); !started) return started.error();
     if (auto started = keeper.start(); !started) return started.error();
     keeper.note_start();
@@ -169,7 +175,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                           .start = start_report,
                           .rate_hz = parameters.rate_hz()});
         played = visit.start();
-        if (played) played = run_visits(visit, job, *settings, sound);
+        if (played) played = run_visits(visit, job, keeper, *settings, sound);
         if (visit.restarts()) end = KioskEnd::kStartAnew;
     }
     phone.stop();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <ctime>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
+#include "game/app/system/wall_clock.h"
 #include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
 
@@ -57,8 +57,11 @@ Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
 }
 
 std::string today() {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
+    return day_of(wall_clock_s());
+}
+
+std::string day_of(std::int64_t s) {
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(static_cast<std::time_t>(s)));
 }
 
 Gallery::Gallery(const kiosk::Config& config)
@@ -68,21 +71,21 @@ Gallery::Gallery(const kiosk::Config& config)
     files::clear_parts(folder_);
 }
 
-double Gallery::free_mb() const {
+double free_mb_at(const fs::path& folder) {
     std::error_code error;
-    const fs::space_info space = fs::space(fs::exists(folder_, error) ? folder_ : fs::path("."), error);
+    const fs::space_info space = fs::space(fs::exists(folder, error) ? folder : fs::path("."), error);
     return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
 }
 
-std::vector<KeptPot> Gallery::pots(std::string* trouble) const {
+std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     std::vector<KeptPot> found;
-    const auto entries_of = [&](const fs::path& folder) {
-        FolderListing listing = list_folder(folder);
-        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(folder, listing);
+    const auto entries_of = [&](const fs::path& around) {
+        FolderListing listing = list_folder(around);
+        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(around, listing);
         return std::move(listing.entries);
     };
     std::error_code ignored;
-    for (const fs::path& day : entries_of(folder_)) {
+    for (const fs::path& day : entries_of(folder)) {
         if (!fs::is_directory(day, ignored)) continue;
         for (const fs::path& pot : entries_of(day)) {
             if (number_of(pot.filename().string()) == 0) continue;

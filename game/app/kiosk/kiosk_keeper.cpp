@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "engine/jobs/thread_setup.h"
+#include "game/app/kiosk/house_status.h"
 #include "game/app/kiosk/kiosk_health.h"
 #include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/system/crash_report.h"
+#include "game/app/system/wall_clock.h"
 
 namespace onggi::app {
 namespace {
@@ -29,16 +32,17 @@ void give_back_memory() {
 
 KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
                          const haptic::HapticParameters& parameters, Gallery gallery,
-                         std::filesystem::path statistics)
+                         std::filesystem::path statistics, std::optional<KioskHeartbeat> heartbeat)
     : job_(job),
       history_(start, parameters, {.aside = state_folder(gallery.folder())}),
-      faults_(gallery.folder() / "faults"),
+      faults_(faults_folder(gallery.folder())),
       start_(start),
       parameters_(parameters),
       visits_(state_folder(gallery.folder())),
       journal_(visits_),
       gallery_(std::move(gallery)),
       statistics_(std::move(statistics)),
+      heartbeat_(std::move(heartbeat)),
       wall_(visits_ / "wall.json") {}
 
 Result<void> KioskKeeper::start() {
@@ -65,6 +69,7 @@ std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
         apply(request);
     const bool works = work_out_interrupted_session();
     write_journal(now_ns);
+    crash_leads_to(journal_.file(), faults_folder(gallery_.folder()));
     look_at_the_wall(now_ns);
     return more || works ? 0 : kLookEveryNs;
 }
@@ -76,6 +81,7 @@ void KioskKeeper::finish() noexcept {
     write_journal(0);
     if (const auto left = journal_.leave(); !left)
         answer({.kind = KeeperAnswer::Kind::kRemark, .words = left.error().message});
+    if (heartbeat_) complain(heartbeat_->end(wall_clock_s()));
 }
 
 // True when more records wait.
@@ -243,6 +249,9 @@ void KioskKeeper::apply(const Request& request) {
             break;
         case Request::Kind::kNoteStart:
             complain(app::note_start(statistics_));
+            break;
+        case Request::Kind::kBeat:
+            if (heartbeat_) complain(heartbeat_->beat(*request.pulse, wall_clock_s()));
             break;
         case Request::Kind::kKeepHouse:
             complain(keep_house(statistics_, *request.house));

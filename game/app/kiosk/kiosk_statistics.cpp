@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <chrono>
 #include <ctime>
 #include <fstream>
 #include <optional>
@@ -23,13 +22,13 @@ constexpr const char* kPhones = "phones.csv";
 constexpr int kMostKept = 1000;  // in one visit; more no hand of this program wrote
 
 // A line that begins with the day and the hour; `rest` follows.
-Result<void> append(const fs::path& folder, const char* name, std::string_view header,
-                    std::string_view rest) {
+Result<void> append(const fs::path& folder, const char* name, std::string_view header, std::string_view rest,
+                    std::int64_t now_s) {
     std::error_code error;
     fs::create_directories(folder, error);
     const fs::path file = folder / name;
     const bool is_new = !fs::exists(file, error);
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    const auto now = static_cast<std::time_t>(now_s);
     std::ofstream stream(file, std::ios::app);
     if (is_new) stream << header << '\n';
     stream << fmt::format("{:%Y-%m-%d,%H}{}\n", fmt::localtime(now), rest);
@@ -73,24 +72,25 @@ void for_each_line(const fs::path& file, const std::string& day, std::size_t cel
 
 }  // namespace
 
-Result<void> note_visit(const fs::path& folder, const VisitNote& note) {
+Result<void> note_visit(const fs::path& folder, const VisitNote& note, std::int64_t now_s) {
     return append(
         folder, kVisits, "day,hour,dwell_s,ended_on,thrown,kept",
-        fmt::format(",{},{},{},{}", note.dwell_s, kiosk::name_of(note.last), note.thrown ? 1 : 0, note.kept));
+        fmt::format(",{},{},{},{}", note.dwell_s, kiosk::name_of(note.last), note.thrown ? 1 : 0, note.kept),
+        now_s);
 }
 
-Result<void> note_attract_break(const fs::path& folder) {
-    return append(folder, kBreaks, "day,hour", "");
+Result<void> note_attract_break(const fs::path& folder, std::int64_t now_s) {
+    return append(folder, kBreaks, "day,hour", "", now_s);
 }
 
-Result<void> note_start(const fs::path& folder) {
-    return append(folder, kStarts, "day,hour", "");
+Result<void> note_start(const fs::path& folder, std::int64_t now_s) {
+    return append(folder, kStarts, "day,hour", "", now_s);
 }
 
-Result<void> note_phones(const fs::path& folder, const PhoneNote& note) {
+Result<void> note_phones(const fs::path& folder, const PhoneNote& note, std::int64_t now_s) {
     return append(
         folder, kPhones, "day,hour,codes,pages,models,prints,films",
-        fmt::format(",{},{},{},{},{}", note.codes, note.pages, note.models, note.prints, note.films));
+        fmt::format(",{},{},{},{},{}", note.codes, note.pages, note.models, note.prints, note.films), now_s);
 }
 
 UseOfHour UseOfDay::total() const {

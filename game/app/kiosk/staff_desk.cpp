@@ -73,6 +73,20 @@ void StaffDesk::leave() {
     parts_.view.measure_parts(false);
 }
 
+KioskPulse StaffDesk::pulse(const haptic::Snapshot& snapshot) const {
+    const bool has_fault = snapshot.fault != haptics::Fault::kNone;
+    return {.fault = has_fault ? std::string(haptics::words_for(snapshot.fault)) : std::string(),
+            .faults = snapshot.safety.fault_count,
+            .asked_hz = parts_.rate_hz,
+            .achieved_hz = meter_.achieved_hz(),
+            .skipped_periods = snapshot.skipped_periods,
+            .late_periods = snapshot.safety.late_periods,
+            .frame_ms = meter_.mean_frame_ms(),
+            .worst_frame_ms = meter_.worst_frame_ms(),
+            .haptic_ticks = snapshot.periods,
+            .is_safe_mode = parts_.start.is_safe_mode};
+}
+
 Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snapshot) const {
     const render::FrameStats& stats = parts_.view.frame_stats();
     const bool has_fault = snapshot.fault != haptics::Fault::kNone;

@@ -11,6 +11,7 @@
 #include "game/app/kiosk/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_sound.h"
 #include "game/app/kiosk/kiosk_staff.h"
+#include "game/app/kiosk/kiosk_status.h"
 #include "game/app/system/start_log.h"
 #include "game/wheel/live_view.h"
 
@@ -35,6 +36,8 @@ class StaffDesk {
 
     // Once a frame, whatever is shown. frame_ms: since the frame before.
     void see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot);
+    // What the house's monitoring is told, of the program's health alone.
+    [[nodiscard]] KioskPulse pulse(const haptic::Snapshot& snapshot) const;
     // A survey that the keeper has answered.
     void take(const KeeperAnswer& answer);
     void take(const PhoneAnswer& answer);
