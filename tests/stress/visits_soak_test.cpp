@@ -131,6 +131,8 @@ TEST(Visitors, LeaveMemoryHandlesThreadsAndDiskAsTheyWereAndEveryPotOnTheShelf) 
     constexpr int kPotsOfASoak = 8;
     UnseenOptions options;
     options.real_time = minutes > 0;
+    // A soak stands back behind everybody else (nice 19), and may have to wait for long.
+    if (minutes > 0) options.patience = std::chrono::minutes(10);
     if (minutes > 0 || hours > 0) options.most_pots = kPotsOfASoak;  // the shelf is soon full, and stays so
     const auto most_pots = static_cast<std::size_t>(options.most_pots);
     UnseenKiosk kiosk(folder.path(), std::move(options));

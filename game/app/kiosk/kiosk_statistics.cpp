@@ -56,15 +56,17 @@ std::optional<int> number_of(std::string_view cell) {
     return value;
 }
 
-// Calls take(hour, cells) for every line of that day.
+// Calls take(hour, cells) for every line of that day with so many cells, or one fewer where that is allowed.
 template <typename Take>
-void for_each_line(const fs::path& file, const std::string& day, std::size_t cell_count, const Take& take) {
+void for_each_line(const fs::path& file, const std::string& day, std::size_t cell_count, const Take& take,
+                   bool or_one_fewer = false) {
     std::ifstream stream(file);
     std::string line;
     while (std::getline(stream, line)) {
         if (!line.starts_with(day)) continue;
         const auto cells = cells_of(line);
-        if (cells.size() != cell_count || cells[0] != day) continue;
+        const bool fits = cells.size() == cell_count || (or_one_fewer && cells.size() + 1 == cell_count);
+        if (!fits || cells[0] != day) continue;
         const auto hour = number_of(cells[1]);
         if (hour && *hour < 24) take(static_cast<std::size_t>(*hour), cells);
     }
@@ -109,17 +111,19 @@ UseOfDay use_of(const fs::path& folder, const std::string& day) {
     UseOfDay use;
     for_each_line(folder / kBreaks, day, 2, [&](std::size_t hour, const auto&) { ++use.hours[hour].breaks; });
     for_each_line(folder / kStarts, day, 2, [&](std::size_t, const auto&) { ++use.starts; });
-    for_each_line(folder / kVisits, day, 6, [&](std::size_t hour, const auto& cells) {
+    // The first visits were written without `thrown`: of them, those that kept a pot had thrown one.
+    const auto take_visit = [&](std::size_t hour, const auto& cells) {
         const auto dwell_s = number_of(cells[2]);
+        const auto kept = number_of(cells.back());
         const auto thrown = number_of(cells[4]);
-        const auto kept = number_of(cells[5]);
         if (!dwell_s || !thrown || !kept || *kept > kMostKept) return;
         UseOfHour& there = use.hours[hour];
         ++there.visits;
         there.thrown += *thrown > 0 ? 1 : 0;
         there.kept += *kept;
         there.dwell_s += *dwell_s;
-    });
+    };
+    for_each_line(folder / kVisits, day, 6, take_visit, true);
     return use;
 }
 

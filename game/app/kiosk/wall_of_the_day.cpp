@@ -17,6 +17,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kFormat = 1;
 constexpr std::size_t kMostBytes = 4'000'000;
 constexpr std::size_t kMostPoints = 4096;  // of a wall's side
 constexpr double kMostMm = 1000.0;
@@ -65,6 +66,11 @@ Result<void> WallOfTheDay::open(const std::string& today) {
     if (!text) return text.error();
     try {
         const json wall = json::parse(*text);
+        // The first walls said no format.
+        if (const int format = wall.value("format", kFormat); format != kFormat) {
+            return bad_input(
+                fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
+        }
         if (wall.at("day").get<std::string>() == today) pots_ = pots_of(wall.at("pots"));
     } catch (const json::exception& error) {
         return bad_input(
@@ -102,7 +108,7 @@ Result<void> WallOfTheDay::write() const {
                         {"outside", json_of(pot.shape.outside)},
                         {"inside", json_of(pot.shape.inside)}});
     }
-    const std::string text = json{{"day", day_}, {"pots", std::move(pots)}}.dump();
+    const std::string text = json{{"format", kFormat}, {"day", day_}, {"pots", std::move(pots)}}.dump();
     std::error_code ignored;  // write_file_atomically() says what is wrong
     std::filesystem::create_directories(file_.parent_path(), ignored);
     return files::write_file_atomically(file_, std::as_bytes(std::span(text)));
