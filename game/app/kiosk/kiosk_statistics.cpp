@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/files/append_line.h"
+
 namespace onggi::app {
 namespace {
 
@@ -26,16 +28,9 @@ Result<void> append(const fs::path& folder, const char* name, std::string_view h
                     std::int64_t now_s) {
     std::error_code error;
     fs::create_directories(folder, error);
-    const fs::path file = folder / name;
-    const bool is_new = !fs::exists(file, error);
-    const auto now = static_cast<std::time_t>(now_s);
-    std::ofstream stream(file, std::ios::app);
-    if (is_new) stream << header << '\n';
-    stream << fmt::format("{:%Y-%m-%d,%H}{}\n", fmt::localtime(now), rest);
-    stream.flush();
-    if (!stream)
-        return system_lacks(fmt::format("{}: expected a file to append to, found none", file.string()));
-    return {};
+    return files::append_line(
+        folder / name, header,
+        fmt::format("{:%Y-%m-%d,%H}{}", fmt::localtime(static_cast<std::time_t>(now_s)), rest));
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {
