@@ -97,7 +97,7 @@ bool start(const fs::path& museum) {
     std::vector<std::string> remarks;
     app::StartKeeper starts(state_of(museum));
     static_cast<void>(starts.begin_now(remarks));
-    const app::Gallery gallery(config_of(museum));
+    app::Gallery(config_of(museum)).clear_parts();
     static_cast<void>(
         app::InterruptedSession::find(state_of(museum), test::studio_start(), parameters(), remarks));
     app::WallOfTheDay wall(state_of(museum) / "wall.json");
@@ -189,7 +189,8 @@ bool is(const Deed& deed, const char* name) {
 }
 
 void expect_sound_gallery(const fs::path& museum, const Deed& deed, bool said_done) {
-    const app::Gallery gallery(config_of(museum));  // takes away what lies beside
+    const app::Gallery gallery(config_of(museum));
+    gallery.clear_parts();
     std::set<std::string> names;
     for (const app::KeptPot& pot : gallery.pots()) {
         stress::expect_whole_pot(pot.folder);

@@ -178,6 +178,16 @@ TEST(Statistics, OfBothVersionsAreCountedAlsoInOneFile) {
     EXPECT_EQ(of(first + second).total().kept, 3);
 }
 
+TEST(Statistics, AreNoWorseForAFirstLineThatIsHalf) {
+    const test::TemporaryFolder folder;
+    for (const char* half : {"day", "day,hour", "day,hour,dwell_s,ended_on"}) {
+        test::put_file(folder / "visits.csv", std::string(half) +
+                                                  "\n2026-11-21\n2026-11-21,10\n2026-11-21,10,5,keep\n" +
+                                                  "2026-11-21,10,60,keep,1,1\n");
+        EXPECT_EQ(app::use_of(folder.path(), "2026-11-21").total().visits, 1) << half;
+    }
+}
+
 TEST(Statistics, AreWrittenAsTheNewestVersion) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(app::note_visit(folder.path(), {.dwell_s = 5}));

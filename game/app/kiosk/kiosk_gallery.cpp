@@ -67,8 +67,11 @@ std::string day_of(std::int64_t s) {
 Gallery::Gallery(const kiosk::Config& config)
     : folder_(config.gallery.folder),
       most_pots_(config.gallery.most_pots),
-      least_free_mb_(config.gallery.least_free_mb) {
-    files::clear_parts(folder_);
+      least_free_mb_(config.gallery.least_free_mb) {}
+
+void Gallery::clear_parts() const {
+    constexpr bool kInDays = true;
+    files::clear_parts(folder_, kInDays);
 }
 
 double free_mb_at(const fs::path& folder) {
@@ -78,7 +81,11 @@ double free_mb_at(const fs::path& folder) {
 }
 
 std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
-    std::vector<KeptPot> found;
+    struct Aged {
+        std::pair<std::string, int> age;  // day, and number of the day
+        fs::path folder;
+    };
+    std::vector<Aged> found;
     const auto entries_of = [&](const fs::path& around) {
         FolderListing listing = list_folder(around);
         if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(around, listing);
@@ -88,18 +95,17 @@ std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     for (const fs::path& day : entries_of(folder)) {
         if (!fs::is_directory(day, ignored)) continue;
         for (const fs::path& pot : entries_of(day)) {
-            if (number_of(pot.filename().string()) == 0) continue;
-            found.push_back({pot, (day.filename() / pot.filename()).string()});
+            if (const int number = number_of(pot.filename().string()); number != 0)
+                found.push_back({{day.filename().string(), number}, pot});
         }
     }
     // By day, then by number: the thousandth pot of a day comes after the last with three digits.
-    const auto age = [](const KeptPot& pot) {
-        return std::pair(pot.folder.parent_path().filename().string(),
-                         number_of(pot.folder.filename().string()));
-    };
-    std::sort(found.begin(), found.end(),
-              [&](const KeptPot& a, const KeptPot& b) { return age(a) > age(b); });
-    return found;
+    std::sort(found.begin(), found.end(), [](const Aged& a, const Aged& b) { return a.age > b.age; });
+    std::vector<KeptPot> pots;
+    pots.reserve(found.size());
+    for (Aged& pot : found)
+        pots.push_back({pot.folder, pot.age.first + "/" + pot.folder.filename().string()});
+    return pots;
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {

@@ -39,7 +39,11 @@ struct KeptPot {
 class Gallery {
   public:
     // `today`: the folder of the day, "2026-11-21".
+    // However many pots there are, none is looked at.
     explicit Gallery(const kiosk::Config& config);
+
+    // Takes away what a killed program left half. Once, before the first pot is kept.
+    void clear_parts() const;
 
     // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png; gives the pot's number of the day, from 1.
     // System lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/files/atomic_folder.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/kiosk/house_status.h"
 #include "game/app/kiosk/kiosk_health.h"
@@ -115,6 +116,8 @@ bool KioskKeeper::follow() {
 bool KioskKeeper::work_out_interrupted_session() {
     if (!has_looked_) {
         has_looked_ = true;
+        gallery_.clear_parts();
+        files::clear_parts(statistics_);  // which may lie elsewhere
         std::vector<std::string> remarks;
         interrupted_session_ = InterruptedSession::find(visits_, start_, parameters_, remarks);
         for (std::string& line : remarks)
@@ -270,8 +273,13 @@ void KioskKeeper::survey_now() {
                        .celsius = hottest_celsius(),
                        .use = use_of(statistics_, today())};
     std::string trouble;
-    for (const KeptPot& pot : gallery_.pots(&trouble))
-        found.pots.push_back(pot.name);
+    std::vector<KeptPot> pots = gallery_.pots(&trouble);
+    if (pots.size() > KeeperAnswer::kMostPots) {
+        found.pots_beyond = pots.size() - KeeperAnswer::kMostPots;
+        pots.resize(KeeperAnswer::kMostPots);
+    }
+    for (KeptPot& pot : pots)
+        found.pots.push_back(std::move(pot.name));
     // Once, not with every look at the panel.
     if (trouble != gallery_trouble_ && !trouble.empty())
         answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble});
@@ -299,7 +307,7 @@ void KioskKeeper::look_at_the_wall(std::int64_t now_ns) {
     if (is_first) {
         show_wall(wall_.open(today()));
     } else if (wall_.day() != today()) {
-        show_wall(wall_.clear());
+        show_wall(wall_.turn_to(today()));
     }
 }
 

@@ -51,17 +51,19 @@ std::optional<int> number_of(std::string_view cell) {
     return value;
 }
 
-// Calls take(hour, cells) for every line of that day with so many cells, or one fewer where that is allowed.
+// Calls take(hour, cells) for every line of that day that has as many cells as the file's first line, or as
+// many as are written today.
 template <typename Take>
-void for_each_line(const fs::path& file, const std::string& day, std::size_t cell_count, const Take& take,
-                   bool or_one_fewer = false) {
+void for_each_line(const fs::path& file, const std::string& day, std::size_t cell_count, const Take& take) {
     std::ifstream stream(file);
     std::string line;
+    std::size_t first_count = 0;
     while (std::getline(stream, line)) {
+        if (first_count == 0) first_count = cells_of(line).size();
         if (!line.starts_with(day)) continue;
         const auto cells = cells_of(line);
-        const bool fits = cells.size() == cell_count || (or_one_fewer && cells.size() + 1 == cell_count);
-        if (!fits || cells[0] != day) continue;
+        const bool fits = cells.size() == cell_count || cells.size() == first_count;
+        if (!fits || cells.size() < 2 || cells[0] != day) continue;
         const auto hour = number_of(cells[1]);
         if (hour && *hour < 24) take(static_cast<std::size_t>(*hour), cells);
     }
@@ -108,6 +110,7 @@ UseOfDay use_of(const fs::path& folder, const std::string& day) {
     for_each_line(folder / kStarts, day, 2, [&](std::size_t, const auto&) { ++use.starts; });
     // The first visits were written without `thrown`: of them, those that kept a pot had thrown one.
     const auto take_visit = [&](std::size_t hour, const auto& cells) {
+        if (cells.size() < 5) return;
         const auto dwell_s = number_of(cells[2]);
         const auto kept = number_of(cells.back());
         const auto thrown = number_of(cells[4]);
@@ -118,7 +121,7 @@ UseOfDay use_of(const fs::path& folder, const std::string& day) {
         there.kept += *kept;
         there.dwell_s += *dwell_s;
     };
-    for_each_line(folder / kVisits, day, 6, take_visit, true);
+    for_each_line(folder / kVisits, day, 6, take_visit);
     return use;
 }
 

@@ -18,10 +18,9 @@ void StaffDesk::see_frame(double now_s, double frame_ms, const haptic::Snapshot&
 }
 
 int StaffDesk::number_of(const std::string& pot) {
-    const auto found = std::find(pots_.begin(), pots_.end(), pot);
-    if (found != pots_.end()) return static_cast<int>(found - pots_.begin());
-    pots_.push_back(pot);
-    return static_cast<int>(pots_.size()) - 1;
+    const auto [known, is_new] = numbers_.try_emplace(pot, static_cast<int>(pots_.size()));
+    if (is_new) pots_.push_back(pot);
+    return known->second;
 }
 
 void StaffDesk::take(const KeeperAnswer& answer) {
@@ -115,6 +114,7 @@ Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snap
                   .holder = parts_.devices.holder(),
                   .use = {},
                   .pots = {},
+                  .pots_beyond = 0,
                   .shared = {}};
     return health;
 }
@@ -149,6 +149,7 @@ void StaffDesk::add_to(screens::View& view, const haptic::Snapshot& snapshot) {
             now.celsius = survey_->celsius;
             now.free_mb = survey_->free_mb;
             now.use = survey_->use;
+            now.pots_beyond = survey_->pots_beyond;
             for (const std::string& pot : survey_->pots)
                 now.pots.emplace_back(number_of(pot), pot);
             for (const SharedPotNote& pot : shared_)

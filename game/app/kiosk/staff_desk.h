@@ -2,6 +2,7 @@
 // the gallery's pots by numbers that stay, so that what is deleted is what was shown. Main thread.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +67,7 @@ class StaffDesk {
     std::optional<KeeperAnswer> survey_;
     std::vector<SharedPotNote> shared_;     // as the last survey found them
     std::vector<std::string> pots_;         // all that were ever surveyed; the number is the place
+    std::map<std::string, int> numbers_;    // of them
     std::optional<kiosk::StaffPage> page_;  // that lines_ are of
     std::vector<screens::StaffLine> lines_;
     screens::FramePlot plot_;

@@ -57,8 +57,14 @@ std::vector<WallPot> pots_of(const json& list) {
 
 }  // namespace
 
+Result<void> WallOfTheDay::turn_to(const std::string& today) {
+    if (auto opened = open(today); !opened) return opened;
+    return day_on_disk_ < today && !day_on_disk_.empty() ? write() : Result<void>{};
+}
+
 Result<void> WallOfTheDay::open(const std::string& today) {
     day_ = today;
+    day_on_disk_.clear();
     pots_.clear();
     std::error_code ignored;
     if (!std::filesystem::exists(file_, ignored)) return {};
@@ -71,7 +77,8 @@ Result<void> WallOfTheDay::open(const std::string& today) {
             return bad_input(
                 fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
         }
-        if (wall.at("day").get<std::string>() == today) pots_ = pots_of(wall.at("pots"));
+        day_on_disk_ = wall.at("day").get<std::string>();
+        if (day_on_disk_ == today) pots_ = pots_of(wall.at("pots"));
     } catch (const json::exception& error) {
         return bad_input(
             fmt::format("{}: expected the pots of a wall, found: {}", file_.string(), error.what()));
@@ -80,8 +87,7 @@ Result<void> WallOfTheDay::open(const std::string& today) {
 }
 
 Result<void> WallOfTheDay::put(WallPot pot, const std::string& today) {
-    if (day_ != today) pots_.clear();
-    day_ = today;
+    if (day_ != today) static_cast<void>(open(today));
     std::erase_if(pots_, [&](const WallPot& other) { return other.gallery_name == pot.gallery_name; });
     pots_.push_back(std::move(pot));
     if (pots_.size() > kMostPots) pots_.erase(pots_.begin());
