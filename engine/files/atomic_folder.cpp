@@ -2,9 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>  // NOLINT: kill is POSIX
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -29,6 +32,16 @@ Result<void> sync_folder(const fs::path& folder) {
     ::close(descriptor);
     if (synced != 0) return lost(folder, "to sync the folder", error);
     return {};
+}
+
+// A file beside, which an AtomicFile names for the moment before it is renamed: ".onggi-PROCESS-N.part".
+bool is_of_a_dead_process(std::string_view name) {
+    constexpr std::string_view kPrefix = ".onggi-";
+    if (!name.starts_with(kPrefix)) return false;
+    const std::string_view digits = name.substr(kPrefix.size());
+    pid_t process = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), process);
+    return read.ec == std::errc() && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 }  // namespace
@@ -81,13 +94,19 @@ Result<void> take_away_folder(const fs::path& folder) {
     return {};
 }
 
-void clear_parts(const fs::path& around) {
+void clear_parts(const fs::path& around, bool deep) {
     std::error_code ignored;
+    const auto is_folder = [&](const fs::path& entry) {
+        return fs::is_directory(fs::symlink_status(entry, ignored));
+    };
     for (const fs::path& entry : list_folder(around).entries) {
-        if (!fs::is_directory(fs::symlink_status(entry, ignored))) continue;
         if (entry.extension() == ".part") {
-            fs::remove_all(entry, ignored);
-        } else {
+            if (is_folder(entry)) {
+                fs::remove_all(entry, ignored);
+            } else if (is_of_a_dead_process(entry.filename().native())) {
+                fs::remove(entry, ignored);
+            }
+        } else if (deep && is_folder(entry)) {
             clear_parts(entry);
         }
     }

@@ -37,7 +37,8 @@ class AtomicFolder {
 // input.
 Result<void> take_away_folder(const std::filesystem::path& folder);
 
-// Takes away every NAME.part folder in `around` and in its folders.
-void clear_parts(const std::filesystem::path& around);
+// Takes away every NAME.part folder in `around`, and with `deep` in its folders, and what an AtomicFile of a
+// process that is no more has left there: by their names, so that a thousand others cost no question each.
+void clear_parts(const std::filesystem::path& around, bool deep = false);
 
 }  // namespace onggi::files

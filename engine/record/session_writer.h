@@ -47,6 +47,8 @@ class SessionWriter {
     Result<void> commit();
 
     [[nodiscard]] std::uint64_t tick_count() const { return tick_count_; }
+    // Where it grows, empty where that has no name.
+    [[nodiscard]] const std::filesystem::path& beside() const { return file_.beside(); }
 
   private:
     SessionWriter(files::AtomicFile file, const SessionHeader& header, std::span<const std::byte> supplement);

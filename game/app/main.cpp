@@ -12,11 +12,14 @@
 #include "game/app/command_line/manual_command.h"
 #include "game/app/command_line/replay_command.h"
 #include "game/app/command_line/share_command.h"
+#include "game/app/command_line/status_command.h"
 #include "game/app/command_line/throw_command.h"
+#include "game/app/system/crash_report.h"
 
 int main(int argc, char** argv) {
     // A file that may not grow further is then a failed write with a message, not a silent end.
     std::signal(SIGXFSZ, SIG_IGN);
+    onggi::app::report_crashes();
     onggi::jobs::keep_heaps_small();
 
     CLI::App program{"A potter's wheel one can feel", "onggi"};
@@ -29,6 +32,7 @@ int main(int argc, char** argv) {
     onggi::app::add_share_command(program, exit_status);
     onggi::app::add_devices_command(program, exit_status);
     onggi::app::add_doctor_command(program, exit_status);
+    onggi::app::add_status_command(program, exit_status);
     onggi::app::add_manual_command(program, exit_status);
     return onggi::app::run_command_line(program, argc, argv, exit_status);
 }

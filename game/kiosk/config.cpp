@@ -181,6 +181,7 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"staff.closes_after_s", number(config.staff.closes_after_s, 10.0, 600.0, "10 to 600")},
         {"staff.name", words(config.staff.name, "a name", something)},
         {"staff.statistics_folder", words(config.staff.statistics_folder, "a folder", anything)},
+        {"staff.metrics_folder", words(config.staff.metrics_folder, "a folder", anything)},
     };
 }
 

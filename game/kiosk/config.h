@@ -69,6 +69,7 @@ struct Config {
         double closes_after_s = 120.0;  // without a touch
         std::string name = "wheel";     // of this unit, for the staff panel
         std::string statistics_folder;  // empty: statistics/ in the gallery
+        std::string metrics_folder;     // of node_exporter's text files; empty: none
     } staff;
 };
 

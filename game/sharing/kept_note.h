@@ -1,4 +1,5 @@
-// The note in a shared pot's folder: when it came, when it goes. Three lines of plain text. Any thread.
+// The note in a shared pot's folder: when it came, when it goes. Three lines of plain text, format 1
+// (game/app/FORMATS.md). Any thread.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,8 @@ expect_unit() {
     done
 }
 expect_unit onggi-kiosk.service WatchdogSec WatchdogSeconds Type=notify NotifyAccess=all WatchdogSec= Restart=always \
-    User=onggi LimitRTPRIO= LimitMEMLOCK=infinity 'DeviceAllow=char-hidraw rw' ReadWritePaths=-/var/lib/onggi-outbox
+    User=onggi LimitRTPRIO= LimitMEMLOCK=infinity 'DeviceAllow=char-hidraw rw' ReadWritePaths=-/var/lib/onggi-outbox \
+    ReadWritePaths=-/var/lib/prometheus/node-exporter
 expect_unit onggi-share.service LoadCredential LoadCredentials User=onggi-share LoadCredential=kiosk.toml: Restart=on-failure \
     'RestrictAddressFamilies=AF_INET AF_INET6$' ProtectHome=yes ProtectSystem=strict NoNewPrivileges=yes \
     'CapabilityBoundingSet=$' InaccessiblePaths=-/var/lib/onggi PrivateDevices=yes

@@ -47,6 +47,13 @@ run_share() {
     echo "# onggi share: a page of $(wc -c <"$folder/share.html") bytes"
 }
 run_devices() { show onggi_as_visitor devices; }
+# Of the wheel that is installed, which nobody has started yet.
+run_status() {
+    local status=0
+    in_root onggi status --json >"$folder/status.json" || status=$?
+    [ "$status" -eq 1 ] && grep -q '"state": "never started"' "$folder/status.json" ||
+        { cat "$folder/status.json"; fail "expected a wheel that was never started, and exit code 1, found $status"; }
+}
 run_doctor() { show onggi_as_visitor doctor; }
 # Without a display it says so; with one it is the visit's.
 run_kiosk() {

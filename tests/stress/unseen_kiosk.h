@@ -30,6 +30,9 @@ struct UnseenOptions {
     bool forgiving = true;                                         // it bears more than real clay
     bool plain = true;                                             // no photographed room
     bool shows = false;                                            // recordings, while nobody is there
+    bool real_time = false;                                        // 60 frames a second, no more
+    std::chrono::minutes patience{1};                              // of until(), by the clock on the wall
+    int most_pots = 100'000;
     int width = kWidth;
     int height = kHeight;
     kiosk::Config config = {};  // but its gallery
@@ -40,14 +43,16 @@ struct UnseenOptions {
 class UnseenKiosk {
   public:
     explicit UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options = {})
-        : start_(std::move(options.lump)) {
+        : start_(std::move(options.lump)),
+          frame_pause_(options.real_time ? 16 : 1),
+          patience_(options.patience) {
         auto settings = load_settings("");
         EXPECT_TRUE(settings);
         settings_ = std::move(*settings);
         settings_.config = std::move(options.config);
         settings_.config.gallery.folder = gallery.string();
         settings_.config.gallery.least_free_mb = 1.0;
-        settings_.config.gallery.most_pots = 100'000;
+        settings_.config.gallery.most_pots = options.most_pots;
         auto view = wheel::LiveView::open(
             {.width = options.width, .height = options.height, .headless = true, .plain = options.plain});
         EXPECT_TRUE(view) << view.error().message;
@@ -67,7 +72,7 @@ class UnseenKiosk {
         job_ = std::make_unique<haptic::HapticJob>(start_, parameters_, devices_->take(),
                                                    haptic::HapticJobOptions{});
         keeper_ = std::make_unique<KioskKeeper>(*job_, start_, parameters_, Gallery(settings_.config),
-                                                gallery / "statistics");
+                                                gallery / "statistics", KioskHeartbeat(settings_.config));
         EXPECT_TRUE(job_->start());
         EXPECT_TRUE(keeper_->start());
         if (options.loudspeaker) sound_ = std::make_unique<KioskSound>(0.5, true, options.loudspeaker);
@@ -96,19 +101,22 @@ class UnseenKiosk {
         now_s_ += dt_s;
         const auto shown = visit_->frame(now_s_);
         ASSERT_TRUE(shown) << shown.error().message;
+        if (now_s_ - beat_s_ < KioskHeartbeat::kEveryS) return;
+        beat_s_ = now_s_;
+        keeper_->beat(visit_->pulse());
     }
     [[nodiscard]] double now_s() const { return now_s_; }
     // Where the last frame shows a place on the wheel, px.
     [[nodiscard]] std::optional<dvec2> seen(const dvec3& place_mm) const { return view_->project(place_mm); }
     // The last frame.
     [[nodiscard]] asset::Image picture() { return view_->read_back().value(); }
-    // Frames until it is so; the clock of the visit goes by dt_s a frame. At most a minute of real time.
+    // Frames until it is so; the clock of the visit goes by dt_s a frame. As long as there is patience.
     template <typename Condition>
     bool until(Condition&& condition, double dt_s = 1.0 / 60.0) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        const auto end = std::chrono::steady_clock::now() + patience_;
         while (!condition() && std::chrono::steady_clock::now() < end) {
             frame(dt_s);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(frame_pause_);
         }
         return condition();
     }
@@ -223,7 +231,7 @@ class UnseenKiosk {
             ASSERT_TRUE(px);
             point(px->x, px->y);
             if (!is_down) hold(true);
-            std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            std::this_thread::sleep_for(std::max(std::chrono::milliseconds(4), frame_pause_));
             const std::chrono::duration<double> now = std::chrono::steady_clock::now() - begun;
             frame(now.count() - since_s);
             since_s = now.count();
@@ -235,6 +243,8 @@ class UnseenKiosk {
     KioskSettings settings_;
     std::unique_ptr<wheel::LiveView> view_;
     haptic::HapticState start_;
+    std::chrono::milliseconds frame_pause_;
+    std::chrono::minutes patience_;
     haptic::HapticParameters parameters_;
     haptics::SimulatedDevice* hand_ = nullptr;
     std::unique_ptr<HandDevices> devices_;
@@ -244,6 +254,7 @@ class UnseenKiosk {
     Show show_;
     std::unique_ptr<KioskVisit> visit_;
     double now_s_ = 1000.0;
+    double beat_s_ = 0.0;
 };
 
 }  // namespace onggi::app

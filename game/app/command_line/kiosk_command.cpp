@@ -70,6 +70,7 @@ render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Confi
 
 // What is looked after beside the visits.
 struct Beside {
+    KioskKeeper& keeper;
     KioskSound& sound;
     const wheel::LiveView& view;
     PictureNote* picture;  // null: what this run comes to is no rule
@@ -78,16 +79,23 @@ struct Beside {
 Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
                         const Beside& beside) {
     KioskSound& sound = beside.sound;
+    KioskKeeper& keeper = beside.keeper;
     Service service;
     KioskVoice voice(spoken_folder(settings.config));
     if (auto started = voice.start(); !started) remark(started.error().message);
     jobs::MonotonicClock clock;
     jobs::FramePacer<> pacer(clock, kFrameRateHz);
+    std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the hand's loop has ended by itself");
         pacer.wait();
         const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
+        // The first as soon as there is a picture to tell of.
+        if (beat_s ? now_s - *beat_s >= KioskHeartbeat::kEveryS : visit.frames_shown() > 0) {
+            beat_s = now_s;
+            keeper.beat(visit.pulse());
+        }
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
         service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
                                 visit.pots_kept()));
@@ -165,8 +173,8 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     constexpr double kMostLateS = 16.0;
     job_options.record_capacity = static_cast<std::size_t>(kMostLateS * parameters.rate_hz());
     haptic::HapticJob job(start, parameters, devices->take(), job_options);
-    KioskKeeper keeper(job, start, parameters, Gallery(settings->config),
-                       statistics_folder(settings->config));
+    KioskKeeper keeper(job, start, parameters, Gallery(settings->config), statistics_folder(settings->config),
+                       KioskHeartbeat(settings->config));
     if (auto started = job.start(); !started) return started.error();
     if (auto started = keeper.start(); !started) return started.error();
     keeper.note_start();
@@ -193,9 +201,11 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                           .rate_hz = parameters.rate_hz()});
         played = visit.start();
         if (played)
-            played = run_visits(
-                visit, job, *settings,
-                {.sound = sound, .view = **view, .picture = start_report.is_safe_mode ? nullptr : &picture});
+            played = run_visits(visit, job, *settings,
+                                {.keeper = keeper,
+                                 .sound = sound,
+                                 .view = **view,
+                                 .picture = start_report.is_safe_mode ? nullptr : &picture});
         if (visit.restarts()) end = KioskEnd::kStartAnew;
     }
     phone.stop();

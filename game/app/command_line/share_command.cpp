@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -21,6 +20,7 @@
 #include "game/app/sharing/share_server.h"
 #include "game/app/system/end_signal.h"
 #include "game/app/system/report.h"
+#include "game/app/system/wall_clock.h"
 #include "game/kiosk/config.h"
 
 namespace onggi::app {
@@ -74,11 +74,6 @@ void stand_back() {
     constexpr int kPicturesFirst = 10;  // as nice(1): a tenth of a core's claim
     static_cast<void>(::setpriority(PRIO_PROCESS, 0, kPicturesFirst));
     static_cast<void>(jobs::keep_this_thread_off_haptic_core(jobs::choose_haptic_core()));
-}
-
-std::int64_t wall_clock_s() {
-    const auto since = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::seconds>(since).count();
 }
 
 Result<void> serve(const ShareOptions& options) {

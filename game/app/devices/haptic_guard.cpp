@@ -6,6 +6,7 @@
 
 #include "engine/haptics/hid/hid_device.h"
 #include "engine/jobs/supervisor.h"
+#include "game/app/system/crash_report.h"
 #include "game/app/system/report.h"
 
 namespace onggi::app {
@@ -19,8 +20,14 @@ std::optional<int> supervise_devices() {
     return jobs::supervise([](int signal) {
         const int count = haptics::let_go_of_all();
         if (signal == 0) return;  // the program has said itself why it ended
-        remark(fmt::format("the program died of signal {}; {} told to let go", signal,
-                           count == 1 ? std::string("1 device was") : fmt::format("{} devices were", count)));
+        warn(fmt::format("the program died of signal {}; {} told to let go", signal,
+                         count == 1 ? std::string("1 device was") : fmt::format("{} devices were", count)));
+        const auto kept = keep_crash_session();
+        if (!kept) {
+            warn(kept.error().message);
+        } else if (*kept) {
+            warn(fmt::format("crash: kept as {}, which onggi replay works out again", (*kept)->string()));
+        }
     });
 }
 

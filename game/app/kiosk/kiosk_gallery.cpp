@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <ctime>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
+#include "game/app/system/wall_clock.h"
 #include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
 
@@ -59,46 +59,55 @@ Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const 
 }
 
 std::string today() {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%d}", fmt::localtime(now));
+    return day_of(wall_clock_s());
+}
+
+std::string day_of(std::int64_t s) {
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(static_cast<std::time_t>(s)));
 }
 
 Gallery::Gallery(const kiosk::Config& config)
     : folder_(config.gallery.folder),
       most_pots_(config.gallery.most_pots),
-      least_free_mb_(config.gallery.least_free_mb) {
-    files::clear_parts(folder_);
+      least_free_mb_(config.gallery.least_free_mb) {}
+
+void Gallery::clear_parts() const {
+    constexpr bool kInDays = true;
+    files::clear_parts(folder_, kInDays);
 }
 
-double Gallery::free_mb() const {
+double free_mb_at(const fs::path& folder) {
     std::error_code error;
-    const fs::space_info space = fs::space(fs::exists(folder_, error) ? folder_ : fs::path("."), error);
+    const fs::space_info space = fs::space(fs::exists(folder, error) ? folder : fs::path("."), error);
     return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
 }
 
-std::vector<KeptPot> Gallery::pots(std::string* trouble) const {
-    std::vector<KeptPot> found;
-    const auto entries_of = [&](const fs::path& folder) {
-        FolderListing listing = list_folder(folder);
-        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(folder, listing);
+std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
+    struct Aged {
+        std::pair<std::string, int> age;  // day, and number of the day
+        fs::path folder;
+    };
+    std::vector<Aged> found;
+    const auto entries_of = [&](const fs::path& around) {
+        FolderListing listing = list_folder(around);
+        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(around, listing);
         return std::move(listing.entries);
     };
     std::error_code ignored;
-    for (const fs::path& day : entries_of(folder_)) {
+    for (const fs::path& day : entries_of(folder)) {
         if (!fs::is_directory(day, ignored)) continue;
         for (const fs::path& pot : entries_of(day)) {
-            if (number_of(pot.filename().string()) == 0) continue;
-            found.push_back({pot, (day.filename() / pot.filename()).string()});
+            if (const int number = number_of(pot.filename().string()); number != 0)
+                found.push_back({{day.filename().string(), number}, pot});
         }
     }
     // By day, then by number: the thousandth pot of a day comes after the last with three digits.
-    const auto age = [](const KeptPot& pot) {
-        return std::pair(pot.folder.parent_path().filename().string(),
-                         number_of(pot.folder.filename().string()));
-    };
-    std::sort(found.begin(), found.end(),
-              [&](const KeptPot& a, const KeptPot& b) { return age(a) > age(b); });
-    return found;
+    std::sort(found.begin(), found.end(), [](const Aged& a, const Aged& b) { return a.age > b.age; });
+    std::vector<KeptPot> pots;
+    pots.reserve(found.size());
+    for (Aged& pot : found)
+        pots.push_back({pot.folder, pot.age.first + "/" + pot.folder.filename().string()});
+    return pots;
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {

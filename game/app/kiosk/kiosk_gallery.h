@@ -34,10 +34,19 @@ struct KeptPot {
     std::string name;  // "2026-11-21/pot-014"
 };
 
+// What Gallery::pots() and free_mb() say, of a folder that somebody else keeps pots in meanwhile.
+[[nodiscard]] std::vector<KeptPot> kept_pots(const std::filesystem::path& folder,
+                                             std::string* trouble = nullptr);
+[[nodiscard]] double free_mb_at(const std::filesystem::path& folder);
+
 class Gallery {
   public:
     // `today`: the folder of the day, "2026-11-21".
+    // However many pots there are, none is looked at.
     explicit Gallery(const kiosk::Config& config);
+
+    // Takes away what a killed program left half. Once, before the first pot is kept.
+    void clear_parts() const;
 
     // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png; gives the pot's number of the day, from 1.
     // System lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing
@@ -45,9 +54,11 @@ class Gallery {
     Result<int> keep(PotToKeep pot, const std::string& today);
     // Newest first. Where the disk does not tell of them all, those it tells of, and `trouble` gets one line;
     // else it stays as it is.
-    [[nodiscard]] std::vector<KeptPot> pots(std::string* trouble = nullptr) const;
+    [[nodiscard]] std::vector<KeptPot> pots(std::string* trouble = nullptr) const {
+        return kept_pots(folder_, trouble);
+    }
     Result<void> remove(const KeptPot& pot);
-    [[nodiscard]] double free_mb() const;
+    [[nodiscard]] double free_mb() const { return free_mb_at(folder_); }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
@@ -66,7 +77,8 @@ class Gallery {
 // A painting, whose colours are dimmed by what is seen through them, as files have them.
 [[nodiscard]] asset::Image straight_picture(ui::Painting painting);
 
-// Of the machine's clock, where it stands: "2026-11-21".
+// Of the machine's clock, where it stands: "2026-11-21". day_of(): of that second since 1970.
 [[nodiscard]] std::string today();
+[[nodiscard]] std::string day_of(std::int64_t s);
 
 }  // namespace onggi::app

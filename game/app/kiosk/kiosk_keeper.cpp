@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/files/atomic_folder.h"
 #include "engine/jobs/thread_setup.h"
+#include "game/app/kiosk/house_status.h"
 #include "game/app/kiosk/kiosk_health.h"
 #include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/system/crash_report.h"
+#include "game/app/system/wall_clock.h"
 #include "game/haptic/pot_copy.h"
 
 namespace onggi::app {
@@ -30,16 +34,17 @@ void give_back_memory() {
 
 KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
                          const haptic::HapticParameters& parameters, Gallery gallery,
-                         std::filesystem::path statistics)
+                         std::filesystem::path statistics, std::optional<KioskHeartbeat> heartbeat)
     : job_(job),
       history_(start, parameters, {.aside = state_folder(gallery.folder())}),
-      faults_(gallery.folder() / "faults"),
+      faults_(faults_folder(gallery.folder())),
       start_(start),
       parameters_(parameters),
       visits_(state_folder(gallery.folder())),
       journal_(visits_),
       gallery_(std::move(gallery)),
       statistics_(std::move(statistics)),
+      heartbeat_(std::move(heartbeat)),
       wall_(visits_ / "wall.json") {}
 
 Result<void> KioskKeeper::start() {
@@ -66,6 +71,7 @@ std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
         apply(request);
     const bool works = work_out_interrupted_session();
     write_journal(now_ns);
+    crash_leads_to(journal_.file(), faults_folder(gallery_.folder()));
     look_at_the_wall(now_ns);
     return more || works ? 0 : kLookEveryNs;
 }
@@ -77,6 +83,7 @@ void KioskKeeper::finish() noexcept {
     write_journal(0);
     if (const auto left = journal_.leave(); !left)
         answer({.kind = KeeperAnswer::Kind::kRemark, .words = left.error().message});
+    if (heartbeat_) complain(heartbeat_->end(wall_clock_s()));
 }
 
 // True when more records wait.
@@ -110,6 +117,8 @@ bool KioskKeeper::follow() {
 bool KioskKeeper::work_out_interrupted_session() {
     if (!has_looked_) {
         has_looked_ = true;
+        gallery_.clear_parts();
+        files::clear_parts(statistics_);  // which may lie elsewhere
         std::vector<std::string> remarks;
         interrupted_session_ = InterruptedSession::find(visits_, start_, parameters_, remarks);
         for (std::string& line : remarks)
@@ -247,6 +256,9 @@ void KioskKeeper::apply(const Request& request) {
         case Request::Kind::kNoteStart:
             complain(app::note_start(statistics_));
             break;
+        case Request::Kind::kBeat:
+            if (heartbeat_) complain(heartbeat_->beat(*request.pulse, wall_clock_s()));
+            break;
         case Request::Kind::kKeepHouse:
             complain(keep_house(statistics_, *request.house));
             break;
@@ -264,8 +276,13 @@ void KioskKeeper::survey_now() {
                        .celsius = hottest_celsius(),
                        .use = use_of(statistics_, today())};
     std::string trouble;
-    for (const KeptPot& pot : gallery_.pots(&trouble))
-        found.pots.push_back(pot.name);
+    std::vector<KeptPot> pots = gallery_.pots(&trouble);
+    if (pots.size() > KeeperAnswer::kMostPots) {
+        found.pots_beyond = pots.size() - KeeperAnswer::kMostPots;
+        pots.resize(KeeperAnswer::kMostPots);
+    }
+    for (KeptPot& pot : pots)
+        found.pots.push_back(std::move(pot.name));
     // Once, not with every look at the panel.
     if (trouble != gallery_trouble_ && !trouble.empty())
         answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble});
@@ -293,7 +310,7 @@ void KioskKeeper::look_at_the_wall(std::int64_t now_ns) {
     if (is_first) {
         show_wall(wall_.open(today()));
     } else if (wall_.day() != today()) {
-        show_wall(wall_.clear());
+        show_wall(wall_.turn_to(today()));
     }
 }
 

@@ -14,6 +14,7 @@
 #include "engine/jobs/spsc_ring.h"
 #include "game/app/kiosk/interrupted_session.h"
 #include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/kiosk_heartbeat.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_statistics.h"
 #include "game/app/kiosk/visit_journal.h"
@@ -46,7 +47,9 @@ struct KeeperAnswer {
     std::filesystem::path session{};                               // of one that was written
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall{};  // of kWall: as it is now, the oldest first
     std::string words{};                                           // for the log
-    std::vector<std::string> pots{};                               // of a survey: newest first
+    static constexpr std::size_t kMostPots = 1000;                 // that anybody pages through
+    std::vector<std::string> pots{};                               // of a survey: the newest, newest first
+    std::size_t pots_beyond = 0;                                   // likewise: how many more there are
     double free_mb = 0.0;                                          // of a survey, as all below
     std::optional<double> celsius{};
     UseOfDay use{};
@@ -54,10 +57,10 @@ struct KeeperAnswer {
 
 class KioskKeeper final : private jobs::IoWork {
   public:
-    // The job's state at its start, which every fresh lump is.
+    // The job's state at its start, which every fresh lump is. No heartbeat: nobody asks from afar.
     KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
-                const haptic::HapticParameters& parameters, Gallery gallery,
-                std::filesystem::path statistics);
+                const haptic::HapticParameters& parameters, Gallery gallery, std::filesystem::path statistics,
+                std::optional<KioskHeartbeat> heartbeat = {});
     ~KioskKeeper() override { stop(); }
 
     Result<void> start();
@@ -101,6 +104,10 @@ class KioskKeeper final : private jobs::IoWork {
     void note(const VisitNote& visit) { ask({.kind = Request::Kind::kNote, .visit = visit}); }
     void note_attract_break() { ask({Request::Kind::kNoteBreak}); }
     void note_start() { ask({Request::Kind::kNoteStart}); }
+    // The house's monitoring is told; every KioskHeartbeat::kEveryS.
+    void beat(KioskPulse pulse) {
+        ask({.kind = Request::Kind::kBeat, .pulse = std::make_shared<const KioskPulse>(std::move(pulse))});
+    }
     // What the staff has set, for the next start.
     void keep(HouseDefaults house) {
         ask({.kind = Request::Kind::kKeepHouse,
@@ -128,6 +135,7 @@ class KioskKeeper final : private jobs::IoWork {
             kNote,
             kNoteBreak,
             kNoteStart,
+            kBeat,
             kKeepHouse
         };
         Kind kind = Kind::kUndo;
@@ -139,6 +147,7 @@ class KioskKeeper final : private jobs::IoWork {
         std::shared_ptr<const WallPot> hung{};
         VisitNote visit{};
         std::shared_ptr<const HouseDefaults> house{};
+        std::shared_ptr<const KioskPulse> pulse{};
     };
     void ask(const Request& request) { static_cast<void>(requests_.try_push(request)); }
 
@@ -178,6 +187,7 @@ class KioskKeeper final : private jobs::IoWork {
     Gallery gallery_;
     std::string gallery_trouble_;  // as it was told last
     std::filesystem::path statistics_;
+    std::optional<KioskHeartbeat> heartbeat_;
     WallOfTheDay wall_;
     std::optional<std::int64_t> looked_at_wall_ns_;
     std::shared_ptr<const clay::StudioClay> cut_;

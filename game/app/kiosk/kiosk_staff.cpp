@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <map>
 #include <utility>
@@ -123,11 +122,14 @@ std::vector<StaffLine> gallery_lines(const Health& health) {
         }
         lines.push_back(std::move(line));
     }
+    if (health.pots_beyond > 0)
+        lines.push_back({"Older pots", fmt::format("{} more on the disk", health.pots_beyond), ""});
     // What has left the gallery by other hands is still on phones.
+    const char* const where = health.pots_beyond > 0 ? ", not among these" : ", no longer here";
     for (const auto& [number, note] : health.shared) {
         if (!until.contains(number)) continue;
         lines.push_back({.name = "Shared until " + note.until,
-                         .value = note.gallery_name + ", no longer here",
+                         .value = note.gallery_name + where,
                          .status = "",
                          .code = number});
     }
@@ -191,11 +193,15 @@ std::string force_test_words(const haptic::ForceTestReport& report, std::string_
                        verdict, hand, least_n, haptic::kTestForceN, moved_mm.y, moved_mm.x, moved_mm.z);
 }
 
-int minute_of_day() {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+int minute_of_day_at(std::int64_t now_s) {
+    const auto now = static_cast<std::time_t>(now_s);
     std::tm local{};
     localtime_r(&now, &local);
     return local.tm_hour * 60 + local.tm_min;
+}
+
+int minute_of_day() {
+    return minute_of_day_at(wall_clock_s());
 }
 
 }  // namespace onggi::app

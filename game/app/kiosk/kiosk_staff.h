@@ -41,6 +41,7 @@ struct Health {
     std::string holder = {};  // of the tool; empty: touch and mouse
     UseOfDay use = {};
     std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first
+    std::size_t pots_beyond = 0;                         // older ones, which are not among them
     std::vector<std::pair<int, SharedPotNote>> shared = {};  // likewise, for the key that withdraws
 };
 
@@ -49,7 +50,8 @@ struct Health {
 // What a test of the force came to. `hand`: who had the tool, by name.
 [[nodiscard]] std::string force_test_words(const haptic::ForceTestReport& report, std::string_view hand);
 
-// Of the machine's clock, where it stands: minutes after midnight.
+// Where the machine stands, minutes after midnight: now by its clock, and at that second since 1970.
 [[nodiscard]] int minute_of_day();
+[[nodiscard]] int minute_of_day_at(std::int64_t now_s);
 
 }  // namespace onggi::app

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/core/result.h"
+#include "game/app/system/wall_clock.h"
 #include "game/kiosk/state.h"
 
 namespace onggi::app {
@@ -20,13 +21,14 @@ struct VisitNote {
     int kept = 0;                                  // pots of it that were kept: its completions
 };
 
-// Appends to folder/visits.csv, with a line of names first where the file is new. System lacks: no permission
-// or no room.
-Result<void> note_visit(const std::filesystem::path& folder, const VisitNote& note);
+// Appends to folder/visits.csv, with a line of names first where the file is new, under the local day and
+// hour of now_s. System lacks: no permission or no room.
+Result<void> note_visit(const std::filesystem::path& folder, const VisitNote& note,
+                        std::int64_t now_s = wall_clock_s());
 // The same to attract_breaks.csv: the attract screen was interrupted.
-Result<void> note_attract_break(const std::filesystem::path& folder);
+Result<void> note_attract_break(const std::filesystem::path& folder, std::int64_t now_s = wall_clock_s());
 // And to starts.csv: the program has started.
-Result<void> note_start(const std::filesystem::path& folder);
+Result<void> note_start(const std::filesystem::path& folder, std::int64_t now_s = wall_clock_s());
 
 // What phones were shown and took: counts, nothing of whom.
 struct PhoneNote {
@@ -39,7 +41,8 @@ struct PhoneNote {
     friend bool operator==(const PhoneNote&, const PhoneNote&) = default;
 };
 // To phones.csv, which nobody else writes: another thread may note visits meanwhile.
-Result<void> note_phones(const std::filesystem::path& folder, const PhoneNote& note);
+Result<void> note_phones(const std::filesystem::path& folder, const PhoneNote& note,
+                         std::int64_t now_s = wall_clock_s());
 
 struct UseOfHour {
     int breaks = 0;  // of the attract screen

@@ -84,6 +84,14 @@ Result<void> KioskVisit::frame(double now_s) {
     return drawn;
 }
 
+KioskPulse KioskVisit::pulse() const {
+    KioskPulse pulse = desk_.pulse(parts_.job.newest_snapshot());
+    pulse.screen = kiosk::name_of(state_.screen);
+    pulse.is_closed = is_closed();
+    pulse.frames_shown = frames_shown_;
+    return pulse;
+}
+
 Result<void> KioskVisit::draw(const VisitMoment& moment) {
     screens::Composer& composer = screens_.composer();
     stage_.take(composer.latest(), now_s_);

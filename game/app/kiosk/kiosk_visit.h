@@ -38,6 +38,8 @@ class KioskVisit final : private VisitFlow {
     // What the visitor sees; null before the first. For scripted visitors, who look for the button they want.
     [[nodiscard]] const screens::Composed* shown() const { return stage_.shown(); }
     [[nodiscard]] std::uint64_t frames_shown() const { return frames_shown_; }
+    // For the house's monitoring.
+    [[nodiscard]] KioskPulse pulse() const;
     [[nodiscard]] std::uint64_t pots_kept() const { return effects_.pots_kept(); }  // since the start
 
   private:

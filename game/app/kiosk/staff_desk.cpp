@@ -18,10 +18,9 @@ void StaffDesk::see_frame(double now_s, double frame_ms, const haptic::Snapshot&
 }
 
 int StaffDesk::number_of(const std::string& pot) {
-    const auto found = std::find(pots_.begin(), pots_.end(), pot);
-    if (found != pots_.end()) return static_cast<int>(found - pots_.begin());
-    pots_.push_back(pot);
-    return static_cast<int>(pots_.size()) - 1;
+    const auto [known, is_new] = numbers_.try_emplace(pot, static_cast<int>(pots_.size()));
+    if (is_new) pots_.push_back(pot);
+    return known->second;
 }
 
 void StaffDesk::take(const KeeperAnswer& answer) {
@@ -73,6 +72,20 @@ void StaffDesk::leave() {
     parts_.view.measure_parts(false);
 }
 
+KioskPulse StaffDesk::pulse(const haptic::Snapshot& snapshot) const {
+    const bool has_fault = snapshot.fault != haptics::Fault::kNone;
+    return {.fault = has_fault ? std::string(haptics::words_for(snapshot.fault)) : std::string(),
+            .faults = snapshot.safety.fault_count,
+            .asked_hz = parts_.rate_hz,
+            .achieved_hz = meter_.achieved_hz(),
+            .skipped_periods = snapshot.skipped_periods,
+            .late_periods = snapshot.safety.late_periods,
+            .frame_ms = meter_.mean_frame_ms(),
+            .worst_frame_ms = meter_.worst_frame_ms(),
+            .haptic_ticks = snapshot.periods,
+            .is_safe_mode = parts_.start.is_safe_mode};
+}
+
 Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snapshot) const {
     const render::FrameStats& stats = parts_.view.frame_stats();
     const bool has_fault = snapshot.fault != haptics::Fault::kNone;
@@ -101,6 +114,7 @@ Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snap
                   .holder = parts_.devices.holder(),
                   .use = {},
                   .pots = {},
+                  .pots_beyond = 0,
                   .shared = {}};
     return health;
 }
@@ -135,6 +149,7 @@ void StaffDesk::add_to(screens::View& view, const haptic::Snapshot& snapshot) {
             now.celsius = survey_->celsius;
             now.free_mb = survey_->free_mb;
             now.use = survey_->use;
+            now.pots_beyond = survey_->pots_beyond;
             for (const std::string& pot : survey_->pots)
                 now.pots.emplace_back(number_of(pot), pot);
             for (const SharedPotNote& pot : shared_)

@@ -2,6 +2,7 @@
 // the gallery's pots by numbers that stay, so that what is deleted is what was shown. Main thread.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "game/app/kiosk/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_sound.h"
 #include "game/app/kiosk/kiosk_staff.h"
+#include "game/app/kiosk/kiosk_status.h"
 #include "game/app/system/start_log.h"
 #include "game/wheel/live_view.h"
 
@@ -35,6 +37,8 @@ class StaffDesk {
 
     // Once a frame, whatever is shown. frame_ms: since the frame before.
     void see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot);
+    // What the house's monitoring is told, of the program's health alone.
+    [[nodiscard]] KioskPulse pulse(const haptic::Snapshot& snapshot) const;
     // A survey that the keeper has answered.
     void take(const KeeperAnswer& answer);
     void take(const PhoneAnswer& answer);
@@ -63,6 +67,7 @@ class StaffDesk {
     std::optional<KeeperAnswer> survey_;
     std::vector<SharedPotNote> shared_;     // as the last survey found them
     std::vector<std::string> pots_;         // all that were ever surveyed; the number is the place
+    std::map<std::string, int> numbers_;    // of them
     std::optional<kiosk::StaffPage> page_;  // that lines_ are of
     std::vector<screens::StaffLine> lines_;
     screens::FramePlot plot_;

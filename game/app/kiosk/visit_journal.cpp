@@ -52,6 +52,12 @@ Result<void> VisitJournal::follow(const haptic::History& history, std::int64_t n
     return {};
 }
 
+std::filesystem::path VisitJournal::file() const {
+    // While the newer one has not caught up, the older tells more.
+    const auto& longer = written_ ? written_ : next_;
+    return longer ? longer->beside() : std::filesystem::path();
+}
+
 void VisitJournal::drop() noexcept {
     written_.reset();
     next_.reset();

@@ -26,6 +26,8 @@ class VisitJournal {
     Result<void> follow(const haptic::History& history, std::int64_t now_ns);
     // Whether all that the history had at the last follow() is written, but for a block in the making.
     [[nodiscard]] bool has_caught_up() const { return written_ && !next_; }
+    // The file that tells most of the visit; empty: there is none.
+    [[nodiscard]] std::filesystem::path file() const;
     // The visit is over, or its pot is on the shelf: nothing of it stays.
     void drop() noexcept;
     // The program ends while the visit goes on: what is written stays, but for a block in the making.

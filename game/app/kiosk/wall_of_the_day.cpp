@@ -17,6 +17,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kFormat = 1;
 constexpr std::size_t kMostBytes = 4'000'000;
 constexpr std::size_t kMostPoints = 4096;  // of a wall's side
 constexpr double kMostMm = 1000.0;
@@ -56,8 +57,14 @@ std::vector<WallPot> pots_of(const json& list) {
 
 }  // namespace
 
+Result<void> WallOfTheDay::turn_to(const std::string& today) {
+    if (auto opened = open(today); !opened) return opened;
+    return day_on_disk_ < today && !day_on_disk_.empty() ? write() : Result<void>{};
+}
+
 Result<void> WallOfTheDay::open(const std::string& today) {
     day_ = today;
+    day_on_disk_.clear();
     pots_.clear();
     std::error_code ignored;
     if (!std::filesystem::exists(file_, ignored)) return {};
@@ -65,7 +72,13 @@ Result<void> WallOfTheDay::open(const std::string& today) {
     if (!text) return text.error();
     try {
         const json wall = json::parse(*text);
-        if (wall.at("day").get<std::string>() == today) pots_ = pots_of(wall.at("pots"));
+        // The first walls said no format.
+        if (const int format = wall.value("format", kFormat); format != kFormat) {
+            return bad_input(
+                fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
+        }
+        day_on_disk_ = wall.at("day").get<std::string>();
+        if (day_on_disk_ == today) pots_ = pots_of(wall.at("pots"));
     } catch (const json::exception& error) {
         return bad_input(
             fmt::format("{}: expected the pots of a wall, found: {}", file_.string(), error.what()));
@@ -74,8 +87,7 @@ Result<void> WallOfTheDay::open(const std::string& today) {
 }
 
 Result<void> WallOfTheDay::put(WallPot pot, const std::string& today) {
-    if (day_ != today) pots_.clear();
-    day_ = today;
+    if (day_ != today) static_cast<void>(open(today));
     std::erase_if(pots_, [&](const WallPot& other) { return other.gallery_name == pot.gallery_name; });
     pots_.push_back(std::move(pot));
     if (pots_.size() > kMostPots) pots_.erase(pots_.begin());
@@ -102,7 +114,7 @@ Result<void> WallOfTheDay::write() const {
                         {"outside", json_of(pot.shape.outside)},
                         {"inside", json_of(pot.shape.inside)}});
     }
-    const std::string text = json{{"day", day_}, {"pots", std::move(pots)}}.dump();
+    const std::string text = json{{"format", kFormat}, {"day", day_}, {"pots", std::move(pots)}}.dump();
     std::error_code ignored;  // write_file_atomically() says what is wrong
     std::filesystem::create_directories(file_.parent_path(), ignored);
     return files::write_file_atomically(file_, std::as_bytes(std::span(text)));

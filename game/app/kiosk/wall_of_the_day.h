@@ -28,6 +28,9 @@ class WallOfTheDay {
     // What is on the disk of that day; of another day, nothing. Bad input: the file is damaged; the wall is
     // empty then, and the next pot that is put there writes it anew.
     Result<void> open(const std::string& today);
+    // It is another day by the machine's clock, whichever way that went: what is on the disk of that day. A
+    // day that is over leaves the disk; one to come stays there, for a clock that will be set right.
+    Result<void> turn_to(const std::string& today);
     // Once each. The errors of these three: the disk does not take it. What was changed is changed.
     Result<void> put(WallPot pot, const std::string& today);
     Result<void> take(const std::string& gallery_name);
@@ -41,6 +44,7 @@ class WallOfTheDay {
 
     std::filesystem::path file_;
     std::string day_;
+    std::string day_on_disk_;  // as open() found it
     std::vector<WallPot> pots_;
 };
 

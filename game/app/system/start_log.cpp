@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <system_error>
 
 #include "engine/core/quote.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
+#include "game/app/system/wall_clock.h"
 
 namespace onggi::app {
 namespace {
@@ -18,18 +18,19 @@ constexpr std::string_view kFirstLine = "onggi starts 1";
 constexpr std::size_t kMostLogBytes = 4096;
 constexpr std::size_t kMostFalls = 20;  // more tell nothing new
 
-std::int64_t wall_clock_s() {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::seconds>(now).count();
+constexpr const char* kFile = "starts";
+
+void forget_old_falls(std::vector<std::int64_t>& falls_s, std::int64_t now_s) {
+    // A clock that was put back makes falls of the future: they tell nothing.
+    std::erase_if(falls_s,
+                  [&](std::int64_t fall_s) { return fall_s > now_s || now_s - fall_s >= kFallsCountForS; });
 }
 
 }  // namespace
 
 StartReport begin(StartLog& log, std::int64_t now_s) {
     if (log.is_running) log.falls_s.push_back(now_s);
-    // A clock that was put back makes falls of the future: they tell nothing.
-    std::erase_if(log.falls_s,
-                  [&](std::int64_t fall_s) { return fall_s > now_s || now_s - fall_s >= kFallsCountForS; });
+    forget_old_falls(log.falls_s, now_s);
     if (log.falls_s.size() > kMostFalls)
         log.falls_s.erase(log.falls_s.begin(), log.falls_s.end() - static_cast<std::ptrdiff_t>(kMostFalls));
     log.is_running = true;
@@ -75,6 +76,19 @@ Result<StartLog> read_start_log(std::string_view text, const std::string& file) 
     return log;
 }
 
+Result<StartLog> read_start_log_of(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / kFile;
+    const auto text = files::read_file(file, kMostLogBytes);
+    return text ? read_start_log(*text, file.string()) : Result<StartLog>(text.error());
+}
+
+int falls_lately(StartLog log, std::int64_t now_s) {
+    forget_old_falls(log.falls_s, now_s);
+    return static_cast<int>(log.falls_s.size());
+}
+
+StartKeeper::StartKeeper(const std::filesystem::path& folder) : file_(folder / kFile) {}
+
 Result<void> StartKeeper::write() {
     std::error_code error;
     std::filesystem::create_directories(file_.parent_path(), error);
@@ -84,8 +98,7 @@ Result<void> StartKeeper::write() {
 StartReport StartKeeper::begin_now(std::vector<std::string>& remarks) {
     std::error_code error;
     if (std::filesystem::exists(file_, error)) {
-        const auto text = files::read_file(file_, kMostLogBytes);
-        auto log = text ? read_start_log(*text, file_.string()) : Result<StartLog>(text.error());
+        auto log = read_start_log_of(file_.parent_path());
         if (log) {
             log_ = std::move(*log);
         } else {

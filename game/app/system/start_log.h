@@ -40,10 +40,15 @@ inline void end(StartLog& log) {
 [[nodiscard]] std::string text_of(const StartLog& log);
 [[nodiscard]] Result<StartLog> read_start_log(std::string_view text, const std::string& file);
 
+// The log in FOLDER/starts, as somebody else may read it. Errors: of the file, and as above.
+[[nodiscard]] Result<StartLog> read_start_log_of(const std::filesystem::path& folder);
+// Falls that still count at that time. Pure.
+[[nodiscard]] int falls_lately(StartLog log, std::int64_t now_s);
+
 // The log in FOLDER/starts, from one start to its end.
 class StartKeeper {
   public:
-    explicit StartKeeper(std::filesystem::path folder) : file_(std::move(folder) / "starts") {}
+    explicit StartKeeper(const std::filesystem::path& folder);
 
     // `remarks` gets a line where the file is broken or cannot be written; then the start counts as the
     // first.

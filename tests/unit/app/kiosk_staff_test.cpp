@@ -124,6 +124,19 @@ TEST(StaffLines, SayWhichPotsPhonesMayFetchAndGiveThemAKeyToWithdraw) {
     EXPECT_EQ(lines[2].value, "2026-11-22/pot-001, no longer here");
 }
 
+TEST(StaffLines, SayHowManyPotsThereAreBeyondThoseTheyName) {
+    Health health = well();
+    health.pots = {{0, "2026-11-22/pot-003"}};
+    health.pots_beyond = 9000;
+    health.shared = {{9, {"2026-11-20/pot-001", "18:00"}}};
+    const auto lines = staff_lines(health, StaffPage::kGallery);
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[1].value, "9000 more on the disk");
+    EXPECT_EQ(lines[2].value, "2026-11-20/pot-001, not among these")
+        << "nobody has looked whether it is there";
+    EXPECT_EQ(lines[2].code, 9);
+}
+
 TEST(StaffLines, TellEachDeviceWithWhatItCanAndWhyItCannot) {
     Health health = well();
     EXPECT_EQ(line(health, "Plugged in", StaffPage::kDevices).value, "none");

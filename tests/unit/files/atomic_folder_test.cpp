@@ -1,6 +1,8 @@
 #include "engine/files/atomic_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -40,6 +42,34 @@ TEST(AtomicFolder, IsTakenAwayWithAllThatIsInItAndWithWhatAKilledProgramLeft) {
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().kind, ErrorKind::kBadInput);
     EXPECT_EQ(none.error().message, (folder / "pot").string() + ": expected a folder, found none");
+}
+
+TEST(AtomicFolder, LeavesNoPartsWhereTheyAreLookedForAndTouchesNothingElse) {
+    const test::TemporaryFolder folder;
+    for (const char* place : {"day.part/pot", "day/pot.part/inner", "day/pot/inner.part"})
+        fs::create_directories(folder / place);
+    test::put_file(folder / "file.part", "a file");
+    clear_parts(folder.path());
+    EXPECT_FALSE(fs::exists(folder / "day.part"));
+    EXPECT_TRUE(fs::exists(folder / "day/pot.part"));
+    clear_parts(folder.path(), true);
+    EXPECT_FALSE(fs::exists(folder / "day/pot.part"));
+    EXPECT_TRUE(fs::exists(folder / "day/pot/inner.part"));
+    EXPECT_TRUE(fs::exists(folder / "file.part"));
+}
+
+TEST(AtomicFolder, TakesAwayFilesBesideOfProcessesThatAreNoMore) {
+    const test::TemporaryFolder folder;
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    const std::string left = ".onggi-" + std::to_string(child) + "-0.part";
+    const std::string mine = ".onggi-" + std::to_string(::getpid()) + "-0.part";
+    for (const std::string& name : {left, mine, std::string(".onggi-x.part")})
+        test::put_file(folder / name, "half");
+    clear_parts(folder.path());
+    EXPECT_EQ(folder.names().size(), 2U);
+    EXPECT_FALSE(fs::exists(folder / left));
 }
 
 }  // namespace

@@ -1,0 +1,202 @@
+#include "game/app/system/crash_report.h"
+
+#include <execinfo.h>
+#include <fmt/format.h>
+#include <limits.h>  // NOLINT: PATH_MAX is POSIX
+#include <signal.h>  // NOLINT: sigaction is POSIX
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "engine/core/quote.h"
+#include "game/app/system/report.h"
+#include "game/app/system/version.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Lead {
+    std::array<char, PATH_MAX> session{};
+    std::array<char, PATH_MAX> keep_in{};
+};
+// In memory that the supervisor shares, and reads when the program is no more. Of two leads one is whole.
+struct SharedLead {
+    std::array<Lead, 2> leads;
+    std::atomic<std::uint32_t> whole{0};
+};
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
+
+// A handler reaches nothing else.
+SharedLead* shared = nullptr;
+std::array<char, 256> program{};
+std::array<std::byte, std::size_t{64} << 10U> handler_stack{};
+std::atomic_flag is_reporting = ATOMIC_FLAG_INIT;
+
+// One line, as far as it has room, by one call: lines of several processes do not mix.
+class Line {
+  public:
+    explicit Line(bool for_journal) { *this << (for_journal ? kCritical : "") << "onggi: crash: "; }
+    Line& operator<<(const char* text) {
+        while (*text != '\0' && size_ + 1 < bytes_.size())
+            bytes_[size_++] = *text++;
+        return *this;
+    }
+    Line& operator<<(unsigned number) { return add(number, 10); }
+    Line& hex(std::uintptr_t number) { return (*this << "0x").add(number, 16); }
+    void write() {
+        bytes_[size_++] = '\n';
+        static_cast<void>(!::write(STDERR_FILENO, bytes_.data(), size_));
+    }
+
+  private:
+    Line& add(std::uintptr_t number, unsigned base) {
+        std::array<char, 24> digits{};
+        std::size_t at = digits.size() - 1;
+        do {
+            digits[--at] = "0123456789abcdef"[number % base];
+            number /= base;
+        } while (number != 0);
+        return *this << &digits[at];
+    }
+    std::array<char, PATH_MAX + 256> bytes_{};
+    std::size_t size_ = 0;
+};
+
+const char* words_for(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+            return "SIGSEGV";
+        case SIGBUS:
+            return "SIGBUS";
+        case SIGFPE:
+            return "SIGFPE";
+        case SIGILL:
+            return "SIGILL";
+        default:
+            return "SIGABRT";
+    }
+}
+
+bool for_journal = false;
+
+void report_and_die(int signal, siginfo_t* info, void* /*context*/) {
+    // The thread that fell first tells of it; another that falls meanwhile waits for the end.
+    while (is_reporting.test_and_set())
+        ::pause();
+    // Should a line never end, somebody holding the loader's lock: the program does.
+    ::alarm(5);
+    std::array<char, 17> thread{};
+    ::prctl(PR_GET_NAME, thread.data());
+    Line line(for_journal);
+    line << words_for(signal);
+    // Of the kernel's own finding, or of somebody's: a service manager's watchdog.
+    if (info->si_code > 0) {
+        (line << " at ").hex(reinterpret_cast<std::uintptr_t>(info->si_addr));
+    } else {
+        line << " from process " << static_cast<unsigned>(info->si_pid);
+    }
+    (line << " in thread " << thread.data() << " of " << program.data()).write();
+    constexpr int kMostFrames = 48;
+    std::array<void*, kMostFrames> frames{};
+    ::backtrace_symbols_fd(frames.data(), ::backtrace(frames.data(), kMostFrames), STDERR_FILENO);
+    const char* session = shared == nullptr ? "" : shared->leads[shared->whole % 2].session.data();
+    Line led(for_journal);
+    if (*session == '\0') {
+        led << "nobody was throwing";
+    } else {
+        led << "the session that led there: " << session;
+    }
+    led.write();
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+void copy(std::array<char, PATH_MAX>& into, const std::string& text) {
+    into = {};
+    if (text.size() < into.size()) std::memcpy(into.data(), text.data(), text.size());
+}
+
+// The first name that is free, or that of the oldest.
+fs::path place_in(const fs::path& folder) {
+    fs::path oldest;
+    fs::file_time_type written{};
+    for (int number = 1; number <= kMostCrashes; ++number) {
+        fs::path place = folder / fmt::format("crash-{}.onggi", number);
+        std::error_code error;
+        const fs::file_time_type at = fs::last_write_time(place, error);
+        if (error) return place;
+        if (!oldest.empty() && at >= written) continue;
+        oldest = std::move(place);
+        written = at;
+    }
+    return oldest;
+}
+
+}  // namespace
+
+void report_crashes() {
+    void* const memory =
+        ::mmap(nullptr, sizeof(SharedLead), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory != MAP_FAILED) shared = new (memory) SharedLead;  // NOLINT: it lives as long as the program
+    const std::string named = "onggi " + version();
+    std::copy_n(named.data(), std::min(named.size(), program.size() - 1), program.data());
+    for_journal = stderr_is_journal();
+    // The first call loads what unwinds, which no handler may.
+    std::array<void*, 1> frame{};
+    static_cast<void>(::backtrace(frame.data(), 1));
+    // A stack that ran over has no room for a handler.
+    const stack_t apart{.ss_sp = handler_stack.data(), .ss_flags = 0, .ss_size = handler_stack.size()};
+    ::sigaltstack(&apart, nullptr);
+    struct sigaction action {};
+    action.sa_sigaction = &report_and_die;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    sigemptyset(&action.sa_mask);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+        struct sigaction before {};
+        ::sigaction(signal, nullptr, &before);
+        if (before.sa_handler == SIG_DFL) ::sigaction(signal, &action, nullptr);
+    }
+}
+
+void crash_leads_to(const fs::path& session, const fs::path& keep_in) noexcept {
+    if (shared == nullptr) return;
+    const std::uint32_t whole = shared->whole;
+    if (session.native() == shared->leads[whole % 2].session.data()) return;
+    Lead& next = shared->leads[(whole + 1) % 2];
+    copy(next.session, session.native());
+    copy(next.keep_in, keep_in.native());
+    shared->whole = whole + 1;
+}
+
+Result<std::optional<fs::path>> keep_crash_session() {
+    if (shared == nullptr) return std::optional<fs::path>();
+    const Lead& lead = shared->leads[shared->whole % 2];
+    const fs::path session = lead.session.data();
+    const fs::path folder = lead.keep_in.data();
+    std::error_code error;
+    if (session.empty() || !fs::exists(session, error)) return std::optional<fs::path>();
+    fs::create_directories(folder, error);
+    const fs::path place = place_in(folder);
+    fs::remove(place, error);
+    fs::create_hard_link(session, place, error);
+    // Not every file system knows two names for one file.
+    if (error) fs::copy_file(session, place, error);
+    if (error)
+        return system_lacks(fmt::format("{}: expected to keep the session of a crash there, found: {}",
+                                        shown_path(place.native()), error.message()));
+    return std::optional(place);
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,383 @@
+#include "tests/faults/museum.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "game/app/kiosk/house_status.h"
+#include "game/app/kiosk/interrupted_session.h"
+#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/kiosk_heartbeat.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/kiosk_statistics.h"
+#include "game/app/kiosk/visit_journal.h"
+#include "game/app/kiosk/wall_of_the_day.h"
+#include "game/app/system/start_log.h"
+#include "game/haptic/fault_report.h"
+#include "game/sharing/outbox.h"
+#include "tests/stress/whole.h"
+#include "tests/support/shared_pot_samples.h"
+#include "tests/unit/haptic/studio_hand.h"
+
+namespace onggi::faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRateHz = 500.0;
+constexpr std::int64_t kNoonS = 1'795'608'000;  // of kToday, UTC
+constexpr std::uint64_t kInterruptedTicks = 2000;
+constexpr const char* kSharedMark = "before";
+
+haptic::HapticParameters parameters() {
+    haptic::HapticParameters found;
+    found.set_rate_hz(kRateHz);
+    return found;
+}
+
+// A wheel that is thrown on in simulated time, and all that was done on it.
+struct Visit {
+    explicit Visit(const fs::path& aside = {})
+        : history(test::studio_start(), parameters(), {.aside = aside}) {}
+
+    void throw_until(std::uint64_t end) {
+        while (state.ticks < end)
+            tick(0);
+    }
+    void tick(std::uint32_t flags) {
+        const haptics::ToolState tool = test::studio_hand(state.ticks, kRateHz);
+        const haptic::TickResult result = haptic::tick(state, tool, parameters());
+        history.add({.tick = static_cast<std::uint32_t>(state.ticks - 1),
+                     .flags = flags | (state.ticks == 1 ? haptic::TickRecord::kFreshLump : 0U),
+                     .tool = state.tool,
+                     .force_n = result.forces.total_n()});
+    }
+
+    haptic::HapticState state = test::studio_start();
+    haptic::History history;
+};
+
+// Thrown once; whoever is forked has it too.
+const Visit& thrown() {
+    static const auto visit = [] {
+        auto made = std::make_unique<Visit>();
+        made->throw_until(1200);
+        return made;
+    }();
+    return *visit;
+}
+
+app::PotToKeep pot_to_keep() {
+    return {.history = &thrown().history,
+            .clay = thrown().state.studio(),
+            .glaze = &finish::glaze_at(0),
+            .portrait = {.width = 2, .height = 1, .rgba = {200, 150, 100, 255, 0, 0, 0, 0}}};
+}
+
+app::WallPot wall_pot(const std::string& name) {
+    return {
+        .gallery_name = name, .glaze = 3, .shape = pot::hollowed({{40, 0}, {55, 50}, {45, 100}}, 5.0F, 8.0F)};
+}
+
+sharing::OutboxOptions outbox_of(const fs::path& museum, std::size_t most_pots = 8) {
+    return {.folder = museum / "outbox", .most_pots = most_pots, .languages = support::three_languages()};
+}
+
+fs::path gallery_of(const fs::path& museum) {
+    return museum / "gallery";
+}
+fs::path state_of(const fs::path& museum) {
+    return app::state_folder(gallery_of(museum));
+}
+
+// Each of them says whether all of it was done.
+bool start(const fs::path& museum) {
+    std::vector<std::string> remarks;
+    app::StartKeeper starts(state_of(museum));
+    static_cast<void>(starts.begin_now(remarks));
+    app::Gallery(config_of(museum)).clear_parts();
+    static_cast<void>(
+        app::InterruptedSession::find(state_of(museum), test::studio_start(), parameters(), remarks));
+    app::WallOfTheDay wall(state_of(museum) / "wall.json");
+    const bool has_wall = static_cast<bool>(wall.open(kToday));
+    const bool has_outbox = static_cast<bool>(sharing::Outbox::open(outbox_of(museum)));
+    const bool counted = static_cast<bool>(app::note_start(gallery_of(museum) / "statistics", kNoonS));
+    return has_wall && has_outbox && counted && remarks.empty();
+}
+
+bool throw_with_a_journal(const fs::path& museum) {
+    Visit visit(state_of(museum));
+    app::VisitJournal journal(state_of(museum));
+    std::int64_t now_ns = 0;
+    bool done = true;
+    const auto follow = [&] {
+        done = static_cast<bool>(journal.follow(visit.history, now_ns += 2'000'000'000)) && done;
+    };
+    visit.throw_until(1500);
+    follow();
+    // Taken back, and on from there.
+    const auto before = visit.history.state_at(700);
+    if (!before) return false;
+    visit.state = *before;
+    visit.tick(haptic::TickRecord::kStatePut);
+    follow();
+    visit.throw_until(2600);
+    follow();
+    return static_cast<bool>(journal.leave()) && done;
+}
+
+bool keep_a_pot(const fs::path& museum) {
+    app::Gallery gallery(config_of(museum));  // which has room for two
+    return static_cast<bool>(gallery.keep(pot_to_keep(), kToday));
+}
+
+bool delete_a_pot(const fs::path& museum) {
+    app::Gallery gallery(config_of(museum));
+    const auto pots = gallery.pots();
+    return !pots.empty() && gallery.remove(pots.back());
+}
+
+bool share_a_pot(const fs::path& museum) {
+    auto outbox = sharing::Outbox::open(outbox_of(museum));
+    return outbox && outbox->put(support::full_pot("after"), {.now_s = kNoonS, .expires_s = kNoonS + 3600});
+}
+
+bool share_in_place_of_the_oldest(const fs::path& museum) {
+    auto outbox = sharing::Outbox::open(outbox_of(museum, 1));
+    return outbox && outbox->put(support::full_pot("after"), {.now_s = kNoonS, .expires_s = kNoonS + 3600});
+}
+
+bool put_on_the_wall(const fs::path& museum) {
+    app::WallOfTheDay wall(state_of(museum) / "wall.json");
+    return wall.open(kToday) && wall.put(wall_pot("2026-11-25/pot-002"), kToday);
+}
+
+bool count(const fs::path& museum) {
+    const fs::path statistics = gallery_of(museum) / "statistics";
+    const bool visit = static_cast<bool>(app::note_visit(statistics, {.dwell_s = 60, .kept = 1}, kNoonS));
+    const bool came = static_cast<bool>(app::note_attract_break(statistics, kNoonS));
+    const bool phones = static_cast<bool>(app::note_phones(statistics, {.codes = 1}, kNoonS));
+    return visit && came && phones;
+}
+
+bool set_the_house(const fs::path& museum) {
+    return static_cast<bool>(
+        app::keep_house(gallery_of(museum) / "statistics", {.volume = 2, .language = "en"}));
+}
+
+bool beat(const fs::path& museum) {
+    app::KioskHeartbeat heart(config_of(museum));
+    const bool beats =
+        static_cast<bool>(heart.beat({.screen = "throw", .frames_shown = 5, .haptic_ticks = 7}, kNoonS + 60));
+    const bool ends = static_cast<bool>(heart.end(kNoonS + 120));
+    app::StartKeeper starts(state_of(museum));
+    return static_cast<bool>(starts.end_now()) && beats && ends;
+}
+
+bool keep_a_fault(const fs::path& museum) {
+    haptic::FaultReport faults(app::faults_folder(gallery_of(museum)));
+    haptic::TickRecord record;
+    record.flags = haptic::TickRecord::kFault;
+    const auto kept = faults.look(record, thrown().history);
+    return kept && *kept;
+}
+
+bool is(const Deed& deed, const char* name) {
+    return std::string_view(deed.name) == name;
+}
+
+void expect_sound_gallery(const fs::path& museum, const Deed& deed, bool said_done) {
+    const app::Gallery gallery(config_of(museum));
+    gallery.clear_parts();
+    std::set<std::string> names;
+    for (const app::KeptPot& pot : gallery.pots()) {
+        stress::expect_whole_pot(pot.folder);
+        names.insert(pot.name);
+    }
+    const bool has_new = names.contains("2026-11-25/pot-002");
+    EXPECT_TRUE(names.contains("2026-11-25/pot-001"));
+    // The oldest gives way to the new one, not before it is there; and may stay where it cannot be taken
+    // away.
+    if (is(deed, "delete a pot")) {
+        EXPECT_FALSE(names.contains("2026-11-24/pot-001") && said_done) << "it was said to be gone";
+    } else if (!has_new) {
+        EXPECT_TRUE(names.contains("2026-11-24/pot-001"));
+    }
+    if (is(deed, "keep a pot")) {
+        EXPECT_TRUE(has_new || !said_done);
+    } else {
+        EXPECT_FALSE(has_new);
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(gallery.folder())) {
+        const std::string name = entry.path().filename().string();
+        const bool is_a_visit = entry.path().parent_path().filename() == "state";
+        EXPECT_TRUE(is_a_visit || !entry.path().string().ends_with(".part"))
+            << entry.path() << " is left behind";
+        EXPECT_TRUE(is_a_visit || !name.starts_with(".onggi-")) << entry.path() << " is left behind";
+    }
+}
+
+void expect_sound_outbox(const fs::path& museum, const Deed& deed, bool said_done) {
+    const auto outbox = sharing::Outbox::open(outbox_of(museum));
+    ASSERT_TRUE(outbox) << outbox.error().message;
+    const auto entries = outbox->list();
+    ASSERT_TRUE(entries) << entries.error().message;
+    bool has_old = false;
+    bool has_new = false;
+    for (const sharing::OutboxEntry& entry : *entries) {
+        const fs::path folder = museum / "outbox" / entry.code.text();
+        const auto files = std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+        EXPECT_EQ(files, 23) << "a page is half there";
+        const std::string model = test::content_of(folder / "pot.glb");
+        EXPECT_GT(model.size(), 20'000U);
+        const bool is_old = model.starts_with(std::string("glTF ") + kSharedMark);
+        has_old = has_old || is_old;
+        has_new = has_new || !is_old;
+    }
+    const bool gives_way = is(deed, "share in place of the oldest");
+    EXPECT_TRUE(has_old || (gives_way && has_new)) << "a shared pot is gone";
+    const bool shares = gives_way || is(deed, "share a pot");
+    EXPECT_TRUE(shares ? has_new || !said_done : !has_new);
+    for (const auto& entry : fs::directory_iterator(museum / "outbox"))
+        EXPECT_FALSE(entry.path().string().ends_with(".part")) << entry.path() << " is left behind";
+}
+
+void expect_sound_wall(const fs::path& museum, const Deed& deed, bool said_done) {
+    app::WallOfTheDay wall(state_of(museum) / "wall.json");
+    const auto opened = wall.open(kToday);
+    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_FALSE(wall.pots().empty());
+    EXPECT_EQ(wall.pots().front().gallery_name, "2026-11-25/pot-001");
+    if (is(deed, "put on the wall") && said_done) {
+        EXPECT_EQ(wall.pots().size(), 2U);
+    }
+}
+
+void expect_sound_counts(const fs::path& museum, const Deed& deed, bool said_done) {
+    const fs::path statistics = gallery_of(museum) / "statistics";
+    const int more = is(deed, "count") && said_done ? 1 : 0;
+    app::UseOfDay use = app::use_of(statistics, kToday);
+    const int visits = use.total().visits;
+    EXPECT_GE(visits, 2 + more);
+    EXPECT_GE(use.total().breaks, 2 + more);
+    EXPECT_GE(use.starts, 1);
+    // What comes next is counted, whatever lies before it.
+    ASSERT_TRUE(app::note_visit(statistics, {.dwell_s = 77, .thrown = true, .kept = 1}, kNoonS));
+    ASSERT_TRUE(app::note_attract_break(statistics, kNoonS));
+    const int breaks = use.total().breaks;
+    use = app::use_of(statistics, kToday);
+    EXPECT_EQ(use.total().visits, visits + 1);
+    EXPECT_EQ(use.total().breaks, breaks + 1);
+    const std::string table = test::content_of(statistics / "visits.csv");
+    EXPECT_TRUE(table.starts_with("day,hour,dwell_s,ended_on,thrown,kept\n")) << table;
+}
+
+void expect_sound_settings(const fs::path& museum, const Deed& deed, bool said_done) {
+    auto settings = app::load_settings("");
+    ASSERT_TRUE(settings);
+    settings->config.gallery.folder = gallery_of(museum).string();
+    settings->config.sound.remember_staff = true;
+    settings->remarks.clear();
+    app::take_kept_house(*settings);
+    EXPECT_TRUE(settings->remarks.empty()) << settings->remarks.front();
+    const int volume = settings->rules.default_volume;
+    if (is(deed, "set the house")) {
+        EXPECT_TRUE(volume == 2 || (volume == 4 && !said_done)) << volume;
+    } else {
+        EXPECT_EQ(volume, 4);
+    }
+}
+
+void expect_sound_visit(const fs::path& museum, const Deed& deed, bool said_done) {
+    std::vector<std::string> remarks;
+    const auto found =
+        app::InterruptedSession::find(state_of(museum), test::studio_start(), parameters(), remarks);
+    for (const std::string& line : remarks)
+        ADD_FAILURE() << line;
+    ASSERT_TRUE(found) << "the interrupted visit is gone";
+    for (;;) {
+        const auto more = found->work(10'000);
+        ASSERT_TRUE(more) << more.error().message;
+        if (!*more) break;
+    }
+    EXPECT_TRUE(found->is_worth_it());
+    const bool throws = is(deed, "throw with a journal");
+    EXPECT_GE(found->history().ticks(), throws && said_done ? 2000U : kInterruptedTicks);
+}
+
+}  // namespace
+
+kiosk::Config config_of(const fs::path& museum) {
+    kiosk::Config config;
+    config.gallery.folder = gallery_of(museum).string();
+    config.gallery.least_free_mb = 1.0;
+    config.gallery.most_pots = 2;
+    return config;
+}
+
+std::vector<Deed> deeds() {
+    return {{"start", &start},
+            {"throw with a journal", &throw_with_a_journal},
+            {"keep a pot", &keep_a_pot},
+            {"delete a pot", &delete_a_pot},
+            {"share a pot", &share_a_pot},
+            {"share in place of the oldest", &share_in_place_of_the_oldest},
+            {"put on the wall", &put_on_the_wall},
+            {"count", &count},
+            {"set the house", &set_the_house},
+            {"beat and end", &beat},
+            {"keep a fault", &keep_a_fault}};
+}
+
+void lay_out(const fs::path& museum) {
+    app::Gallery gallery(config_of(museum));
+    ASSERT_TRUE(gallery.keep(pot_to_keep(), kYesterday));
+    ASSERT_TRUE(gallery.keep(pot_to_keep(), kToday));
+    auto outbox = sharing::Outbox::open(outbox_of(museum));
+    ASSERT_TRUE(outbox);
+    ASSERT_TRUE(
+        outbox->put(support::full_pot(kSharedMark), {.now_s = kNoonS - 60, .expires_s = kNoonS + 3600}));
+    app::WallOfTheDay wall(state_of(museum) / "wall.json");
+    ASSERT_TRUE(wall.put(wall_pot("2026-11-25/pot-001"), kToday));
+    const fs::path statistics = gallery_of(museum) / "statistics";
+    for (int visitor = 0; visitor < 2; ++visitor) {
+        ASSERT_TRUE(app::note_visit(statistics, {.dwell_s = 100}, kNoonS));
+        ASSERT_TRUE(app::note_attract_break(statistics, kNoonS));
+    }
+    ASSERT_TRUE(app::note_start(statistics, kNoonS));
+    ASSERT_TRUE(app::keep_house(statistics, {.volume = 4, .language = "ko"}));
+    Visit visit;
+    app::VisitJournal journal(state_of(museum));
+    visit.throw_until(kInterruptedTicks + 50);
+    ASSERT_TRUE(journal.follow(visit.history, 2'000'000'000));
+    ASSERT_TRUE(journal.leave());
+    ASSERT_TRUE(
+        app::KioskHeartbeat(config_of(museum)).beat({.screen = "attract", .frames_shown = 1}, kNoonS));
+    app::StartKeeper starts(state_of(museum));
+    std::vector<std::string> remarks;
+    static_cast<void>(starts.begin_now(remarks));
+    ASSERT_TRUE(starts.end_now());
+}
+
+void expect_sound(const fs::path& museum, const Deed& deed, bool said_done) {
+    expect_sound_gallery(museum, deed, said_done);
+    expect_sound_outbox(museum, deed, said_done);
+    expect_sound_wall(museum, deed, said_done);
+    expect_sound_counts(museum, deed, said_done);
+    expect_sound_settings(museum, deed, said_done);
+    expect_sound_visit(museum, deed, said_done);
+    const auto log = app::read_start_log_of(state_of(museum));
+    ASSERT_TRUE(log) << log.error().message;
+    const auto status = app::look_at_house(config_of(museum), kNoonS + 60);
+    ASSERT_TRUE(status) << status.error().message;
+    EXPECT_TRUE(status->note) << "the last heartbeat is gone";
+    for (const app::HouseStatus::Fault& fault : status->faults) {
+        const auto session = record::parse_session(test::content_of(fault.session), fault.session.string());
+        ASSERT_TRUE(session) << session.error().message;
+        EXPECT_TRUE(session->is_complete());
+    }
+}
+
+}  // namespace onggi::faults

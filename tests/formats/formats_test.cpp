@@ -1,0 +1,205 @@
+// A museum's files outlive the program that wrote them: one of every version that there ever was is read by
+// this one, and what this one writes is of the newest version that has a sample.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/files/read_file.h"
+#include "engine/record/session.h"
+#include "engine/record/session_format.h"
+#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/kiosk_statistics.h"
+#include "game/app/kiosk/kiosk_status.h"
+#include "game/app/kiosk/wall_of_the_day.h"
+#include "game/app/system/start_log.h"
+#include "game/kiosk/config.h"
+#include "game/sharing/kept_note.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path sample(const std::string& name) {
+    return test::in_checkout("tests/formats/samples/" + name);
+}
+
+Result<record::Session> read_session(const std::string& name) {
+    return record::parse_session(test::content_of(sample(name)), name);
+}
+
+TEST(Sessions, OfVersion2AreReadAndOnesThatWereNeverShippedRefusedInOneLine) {
+    const auto session = read_session("session/2.0.onggi");
+    ASSERT_TRUE(session) << session.error().message;
+    EXPECT_EQ(session->tick_count(), 9U);
+    for (const char* old : {"session/1.0.onggi", "session/1.1.onggi"}) {
+        const auto refused = read_session(old);
+        ASSERT_FALSE(refused) << old;
+        EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
+        EXPECT_NE(refused.error().message.find("version 2.0"), std::string::npos) << refused.error().message;
+    }
+    EXPECT_EQ(record::kMajorVersion, 2) << "a new version wants a sample";
+    EXPECT_EQ(record::kMinorVersion, 0) << "a new version wants a sample";
+}
+
+TEST(Settings, OfEveryVersionAreReadAndMeanWhatTheyMeant) {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(sample("settings"))) {
+        const std::string text = test::content_of(entry.path());
+        const auto config = kiosk::read_config(text, entry.path().filename().string());
+        ASSERT_TRUE(config) << config.error().message;
+        EXPECT_EQ(config->languages.order, (std::vector<std::string>{"ko", "en", "ar"}));
+        EXPECT_EQ(config->gallery.most_pots, 500);
+        EXPECT_EQ(config->staff.closes_after_s, 120.0);
+        ++count;
+    }
+    EXPECT_EQ(count, 9);
+    EXPECT_EQ(test::content_of(test::in_checkout("assets/kiosk.toml")),
+              test::content_of(sample("settings/1.8.toml")))
+        << "settings that change want a version and a sample";
+}
+
+TEST(StaffSettings, OfVersion1AreTakenAndWritten) {
+    const test::TemporaryFolder folder;
+    auto settings = app::load_settings("");
+    ASSERT_TRUE(settings);
+    settings->config.sound.remember_staff = true;
+    settings->config.staff.statistics_folder = folder.path().string();
+    fs::copy_file(sample("staff/1.toml"), folder / "staff.toml");
+    app::take_kept_house(*settings);
+    EXPECT_EQ(settings->rules.default_volume, 4);
+    EXPECT_EQ((*settings->languages)[static_cast<std::size_t>(settings->rules.default_language)].code(),
+              "ko");
+    ASSERT_TRUE(app::keep_house(folder.path(), {.volume = 4, .language = "ko"}));
+    EXPECT_EQ(test::content_of(folder / "staff.toml"), test::content_of(sample("staff/1.toml")));
+}
+
+TEST(Galleries, OfBothVersionsAreOpenedTogether) {
+    const test::TemporaryFolder folder;
+    const std::vector<std::string> first{"pot.onggi", "pot.glb", "pot.stl", "pot.png"};
+    std::vector<std::string> second = first;
+    second.emplace_back("pot.3mf");
+    const auto put = [&](const char* pot, const std::vector<std::string>& files) {
+        fs::create_directories(folder / pot);
+        for (const std::string& file : files)
+            fs::copy_file(sample("session/2.0.onggi"), folder.path() / pot / file);
+    };
+    put("2026-11-21/pot-001", first);
+    put("2026-11-22/pot-001", second);
+    kiosk::Config config;
+    config.gallery.folder = folder.path().string();
+    app::Gallery gallery(config);
+    const auto pots = gallery.pots();
+    ASSERT_EQ(pots.size(), 2U);
+    EXPECT_EQ(pots[0].name, "2026-11-22/pot-001");
+    EXPECT_EQ(pots[1].name, "2026-11-21/pot-001");
+    ASSERT_TRUE(gallery.remove(pots[1]));
+    EXPECT_EQ(gallery.pots().size(), 1U);
+}
+
+TEST(Walls, OfVersion1AreReadWhetherTheySayItOrNot) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"wall/1-unsaid.json", "wall/1.json"}) {
+        app::WallOfTheDay wall(sample(name));
+        const auto opened = wall.open("2026-11-24");
+        ASSERT_TRUE(opened) << opened.error().message;
+        ASSERT_EQ(wall.pots().size(), 1U);
+        EXPECT_EQ(wall.pots()[0].gallery_name, "2026-11-24/pot-001");
+        EXPECT_EQ(wall.pots()[0].glaze, 3);
+        EXPECT_EQ(wall.pots()[0].shape.outside.size(), 3U);
+        app::WallOfTheDay written(folder / "wall.json");
+        ASSERT_TRUE(written.put(wall.pots()[0], "2026-11-24"));
+        EXPECT_EQ(test::content_of(folder / "wall.json"), test::content_of(sample("wall/1.json")));
+    }
+    auto later = nlohmann::json::parse(test::content_of(sample("wall/1.json")));
+    later["format"] = 2;
+    test::put_file(folder / "wall.json", later.dump());
+    app::WallOfTheDay wall(folder / "wall.json");
+    const auto refused = wall.open("2026-11-24");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("of format 1, found 2"), std::string::npos);
+    EXPECT_TRUE(wall.pots().empty());
+}
+
+TEST(StartLogs, OfVersion1AreReadAndWritten) {
+    const std::string text = test::content_of(sample("starts/1"));
+    const auto log = app::read_start_log(text, "starts");
+    ASSERT_TRUE(log) << log.error().message;
+    EXPECT_TRUE(log->is_running);
+    EXPECT_EQ(log->falls_s, (std::vector<std::int64_t>{1'795'607'000, 1'795'607'100}));
+    EXPECT_EQ(app::text_of(*log), text);
+}
+
+TEST(Heartbeats, OfVersion1AreReadAndWritten) {
+    const std::string text = test::content_of(sample("status/1.json"));
+    const auto note = app::read_status_note(text, "status.json");
+    ASSERT_TRUE(note) << note.error().message;
+    EXPECT_EQ(note->at_s, 1'795'608'000);
+    EXPECT_EQ(note->pulse.screen, "throw");
+    EXPECT_EQ(app::text_of(*note), text);
+}
+
+TEST(KeptNotes, OfVersion1AreReadAndWritten) {
+    const std::string text = test::content_of(sample("note/1.txt"));
+    const auto note = sharing::read_note(text);
+    ASSERT_TRUE(note);
+    EXPECT_EQ(note->expires_s, 1'795'629'600);
+    EXPECT_EQ(note->gallery_name, "2026-11-25/pot-014");
+    EXPECT_EQ(sharing::written(*note), text);
+}
+
+TEST(Statistics, OfBothVersionsAreCountedAlsoInOneFile) {
+    const test::TemporaryFolder folder;
+    fs::copy_file(sample("statistics/attract_breaks-1.csv"), folder / "attract_breaks.csv");
+    fs::copy_file(sample("statistics/starts-1.csv"), folder / "starts.csv");
+    const auto of = [&](const std::string& text) {
+        test::put_file(folder / "visits.csv", text);
+        return app::use_of(folder.path(), "2026-11-21");
+    };
+    const std::string first = test::content_of(sample("statistics/visits-1.csv"));
+    const std::string second = test::content_of(sample("statistics/visits-2.csv"));
+    const app::UseOfDay old = of(first);
+    EXPECT_EQ(old.starts, 1);
+    EXPECT_EQ(old.hours[10],
+              (app::UseOfHour{.breaks = 1, .visits = 1, .thrown = 1, .kept = 1, .dwell_s = 312}));
+    EXPECT_EQ(old.hours[11], (app::UseOfHour{.breaks = 1, .visits = 1, .dwell_s = 48}));
+    const app::UseOfDay now = of(second);
+    EXPECT_EQ(now.hours[10],
+              (app::UseOfHour{.breaks = 1, .visits = 1, .thrown = 1, .kept = 2, .dwell_s = 312}));
+    // An upgrade in the middle of a day goes on with the file it finds.
+    EXPECT_EQ(of(first + second).total().visits, 4);
+    EXPECT_EQ(of(first + second).total().kept, 3);
+}
+
+TEST(Statistics, AreNoWorseForAFirstLineThatIsHalf) {
+    const test::TemporaryFolder folder;
+    for (const char* half : {"day", "day,hour", "day,hour,dwell_s,ended_on"}) {
+        test::put_file(folder / "visits.csv", std::string(half) +
+                                                  "\n2026-11-21\n2026-11-21,10\n2026-11-21,10,5,keep\n" +
+                                                  "2026-11-21,10,60,keep,1,1\n");
+        EXPECT_EQ(app::use_of(folder.path(), "2026-11-21").total().visits, 1) << half;
+    }
+}
+
+TEST(Statistics, AreWrittenAsTheNewestVersion) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(app::note_visit(folder.path(), {.dwell_s = 5}));
+    ASSERT_TRUE(app::note_start(folder.path()));
+    ASSERT_TRUE(app::note_attract_break(folder.path()));
+    const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+    for (const auto& [written, newest] :
+         {std::pair("visits.csv", "visits-2.csv"), std::pair("starts.csv", "starts-1.csv"),
+          std::pair("attract_breaks.csv", "attract_breaks-1.csv")})
+        EXPECT_EQ(first_line(test::content_of(folder / written)),
+                  first_line(test::content_of(sample(std::string("statistics/") + newest))));
+}
+
+}  // namespace
+}  // namespace onggi

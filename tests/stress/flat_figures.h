@@ -1,0 +1,87 @@
+// What a program holds, measured again and again: whatever grows with every visit ends a museum's day.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "engine/core/list_folder.h"
+#include "game/app/system/process_use.h"
+
+namespace onggi::stress {
+
+struct Figures {
+    double resident_kb = 0.0;
+    double handles = 0.0;
+    double threads = 0.0;
+    double disk_kb = 0.0;  // of the kiosk's folder, files without a name left out
+};
+
+inline double bytes_below(const std::filesystem::path& folder) {
+    double sum = 0.0;
+    for (const std::filesystem::path& entry : list_folder(folder).entries) {
+        std::error_code gone;  // the keeper works beside us
+        if (std::filesystem::is_directory(std::filesystem::symlink_status(entry, gone))) {
+            sum += bytes_below(entry);
+        } else if (const auto size = std::filesystem::file_size(entry, gone); !gone) {
+            sum += static_cast<double>(size);
+        }
+    }
+    return sum;
+}
+
+inline Figures figures_of_this_process(const std::filesystem::path& folder) {
+    constexpr double kKb = 1e3;
+    return {.resident_kb = app::resident_mb().value_or(0.0) * kKb,
+            .handles = static_cast<double>(list_folder("/proc/self/fd").entries.size()),
+            .threads = static_cast<double>(list_folder("/proc/self/task").entries.size()),
+            .disk_kb = bytes_below(folder) / kKb};
+}
+
+// Least squares, of the value against the number of the visit.
+inline double slope_of(const std::vector<Figures>& all, double Figures::*value) {
+    const auto count = static_cast<double>(all.size());
+    double sum_x = 0.0;
+    double sum_y = 0.0;
+    double sum_xx = 0.0;
+    double sum_xy = 0.0;
+    double x = 0.0;
+    for (const Figures& one : all) {
+        sum_x += x;
+        sum_y += one.*value;
+        sum_xx += x * x;
+        sum_xy += x * one.*value;
+        x += 1.0;
+    }
+    const double spread = count * sum_xx - sum_x * sum_x;
+    return spread > 0.0 ? (count * sum_xy - sum_x * sum_y) / spread : 0.0;
+}
+
+// A line a figure; and where there are enough for a judgement, that none grows.
+inline void expect_flat(const std::vector<Figures>& all) {
+    constexpr std::size_t kEnough = 50;
+    constexpr double kMostMemoryKb = 40.0;  // a visit
+    constexpr double kMostDiskKb = 40.0;    // likewise; a line in each table of visits is a hundredth of that
+    constexpr double kMostOthers = 0.02;
+    ASSERT_FALSE(all.empty());
+    const auto judge = [&](const char* name, double Figures::*value, double most) {
+        const double slope = slope_of(all, value);
+        std::printf("%s: first %.0f, last %.0f, %+.3f a visit\n", name, all.front().*value, all.back().*value,
+                    slope);
+        if (all.size() >= kEnough) {
+            EXPECT_LT(slope, most) << name << " grows";
+        }
+    };
+    judge("resident kB", &Figures::resident_kb, kMostMemoryKb);
+    judge("handles", &Figures::handles, kMostOthers);
+    judge("threads", &Figures::threads, kMostOthers);
+    judge("disk kB", &Figures::disk_kb, kMostDiskKb);
+}
+
+}  // namespace onggi::stress
