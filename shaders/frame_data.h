@@ -40,7 +40,8 @@ ONGGI_CONST int kBindNextAmbient = 10;
 ONGGI_CONST int kBindFromDepth = 11;
 ONGGI_CONST int kBindToDepth = 12;
 ONGGI_CONST int kBindVertices = 13;
-ONGGI_CONST int kBindings = 14;
+ONGGI_CONST int kBindMarks = 14;
+ONGGI_CONST int kBindings = 15;
 ONGGI_CONST int kBindingsOfLayers = 2;
 
 struct FrameData {
@@ -116,6 +117,8 @@ struct LatheDraw {
     vec4 gloss;  // roughness of the dry body; of the wet one; of the film or the glaze; weight of the glaze
     vec4 turn;   // x how far the streaks have turned, in widths of their texture; y vertices in a row;
                  // z mirror of the film, straight on; w one over the soft edge
+    vec4 marks;  // x rows of marks a mm; y where its outside ends, mm along the outline; z columns; w their
+                 // most lean
 };
 
 #ifdef __cplusplus

@@ -30,6 +30,45 @@ layout(location = 11) flat in vec4 spheres[kSpheres];
 layout(location = 15) in vec2 load;
 #endif
 layout(location = 0) out vec4 out_colour;
+#ifdef ONGGI_MARKS
+layout(std430, set = 0, binding = kBindMarks) readonly buffer MarkBlock {
+    uvec2 marks[];
+};
+layout(push_constant) uniform DrawBlock {
+    LatheDraw draw;
+};
+
+struct Mark {
+    vec4 colour;  // roots of light; a how far it covers
+    vec2 lean;
+};
+
+// Between four of them, as a sampler reads; past the outside's end there is none.
+Mark mark_at(float turns, float height_mm, float along_mm) {
+    int columns = int(draw.marks.z);
+    int rows = marks.length() / columns;
+    vec2 at = vec2(fract(turns) * draw.marks.z, height_mm * draw.marks.x) - 0.5;
+    vec2 fraction = fract(at);
+    ivec2 first = ivec2(floor(at));
+    vec4 colour = vec4(0.0);
+    vec2 lean = vec2(0.0);
+    float covered = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 step = ivec2(i & 1, i >> 1);
+        vec2 share = mix(1.0 - fraction, fraction, vec2(step));
+        ivec2 place = ivec2((first.x + step.x + columns) % columns, clamp(first.y + step.y, 0, rows - 1));
+        uvec2 mark = marks[place.y * columns + place.x];
+        vec4 own = unpackUnorm4x8(mark.x);
+        float weight = share.x * share.y;
+        colour += vec4(own.rgb * own.a, own.a) * weight;
+        lean += unpackUnorm4x8(mark.y).xy * weight;
+    }
+    colour.rgb /= max(colour.a, 1e-4);
+    Mark found = Mark(colour, vec2(lathe_mark_lean(lean.x, draw.marks.w), lathe_mark_lean(lean.y, draw.marks.w)));
+    if (along_mm > draw.marks.y) found = Mark(vec4(0.0), vec2(0.0));
+    return found;
+}
+#endif
 
 vec2 from_sixteen_bits(uint word) {
     return vec2(int(word & 0xFFFFu), int(word >> 16)) * (1.0 / 65535.0);
@@ -43,6 +82,11 @@ void main() {
     vec4 mark = texture(detail, detail_at.xy);
     float streaks = gloss_of.x;
     vec2 lean = vec2(lathe_lean(streaks, mark.g), lathe_lean(streaks, mark.b));
+#ifdef ONGGI_MARKS
+    // Streaks run clockwise from above, and two of their texture go round.
+    Mark painted = mark_at(-0.5 * detail_at.x, eye.y - to_eye.y, detail_at.y * kStreakMm);
+    lean += vec2(-painted.lean.x, painted.lean.y);
+#endif
     vec2 outward = outline.xy;
     // Dents and streaks lean the wall; between two sectors the way outwards is a chord, a little shorter than 1.
     vec3 n = normalize(vec3(profile.x * outward.x - lean.x * outward.y,
@@ -54,6 +98,10 @@ void main() {
     float n_v = max(dot(n, v), 0.05);
     float l_v = dot(l, v);
     vec3 albedo = body_albedo.rgb * lathe_tone(streaks, mark.r);
+#ifdef ONGGI_MARKS
+    for (int channel = 0; channel < 3; ++channel)
+        albedo[channel] = lathe_marked(albedo[channel], painted.colour[channel], painted.colour.a);
+#endif
 #ifdef ONGGI_LOAD
     albedo = with_load(albedo, load.x, load.y);
 #endif

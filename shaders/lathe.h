@@ -71,6 +71,15 @@ FORMULA REAL lathe_sky_roughness(REAL glaze) {
     return mix(0.30F, 0.20F, glaze);
 }
 
+// Marks painted on it: a colour as the root of light over the body's own, as far as it covers; a byte of lean
+// as a fraction of 1.
+FORMULA REAL lathe_marked(REAL own, REAL root, REAL cover) {
+    return own + (root * root - own) * cover;
+}
+FORMULA REAL lathe_mark_lean(REAL fraction, float most) {
+    return (fraction - 128.0F / 255.0F) * (255.0F / 127.0F) * most;
+}
+
 // Two of the streaks' texture go round, of so many mm each; up the pot one is as long along the outline, over
 // the rim and down inside.
 CONSTANT float kStreakRoundMm = 120.0F;

@@ -45,11 +45,11 @@ FORMULA COLOUR with_load(COLOUR own, REAL red, REAL dark, REAL pale, COLOUR as_r
 
 FORMULA REAL section_hatch(REAL along, REAL along_width) {
     REAL line = abs(fract(along / 3.0F) - 0.5F);
-    return 0.70F + 0.30F * smoothstep(0.12F, 0.12F + along_width / 3.0F, line);
+    return 0.70F + 0.30F * smoothstep(0.12F, 0.12F + max(along_width / 3.0F, 1e-5F), line);
 }
 // `through`: from one face of the wall to the other, 0 to 1.
 FORMULA REAL section_border(REAL through, REAL through_width) {
-    return mix(0.25F, 1.0F, smoothstep(0.0F, 1.5F * through_width, min(through, 1.0F - through)));
+    return mix(0.25F, 1.0F, smoothstep(0.0F, max(1.5F * through_width, 1e-5F), min(through, 1.0F - through)));
 }
 FORMULA REAL section_scale(REAL up_mm, REAL up_width) {
     REAL mark = abs(fract(up_mm * 0.1F + 0.5F) - 0.5F) * 10.0F;

@@ -47,14 +47,15 @@ float past_still_life() {
 }
 
 void main() {
-    float roughness = draw.albedo.w;
+    // A material's are in these bounds already; without them Mesa's compiler for the Raspberry Pi 5 crashes.
+    float roughness = clamp(draw.albedo.w, 0.05, 1.0);
     float metalness = draw.surface.x;
     vec3 n = normalize(in_normal);
     vec3 v = normalize(frame.eye.xyz - position);
     vec3 l = frame.key_direction.xyz;
 
     // Uneven colour: two sizes of blotch.
-    vec3 albedo = draw.albedo.rgb;
+    vec3 albedo = max(draw.albedo.rgb, vec3(0.0));
     if (draw.surface.w > 0.0) {
         vec3 at = position / vec3(draw.pattern.x, 1.0, 1.0);
         float blotch =

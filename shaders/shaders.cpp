@@ -9,6 +9,7 @@
 #include "lathe_frag.h"
 #include "lathe_load_frag.h"
 #include "lathe_load_vert.h"
+#include "lathe_marks_frag.h"
 #include "lathe_section_frag.h"
 #include "lathe_section_vert.h"
 #include "lathe_vert.h"
@@ -43,6 +44,7 @@ const Spirv kLatheFrag = lathe_frag;
 const Spirv kPropVert = prop_vert;
 const Spirv kPropFrag = prop_frag;
 const Spirv kMaskFrag = mask_frag;
+const Spirv kLatheMarksFrag = lathe_marks_frag;
 const Spirv kLatheLoadVert = lathe_load_vert;
 const Spirv kLatheLoadFrag = lathe_load_frag;
 const Spirv kLatheSectionVert = lathe_section_vert;

@@ -28,6 +28,7 @@ extern const Spirv kLatheFrag;
 extern const Spirv kPropVert;
 extern const Spirv kPropFrag;
 extern const Spirv kMaskFrag;
+extern const Spirv kLatheMarksFrag;
 extern const Spirv kLatheLoadVert;
 extern const Spirv kLatheLoadFrag;
 extern const Spirv kLatheSectionVert;

@@ -13,8 +13,9 @@ inline std::size_t shown_character_length(std::string_view text) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     if (byte(0) < 0x80) return byte(0) >= 0x20 && byte(0) != 0x7f ? 1 : 0;
     std::size_t length = 0;
-    if (byte(0) >= 0xc3 && byte(0) <= 0xdf)
-        length = 2;  // c2 opens the C1 control characters as well: left out
+    // c2 opens the C1 control characters as well, below a0.
+    const bool is_latin_sign = byte(0) == 0xc2 && text.size() > 1 && byte(1) >= 0xa0;
+    if (is_latin_sign || (byte(0) >= 0xc3 && byte(0) <= 0xdf)) length = 2;
     if (byte(0) >= 0xe0 && byte(0) <= 0xef) length = 3;
     if (byte(0) >= 0xf0 && byte(0) <= 0xf4) length = 4;
     if (length == 0 || text.size() < length) return 0;

@@ -41,8 +41,9 @@ constexpr std::size_t kChecksum = 36;
 constexpr std::size_t kSize = 40;
 }  // namespace block_at
 
-constexpr std::uint32_t kTicksTag = 0x534b4354;  // "TCKS"
-constexpr std::uint32_t kEndTag = 0x2e444e45;    // "END."
+constexpr std::uint32_t kTicksTag = 0x534b4354;       // "TCKS"
+constexpr std::uint32_t kSupplementTag = 0x53444441;  // "ADDS"
+constexpr std::uint32_t kEndTag = 0x2e444e45;         // "END."
 
 // Records of a block's body: a kind, and what follows it.
 enum class RecordKind : std::uint8_t {

@@ -15,6 +15,11 @@ const std::byte* Session::at(std::size_t offset) const noexcept {
     return reinterpret_cast<const std::byte*>(bytes_.data()) + offset;
 }
 
+std::span<const std::byte> Session::supplement() const noexcept {
+    if (supplement_bytes_ == 0) return {};
+    return {at(supplement_at_), supplement_bytes_};
+}
+
 std::span<const std::byte> Session::start_state() const noexcept {
     return {at(start_state_at_), start_state_bytes_};
 }

@@ -29,6 +29,8 @@ class Session {
 
     [[nodiscard]] const SessionHeader& header() const noexcept { return header_; }
     [[nodiscard]] std::span<const std::byte> start_state() const noexcept;
+    // What was done to the work after the last tick, opaque here as the start state is; empty: nothing.
+    [[nodiscard]] std::span<const std::byte> supplement() const noexcept;
     [[nodiscard]] std::span<const Block> blocks() const noexcept { return blocks_; }
     [[nodiscard]] std::uint64_t tick_count() const noexcept { return tick_count_; }
     // False if the file ends before its end marker, as after a crash or a broken copy: it then holds every
@@ -51,6 +53,8 @@ class Session {
     SessionHeader header_;
     std::size_t start_state_at_ = 0;
     std::size_t start_state_bytes_ = 0;
+    std::size_t supplement_at_ = 0;
+    std::size_t supplement_bytes_ = 0;
     std::vector<Block> blocks_;
     std::uint64_t tick_count_ = 0;
     std::size_t usable_bytes_ = 0;

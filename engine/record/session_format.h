@@ -15,13 +15,14 @@ namespace onggi::record {
 constexpr std::string_view kMagic{"\x89ONGGI\r\n", 8};
 // What is added raises the minor version, and the older ones stay readable: README.md says how.
 constexpr std::uint16_t kMajorVersion = 2;
-constexpr std::uint16_t kMinorVersion = 0;
+constexpr std::uint16_t kMinorVersion = 1;     // 1: a supplement may stand before the end
 constexpr std::uint32_t kHashInterval = 1000;  // ticks; a state hash, and a block, every so many
 
 // What a file may hold at most; more is damage or malice, not a session.
 constexpr std::uint32_t kMaxElements = 200000;
 constexpr std::uint32_t kMaxSectors = 4096;
 constexpr std::uint64_t kMaxStartStateBytes = std::uint64_t{64} << 20U;
+constexpr std::uint32_t kMaxSupplementBytes = std::uint32_t{1} << 20U;
 constexpr double kMinSessionRateHz = 100.0;
 constexpr double kMaxSessionRateHz = 10000.0;
 constexpr double kMaxSessionSeconds = 24.0 * 3600.0;

@@ -72,6 +72,7 @@ class SessionReader {
     Result<void> read_start_state();
     Result<void> read_block();
     std::optional<Error> check_block_head(std::uint32_t tick_count) const;
+    Result<void> read_supplement();
     Result<void> read_end();
     Result<void> check_records(std::size_t from, std::size_t to, std::uint32_t tick_count) const;
     std::optional<Error> check_tool(RecordKind kind, std::size_t at) const;
@@ -80,6 +81,7 @@ class SessionReader {
 
     std::string_view name_;
     Session session_;
+    bool may_have_supplement_ = false;
     std::size_t at_ = 0;
     bool cut_ = false;  // the file ends before its end marker
 };
@@ -112,6 +114,7 @@ Result<void> SessionReader::read_header() {
                                                   header_at::kSize, header_at::kSize)) {
         return *error;
     }
+    may_have_supplement_ = number_at<std::uint16_t>(header_at::kMinor) >= 1;
     SessionHeader& header = session_.header_;
     header.rate_hz = get_double(session_.at(header_at::kRate));
     if (!(header.rate_hz >= kMinSessionRateHz && header.rate_hz <= kMaxSessionRateHz)) {
@@ -175,7 +178,9 @@ Result<void> SessionReader::read_block() {
     }
     const auto tag = number_at<std::uint32_t>(block_at::kTag);
     if (tag == kEndTag) return read_end();
-    if (tag != kTicksTag)
+    if (tag == kSupplementTag && may_have_supplement_ && session_.supplement_bytes_ == 0)
+        return read_supplement();
+    if (tag != kTicksTag || session_.supplement_bytes_ > 0)
         return wrong(block_at::kTag, "a block of ticks or the end", fmt::format("{:08x}", tag));
 
     const auto tick_count = number_at<std::uint32_t>(block_at::kTickCount);
@@ -198,6 +203,36 @@ Result<void> SessionReader::read_block() {
                                 .records_at = body_at,
                                 .checks_at = body_at + records_bytes});
     session_.tick_count_ += tick_count;
+    at_ = body_at + body_bytes;
+    return {};
+}
+
+Result<void> SessionReader::read_supplement() {
+    if (auto error = expect_within<std::uint32_t>("bytes of supplement", block_at::kRecordBytes, 1,
+                                                  kMaxSupplementBytes)) {
+        return *error;
+    }
+    if (auto error = expect_within("as the number of ticks", block_at::kFirstTick, session_.tick_count_,
+                                   session_.tick_count_)) {
+        return *error;
+    }
+    for (const std::size_t field : {block_at::kTickCount, block_at::kReserved}) {
+        if (auto error = expect_within<std::uint32_t>("in a supplement's field", field, 0, 0)) return *error;
+    }
+    if (auto error = expect_within<std::uint64_t>("as the supplement's hash", block_at::kStateHash, 0, 0))
+        return *error;
+    const std::size_t body_at = at_ + block_at::kSize;
+    const std::size_t body_bytes = number_at<std::uint32_t>(block_at::kRecordBytes);
+    if (left() - block_at::kSize < body_bytes) {
+        cut_ = true;
+        return {};
+    }
+    if (auto error =
+            expect_checksum("the supplement", span_at(body_at, body_bytes), at_ + block_at::kBodyChecksum)) {
+        return *error;
+    }
+    session_.supplement_at_ = body_at;
+    session_.supplement_bytes_ = body_bytes;
     at_ = body_at + body_bytes;
     return {};
 }

@@ -19,7 +19,8 @@ bool is_within(double number, double least, double most) {
     return number >= least && number <= most;  // false for NaN
 }
 
-Result<void> check_header(const SessionHeader& header, std::size_t start_state_bytes) {
+Result<void> check_header(const SessionHeader& header, std::size_t start_state_bytes,
+                          std::size_t supplement_bytes) {
     if (!is_within(header.rate_hz, kMinSessionRateHz, kMaxSessionRateHz)) {
         return bad_input(fmt::format("session: expected a rate of {} to {} Hz, found {}", kMinSessionRateHz,
                                      kMaxSessionRateHz, header.rate_hz));
@@ -36,16 +37,21 @@ Result<void> check_header(const SessionHeader& header, std::size_t start_state_b
         return bad_input(fmt::format("session: expected at most {} bytes of start state, found {}",
                                      kMaxStartStateBytes, start_state_bytes));
     }
+    if (supplement_bytes > kMaxSupplementBytes) {
+        return bad_input(fmt::format("session: expected at most {} bytes of supplement, found {}",
+                                     kMaxSupplementBytes, supplement_bytes));
+    }
     return {};
 }
 
-std::vector<std::byte> header_bytes(const SessionHeader& header, std::span<const std::byte> start_state) {
+std::vector<std::byte> header_bytes(const SessionHeader& header, std::span<const std::byte> start_state,
+                                    std::uint16_t minor_version) {
     std::vector<std::byte> bytes;
     bytes.reserve(header_at::kSize);
     for (const char c : kMagic)
         bytes.push_back(static_cast<std::byte>(c));
     put(bytes, kMajorVersion);
-    put(bytes, kMinorVersion);
+    put(bytes, minor_version);
     put(bytes, static_cast<std::uint32_t>(header_at::kSize));
     put(bytes, header.rate_hz);
     put(bytes, header.element_count);
@@ -123,18 +129,25 @@ void put_position(std::vector<std::byte>& bytes, const dvec3& position_mm) {
 
 Result<SessionWriter> SessionWriter::create(const std::filesystem::path& destination,
                                             const SessionHeader& header,
-                                            std::span<const std::byte> start_state, files::Beside beside) {
-    if (auto valid = check_header(header, start_state.size()); !valid) return valid.error();
+                                            std::span<const std::byte> start_state, files::Beside beside,
+                                            std::span<const std::byte> supplement) {
+    if (auto valid = check_header(header, start_state.size(), supplement.size()); !valid)
+        return valid.error();
     auto file = files::AtomicFile::create(destination, beside);
     if (!file) return file.error();
-    if (auto written = file->write(header_bytes(header, start_state)); !written) return written.error();
+    // The lowest that has all of it, so that older programs read what they can.
+    const auto minor_version = static_cast<std::uint16_t>(supplement.empty() ? 0 : 1);
+    if (auto written = file->write(header_bytes(header, start_state, minor_version)); !written)
+        return written.error();
     if (auto written = file->write(start_state); !written) return written.error();
-    return SessionWriter(std::move(file).value(), header);
+    return SessionWriter(std::move(file).value(), header, supplement);
 }
 
-SessionWriter::SessionWriter(files::AtomicFile file, const SessionHeader& header)
+SessionWriter::SessionWriter(files::AtomicFile file, const SessionHeader& header,
+                             std::span<const std::byte> supplement)
     : file_(std::move(file)),
-      header_(header) {
+      header_(header),
+      supplement_(supplement.begin(), supplement.end()) {
     checks_.reserve(kHashInterval);
     const bool is_whole = header.tool_detail == ToolDetail::kWhole;
     records_.reserve(kHashInterval * (1 + (is_whole ? kWholeToolBytes : kToolBytes)));
@@ -238,6 +251,14 @@ Result<void> SessionWriter::leave() {
 
 Result<void> SessionWriter::prepare(std::uint64_t state_hash) {
     if (auto ended = end_block(state_hash); !ended) return ended;
+    if (!supplement_.empty()) {
+        const auto head = head_bytes({.tag = kSupplementTag,
+                                      .record_bytes = static_cast<std::uint32_t>(supplement_.size()),
+                                      .first_tick = tick_count_,
+                                      .body_checksum = checksum(supplement_)});
+        if (auto written = file_.write(head); !written) return written;
+        if (auto written = file_.write(supplement_); !written) return written;
+    }
     const auto end = head_bytes({.tag = kEndTag,
                                  .record_bytes = 0,
                                  .first_tick = tick_count_,

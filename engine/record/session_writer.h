@@ -20,11 +20,13 @@ class SessionWriter {
   public:
     // The file appears at `destination` when finish() succeeds; with files::Beside::kNamed what was recorded
     // up to the last whole block survives a crash in `destination`.part. Bad input: a header outside the
-    // bounds of session_format.h.
+    // bounds of session_format.h, or a supplement that is larger. The supplement, which may be empty, is what
+    // was done to the work after its last tick.
     [[nodiscard]] static Result<SessionWriter> create(const std::filesystem::path& destination,
                                                       const SessionHeader& header,
                                                       std::span<const std::byte> start_state,
-                                                      files::Beside beside = files::Beside::kNameless);
+                                                      files::Beside beside = files::Beside::kNameless,
+                                                      std::span<const std::byte> supplement = {});
 
     // One tick: what the hand did and the force F that was answered. Fails if the tool is outside the limits
     // of tool_state.h, which the tick never lets through. Precondition: !block_is_full().
@@ -49,12 +51,13 @@ class SessionWriter {
     [[nodiscard]] const std::filesystem::path& beside() const { return file_.beside(); }
 
   private:
-    SessionWriter(files::AtomicFile file, const SessionHeader& header);
+    SessionWriter(files::AtomicFile file, const SessionHeader& header, std::span<const std::byte> supplement);
     void keep_tool(const haptics::ToolState& tool);
     void flush_run();
 
     files::AtomicFile file_;
     SessionHeader header_;
+    std::vector<std::byte> supplement_;
     std::uint64_t tick_count_ = 0;
     std::uint64_t block_count_ = 0;
     std::uint32_t ticks_in_block_ = 0;

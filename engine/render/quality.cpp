@@ -1,6 +1,7 @@
 #include "engine/render/quality.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace onggi::render {
 namespace {
@@ -35,6 +36,30 @@ constexpr int index_of(QualityStep step) {
     return static_cast<int>(step);
 }
 
+constexpr QualityStep below(QualityStep step) {
+    return static_cast<QualityStep>(index_of(step) - 1);
+}
+constexpr QualityStep above(QualityStep step) {
+    return static_cast<QualityStep>(index_of(step) + 1);
+}
+
+// What a frame of a GPU takes, beside one of the highest step: half of it goes with the samples and pixels,
+// and some stays whatever is drawn.
+double cost_of(QualityStep step) {
+    switch (step) {
+        case QualityStep::kSlowestGpu:
+            return 0.25;
+        case QualityStep::kSlowerGpu:
+            return 0.4;
+        case QualityStep::kSlowGpu:
+            return 0.6;
+        case QualityStep::kIntegratedGpu:
+            return 0.95;
+        default:
+            return 1.0;
+    }
+}
+
 }  // namespace
 
 std::string_view quality_name(QualityStep step) {
@@ -47,6 +72,8 @@ std::string_view quality_name(QualityStep step) {
             return "two software cores";
         case QualityStep::kSlowestGpu:
             return "slowest GPU";
+        case QualityStep::kSlowerGpu:
+            return "slower GPU";
         case QualityStep::kSlowGpu:
             return "slow GPU";
         case QualityStep::kIntegratedGpu:
@@ -55,6 +82,38 @@ std::string_view quality_name(QualityStep step) {
             return "discrete GPU";
     }
     return "";
+}
+
+std::optional<QualityStep> quality_named(std::string_view name) {
+    for (int step = 0; step <= index_of(QualityStep::kDiscreteGpu); ++step) {
+        if (quality_name(static_cast<QualityStep>(step)) == name) return static_cast<QualityStep>(step);
+    }
+    return std::nullopt;
+}
+
+std::string_view backend_choice_name(BackendChoice choice) {
+    switch (choice) {
+        case BackendChoice::kAuto:
+            return "auto";
+        case BackendChoice::kGpu:
+            return "gpu";
+        case BackendChoice::kCpu:
+            return "cpu";
+    }
+    return "";
+}
+
+std::optional<BackendChoice> backend_choice_named(std::string_view name) {
+    for (const BackendChoice choice : {BackendChoice::kAuto, BackendChoice::kGpu, BackendChoice::kCpu}) {
+        if (backend_choice_name(choice) == name) return choice;
+    }
+    return std::nullopt;
+}
+
+DeviceClass class_for(BackendChoice choice, DeviceClass device) {
+    if (choice == BackendChoice::kCpu) return DeviceClass::kSoftware;
+    if (choice == BackendChoice::kGpu && device == DeviceClass::kSoftware) return DeviceClass::kIntegratedGpu;
+    return device;
 }
 
 RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_px) {
@@ -75,11 +134,13 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
             software.sector_error_px *= 0.6F;
             return software;
         case QualityStep::kSlowestGpu:
-            return gpu_desc(colour_format, {.samples = 1,
-                                            .scale = 2.0F / 3.0F,
-                                            .sectors = 72,
-                                            .max_rings = 128,
-                                            .ring_error_px = 0.25F});
+            return gpu_desc(
+                colour_format,
+                {.samples = 1, .scale = 0.5F, .sectors = 72, .max_rings = 128, .ring_error_px = 0.25F});
+        case QualityStep::kSlowerGpu:
+            return gpu_desc(
+                colour_format,
+                {.samples = 1, .scale = 0.75F, .sectors = 84, .max_rings = 128, .ring_error_px = 0.25F});
         case QualityStep::kSlowGpu:
             return gpu_desc(colour_format,
                             {.samples = 1, .sectors = 96, .max_rings = 128, .ring_error_px = 0.25F});
@@ -94,9 +155,9 @@ RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_p
 QualityRange quality_range(DeviceClass device, int threads) {
     switch (device) {
         case DeviceClass::kIntegratedGpu:
-            return {QualityStep::kIntegratedGpu, QualityStep::kSlowestGpu, QualityStep::kDiscreteGpu};
+            return {QualityStep::kIntegratedGpu, QualityStep::kSlowestGpu, QualityStep::kDiscreteGpu, true};
         case DeviceClass::kDiscreteGpu:
-            return {QualityStep::kDiscreteGpu, QualityStep::kSlowestGpu, QualityStep::kDiscreteGpu};
+            return {QualityStep::kDiscreteGpu, QualityStep::kSlowestGpu, QualityStep::kDiscreteGpu, true};
         case DeviceClass::kSoftware:
             break;
     }
@@ -109,6 +170,7 @@ bool QualityLadder::go_to(QualityStep step) {
     window_s_ = 0.0;
     slow_windows_ = 0;
     easy_s_ = 0.0;
+    wanted_.reset();
     if (step == step_) return false;
     step_ = step;
     return true;
@@ -116,10 +178,39 @@ bool QualityLadder::go_to(QualityStep step) {
 
 bool QualityLadder::step_down() {
     if (step_ == range_.lowest) return false;
-    return go_to(static_cast<QualityStep>(index_of(step_) - 1));
+    if (range_.settles) range_.highest = below(step_);
+    return go_to(below(step_));
 }
 
-bool QualityLadder::frame(double drawn_ms, double dt_s) {
+// The highest below this one that ought to be quick enough.
+QualityStep QualityLadder::fitting_step(double drawn_ms) const {
+    constexpr double kQuickEnough = 0.8;  // of the budget
+    QualityStep step = below(step_);
+    while (step != range_.lowest && drawn_ms * cost_of(step) > kQuickEnough * budget_ms_ * cost_of(step_))
+        step = below(step);
+    return step;
+}
+
+bool QualityLadder::judge_what_settles(double slowest_tenth_ms, bool in_view) {
+    if (slow_windows_ >= kSlowWindows && step_ != range_.lowest) {
+        range_.highest = below(step_);
+        const QualityStep step = fitting_step(slowest_tenth_ms);
+        if (in_view && std::exchange(changed_in_view_, true)) {
+            wanted_ = step;
+            return false;
+        }
+        return go_to(step);
+    }
+    if (easy_s_ >= patience_s_ && step_ != range_.highest) wanted_ = above(step_);
+    return in_view ? false : unseen();
+}
+
+bool QualityLadder::unseen() {
+    changed_in_view_ = false;
+    return wanted_ ? go_to(*wanted_) : false;
+}
+
+bool QualityLadder::frame(double drawn_ms, double dt_s, bool in_view) {
     since_up_s_ += dt_s;
     window_ms_.push_back(drawn_ms);
     window_s_ += dt_s;
@@ -134,6 +225,7 @@ bool QualityLadder::frame(double drawn_ms, double dt_s) {
 
     slow_windows_ = slowest_tenth_ms > kSlow * budget_ms_ ? slow_windows_ + 1 : 0;
     easy_s_ = slowest_tenth_ms < kEasy * budget_ms_ ? easy_s_ + judged_s : 0.0;
+    if (range_.settles) return judge_what_settles(slowest_tenth_ms, in_view);
     if (slow_windows_ >= kSlowWindows) {
         // What was taken and had to be given back is not tried again so soon.
         if (since_up_s_ < kTriedS) patience_s_ = std::min(2.0 * patience_s_, kMostPatienceS);
@@ -141,7 +233,7 @@ bool QualityLadder::frame(double drawn_ms, double dt_s) {
     }
     if (easy_s_ >= patience_s_ && step_ != range_.highest) {
         since_up_s_ = 0.0;
-        return go_to(static_cast<QualityStep>(index_of(step_) + 1));
+        return go_to(above(step_));
     }
     return false;
 }

@@ -1,6 +1,7 @@
 // Which backend draws, and what a frame is to whoever shows it.
 #include "engine/render/renderer.h"
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -55,15 +56,20 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     if (!*begun) return false;
     const vk::TargetImage& image = **begun;
     FrameContext& frame = impl_->backend->frame();
+    const HostClock clock = frame.desc.host_clock;
+    const std::int64_t began_ns = clock == nullptr ? 0 : clock();
     std::vector<PassTime> parts = std::move(frame.stats.parts);
     const double device_ms = frame.clock.read(frame.device, parts);  // the target has waited for it
     if (auto fitted = impl_->backend->fit(scene, image.extent); !fitted) return fitted.error();
+    frame.work = {};
     frame.stats.still_life_drawn = frame.stats.shadow_drawn = frame.stats.next_view_ready = false;
     auto drawn = impl_->backend->draw(scene, image, overlay);
     if (!drawn) return drawn.error();
+    frame.stats.work = frame.work;
     frame.stats.device_ms = device_ms;
     frame.stats.device_drew_scene = std::exchange(impl_->drew_scene, *drawn);
     frame.stats.parts = std::move(parts);
+    if (clock != nullptr) frame.stats.host_ms = 1e-6 * static_cast<double>(clock() - began_ns);
     if (auto ended = target.end(frame.commands); !ended) return ended.error();
     return true;
 }

@@ -47,6 +47,27 @@ struct LatheMaterial {
 
 constexpr int kDentSectors = 64;  // of Lathe::dents_mm
 
+// A place of a lathe's outside that was painted on.
+struct LatheMark {
+    // Bytes from the lowest: red, green and blue as roots of light, and how far it covers.
+    std::uint32_t colour = 0;
+    // Likewise: how it leans the wall, as a slope of kMarkLean at most, round it counter-clockwise from above
+    // and up it; 128 not at all.
+    std::uint32_t lean = kUpright;
+
+    static constexpr std::uint32_t kUpright = 128U | 128U << 8U;
+    friend bool operator==(const LatheMark&, const LatheMark&) = default;
+};
+constexpr int kMarkColumns = 1024;  // evenly round it, counter-clockwise in the lathe's own frame from its +X
+constexpr int kMarkRows = 512;      // evenly over its height, from below
+constexpr float kMarkLean = 1.0F;
+
+// All of them. What is the same has the same revision.
+struct LatheMarks {
+    std::vector<LatheMark> texels{};  // kMarkRows of kMarkColumns
+    std::uint64_t revision = 0;
+};
+
 // How a lathe is cut open to show its wall: what lies before the upright half plane through the axis that
 // faces this way is left out, and where it was the section is drawn.
 struct LatheCut {
@@ -72,7 +93,8 @@ struct Lathe {
     float edge_rounding_mm = 0.0F;  // of the top edge, at most: it catches light; 0 draws it sharp
     vec2 turn{1.0F, 0.0F};          // (cos, sin) of the angle turned about +Y
     LatheMaterial material{};
-    bool shows_load = false;  // `load` as a hatch and a colour
+    bool shows_load = false;            // `load` as a hatch and a colour, and then no marks
+    const LatheMarks* marks = nullptr;  // on its outside; null: none
     std::optional<LatheCut> cut{};
 };
 

@@ -15,6 +15,7 @@ struct SoundScene {
     bool is_hard_tool = false;   // a hard tool scrapes, a hand or a soft one strokes
     double place = 0.0;          // where the tool is, -1 left to 1 right
     std::uint32_t slaps = 0;     // counts lumps thrown on the wheel: each new one is heard once
+    bool is_plucked = false;     // a taut string gives way: heard once each time that this begins
     std::uint32_t chimes = 0;    // counts tests of the loudspeakers: left, right, then both, once for each
     bool fire_burns = false;     // a pot is fired: a low roar that comes and goes
     double volume = 0.5;         // 0 silent to 1

@@ -11,6 +11,7 @@ constexpr double kFastestRevMin = 300.0;
 constexpr double kHardestPressN = 6.0;
 constexpr double kFastestSlipMmS = 2000.0;
 constexpr double kSlapEndsS = 0.6;
+constexpr double kPluckEndsS = 0.35;
 constexpr double kChimeToneS = 0.4;  // of three
 constexpr double kChimeEndsS = 3.0 * kChimeToneS;
 
@@ -93,6 +94,19 @@ double Synthesiser::slap(double noise) noexcept {
     return loudness * (0.55 * thump + 0.35 * fall * splat);
 }
 
+// A taut string: bright where it begins, lower as it gives way.
+double Synthesiser::pluck() noexcept {
+    const double age = std::min(pluck_age_s_, kPluckEndsS);
+    pluck_age_s_ = age + 1.0 / kSampleRateHz;
+    const double left = 1.0 - age / kPluckEndsS;
+    const double fall = left * left * left;
+    const double loudness = pluck_loudness_.towards(std::min(age / 0.003, 1.0) * fall);
+    if (loudness == 0.0) return 0.0;
+    const double pitch_hz = 330.0 + 110.0 * left;
+    return loudness * (0.16 * sine_of_turns(string_.step(pitch_hz)) +
+                       0.08 * fall * sine_of_turns(overtone_.step(2.76 * pitch_hz)));
+}
+
 // Fire behind a door: all that is low of it, never even.
 double Synthesiser::fire(double noise) noexcept {
     const double level = fire_.value();
@@ -118,6 +132,8 @@ void Synthesiser::render(const SoundScene& scene, std::span<Sample> block) noexc
     if (scene.slaps != slaps_ && knows_slaps_) slap_age_s_ = 0.0;
     slaps_ = scene.slaps;
     knows_slaps_ = true;
+    if (scene.is_plucked && !was_plucked_) pluck_age_s_ = 0.0;
+    was_plucked_ = scene.is_plucked;
     if (scene.chimes != chimes_ && knows_chimes_) chime_age_s_ = 0.0;
     chimes_ = scene.chimes;
     knows_chimes_ = true;
@@ -133,7 +149,7 @@ void Synthesiser::render(const SoundScene& scene, std::span<Sample> block) noexc
         const double volume = volume_.towards(wanted.volume);
 
         const double noise = noise_.next();
-        const double middle = motor() + slap(noise) + fire(noise);
+        const double middle = motor() + slap(noise) + pluck() + fire(noise);
         const double side = rub(noise);
         const Sample test = chime();
         const auto out = [&](double wheel, float tone) {

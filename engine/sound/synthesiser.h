@@ -33,6 +33,7 @@ class Synthesiser {
     double motor() noexcept;
     double rub(double noise) noexcept;
     double slap(double noise) noexcept;
+    double pluck() noexcept;
     double fire(double noise) noexcept;
     Sample chime() noexcept;
 
@@ -61,6 +62,11 @@ class Synthesiser {
     Glide slap_loudness_{0.001};
     Phase thump_;
     Filter splat_;
+    bool was_plucked_ = false;
+    double pluck_age_s_ = 1e9;
+    Glide pluck_loudness_{0.001};
+    Phase string_;
+    Phase overtone_;
     std::uint32_t chimes_ = 0;
     bool knows_chimes_ = false;
     double chime_age_s_ = 1e9;

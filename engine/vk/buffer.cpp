@@ -45,10 +45,10 @@ void Buffer::swap(Buffer& other) noexcept {
 }
 
 Result<void> make_room(const Device& device, Buffer& buffer, std::string_view name, VkDeviceSize bytes,
-                       VkBufferUsageFlags usage) {
+                       VkBufferUsageFlags usage, MemoryUse use) {
     if (bytes <= buffer.size()) return {};
     auto larger = Buffer::create(
-        device, {.name = name, .size = std::max(bytes, buffer.size() * 3 / 2), .usage = usage});
+        device, {.name = name, .size = std::max(bytes, buffer.size() * 3 / 2), .usage = usage, .use = use});
     if (!larger) return larger.error();
     buffer = std::move(*larger);
     return {};

@@ -56,6 +56,6 @@ class Buffer {
 // Makes a buffer, which the device no longer uses, as large as asked for, or half as large again as it is: it
 // grows a few times and then stays. What is in it is lost when it grows.
 Result<void> make_room(const Device& device, Buffer& buffer, std::string_view name, VkDeviceSize bytes,
-                       VkBufferUsageFlags usage);
+                       VkBufferUsageFlags usage, MemoryUse use = MemoryUse::kUpload);
 
 }  // namespace onggi::vk

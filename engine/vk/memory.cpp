@@ -1,9 +1,6 @@
 #include "engine/vk/memory.h"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <optional>
+#include <algorithm>
 
 #include "engine/vk/check.h"
 
@@ -21,7 +18,9 @@ Preference preference_of(MemoryUse use) {
     switch (use) {
         case MemoryUse::kUpload:
             return {kHost, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
+        // What the host reads must not be write-combined: a read of that takes as long as a hundred others.
         case MemoryUse::kReadback:
+        case MemoryUse::kWork:
             return {kHost, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
         case MemoryUse::kDevice:
             break;
@@ -29,29 +28,48 @@ Preference preference_of(MemoryUse use) {
     return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
 }
 
-std::optional<std::uint32_t> find_type(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
-                                       VkMemoryPropertyFlags wanted) {
-    for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
-        const bool is_allowed = (allowed & (1U << type)) != 0;
-        if (is_allowed && (memory.memoryTypes[type].propertyFlags & wanted) == wanted) return type;
-    }
-    return std::nullopt;
+bool is_out_of_memory(VkResult result) {
+    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
 }
 
 }  // namespace
 
-Result<Allocation> allocate(const Device& device, const VkMemoryRequirements& needs, MemoryUse use) {
+std::vector<std::uint32_t> memory_types(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
+                                        MemoryUse use) {
+    // What an extension adds is not for who has not asked for the extension.
+    constexpr VkMemoryPropertyFlags kKnown =
+        VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
     const Preference preference = preference_of(use);
-    auto type = find_type(device.memory(), needs.memoryTypeBits, preference.needed | preference.liked);
-    if (!type) type = find_type(device.memory(), needs.memoryTypeBits, preference.needed);
-    if (!type) return system_lacks("Vulkan memory: expected a type that the host can write, found none");
+    std::vector<std::uint32_t> types;
+    for (const VkMemoryPropertyFlags wanted : {preference.needed | preference.liked, preference.needed}) {
+        for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+            const VkMemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
+            const bool is_allowed = (allowed & (1U << type)) != 0 && (has & ~kKnown) == 0;
+            const bool is_listed = std::find(types.begin(), types.end(), type) != types.end();
+            if (is_allowed && !is_listed && (has & wanted) == wanted) types.push_back(type);
+        }
+    }
+    return types;
+}
 
-    const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                    .pNext = nullptr,
-                                    .allocationSize = needs.size,
-                                    .memoryTypeIndex = *type};
+Result<Allocation> allocate(const Device& device, const VkMemoryRequirements& needs, MemoryUse use) {
     Allocation allocation;
-    ONGGI_VK_TRY_ON(device, vkAllocateMemory(device.handle(), &info, nullptr, &allocation.memory));
+    VkResult result = VK_ERROR_FEATURE_NOT_PRESENT;
+    for (const std::uint32_t type : memory_types(device.memory(), needs.memoryTypeBits, use)) {
+        const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                        .pNext = nullptr,
+                                        .allocationSize = needs.size,
+                                        .memoryTypeIndex = type};
+        result = device.health().before("vkAllocateMemory");
+        if (result == VK_SUCCESS)
+            result = vkAllocateMemory(device.handle(), &info, nullptr, &allocation.memory);
+        if (!is_out_of_memory(result)) break;
+    }
+    if (result == VK_ERROR_FEATURE_NOT_PRESENT)
+        return system_lacks("Vulkan memory: expected a type that the host can write, found none");
+    device.health().note(result);
+    if (auto allocated = check(result, "vkAllocateMemory"); !allocated) return allocated.error();
     if (use != MemoryUse::kDevice) {
         const VkResult mapped =
             vkMapMemory(device.handle(), allocation.memory, 0, VK_WHOLE_SIZE, 0, &allocation.mapped);

@@ -124,6 +124,12 @@ std::vector<DeviceDescription> describe_all(const std::vector<VkPhysicalDevice>&
     return descriptions;
 }
 
+bool is_to_be_avoided(const DeviceDescription& device, const DevicePreference& preference) {
+    const auto& avoided = preference.avoided;
+    return (preference.avoids_gpus && !device.is_cpu()) ||
+           std::find(avoided.begin(), avoided.end(), device.index) != avoided.end();
+}
+
 std::string names_of(const std::vector<DeviceDescription>& devices) {
     std::vector<std::string> names;
     for (const DeviceDescription& device : devices) {
@@ -161,7 +167,8 @@ std::string device_request_of_environment() {
     return request == nullptr ? std::string() : std::string(request);
 }
 
-Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view request) {
+Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view request,
+                           const DevicePreference& preference) {
     if (devices.empty()) {
         return system_lacks(
             "Vulkan: expected a device, found none; install a driver (mesa-vulkan-drivers draws without a "
@@ -172,14 +179,27 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
     const auto parsed = std::from_chars(request.data(), request_end, requested_index);
     const bool request_is_index = !request.empty() && parsed.ec == std::errc() && parsed.ptr == request_end;
 
-    std::optional<std::size_t> best;
+    const auto fits = [&](const DeviceDescription& device) {
+        if (request_is_index) return device.index == requested_index;
+        return lower(device.name).find(lower(request)) != std::string::npos;
+    };
+    // What is avoided comes after everything else, of two that are alike the first.
+    const auto rank = [&](const DeviceDescription& device) {
+        constexpr int kAboveAllTypes = 5;
+        const int by_type = preference.cpu_first && device.is_cpu() ? kAboveAllTypes : rank_of(device.type);
+        return is_to_be_avoided(device, preference) ? by_type - kAboveAllTypes - 1 : by_type;
+    };
+    std::optional<std::size_t> best;  // of those that fit the request
+    std::optional<std::size_t> of_all;
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        const DeviceDescription& device = devices[i];
-        if (!device.lacks.empty()) continue;
-        if (request_is_index && device.index != requested_index) continue;
-        if (!request_is_index && lower(device.name).find(lower(request)) == std::string::npos) continue;
-        if (!best || rank_of(device.type) > rank_of(devices[*best].type)) best = i;
+        if (!devices[i].lacks.empty()) continue;
+        const auto is_better = [&](const std::optional<std::size_t>& than) {
+            return !than || rank(devices[i]) > rank(devices[*than]);
+        };
+        if (is_better(of_all)) of_all = i;
+        if (fits(devices[i]) && is_better(best)) best = i;
     }
+    if (best && is_to_be_avoided(devices[*best], preference)) return *of_all;
     if (best) return *best;
     if (!request.empty()) {
         return bad_input(
@@ -194,18 +214,20 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
                     names_of(devices)));
 }
 
-Result<std::vector<DeviceDescription>> describe_devices(std::string_view request) {
+Result<std::vector<DeviceDescription>> describe_devices(std::string_view request,
+                                                        const DevicePreference& preference) {
     auto instance = Instance::create({});
     if (!instance) return instance.error();
     std::vector<DeviceDescription> devices = describe_all(enumerate((*instance)->handle()), VK_NULL_HANDLE);
-    if (const auto chosen = choose(devices, request)) devices[*chosen].chosen = true;
+    if (const auto chosen = choose(devices, request, preference)) devices[*chosen].chosen = true;
     return devices;
 }
 
-Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface, std::string_view request) {
+Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface, std::string_view request,
+                                   const DevicePreference& preference) {
     const std::vector<VkPhysicalDevice> handles = enumerate(instance.handle());
     const std::vector<DeviceDescription> devices = describe_all(handles, surface);
-    const auto chosen = choose(devices, request);
+    const auto chosen = choose(devices, request, preference);
     if (!chosen) return chosen.error();
     ChosenDevice device{.handle = handles[*chosen],
                         .description = devices[*chosen],

@@ -28,10 +28,20 @@ struct DeviceDescription {
 [[nodiscard]] std::string_view type_name(VkPhysicalDeviceType type);  // "discrete GPU", "CPU", ...
 [[nodiscard]] std::string version_name(std::uint32_t api_version);    // "1.3.230"
 
-// Which of these to use, as an index into `devices`. wish: an index ("0"), or a part of a name in any case
+// What counts beside the request.
+struct DevicePreference {
+    bool cpu_first = false;  // of those that fit the request, the processor before any GPU
+    // Those that have failed, by DeviceDescription::index, and all GPUs: one of them draws only where nothing
+    // else can, whatever the request.
+    std::vector<int> avoided{};
+    bool avoids_gpus = false;
+};
+
+// Which of these to use, as an index into `devices`. request: an index ("0"), or a part of a name in any case
 // ("nvidia"); empty: the best by type (discrete, integrated, virtual, CPU), the first of equals.
 // System lacks: none that can be used. Bad input: the request fits none.
-Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view request);
+Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::string_view request,
+                           const DevicePreference& preference = {});
 
 // What ONGGI_VULKAN_DEVICE wishes; empty when it is not set.
 [[nodiscard]] std::string device_request_of_environment();
@@ -39,7 +49,7 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
 // Every device, the one that would be chosen marked. Makes and drops an instance of its own; an empty list
 // where there is no device or no driver.
 Result<std::vector<DeviceDescription>> describe_devices(
-    std::string_view request = device_request_of_environment());
+    std::string_view request = device_request_of_environment(), const DevicePreference& preference = {});
 
 struct ChosenDevice {
     VkPhysicalDevice handle = VK_NULL_HANDLE;
@@ -49,6 +59,7 @@ struct ChosenDevice {
 
 // surface: VK_NULL_HANDLE when nothing is presented.
 Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface,
-                                   std::string_view request = device_request_of_environment());
+                                   std::string_view request = device_request_of_environment(),
+                                   const DevicePreference& preference = {});
 
 }  // namespace onggi::vk

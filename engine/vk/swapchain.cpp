@@ -70,16 +70,28 @@ Result<void> Swapchain::choose_format() {
     return system_lacks("window: expected a surface with an 8-bit UNORM format, found none");
 }
 
-Result<bool> Swapchain::rebuild() {
-    ONGGI_VK_TRY_ON(*device_, vkDeviceWaitIdle(device_->handle()));
-    VkSurfaceCapabilitiesKHR can{};
-    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &can));
+VkExtent2D Swapchain::wanted_extent(const VkSurfaceCapabilitiesKHR& can) const {
     VkExtent2D extent = can.currentExtent;
     if (extent.width ==
         std::numeric_limits<std::uint32_t>::max()) {  // the surface takes whatever it is given
         extent.width = std::clamp(wanted_.width, can.minImageExtent.width, can.maxImageExtent.width);
         extent.height = std::clamp(wanted_.height, can.minImageExtent.height, can.maxImageExtent.height);
     }
+    return extent;
+}
+
+Result<bool> Swapchain::is_of_another_size() const {
+    VkSurfaceCapabilitiesKHR can{};
+    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &can));
+    const VkExtent2D wanted = wanted_extent(can);
+    return wanted.width != extent_.width || wanted.height != extent_.height;
+}
+
+Result<bool> Swapchain::rebuild() {
+    ONGGI_VK_TRY_ON(*device_, vkDeviceWaitIdle(device_->handle()));
+    VkSurfaceCapabilitiesKHR can{};
+    ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &can));
+    const VkExtent2D extent = wanted_extent(can);
     const bool has_no_pixels =
         extent.width == 0 || extent.height == 0 || wanted_.width == 0 || wanted_.height == 0;
     if (has_no_pixels) return false;
@@ -105,7 +117,10 @@ Result<bool> Swapchain::rebuild() {
     info.imageUsage =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
-    info.preTransform = can.currentTransform;
+    // A display that is turned is turned by whoever shows the images, at some cost; the pictures stay
+    // upright.
+    const bool is_turned_for_us = (can.supportedTransforms & VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR) != 0;
+    info.preTransform = is_turned_for_us ? VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR : can.currentTransform;
     info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
                               ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                               : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
@@ -164,13 +179,15 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
         if (!rebuilt) return rebuilt.error();
         if (!*rebuilt) return std::optional<TargetImage>();
     }
-    constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+    // A screen that is off may give no image for as long as it is, and the program has more to do.
+    constexpr std::uint64_t kPatienceNs = 100'000'000;
     Health& health = device_->health();
     VkResult result = health.before("vkAcquireNextImageKHR");
     if (result == VK_SUCCESS) {
-        result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kForever, acquired_.get(),
+        result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kPatienceNs, acquired_.get(),
                                        VK_NULL_HANDLE, &frame_);
     }
+    if (result == VK_TIMEOUT) return std::optional<TargetImage>();
     health.note(result);
     const auto acquired = check_swapchain(result, "vkAcquireNextImageKHR");
     if (!acquired) return acquired.error();
@@ -202,7 +219,12 @@ Result<void> Swapchain::end(VkCommandBuffer commands) {
     health.note(result);
     const auto presented = check_swapchain(result, "vkQueuePresentKHR");
     if (!presented) return presented.error();
-    if (*presented == SwapchainState::kOutOfDate || result == VK_SUBOPTIMAL_KHR) is_current_ = false;
+    if (*presented == SwapchainState::kOutOfDate) is_current_ = false;
+    if (result != VK_SUBOPTIMAL_KHR) return {};
+    // One as large as this would be as suboptimal: on a display that is turned, each is.
+    const auto is_another = is_of_another_size();
+    if (!is_another) return is_another.error();
+    is_current_ = !*is_another;
     return {};
 }
 

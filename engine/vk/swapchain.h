@@ -57,6 +57,9 @@ class Swapchain final : public FrameTarget {
     Result<void> choose_format();
     // False while the window has no pixels.
     Result<bool> rebuild();
+    [[nodiscard]] VkExtent2D wanted_extent(const VkSurfaceCapabilitiesKHR& can) const;
+    // Whether another swapchain would suit the surface better than this one, which is said to be suboptimal.
+    Result<bool> is_of_another_size() const;
     Result<void> make_frames();
     void drop_frames();
 

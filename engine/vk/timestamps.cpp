@@ -10,10 +10,10 @@ Result<Timestamps> Timestamps::create(const Device& device, std::uint32_t capaci
     vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, families.data());
-    const bool has_clock = device.queue_family() < count &&
-                           families[device.queue_family()].timestampValidBits > 0 &&
-                           device.limits().timestampPeriod > 0.0F;
-    if (!has_clock) return timestamps;
+    const std::uint32_t valid_bits =
+        device.queue_family() < count ? families[device.queue_family()].timestampValidBits : 0;
+    if (valid_bits == 0 || device.limits().timestampPeriod <= 0.0F) return timestamps;
+    timestamps.valid_bits_ = valid_bits;
     VkQueryPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
@@ -26,6 +26,11 @@ Result<Timestamps> Timestamps::create(const Device& device, std::uint32_t capaci
     constexpr double kMsANanosecond = 1e-6;
     timestamps.ms_a_tick_ = double{device.limits().timestampPeriod} * kMsANanosecond;
     return timestamps;
+}
+
+std::uint64_t ticks_between(std::uint64_t earlier, std::uint64_t later, std::uint32_t valid_bits) {
+    const std::uint64_t valid = valid_bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << valid_bits) - 1;
+    return (later - earlier) & valid;
 }
 
 void Timestamps::begin(VkCommandBuffer commands) {
@@ -50,7 +55,7 @@ const std::vector<double>& Timestamps::read(const Device& device) {
                               ticks_.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT);
     if (result != VK_SUCCESS) return ms_;  // a time that is not there yet is no reason to lose a frame
     for (const std::uint64_t ticks : ticks_)
-        ms_.push_back(static_cast<double>(ticks - ticks_.front()) * ms_a_tick_);
+        ms_.push_back(static_cast<double>(ticks_between(ticks_.front(), ticks, valid_bits_)) * ms_a_tick_);
     return ms_;
 }
 

@@ -11,6 +11,11 @@
 
 namespace onggi::vk {
 
+// Ticks from one timestamp to a later one, of which only so many low bits count: the clock may have begun
+// anew in between.
+[[nodiscard]] std::uint64_t ticks_between(std::uint64_t earlier, std::uint64_t later,
+                                          std::uint32_t valid_bits);
+
 class Timestamps {
   public:
     // Room for so many marks. Works, and measures nothing, on a device that has no clock for its queue.
@@ -30,6 +35,7 @@ class Timestamps {
     Unique<VkQueryPool, vkDestroyQueryPool> pool_;
     std::uint32_t capacity_ = 0;
     std::uint32_t marks_ = 0;
+    std::uint32_t valid_bits_ = 64;
     double ms_a_tick_ = 0.0;
     std::vector<std::uint64_t> ticks_;
     std::vector<double> ms_;

@@ -164,7 +164,8 @@ class GlfwWindow final : public Window {
   public:
     GlfwWindow(std::unique_ptr<GlfwLibrary> library, GLFWwindow* window)
         : library_(std::move(library)),
-          window_(window) {
+          window_(window),
+          wants_full_screen_(glfwGetWindowMonitor(window) != nullptr) {
         glfwSetWindowUserPointer(window_, this);
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int code, int, int action, int) {
             self(w).push(KeyEvent{key_of(code), action != GLFW_RELEASE, action == GLFW_REPEAT});
@@ -206,6 +207,8 @@ class GlfwWindow final : public Window {
 
     [[nodiscard]] std::vector<Event> poll_events() override {
         glfwPollEvents();
+        // A screen that is unplugged leaves a window; one that is plugged in again shall be filled.
+        if (wants_full_screen_ && glfwGetWindowMonitor(window_) == nullptr) fill_screen();
         return std::exchange(events_, {});
     }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
@@ -220,14 +223,12 @@ class GlfwWindow final : public Window {
     void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
     void set_full_screen(bool full_screen) override {
+        wants_full_screen_ = full_screen;
         if ((glfwGetWindowMonitor(window_) != nullptr) == full_screen) return;
         if (full_screen) {
             glfwGetWindowPos(window_, &windowed_x_, &windowed_y_);
             glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
-            GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-            if (monitor == nullptr) return;
-            const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-            glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+            fill_screen();
         } else {
             const Size size = windowed_.width > 0 ? windowed_ : Size{1280, 720};
             glfwSetWindowMonitor(window_, nullptr, windowed_x_, windowed_y_, size.width, size.height,
@@ -238,6 +239,12 @@ class GlfwWindow final : public Window {
   private:
     static GlfwWindow& self(GLFWwindow* window) {
         return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+    }
+    void fill_screen() {
+        GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+        const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+        if (mode == nullptr) return;
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
     void push(Event event) { events_.push_back(event); }
     void push_pointer(double x, double y) {
@@ -255,6 +262,7 @@ class GlfwWindow final : public Window {
     Size windowed_;
     int windowed_x_ = 0;
     int windowed_y_ = 0;
+    bool wants_full_screen_ = false;
 };
 
 }  // namespace
@@ -270,8 +278,7 @@ Result<std::unique_ptr<Window>> open_window(const WindowDesc& desc) {
     GLFWmonitor* monitor = desc.full_screen ? glfwGetPrimaryMonitor() : nullptr;
     int width = desc.width;
     int height = desc.height;
-    if (monitor != nullptr) {
-        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    if (const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor)) {
         width = mode->width;
         height = mode->height;
         glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);

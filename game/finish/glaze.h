@@ -11,6 +11,16 @@ namespace onggi::finish {
 // The names and order of the columns on the glaze screen, and of what is stored.
 enum class Glaze { kCeladon, kPorcelain, kBuncheong, kIron, kAsh, kBare };
 
+// What is seen of what was drawn below the glaze, or on raw clay. By eye, after fired pieces; linear.
+struct MarkPalette {
+    vec3 white_slip{0.7F};
+    vec3 black_slip{0.1F};
+    vec3 iron{0.1F};
+    vec3 cobalt{0.1F};
+    vec3 coat{0.7F};    // of slip or of the glaze itself, through which fingers went
+    vec3 finger{0.3F};  // where they did
+};
+
 struct GlazeMaterial {
     Glaze glaze = Glaze::kBare;
     std::string_view id{};        // in files: "celadon"
@@ -27,6 +37,7 @@ struct GlazeMaterial {
     float brushed = 0.0F;       // 0 to 1: slip laid on with a brush, streak by streak
     float runs = 0.0F;          // 0 to 1: run down the wall in drops
     float foot_bare_mm = 3.0F;  // wiped off before firing, so that the pot does not stick
+    MarkPalette marks{};
 };
 
 constexpr int kGlazeCount = 6;

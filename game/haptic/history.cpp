@@ -140,10 +140,11 @@ void History::go_back_to(std::uint64_t tick) {
     if (!moves_.empty()) moves_.back().end_tick = std::min(moves_.back().end_tick, tick);
 }
 
-Result<record::SessionWriter> History::begin_session(const std::filesystem::path& place,
-                                                     files::Beside beside) const {
+Result<record::SessionWriter> History::begin_session(const std::filesystem::path& place, files::Beside beside,
+                                                     std::span<const std::byte> supplement) const {
     return record::SessionWriter::create(place, session_header(start_),
-                                         start_state_bytes(start_.state, start_.parameters), beside);
+                                         start_state_bytes(start_.state, start_.parameters), beside,
+                                         supplement);
 }
 
 Result<void> History::write_on(record::SessionWriter& writer, std::size_t most_ticks) const {
@@ -160,12 +161,13 @@ Result<void> History::write_on(record::SessionWriter& writer, std::size_t most_t
     return {};
 }
 
-Result<void> History::save_outcome(const std::filesystem::path& place) const {
-    return History(now_, start_.parameters, options_).save(place);
+Result<void> History::save_outcome(const std::filesystem::path& place,
+                                   std::span<const std::byte> supplement) const {
+    return History(now_, start_.parameters, options_).save(place, supplement);
 }
 
-Result<void> History::save(const std::filesystem::path& place) const {
-    auto writer = begin_session(place, files::Beside::kNameless);
+Result<void> History::save(const std::filesystem::path& place, std::span<const std::byte> supplement) const {
+    auto writer = begin_session(place, files::Beside::kNameless, supplement);
     if (!writer) return writer.error();
     if (auto written = write_on(*writer, inputs_.size()); !written) return written;
     if (auto ready = writer->prepare(now_.hash()); !ready) return ready;

@@ -75,12 +75,16 @@ class History {
     void let_go_of_states();
 
     // All up to now as a session, written at once: no tick is worked out again.
-    [[nodiscard]] Result<void> save(const std::filesystem::path& place) const;
+    // supplement: what was done to the pot since, see record::SessionWriter.
+    [[nodiscard]] Result<void> save(const std::filesystem::path& place,
+                                    std::span<const std::byte> supplement = {}) const;
     // Only what came of it, as a session of no ticks that begins there: for a history that is not whole.
-    [[nodiscard]] Result<void> save_outcome(const std::filesystem::path& place) const;
+    [[nodiscard]] Result<void> save_outcome(const std::filesystem::path& place,
+                                            std::span<const std::byte> supplement = {}) const;
     // All up to now while it goes on: a session that begins as this history does, for write_on() to fill.
-    [[nodiscard]] Result<record::SessionWriter> begin_session(const std::filesystem::path& place,
-                                                              files::Beside beside) const;
+    [[nodiscard]] Result<record::SessionWriter> begin_session(
+        const std::filesystem::path& place, files::Beside beside,
+        std::span<const std::byte> supplement = {}) const;
     // Adds what was done since the writer's last tick, at most so many ticks. Precondition: lineage() is what
     // it was at begin_session().
     [[nodiscard]] Result<void> write_on(record::SessionWriter& writer, std::size_t most_ticks) const;

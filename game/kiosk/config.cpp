@@ -129,6 +129,9 @@ std::map<std::string, Setting> settings_of(Config& config) {
     const auto anything = [](const std::string&) { return true; };
     const auto something = [](const std::string& text) { return !text.empty() && text.size() <= 255; };
     return {
+        {"screen.backend",
+         words(config.screen.backend, "auto, gpu or cpu",
+               [](const std::string& text) { return text == "auto" || text == "gpu" || text == "cpu"; })},
         {"screen.diagonal_inch", number(config.screen.diagonal_inch, 7.0, 120.0, "7 to 120")},
         {"screen.distance_mm", number(config.screen.distance_mm, 200.0, 5000.0, "200 to 5000")},
         {"screen.full_screen", yes_or_no(config.screen.full_screen)},

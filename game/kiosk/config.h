@@ -16,7 +16,8 @@ struct Config {
         double distance_mm = 600.0;  // from the eyes; text is sized for it
         bool full_screen = false;
         bool text_always_large = false;
-        std::string room;  // a folder with its photographs, or a .glb; empty: the program's own
+        std::string room;              // a folder with its photographs, or a .glb; empty: the program's own
+        std::string backend = "auto";  // who draws: "gpu", "cpu", or the GPU where there is one
     } screen;
     struct {
         std::vector<std::string> order{"ko", "en", "ar"};  // codes; also the order of the attract screen

@@ -74,6 +74,13 @@ std::string_view firing_key(FiringStage stage) {
     return "fin.fire";
 }
 
+std::string_view decorating_key(const Decorating& decorating) {
+    if (decorating.strokes == 0 && !decorating.touched && decorating.tool == 0) return "dec.title";
+    constexpr std::array<std::string_view, kDrawingTools> kTools{
+        "dec.finger.h", "dec.iron.h", "dec.cobalt.h", "dec.inlay.h", "dec.white.h", "dec.motif.how"};
+    return kTools[static_cast<std::size_t>(decorating.tool)];
+}
+
 }  // namespace
 
 std::string_view spoken_key(const State& state) {
@@ -82,6 +89,8 @@ std::string_view spoken_key(const State& state) {
             return "idle.title";
         case Panel::kLanguage:
             return "lang.title";
+        case Panel::kCard:
+            return "card.about";
         case Panel::kPin:
         case Panel::kStaff:
             return {};
@@ -99,6 +108,8 @@ std::string_view spoken_key(const State& state) {
             return "fail.title";
         case Screen::kFiring:
             return firing_key(state.firing);
+        case Screen::kDecorate:
+            return decorating_key(state.decorating);
         case Screen::kGlaze:
             return "glz.title";
         case Screen::kYourPot:

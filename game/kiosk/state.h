@@ -12,18 +12,19 @@ enum class Screen {
     kChoose,
     kThrow,
     kFailure,
-    kFiring,  // cut off, dried, fired
+    kFiring,  // cut off, dried; and after the decorating fired
+    kDecorate,
     kGlaze,
     kYourPot,
     kKeep,
     kResume,  // a pot was left on the wheel when the power went
     kFault,
 };
-constexpr int kScreenCount = 10;
+constexpr int kScreenCount = 11;
 
 // What lies over the screen.
-enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff };
-constexpr int kPanelCount = 5;
+enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
+constexpr int kPanelCount = 6;
 
 // What a visitor may set, and what every visit begins with again.
 struct Comfort {
@@ -38,7 +39,6 @@ struct Comfort {
     friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
-constexpr int kShelfShown = 3;     // choices, with the largest text
 constexpr int kTeachingSteps = 3;  // press, open, raise
 constexpr int kMostTool = 3;
 constexpr int kMostWater = 5;
@@ -69,6 +69,27 @@ struct Throwing {
     Warning collapse = Warning::kNone;  // what it gave way by, on the failure screen
 
     friend bool operator==(const Throwing&, const Throwing&) = default;
+};
+
+constexpr int kDrawingTools = 6;  // finger, iron, cobalt, inlay, white brush, motif
+constexpr int kMotifTool = 5;
+constexpr int kInlayTool = 3;
+constexpr int kMotifs = 6;  // crane, cloud, chrysanthemum, fish, grass, wave
+constexpr int kMostBrush = 3;
+
+// How the visitor decorates.
+struct Decorating {
+    int tool = 0;
+    int motif = 0;
+    bool all_round = false;  // a motif, again and again
+    bool black = false;      // what an inlay is filled with; else white
+    int brush = 2;
+    bool turns = true;        // the pot, slowly; else it rests
+    bool touched = false;     // something was drawn since this tool was taken up
+    bool brush_down = false;  // by keys, which lift it again
+    int strokes = 0;          // that can be undone
+
+    friend bool operator==(const Decorating&, const Decorating&) = default;
 };
 
 // When the clay was worked, and by whom: what decides about hints and shows.
@@ -131,8 +152,10 @@ struct ScreenState {
     Panel panel = Panel::kNone;
     Comfort comfort;
     Throwing throwing;
-    int shelf_first = 0;  // choose, where only kShelfShown fit: the first of them; 0 is throwing as one likes
+    int shelf_first = 0;  // choose: the first that is seen of the shelf; 0 is throwing as one likes
+    int card = 0;         // of which pot of the shelf
     FiringStage firing = FiringStage::kCut;
+    Decorating decorating;
     int glaze = 0;
     Keeping keeping;
     Staff staff;

@@ -9,13 +9,15 @@
 namespace onggi::kiosk {
 
 std::string_view name_of(Screen screen) {
-    constexpr std::array<std::string_view, kScreenCount> kNames{
-        "attract", "choose", "throw", "failure", "firing", "glaze", "your-pot", "keep", "resume", "fault"};
+    constexpr std::array<std::string_view, kScreenCount> kNames{"attract", "choose",   "throw", "failure",
+                                                                "firing",  "decorate", "glaze", "your-pot",
+                                                                "keep",    "resume",   "fault"};
     return kNames[static_cast<std::size_t>(screen)];
 }
 
 std::string_view name_of(Panel panel) {
-    constexpr std::array<std::string_view, kPanelCount> kNames{"", "language", "idle", "pin", "staff"};
+    constexpr std::array<std::string_view, kPanelCount> kNames{"",    "language", "idle",
+                                                               "pin", "staff",    "card"};
     return kNames[static_cast<std::size_t>(panel)];
 }
 
@@ -111,6 +113,7 @@ void pass_time(Turn& turn) {
             return;
         case Panel::kNone:
         case Panel::kLanguage:
+        case Panel::kCard:
             break;
     }
     if (state.screen == Screen::kFault) return;
@@ -147,6 +150,9 @@ void press(Turn& turn, const Event& event) {
             return;
         case Panel::kLanguage:
             press_language(turn, event);
+            return;
+        case Panel::kCard:
+            press_card(turn, event);
             return;
         case Panel::kPin:
         case Panel::kStaff:
@@ -234,6 +240,9 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
                     static_cast<Warning>(std::clamp(event.value, 0, static_cast<int>(Warning::kFast)));
                 turn.show(Screen::kFailure);
             }
+            break;
+        case Event::Kind::kDrawn:
+            take_drawn(turn, event);
             break;
         case Event::Kind::kSaved:
         case Event::Kind::kSaveFailed:

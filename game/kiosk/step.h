@@ -17,9 +17,12 @@ enum class Button {
     kLanguages,
     kBack,
     kFree,
-    kTarget,  // value: which
-    kShelfBefore,
+    kTarget,       // value: which
+    kShelfBefore,  // value: the first to be seen, as of the next
     kShelfNext,
+    kCard,  // value: which pot's
+    kCardClose,
+    kCardThrow,  // that pot
     kNewClay,
     kUndo,
     kTools,     // the tray of what there is to hold, and away again
@@ -42,7 +45,14 @@ enum class Button {
     kBeforeCollapse,
     kKeepSlump,
     kSkip,
-    kGlaze,  // value: which
+    kDrawingTool,  // value: which
+    kMotif,        // value: which
+    kAllRound,     // or just one
+    kSlip,         // value: 1 black, 0 white
+    kTurning,      // or resting
+    kPutBrush,     // where the keys have led it, or lift it
+    kClear,        // all that was drawn
+    kGlaze,        // value: which
     kTakeGlaze,
     kOtherGlaze,
     kKeep,
@@ -95,6 +105,7 @@ struct Event {
         kProgress,     // value: teaching steps that the pot shows as done
         kWarned,       // value: a Warning
         kCollapsed,    // value: the Warning that says what it gave way by
+        kDrawn,        // value: strokes on the pot
         kSaved,        // value: the pot's number of the day
         kShared,       // value: the pot's number of the day; its code may be shown
         kShareFailed,  // value: likewise
@@ -129,6 +140,11 @@ struct Effect {
         kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay
         kStopShow,        // they leave the clay as it is
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
+        kBeginDrawing,    // the pot has dried, and waits on the wheel
+        kUndoStroke,
+        kClearDrawing,
+        kPutBrush,    // value: 1 down, 0 up; a motif is placed
+        kEndDrawing,  // what was drawn is fired
         kSave,
         kShare,      // the kept pot, for phones
         kWall,       // the kept pot; value: 1 to the wall of the day, 0 down again

@@ -24,13 +24,17 @@ void show_glazes(Turn& turn) {
     turn.show(Screen::kGlaze);
 }
 
+bool is_pot(const Turn& turn, int place) {
+    return place >= 0 && place < turn.rules.target_count;
+}
+
 void press_choose(Turn& turn, const Event& event) {
-    const bool is_target =
-        event.button == Button::kTarget && event.value >= 0 && event.value < turn.rules.target_count;
+    const bool is_target = event.button == Button::kTarget && is_pot(turn, event.value);
     if (event.button == Button::kShelfBefore || event.button == Button::kShelfNext) {
-        const int by = event.button == Button::kShelfNext ? kShelfShown - 1 : 1 - kShelfShown;
-        int& first = turn.state.shelf_first;
-        first = std::clamp(first + by, 0, std::max(0, turn.rules.target_count + 1 - kShelfShown));
+        turn.state.shelf_first = std::clamp(event.value, 0, turn.rules.target_count);
+    } else if (event.button == Button::kCard && is_pot(turn, event.value)) {
+        turn.state.card = event.value;
+        turn.lay_over(Panel::kCard);
     } else if (event.button == Button::kBack) {
         turn.end_visit();
     } else if (event.button == Button::kFree || is_target) {
@@ -161,10 +165,10 @@ void Turn::change_volume(int by) {
 void pass_firing(Turn& turn) {
     const double passed_s = turn.now_s - turn.state.screen_s;
     const Rules& rules = turn.rules;
-    if (passed_s >= rules.cut_s + rules.dry_s + rules.fire_s) {
-        show_glazes(turn);
+    if (turn.state.firing == FiringStage::kFire) {
+        if (passed_s >= rules.fire_s) show_glazes(turn);
     } else if (passed_s >= rules.cut_s + rules.dry_s) {
-        turn.state.firing = FiringStage::kFire;
+        begin_decorating(turn);
     } else if (passed_s >= rules.cut_s) {
         turn.state.firing = FiringStage::kDry;
     }
@@ -185,7 +189,15 @@ void press_screen(Turn& turn, const Event& event) {
             press_failure(turn, event);
             break;
         case Screen::kFiring:
-            if (event.button == Button::kSkip) show_glazes(turn);
+            if (event.button != Button::kSkip) break;
+            if (turn.state.firing == FiringStage::kFire) {
+                show_glazes(turn);
+            } else {
+                begin_decorating(turn);
+            }
+            break;
+        case Screen::kDecorate:
+            press_decorate(turn, event);
             break;
         case Screen::kGlaze:
             press_glaze(turn, event);
@@ -201,6 +213,16 @@ void press_screen(Turn& turn, const Event& event) {
             break;
         case Screen::kFault:
             break;
+    }
+}
+
+void press_card(Turn& turn, const Event& event) {
+    if (event.button == Button::kCardClose) {
+        turn.lay_over(Panel::kNone);
+    } else if (event.button == Button::kCardThrow) {
+        const int place = turn.state.card;
+        turn.lay_over(Panel::kNone);
+        press_choose(turn, Event::pressed(Button::kTarget, place));
     }
 }
 

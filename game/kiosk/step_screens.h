@@ -31,6 +31,8 @@ struct Turn {
 void press_screen(Turn& turn, const Event& event);
 void press_idle(Turn& turn, const Event& event);
 void press_language(Turn& turn, const Event& event);
+// What is told of a museum's pot.
+void press_card(Turn& turn, const Event& event);
 // PIN and panel; in step_staff.cpp.
 void press_staff(Turn& turn, const Event& event);
 // The wheel's own hands, on the throwing screen; in step_show.cpp. They begin with the next step, or where
@@ -42,6 +44,10 @@ void pass_show(Turn& turn);
 void press_keep(Turn& turn, const Event& event);
 void take_saved(Turn& turn, const Event& event);
 void take_shared(Turn& turn, const Event& event);
+// Decorating; in step_decorate.cpp. Whoever was offered it goes on to the kiln.
+void begin_decorating(Turn& turn);
+void press_decorate(Turn& turn, const Event& event);
+void take_drawn(Turn& turn, const Event& event);
 // Cutting, drying and firing go on by themselves.
 void pass_firing(Turn& turn);
 

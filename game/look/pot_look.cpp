@@ -10,6 +10,7 @@
 #include "engine/render/shapes/detail_texture.h"
 #include "engine/render/shapes/frame_build.h"
 #include "game/finish/glaze_surface.h"
+#include "game/finish/mark_colour.h"
 #include "shaders/lathe.h"
 
 namespace onggi::look {
@@ -75,6 +76,24 @@ PotLook glaze_look(const finish::GlazeMaterial& glaze, float height_mm) {
                        .lean_up = finish::kFingerLean * finish::finger_ring(here)};
     };
     return {.name = std::string(glaze.id), .coat_roughness = glaze.coat_roughness, .at = at};
+}
+
+PotLook marked_look(PotLook look, const decoration::Marks& marks, const finish::MarkPalette& palette,
+                    float height_mm) {
+    const auto texture = std::make_shared<const decoration::Texture>(decoration::texture_of(marks));
+    const auto at = [=, wall = marks.wall, plain = std::move(look.at)](const Place& place) {
+        Surface surface = plain(place);
+        if (place.inside) return surface;
+        const int column = decoration::column_at(0.5F * place.angle * std::numbers::inv_pi_v<float>);
+        const int row = decoration::row_at(place.height_mm / height_mm);
+        surface.colour =
+            finish::marked(surface.colour, finish::mark_colour(palette, texture->at(column, row)));
+        const vec2 lean = finish::relief_lean(*texture, wall, column, row);
+        surface.lean_round += lean.x;
+        surface.lean_up += lean.y;
+        return surface;
+    };
+    return {.name = std::move(look.name), .coat_roughness = look.coat_roughness, .at = at};
 }
 
 }  // namespace onggi::look

@@ -8,6 +8,7 @@
 
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
+#include "game/decoration/canvas.h"
 #include "game/finish/glaze.h"
 
 namespace onggi::look {
@@ -37,5 +38,8 @@ struct PotLook {
 [[nodiscard]] PotLook lathe_look(const render::LatheMaterial& material, std::string name);
 // On a pot of that height.
 [[nodiscard]] PotLook glaze_look(const finish::GlazeMaterial& glaze, float height_mm);
+// The same, drawn on outside: with those marks under a glaze.
+[[nodiscard]] PotLook marked_look(PotLook look, const decoration::Marks& marks,
+                                  const finish::MarkPalette& palette, float height_mm);
 
 }  // namespace onggi::look

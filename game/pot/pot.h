@@ -34,6 +34,9 @@ struct Pot {
     [[nodiscard]] bool can_be_hollow() const { return !inner_mm.empty(); }
 };
 
+// Up its outside from the foot to the rim: (radius, height), heights rising. Of a pot with rings.
+[[nodiscard]] std::vector<vec2> outer_outline(const Pot& pot);
+
 // The pot at a stage of drying and firing: every length times clay::shrunk_scale.
 [[nodiscard]] Pot fired(Pot pot, clay::Firing stage);
 

@@ -28,6 +28,10 @@ std::uint64_t Section::hash() const {
         for (const vec2& point : *side)
             hash.add(double{point.x}), hash.add(double{point.y});
     }
+    if (marks) {
+        hash.add_word(marks->recorded.texture_hash);
+        hash.add_bytes(decoration::bytes_of(marks->recorded));
+    }
     return hash.value();
 }
 

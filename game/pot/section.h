@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/math/math.h"
+#include "game/decoration/canvas.h"
 
 namespace onggi::pot {
 
@@ -14,6 +16,7 @@ namespace onggi::pot {
 struct Section {
     std::vector<vec2> outside;  // (radius, height), heights rising
     std::vector<vec2> inside;   // (radius, height), rim first, heights falling; may be empty
+    std::shared_ptr<const decoration::Marks> marks{};  // drawn on the outside; null: nothing
 
     [[nodiscard]] float height_mm() const;
     [[nodiscard]] float radius_mm() const;  // the largest

@@ -19,6 +19,10 @@ struct Stroke {
 };
 
 constexpr ui::Colour kMetal = ui::hex(0xc9bfae);
+constexpr ui::Colour kIron = ui::hex(0x7a3c1f);
+constexpr ui::Colour kCobalt = ui::hex(0x2f4c8c);
+constexpr ui::Colour kDarkClay = ui::hex(0x8a7058);
+constexpr ui::Colour kCeladon = ui::hex(0x7f9c80);
 constexpr ui::Colour kSkin = ui::hex(0xe6cfae);
 constexpr ui::Colour kSpongeFill = ui::hex(0xe8c76a);
 constexpr ui::Colour kWoodFill = ui::hex(0xb07f4c);
@@ -93,6 +97,9 @@ std::vector<Stroke> strokes_of(Icon icon) {
                     {"M9 55 H55", {}, 3.0F}};
         case Icon::kMore:
             return {{"M16 40 L32 24 L48 40", {}, 6.0F}};
+        case Icon::kAbout:
+            return {{"M12 8 H44 L54 18 V56 H12 Z", design::kPorcelain},
+                    {"M22 24 H42 M22 34 H44 M22 44 H36", {}, 3.0F}};
         case Icon::kShow:
             return {{"M22 40 V22 a4 4 0 0 1 8 0 V32 M30 32 V16 a4 4 0 0 1 8 0 V32 M38 32 V20 a4 4 0 0 1 8 0 "
                      "V42 C46 52 40 57 32 57 C24 57 20 53 13 42 C11 38 16 35 20 39",
@@ -121,6 +128,74 @@ std::vector<Stroke> strokes_of(Icon icon) {
                     {"M3 51 H61", {}, 3.4F}};
         case Icon::kStepRaise:
             return {{"M14 46 V8 H22 V38 H42 V8 H50 V46 Z", kStepFill, 3.4F}, {"M3 51 H61", {}, 3.4F}};
+        case Icon::kFingerWaves:
+        case Icon::kWave:
+            return {{"M6 22 C14 10 20 10 28 20 C36 30 44 30 58 16"},
+                    {"M6 36 C14 24 20 24 28 34 C36 44 44 44 58 30"},
+                    {"M6 50 C14 38 20 38 28 48 C36 58 44 58 58 44"}};
+        case Icon::kIronBrush:
+            return {{"M56 8 L36 32", {}, 5.0F},
+                    {"M36 28 L40 33 C34 44 22 54 12 56 C14 46 24 34 36 28 Z", kIron}};
+        case Icon::kBlueBrush:
+            return {{"M56 8 L36 32", {}, 5.0F},
+                    {"M36 28 L40 33 C34 44 22 54 12 56 C14 46 24 34 36 28 Z", kCobalt}};
+        case Icon::kInlay:
+            return {{"M8 32 a24 24 0 1 1 48 0 a24 24 0 1 1 -48 0 Z", kDarkClay},
+                    {"M14 36 C22 20 28 24 32 33 C36 42 43 42 50 28", {}, 5.0F, kSlip}};
+        case Icon::kWhiteBrush:
+            return {{"M54 6 L42 20", {}, 5.0F},
+                    {"M36 16 L48 28 L34 44 L20 30 Z", kSlip},
+                    {"M26 26 L38 38 M8 52 C24 46 42 46 58 52 M16 60 C28 56 40 56 52 60"}};
+        case Icon::kFlower:
+            return {
+                {"M26 32 a6 6 0 1 1 12 0 a6 6 0 1 1 -12 0 Z", kClayFill},
+                {"M32 26 C24 18 26 6 32 5 C38 6 40 18 32 26 M38 32 C46 24 58 26 59 32 C58 38 46 40 38 32 "
+                 "M32 38 C40 46 38 58 32 59 C26 58 24 46 32 38 M26 32 C18 40 6 38 5 32 C6 26 18 24 26 32"},
+                {"M28 28 C18 28 12 18 15 15 C18 12 28 18 28 28 M36 28 C36 18 46 12 49 15 C52 18 46 28 36 "
+                 "28 M36 36 C46 36 52 46 49 49 C46 52 36 46 36 36 M28 36 C28 46 18 52 15 49 C12 46 18 36 28 "
+                 "36"}};
+        case Icon::kTurns:
+            return {{"M6 44 a26 10 0 1 1 52 0 a26 10 0 1 1 -52 0 Z", kMetal},
+                    {"M12 26 C18 14 42 10 52 22 M52 10 V23 H39"}};
+        case Icon::kRests:
+            return {{"M6 44 a26 10 0 1 1 52 0 a26 10 0 1 1 -52 0 Z", kMetal},
+                    {"M24 12 V28 M40 12 V28", {}, 6.0F}};
+        case Icon::kWipe:
+            return {{"M14 56 C8 40 22 34 22 18 H42 C42 34 56 40 50 56 Z", kClayFill},
+                    {"M24 36 L40 52 M40 36 L24 52", {}, 4.6F}};
+        case Icon::kPale:
+            return {{"M14 32 a18 18 0 1 1 36 0 a18 18 0 1 1 -36 0 Z", kSlip}};
+        case Icon::kDark:
+            return {{"M14 32 a18 18 0 1 1 36 0 a18 18 0 1 1 -36 0 Z", design::kInk}};
+        case Icon::kBrushDown:
+            return {{"M54 6 L40 24", {}, 5.0F},
+                    {"M40 20 L45 26 C38 38 28 46 18 48 C20 38 28 28 40 20 Z", kClayFill},
+                    {"M8 56 H56"}};
+        case Icon::kCrane:
+            return {
+                {"M6 22 L16 22 C22 26 20 38 30 42 C36 44 44 42 50 38", {}, 4.2F},
+                {"M30 40 C32 26 34 14 36 6 C38 18 38 30 38 40 M36 40 C42 28 50 18 56 14 C54 24 48 34 42 41",
+                 kSlip},
+                {"M44 42 L54 54 M40 43 L46 57"}};
+        case Icon::kCloud:
+            return {
+                {"M20 42 C8 42 6 28 16 26 C16 14 32 10 36 20 C48 16 56 30 46 36 M16 44 C26 54 44 54 58 46"}};
+        case Icon::kMum:
+            return {
+                {"M5 32 a27 27 0 1 1 54 0 a27 27 0 1 1 -54 0 Z", kCeladon},
+                {"M27 32 a5 5 0 1 1 10 0 a5 5 0 1 1 -10 0 Z", kSlip},
+                {"M32 24 V12 M32 40 V52 M24 32 H12 M40 32 H52 M26 26 L18 18 M38 26 L46 18 M26 38 L18 46 M38 "
+                 "38 L46 46",
+                 {},
+                 5.0F,
+                 kSlip}};
+        case Icon::kFish:
+            return {{"M6 32 C14 16 36 14 46 30 L58 20 V44 L46 34 C36 50 14 48 6 32 Z", kSlip},
+                    {"M15 30 H17 M24 22 C28 28 28 36 24 42 M33 24 C36 29 36 35 33 40"}};
+        case Icon::kGrass:
+            return {
+                {"M32 58 C30 40 24 26 10 18 M32 58 C32 38 34 22 40 8 M33 58 C38 44 46 36 58 34 M31 58 C26 48 "
+                 "18 42 8 42"}};
     }
     return {};
 }

@@ -28,6 +28,7 @@ enum class Icon {
     kSponge,
     kWire,
     kMore,
+    kAbout,
     kLow,
     kStill,
     kCheck,
@@ -38,8 +39,26 @@ enum class Icon {
     kStepPress,  // sections of the clay
     kStepOpen,
     kStepRaise,
+    kFingerWaves,  // ways of decorating
+    kIronBrush,
+    kBlueBrush,
+    kInlay,
+    kWhiteBrush,
+    kFlower,
+    kTurns,
+    kRests,
+    kWipe,
+    kPale,
+    kDark,
+    kBrushDown,
+    kCrane,  // motifs
+    kCloud,
+    kMum,
+    kFish,
+    kGrass,
+    kWave,
 };
-constexpr int kIconCount = static_cast<int>(Icon::kStepRaise) + 1;
+constexpr int kIconCount = static_cast<int>(Icon::kWave) + 1;
 
 // The icon in a square of `side` u with its top left at `at`.
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke);

@@ -108,6 +108,8 @@ class Page {
         composition_.has_cue = true;
         composition_.guard_words[static_cast<std::size_t>(guard)] = std::move(words);
     }
+    // Where the pot may be touched, the stage may say so.
+    void allow_cue() { composition_.has_cue = true; }
     void keep_forces(std::shared_ptr<const ForceParts> parts) { composition_.forces = std::move(parts); }
     void picture(const ui::Rect& rect, std::shared_ptr<const ui::Painting> painting, std::uint64_t key);
 

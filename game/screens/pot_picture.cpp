@@ -52,7 +52,8 @@ void paint_band(const PotSamples& samples, const PotShading& shading, float turn
 
 PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                      float elevation_rad, float turn) {
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
+    const DrawnOn drawn_on(shape);
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
     PotPicture picture;
     picture.foot_px = extent.foot_px;

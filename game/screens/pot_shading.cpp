@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/finish/glaze_surface.h"
+#include "game/finish/mark_colour.h"
 
 namespace onggi::screens {
 namespace {
@@ -18,8 +19,10 @@ finish::GlazePlace place_of(const PotSurface& at) {
 
 }  // namespace
 
-PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad)
+PotShading::PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad,
+                       const DrawnOn& drawn_on)
     : glaze_(glaze),
+      drawn_on_(drawn_on),
       height_mm_(height_mm),
       to_eye_(0.0F, std::sin(elevation_rad), std::cos(elevation_rad)) {}
 
@@ -51,7 +54,10 @@ PotLight PotShading::light(const PotSurface& at) const {
 }
 
 vec3 PotShading::colour(const PotSurface& at) const {
-    return finish::glaze_colour(glaze_, height_mm_, place_of(at));
+    const vec3 own = finish::glaze_colour(glaze_, height_mm_, place_of(at));
+    if (drawn_on_.texture() == nullptr || at.inside) return own;
+    return finish::marked(
+        own, finish::mark_colour(glaze_.marks, drawn_on_.at(at.angle, at.height_mm / height_mm_)));
 }
 
 // Less light the deeper inside.

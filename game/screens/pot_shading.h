@@ -2,8 +2,13 @@
 // clay, and the window light they stand in. Any thread; pure. mm, rad; linear light.
 #pragma once
 
+#include <numbers>
+#include <optional>
+
 #include "engine/math/math.h"
+#include "game/decoration/texture.h"
 #include "game/finish/glaze.h"
+#include "game/pot/section.h"
 
 namespace onggi::screens {
 
@@ -21,9 +26,32 @@ struct PotLight {
     vec3 gloss{0.0F};
 };
 
+// What was drawn on a pot, laid for its pictures.
+class DrawnOn {
+  public:
+    explicit DrawnOn(const pot::Section& shape) {
+        if (!shape.marks) return;
+        texture_.emplace(decoration::texture_of(*shape.marks));
+        front_ = decoration::front_of(shape.marks->recorded.strokes);
+    }
+    // The texel at an angle about the axis that is 0 in front. Precondition: something was.
+    [[nodiscard]] const decoration::Texel& at(float angle, float height_fraction) const {
+        const float turns = front_ + 0.5F * angle * std::numbers::inv_pi_v<float>;
+        return texture_->at(decoration::column_at(turns), decoration::row_at(height_fraction));
+    }
+    // Null: nothing was.
+    [[nodiscard]] const decoration::Texture* texture() const { return texture_ ? &*texture_ : nullptr; }
+
+  private:
+    std::optional<decoration::Texture> texture_;
+    float front_ = decoration::kPlainFront;  // the direction that is shown in front
+};
+
 class PotShading {
   public:
-    PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad);
+    // Both outlive it.
+    PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad,
+               const DrawnOn& drawn_on);
 
     // What stays where it is while the pot turns.
     [[nodiscard]] PotLight light(const PotSurface& at) const;
@@ -35,6 +63,7 @@ class PotShading {
     [[nodiscard]] vec3 reflected(const vec3& direction) const;
 
     const finish::GlazeMaterial& glaze_;
+    const DrawnOn& drawn_on_;
     float height_mm_;
     vec3 to_eye_;
 };

@@ -216,6 +216,16 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     }
 }
 
+constexpr float kAboutSide = design::kLeastTarget;
+constexpr float kAboutRoom = kAboutSide + 10.0F;
+
+// Opens the pot's own card.
+void about(Page& page, const Rect& rect, const Choice& choice, int index) {
+    if (choice.exhibit == nullptr || !choice.exhibit->card) return;
+    page.token(rect, Look::kToken, kiosk::Button::kCard, page.t("card.about"), index - 1, Icon::kAbout,
+               false);
+}
+
 }  // namespace
 
 void draw_choose(Page& page) {
@@ -241,17 +251,17 @@ void draw_choose(Page& page) {
     // Brought low, a tall screen has its cards side by side, as the others always have.
     const bool in_rows = tall && !page.is_low();
 
-    // With the largest text, or where the cards are brought low, a few of them, and a way to the others.
-    const bool is_paged = (page.text_scale() > 1.9F || ((tall || square) && page.is_low())) &&
-                          static_cast<int>(choices.size()) > kiosk::kShelfShown;
-    const int first = is_paged ? std::clamp(view.state.shelf_first, 0,
-                                            static_cast<int>(choices.size()) - kiosk::kShelfShown)
-                               : 0;
-    const int count = is_paged ? kiosk::kShelfShown : static_cast<int>(choices.size());
+    // As many as have room beside each other, fewer with the largest text or brought low, and a way to the
+    // others.
+    const bool is_narrow = square || page.text_scale() > 1.9F || page.is_low();
+    const int all = static_cast<int>(choices.size());
+    const int count = std::min(all, is_narrow ? 3 : 4);
+    const bool is_paged = count < all;
+    const int first = std::clamp(view.state.shelf_first, 0, all - count);
     const auto choice_at = [&](int i) -> const Choice& {
         return choices[static_cast<std::size_t>(first + i)];
     };
-    const float scale = tall ? (in_rows ? 0.52F : 0.66F) : square ? 0.60F : 0.76F;
+    const float scale = in_rows ? 0.52F : 0.58F;
     const auto pot = [&](const Choice& choice, vec2 foot) -> Rect {
         const bool free = choice.exhibit == nullptr;
         const Rect rect =
@@ -266,20 +276,24 @@ void draw_choose(Page& page) {
     if (in_rows) {
         const float top = 116.0F;
         const float step =
-            std::min(is_paged ? 350.0F : 212.0F, (height - top - 100.0F) / static_cast<float>(count));
+            std::min(count < 4 ? 350.0F : 266.0F, (height - top - 100.0F) / static_cast<float>(count));
         for (int i = 0; i < count; ++i) {
             const float y = top + step * static_cast<float>(i);
             const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
             page.down(shelf, design::kShelf, design::kShelfEdge);
             const Rect touched = pot(choice_at(i), {shelf.centre().x, shelf.y + 5.0F});
-            draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F, step - 14.0F}), choice_at(i),
-                      first + i);
+            draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F - kAboutRoom, step - 14.0F}),
+                      choice_at(i), first + i);
             page.also_touched_at(touched);
+            about(page,
+                  page.mirrored({width - 24.0F - kAboutSide, y + 0.5F * (step - 14.0F - kAboutSide),
+                                 kAboutSide, kAboutSide}),
+                  choice_at(i), first + i);
         }
     } else {
         const float shelf_y = tall ? 606.0F : square ? (page.is_low() ? 346.0F : 306.0F) : 340.0F;
         const float card_top = shelf_y + 40.0F;
-        const float card_height = height - card_top - 84.0F;
+        const float card_height = height - card_top - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
         const float gap = 10.0F;
         const float card_width =
             (width - 48.0F - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
@@ -290,6 +304,10 @@ void draw_choose(Page& page) {
             const Rect touched = pot(choice_at(i), {card.centre().x, shelf_y + 9.0F});
             draw_card(page, card, choice_at(i), first + i);
             page.also_touched_at(touched);
+            // On the shelf beside its pot, or brought low below its card.
+            const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
+            about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, choice_at(i),
+                  first + i);
         }
     }
     page.token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}), Look::kOutline, kiosk::Button::kBack,
@@ -297,9 +315,11 @@ void draw_choose(Page& page) {
     if (is_paged) {
         const bool rtl = page.right_to_left();
         page.token(page.mirrored({222.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfBefore,
-                   page.t("choose.before"), 0, rtl ? Icon::kRight : Icon::kLeft, false);
+                   page.t("choose.before"), std::max(0, first - count), rtl ? Icon::kRight : Icon::kLeft,
+                   false);
         page.token(page.mirrored({322.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfNext,
-                   page.t("choose.next"), 0, rtl ? Icon::kLeft : Icon::kRight, false);
+                   page.t("choose.next"), std::min(first + count, all - count),
+                   rtl ? Icon::kLeft : Icon::kRight, false);
     }
     // The scale, drawn and in words; where the token of languages is brought low, it makes room.
     const bool is_on_top = tall && page.is_low();

@@ -31,6 +31,13 @@ const finish::GlazeMaterial& glowing_clay() {
         made.id = "glowing";
         made.body = made.colour = vec3(1.35F, 0.42F, 0.13F);
         made.thin_colour = vec3(1.6F, 0.62F, 0.22F);
+        // What was drawn glows too, the dark a little less.
+        finish::MarkPalette& marks = made.marks;
+        for (vec3* colour :
+             {&marks.white_slip, &marks.black_slip, &marks.iron, &marks.cobalt, &marks.coat, &marks.finger}) {
+            const float light = glm::dot(*colour, vec3(0.21F, 0.72F, 0.07F));
+            *colour = made.colour * (0.62F + 0.7F * light);
+        }
         return made;
     }();
     return clay;

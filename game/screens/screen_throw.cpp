@@ -67,6 +67,35 @@ void outline(Page& page) {
     }
 }
 
+// Round what lies on the bench and may be picked up there.
+void bench_rings(Page& page) {
+    const float u = 1.0F / page.px_per_u();
+    for (const BenchTool& tool : page.view().bench) {
+        const vec2 size = tool.size_px * u;
+        const vec2 corner = tool.centre_px * u - 0.5F * size;
+        if (corner.y + size.y > ledge_y(page)) continue;
+        const float r = 0.42F * std::min(size.x, size.y);
+        constexpr float kMargin = 6.0F;
+        const float left = kMargin;
+        const float top = kMargin;
+        const float right = kMargin + size.x;
+        const float low = kMargin + size.y;
+        const std::string path = fmt::format(
+            "M{:.1f} {:.1f} H{:.1f} Q{:.1f} {:.1f} {:.1f} {:.1f} V{:.1f} Q{:.1f} {:.1f} {:.1f} {:.1f} "
+            "H{:.1f} "
+            "Q{:.1f} {:.1f} {:.1f} {:.1f} V{:.1f} Q{:.1f} {:.1f} {:.1f} {:.1f} Z",
+            left + r, top, right - r, right, top, right, top + r, low - r, right, low, right - r, low,
+            left + r, left, low, left, low - r, top + r, left, top, left + r, top);
+        ui::Sketch sketch;
+        sketch.add(ui::Shape{
+            .path = path, .stroke = design::kNight.with_alpha(0.55F), .stroke_width = 7.0F, .dash = 13.0F});
+        sketch.add(ui::Shape{.path = path, .stroke = design::kOutline, .stroke_width = 4.4F, .dash = 13.0F});
+        page.sprite(
+            {corner.x - kMargin, corner.y - kMargin, size.x + 2.0F * kMargin, size.y + 2.0F * kMargin},
+            std::move(sketch));
+    }
+}
+
 void warning_card(Page& page) {
     const View& view = page.view();
     const bool tall = page.shape() == Shape::kTall;
@@ -166,6 +195,7 @@ void draw_throw(Page& page) {
     page.keep_clear(pot_box(page));
     page.scene_ends();
     outline(page);
+    bench_rings(page);
     const bool warned = view.state.throwing.warning != kiosk::Warning::kNone;
     page.ledge(y);
     if (warned) warning_card(page);

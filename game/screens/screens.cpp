@@ -16,6 +16,8 @@ void draw_screen(Page& page) {
             return draw_failure(page);
         case kiosk::Screen::kFiring:
             return draw_firing(page);
+        case kiosk::Screen::kDecorate:
+            return draw_decorate(page);
         case kiosk::Screen::kGlaze:
             return draw_glazes(page);
         case kiosk::Screen::kYourPot:
@@ -57,6 +59,9 @@ Composition compose(const View& view, ui::Painter& painter, PaintingStore& store
             break;
         case kiosk::Panel::kStaff:
             draw_staff(page);
+            break;
+        case kiosk::Panel::kCard:
+            draw_card_panel(page);
             break;
     }
     store.forget_unused();

@@ -14,6 +14,7 @@ void draw_choose(Page& page);
 void draw_throw(Page& page);
 void draw_failure(Page& page);
 void draw_firing(Page& page);
+void draw_decorate(Page& page);
 void draw_glazes(Page& page);
 void draw_your_pot(Page& page);
 void draw_keep(Page& page);
@@ -23,6 +24,7 @@ void draw_idle(Page& page);
 void draw_language(Page& page);
 void draw_pin(Page& page);
 void draw_staff(Page& page);
+void draw_card_panel(Page& page);
 
 // The card by which the pot goes home by phone, at whatever that has come to.
 void add_phone_card(Page& page, const ui::Rect& card);

@@ -22,11 +22,12 @@ std::size_t place_of(Held held) {
 
 // A small sign at the end of a token.
 void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
-    constexpr float kSide = 26.0F;
+    constexpr float kSignSide = 26.0F;
     ui::Sketch sketch;
-    add_icon(sketch, icon, {0.0F, 0.0F}, kSide, design::kInk);
-    const float x = page.right_to_left() ? rect.x + 8.0F : rect.right() - kSide - 8.0F;
-    page.sprite({x, rect.centre().y - 0.5F * kSide - 3.0F, kSide, kSide}, std::move(sketch), target);
+    add_icon(sketch, icon, {0.0F, 0.0F}, kSignSide, design::kInk);
+    const float x = page.right_to_left() ? rect.x + 8.0F : rect.right() - kSignSide - 8.0F;
+    page.sprite({x, rect.centre().y - 0.5F * kSignSide - 3.0F, kSignSide, kSignSide}, std::move(sketch),
+                target);
 }
 
 void add_choice(Page& page, const Rect& place, Held held, float label_width) {

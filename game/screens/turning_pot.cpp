@@ -38,12 +38,14 @@ class Encoding {
 
 TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                        float elevation_rad) {
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
+    const DrawnOn drawn_on(shape);
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
     width_ = extent.width_px;
     height_ = extent.height_px;
     foot_px_ = extent.foot_px;
-    fill_colours(shape, glaze, elevation_rad);
+    fill_colours(shape, shading, drawn_on.texture() != nullptr);
+    std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(kRows) * kColumns, kColumns, glaze.body);
     for (int top = 0; top < height_; top += kBandPx) {
         add_pixels(sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx}), shading, shape,
                    glaze.foot_bare_mm);
@@ -77,6 +79,7 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
                 pixel.row =
                     is_foot ? static_cast<float>(kRows)
                             : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
+                if (inside) pixel.row += static_cast<float>(inside_from_);
                 pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * kColumns;
             }
             if (count == 0) continue;
@@ -89,20 +92,25 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
     }
 }
 
-void TurningPot::fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze,
-                              float elevation_rad) {
-    const PotShading shading(glaze, shape.height_mm(), elevation_rad);
-    colours_.resize(static_cast<std::size_t>(kRows + 1) * kColumns, glaze.body);
-    for (int row = 0; row < kRows; ++row) {
+// `differs`: where nothing is drawn outside, it looks there as it does inside.
+void TurningPot::fill_colours(const pot::Section& shape, const PotShading& shading, bool differs) {
+    inside_from_ = differs ? kRows + 1 : 0;
+    colours_.resize(static_cast<std::size_t>(kRows + 1 + (differs ? kRows : 0)) * kColumns);
+    const auto fill = [&](int first_row, bool inside) {
         PotSurface at;
-        at.inside = true;  // glazed down to the foot; the foot has a row of its own
-        at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
-        for (int column = 0; column < kColumns; ++column) {
-            const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
-            at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
-            colours_[static_cast<std::size_t>(row * kColumns + column)] = shading.colour(at);
+        at.inside = inside;
+        for (int row = 0; row < kRows; ++row) {
+            at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
+            for (int column = 0; column < kColumns; ++column) {
+                const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
+                at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
+                colours_[static_cast<std::size_t>((first_row + row) * kColumns + column)] =
+                    shading.colour(at);
+            }
         }
-    }
+    };
+    fill(inside_from_, true);  // glazed down to the foot; the foot has a row of its own
+    if (differs) fill(0, false);
 }
 
 std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {

@@ -41,13 +41,15 @@ class TurningPot {
     // Those of a band's pixels.
     void add_pixels(const PotSamples& samples, const PotShading& shading, const pot::Section& shape,
                     float foot_bare_mm);
-    void fill_colours(const pot::Section& shape, const finish::GlazeMaterial& glaze, float elevation_rad);
+    void fill_colours(const pot::Section& shape, const PotShading& shading, bool differs);
 
     int width_ = 0;
     int height_ = 0;
     vec2 foot_px_{0.0F};
     std::vector<Pixel> pixels_;
-    std::vector<vec3> colours_;  // rows from the foot up, then the foot's own
+    int inside_from_ = 0;  // the row of the colours where those of the inside begin
+    std::vector<vec3>
+        colours_;  // rows from the foot up, then the foot's own, then the inside's if it differs
 };
 
 }  // namespace onggi::screens

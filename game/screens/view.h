@@ -2,6 +2,7 @@
 // handed to the composer's thread. Lengths: pixels, mm, u, as named.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,16 @@
 
 namespace onggi::screens {
 
+// What is told of a museum's pot on request.
+struct ExhibitCard {
+    // What it was for, how it was made, what to look for; in the order of View::languages.
+    std::vector<std::array<std::string, 3>> lines;
+    std::array<int, 3> known_by{};  // 0: by its own record, 1: by pots of its kind, 2: generally
+    std::string source;
+    int published_points = 0;  // of its outline
+    int drawn_points = 0;
+};
+
 // A pot of a museum, in the order of the choose screen.
 struct Exhibit {
     std::string name_key;    // "pot.moon"
@@ -23,6 +34,7 @@ struct Exhibit {
     std::string part;  // "1/3": thrown at so much of its size, because the clay would not do; empty: all
     int glaze = 0;
     pot::Section shape;
+    std::shared_ptr<const ExhibitCard> card{};  // null: there is none
 };
 
 // The visitor's pot, as fired.
@@ -74,6 +86,15 @@ struct FramePlot {
     friend bool operator==(const FramePlot&, const FramePlot&) = default;
 };
 
+// A tool on the bench, as large as what can be touched of it.
+struct BenchTool {
+    kiosk::Held held = kiosk::Held::kHand;
+    vec2 centre_px{0.0F};
+    vec2 size_px{0.0F};
+
+    friend bool operator==(const BenchTool&, const BenchTool&) = default;
+};
+
 // Two that are equal look the same, and nothing in it changes that is not seen: what asks for a new screen is
 // a View that differs. What turns, blinks or follows the hand is drawn over it, frame by frame.
 struct View {
@@ -103,6 +124,7 @@ struct View {
     bool can_look_in = false;           // there is a view from above into the pot
     double thinnest_mm = 0.0;           // of the wall, for the warning
     std::optional<vec2> warning_at_px;  // its place on the pot's edge, for the leader
+    std::vector<BenchTool> bench;       // ringed while the tray is open
     int wire_off_mm = 0;                // what the wire that is held would take off
     std::optional<vec2> wire_at_px;     // right of the pot, at its height; none: no wire is held
     int focus = -1;                     // target with the ring; -1: none

@@ -14,6 +14,7 @@ void receive_clay(ecs::Registry& registry, FrameContext& context) {
         clay.pot = &pot;
         const render::LatheMaterial* own = context.shown->material;
         clay.material = own != nullptr ? *own : clay_material(pot.body, pot.stage);
+        clay.marks = context.shown->marks;
         clay.wetness.resize(pot.liquidity.size());
         std::transform(pot.liquidity.begin(), pot.liquidity.end(), clay.wetness.begin(), darkness_of);
     });
@@ -35,7 +36,8 @@ void extract_clay(ecs::Registry& registry, FrameContext& context) {
             .edge_rounding_mm = clay.edge_rounding_mm,
             .turn = vec2(wheel.direction),
             .material = clay.material,
-            .shows_load = clay.shows_load};
+            .shows_load = clay.shows_load,
+            .marks = clay.marks};
         // Dry clay has neither, whatever it held when it was thrown.
         if (pot.stage == clay::Firing::kWet) {
             lathe.wetness = clay.wetness;

@@ -33,7 +33,8 @@ struct Clay {
     render::LatheMaterial material{};
     std::vector<float> wetness{};  // of each ring: how much its water darkens it
     bool shows_load = false;
-    bool is_cut_open = false;  // towards the camera
+    const render::LatheMarks* marks = nullptr;  // as WheelView has them
+    bool is_cut_open = false;                   // towards the camera
     float edge_rounding_mm = 0.0F;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -40,8 +41,19 @@ Result<std::unique_ptr<LiveScreen>> LiveScreen::open(window::Window& window,
         vk::Instance::create({.validation = options.validation, .extensions = window.instance_extensions()});
     if (!made) return made.error();
     self->instance_ = std::move(*made);
-    if (auto opened = self->make_anew(); !opened) return opened.error();
+    auto opened = self->make_anew();
+    while (!opened && opened.error().kind == ErrorKind::kSystemLacks && self->avoid_device()) {
+        self->remarks_.push_back(fmt::format("{}; trying another device", opened.error().message));
+        opened = self->make_anew();
+    }
+    if (!opened) return opened.error();
     return self;
+}
+
+vk::DevicePreference LiveScreen::preference() const {
+    return {.cpu_first = options_.backend == render::BackendChoice::kCpu,
+            .avoided = avoided_,
+            .avoids_gpus = options_.is_safe};
 }
 
 Result<void> LiveScreen::open_device() {
@@ -49,31 +61,68 @@ Result<void> LiveScreen::open_device() {
     if (!made_surface) return made_surface.error();
     if (*made_surface != VK_NULL_HANDLE)
         surface_ = std::make_unique<vk::Surface>(instance_->handle(), *made_surface);
-    auto chosen = vk::choose_device(*instance_, *made_surface);
+    const std::string request = vk::device_request_of_environment();
+    auto chosen = vk::choose_device(*instance_, *made_surface, request, preference());
     if (!chosen && surface_ && chosen.error().kind == ErrorKind::kSystemLacks) {
         // A device that cannot present may still draw: for the staff, for recording, for whoever looks later.
         surface_.reset();
-        auto unseen = vk::choose_device(*instance_, VK_NULL_HANDLE);
+        auto unseen = vk::choose_device(*instance_, VK_NULL_HANDLE, request, preference());
         if (!unseen) return unseen.error();
         remarks_.push_back(
             fmt::format("{}; drawing unseen on {}", chosen.error().message, unseen->description.name));
         chosen = std::move(unseen);
     }
     if (!chosen) return chosen.error();
+    device_index_ = chosen->description.index;
     auto made = vk::Device::create(*instance_, *chosen, surface_ != nullptr);
     if (!made) return made.error();
     device_ = std::move(*made);
 #ifdef ONGGI_SHADER_RELOAD
     device_->replace_spirv(shaders_.replacements());
 #endif
-    if (!has_ladder_) {
-        render::QualityRange range =
-            render::quality_range(device_class(device_->description()), options_.draw_threads);
-        if (options_.lowest_quality) range.first = range.highest = range.lowest;
-        ladder_ = render::QualityLadder(range);
-        has_ladder_ = true;
-    }
+    begin_ladder();
     return {};
+}
+
+// Of a device that is made anew it goes on.
+void LiveScreen::begin_ladder() {
+    if (ladder_of_ == device_index_) return;
+    ladder_of_ = device_index_;
+    losses_ = 0;
+    const vk::DeviceDescription& device = device_->description();
+    // What keeps falling shall not be asked for anything that this device is not made for.
+    const auto choice = options_.is_safe ? render::BackendChoice::kAuto : options_.backend;
+    class_ = render::class_for(choice, device_class(device));
+    if (choice == render::BackendChoice::kGpu && device.is_cpu())
+        remarks_.push_back(
+            fmt::format("backend gpu: expected a GPU, found none; {} stands for one", device.name));
+    render::QualityRange range = render::quality_range(class_, options_.draw_threads);
+    if (options_.is_safe) range.first = range.highest = range.lowest;
+    const std::string& note = options_.quality_note;
+    const std::size_t tab = note.find('\t');
+    if (tab != std::string::npos && note.substr(tab + 1) == device.name) {
+        const auto step = render::quality_named(note.substr(0, tab));
+        if (step && *step >= range.lowest && *step <= range.highest) range.first = *step;
+    }
+    ladder_ = render::QualityLadder(range);
+}
+
+std::string LiveScreen::quality_note() const {
+    return fmt::format("{}\t{}", render::quality_name(ladder_.step()), device_->description().name);
+}
+
+// False where there is no other that could draw.
+bool LiveScreen::avoid_device() {
+    const std::vector<int> before = avoided_;
+    if (device_index_ < 0) return false;
+    if (std::find(before.begin(), before.end(), device_index_) != before.end()) return false;
+    avoided_.push_back(device_index_);
+    const VkSurfaceKHR surface = surface_ ? surface_->handle() : VK_NULL_HANDLE;
+    const auto other =
+        vk::choose_device(*instance_, surface, vk::device_request_of_environment(), preference());
+    if (other && other->description.index != device_index_) return true;
+    avoided_ = before;
+    return false;
 }
 
 Result<void> LiveScreen::open_target() {
@@ -120,16 +169,25 @@ Result<bool> LiveScreen::mend(const Error& error, const render::Scene& scene,
     // What breaks again at once is broken for good.
     constexpr int kSteadyFrames = 60;
     constexpr int kMostInARow = 3;
+    // A device that is lost so often has another in its place, if there is one.
+    constexpr int kLossesInARow = 2;
+    constexpr int kMostLosses = 5;
     Error last = error;
     in_a_row_ = good_frames_ >= kSteadyFrames ? 0 : in_a_row_;
     while (in_a_row_ < kMostInARow) {
         // Without a device making one failed; trying again may be in time for a driver that restarts.
         const vk::Trouble trouble = device_ ? device_->health().trouble() : vk::Trouble::kLost;
         if (trouble == vk::Trouble::kNone) return last;
-        if (trouble == vk::Trouble::kOutOfMemory && !ladder_.step_down()) return last;
         ++in_a_row_;
         good_frames_ = 0;
         std::string remark = last.message;
+        // Where there is no lower step, memory may be found elsewhere, or here once all of ours is given
+        // back.
+        const bool is_too_much = trouble == vk::Trouble::kOutOfMemory && !ladder_.step_down();
+        if (trouble == vk::Trouble::kLost) ++losses_;
+        const bool fails_often =
+            trouble == vk::Trouble::kLost && (in_a_row_ >= kLossesInARow || losses_ >= kMostLosses);
+        if ((is_too_much || fails_often) && avoid_device()) in_a_row_ = 0;
         if (auto made = make_anew(); !made) {
             last = made.error();
             continue;
@@ -172,7 +230,8 @@ Result<void> LiveScreen::follow_edited_shaders() {
 }
 #endif
 
-Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s) {
+Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s,
+                              bool has_visitor) {
     if (overlay != nullptr) uploads_.bring(overlay->uploads, overlay->atlas_side_px);
     if (trouble_) {
         const Error found = *trouble_;
@@ -187,9 +246,10 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     auto drawn = draw_once(scene, overlay);
     if (!drawn) return mend(drawn.error(), scene, overlay);
     if (!*drawn) return drawn;
-    if (device_class(device_->description()) == render::DeviceClass::kSoftware) {
-        host_ms_ = static_cast<double>(jobs::ThreadClock::now_ns() - began_ns) * 1e-6;
-    }
+    // A GPU goes on while the processor waits for it or for its screen.
+    host_ms_ = class_ == render::DeviceClass::kSoftware
+                   ? static_cast<double>(jobs::ThreadClock::now_ns() - began_ns) * 1e-6
+                   : renderer_->stats().host_ms;
     ++good_frames_;
     // The first frames are those for which a software driver compiles, and by the last of these it has all it
     // needs. What it ran for the ones before is not waited for.
@@ -203,7 +263,12 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     const render::FrameStats& stats = renderer_->stats();
     const bool changes_view = scene.transition || scene.next_view || scene.fade_in;
     const bool is_measured = stats.device_ms > 0.0 && stats.device_drew_scene && !changes_view;
-    if (is_measured && ladder_.frame(stats.device_ms + host_ms_before, dt_s)) {
+    const bool in_view = has_visitor && (overlay == nullptr || !overlay->covers);
+    const double drawn_ms = stats.device_ms + host_ms_before;
+    // Patience is of real time: where frames are slow, things still ease as if they were not.
+    const bool has_changed = is_measured ? ladder_.frame(drawn_ms, std::max(dt_s, 1e-3 * drawn_ms), in_view)
+                                         : !in_view && ladder_.unseen();
+    if (has_changed) {
         if (auto waited = target().wait(); !waited) return mend(waited.error(), scene, overlay);
         if (auto made = make_renderer(); !made) return mend(made.error(), scene, overlay);
         remarks_.push_back(

@@ -26,8 +26,12 @@ namespace onggi::wheel {
 struct LiveScreenOptions {
     window::Size size{1280, 720};  // of an unseen target
     bool validation = false;
-    bool lowest_quality = false;  // and never more
-    int draw_threads = 1;         // that a software device may use
+    // Of a program that keeps falling: the lowest quality and never more, and no GPU where anything else
+    // draws.
+    bool is_safe = false;
+    int draw_threads = 1;  // that a software device may use
+    render::BackendChoice backend = render::BackendChoice::kAuto;
+    std::string quality_note{};  // LiveScreen::quality_note() of an earlier one; empty: none
 };
 
 class LiveScreen {
@@ -39,8 +43,11 @@ class LiveScreen {
     LiveScreen& operator=(const LiveScreen&) = delete;
 
     // Draws one frame, dt_s after the one before. What a lost device, a lost surface or want of memory break
-    // is made anew before it returns; an error is left when that does not help.
-    Result<bool> draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s);
+    // is made anew before it returns, on another device where the same one fails again and again; an error is
+    // left when that does not help. has_visitor: somebody is at the wheel, in whose view quality seldom
+    // changes.
+    Result<bool> draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s,
+                      bool has_visitor = true);
     Result<void> wait();
 
     void resize(window::Size size);
@@ -55,6 +62,8 @@ class LiveScreen {
         renderer_->measure_parts(measures);
     }
     [[nodiscard]] render::QualityStep quality() const { return ladder_.step(); }
+    // One line: which device came to draw how well. Whoever keeps it begins there the next time.
+    [[nodiscard]] std::string quality_note() const;
     // The last frame; only where it is unseen.
     Result<std::vector<std::uint8_t>> read_back();
 
@@ -68,7 +77,10 @@ class LiveScreen {
         if (swapchain_) return *swapchain_;
         return *offscreen_;
     }
+    [[nodiscard]] vk::DevicePreference preference() const;
     Result<void> open_device();
+    void begin_ladder();
+    bool avoid_device();
     Result<void> open_target();
     Result<void> make_renderer();
     Result<void> make_anew();
@@ -78,14 +90,18 @@ class LiveScreen {
     window::Window* window_;
     LiveScreenOptions options_;
     render::QualityLadder ladder_;
-    bool has_ladder_ = false;
+    render::DeviceClass class_ = render::DeviceClass::kSoftware;  // what the device counts as
+    int device_index_ = -1;                                       // of the device; -1: none yet
+    int ladder_of_ = -1;                                          // the device's the ladder is of
+    std::vector<int> avoided_;
+    int losses_ = 0;  // of this device
     std::vector<std::string> remarks_;
     bool measures_parts_ = false;
     int mended_ = 0;
     int good_frames_ = 0;  // since the last time something was mended
     int in_a_row_ = 0;
     unsigned frames_of_renderer_ = 0;
-    double host_ms_ = 0.0;  // of the last frame, where the processor that records it is the one that draws it
+    double host_ms_ = 0.0;          // of the last frame: what the processor did for it
     render::UploadLedger uploads_;  // of the overlay: a new renderer has an empty texture
     std::optional<Error> trouble_;  // found while waiting; the next draw mends it
 #ifdef ONGGI_SHADER_RELOAD

@@ -47,8 +47,10 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     }
     auto made = LiveScreen::open(*window, {.size = {options.width, options.height},
                                            .validation = options.validation,
-                                           .lowest_quality = options.plain,
-                                           .draw_threads = options.draw_threads});
+                                           .is_safe = options.plain,
+                                           .draw_threads = options.draw_threads,
+                                           .backend = options.backend,
+                                           .quality_note = options.quality_note});
     if (!made) return made.error();
     screen = std::move(*made);
 
@@ -116,7 +118,7 @@ Result<bool> LiveView::Impl::draw(const WheelView& shown, double dt_s, const ren
     const bool moves = render::has_time_for_moving_camera(screen->quality());
     scene->transition(moves);
     scene->sway(may_sway && moves);
-    auto drawn = screen->draw(scene->apply(shown, width(), height(), dt_s), overlay, dt_s);
+    auto drawn = screen->draw(scene->apply(shown, width(), height(), dt_s), overlay, dt_s, !may_sway);
     if (drawn && *drawn && screen->stats().next_view_ready) scene->next_view_is_ready();
     return drawn;
 }
@@ -231,11 +233,18 @@ const std::string& LiveView::device_name() const {
     return impl_->screen->device().description().name;
 }
 
+int LiveView::device_index() const {
+    return impl_->screen->device().description().index;
+}
+
 std::vector<std::string> LiveView::take_remarks() {
     std::vector<std::string> remarks = impl_->screen->take_remarks();
     remarks.insert(remarks.end(), impl_->remarks.begin(), impl_->remarks.end());
     impl_->remarks.clear();
     return remarks;
+}
+std::string LiveView::quality_note() const {
+    return impl_->screen->quality_note();
 }
 std::string_view LiveView::quality() const {
     return render::quality_name(impl_->screen->quality());

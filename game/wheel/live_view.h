@@ -12,6 +12,7 @@
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
 #include "engine/render/overlay.h"
+#include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/health.h"
 #include "engine/window/events.h"
@@ -28,9 +29,12 @@ struct LiveViewOptions {
     bool headless = false;  // draw into memory; no display needed
     bool full_screen = false;
     bool validation = false;
-    bool paper = false;    // the paper's clay will be shown, and its ball with it
-    bool plain = false;    // no photographed room, no modelled tools, the lowest quality for good
+    bool paper = false;  // the paper's clay will be shown, and its ball with it
+    bool plain =
+        false;  // no photographed room, no modelled tools, the lowest quality for good, no GPU if it can be
     int draw_threads = 1;  // that a software Vulkan device may use: where the quality ladder begins
+    render::BackendChoice backend = render::BackendChoice::kAuto;
+    std::string quality_note{};           // quality_note() of an earlier run; empty: none
     std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
     std::string title = "Onggi";
 };
@@ -94,10 +98,13 @@ class LiveView {
     [[nodiscard]] int width() const;  // of the target now, pixels
     [[nodiscard]] int height() const;
     [[nodiscard]] const std::string& device_name() const;
+    [[nodiscard]] int device_index() const;  // in the loader's order
     // What happened that somebody should read, a line each, since the last call: a device that was lost and
     // made anew, a step of quality.
     [[nodiscard]] std::vector<std::string> take_remarks();
     [[nodiscard]] std::string_view quality() const;  // "one software core"
+    // One line: which device came to draw how well. Whoever keeps it begins there the next time.
+    [[nodiscard]] std::string quality_note() const;
     [[nodiscard]] const render::FrameStats& frame_stats() const;
     // Whether frame_stats() names the parts of a frame; costs a software device some per cent.
     void measure_parts(bool measures);

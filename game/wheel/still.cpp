@@ -90,6 +90,10 @@ Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, 
     return camera;
 }
 
+void StillCamera::forget() {
+    parts_->opened.scene->forget_hands();
+}
+
 Result<asset::Image> StillCamera::take(const WheelView& given, StillView view) {
     Parts& parts = *parts_;
     asset::Image image{.width = parts.width, .height = parts.height, .rgba = {}};

@@ -18,6 +18,8 @@ class StillCamera {
     StillCamera(const StillCamera&) = delete;
     StillCamera& operator=(const StillCamera&) = delete;
 
+    // The next picture is of another pot: hands are not held as they were in the one before.
+    void forget();
     // With validation, a message so far is an error.
     Result<asset::Image> take(const WheelView& given, StillView view);
     // Lets the device go, and hears what validation was late to complain of. Nothing can be taken after it.

@@ -125,6 +125,10 @@ void WheelScene::set_tools(std::shared_ptr<const render::PropLibrary> library) {
     registry_.get<ToolShelf>(shelf_).library = std::move(library);
 }
 
+void WheelScene::forget_hands() {
+    registry_.each<Tool>([](ecs::Entity, Tool& tool) { tool.pose = {}; });
+}
+
 bool WheelScene::has_tools() {
     return registry_.get<ToolShelf>(shelf_).has_tools();
 }

@@ -48,6 +48,7 @@ class WheelScene {
 
     // What hands and tools look like from now on; null: balls.
     void set_tools(std::shared_ptr<const render::PropLibrary> library);
+    void forget_hands();             // the next picture shows them as if it were the first
     [[nodiscard]] bool has_tools();  // else balls stand in for them
 
     // Where a pointer at this pixel puts the tool, mm; see LiveView::tool_target_mm.

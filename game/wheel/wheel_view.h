@@ -28,6 +28,7 @@ struct HandView {
 struct WheelView {
     const pot::Pot* pot = nullptr;
     const render::LatheMaterial* material = nullptr;  // that the pot wears; null: as clay_material() says
+    const render::LatheMarks* marks = nullptr;        // on the pot's outside; null: none
     double peak_load = 0.0;
     double peak_load_height_mm = 0.0;
     clay::studio::Cause peak_load_cause = clay::studio::Cause::kNone;

@@ -4,14 +4,17 @@
 //   frame/WxH, frame/WxH/rough      at rest; rough: 150 grooves, of a pixel each at 1280x720
 //   frame/1280x720/view_change, /evening     while another view is made and fades in, while the light changes
 //   frame_by/...                    against what is in the picture, and how fine it is
-//   frame_parts/1280x720            its parts, by the device's clock and by the host's
+//   frame_cost/BACKEND/WxH          what a frame asks of the device, as the processor draws and on a GPU's
+//   steps frame_parts/1280x720            its parts, by the device's clock and by the host's
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "engine/jobs/histogram.h"
 #include "tests/bench/bench_failure.h"
@@ -58,7 +61,12 @@ void frame(benchmark::State& state, const FrameCaseDesc& desc, const Motion& mot
     const auto picture = drawn.read_back();
     if (!picture || picture->rgba.at(0) == 0) fail(state, "the picture is empty");
     report(state, wall_ns, least_wall_s, least_processor_s);
-    state.counters["rings"] = drawn.stats().rings;
+    const render::FrameStats& stats = drawn.stats();
+    state.counters["rings"] = stats.rings;
+    state.counters["draws"] = stats.work.draws;
+    state.counters["vertices"] = static_cast<double>(stats.work.vertices);
+    state.counters["uploaded_kb"] = static_cast<double>(stats.work.uploaded_bytes) * 1e-3;
+    state.counters["device_ms"] = stats.device_ms;
     state.SetLabel(drawn.device_name());
 }
 
@@ -121,6 +129,15 @@ const bool added = [] {
     add("frame/1920x1080", {.width = 1920, .height = 1080});
     add("frame/1920x1080/view_change", {.width = 1920, .height = 1080}, changing_view());
     add("frame/1920x1080/rough", {.width = 1920, .height = 1080, .grooves = kGrooves});
+    for (const auto& [backend, step] : {std::pair{"cpu", render::QualityStep::kOneCore},
+                                        {"gpu_half", render::QualityStep::kSlowestGpu},
+                                        {"gpu", render::QualityStep::kIntegratedGpu}}) {
+        for (const int height : {720, 1080, 2160}) {
+            const int width = height * 16 / 9;
+            add(fmt::format("frame_cost/{}/{}x{}", backend, width, height),
+                {.width = width, .height = height, .step = step});
+        }
+    }
     add("frame_by/no_hands", {.with_hands = false});
     add("frame_by/no_text", {.with_text = false});
     for (const int sectors : {32, 48, 64, 96, 128})

@@ -17,7 +17,6 @@ constexpr double kHeightMm = 200.0;
 constexpr double kFloorMm = 10.0;
 constexpr double kWallMm = 5.0;
 constexpr double kFrameS = 1.0 / 60.0;
-constexpr render::QualityStep kStep = render::QualityStep::kOneCore;
 
 double processor_now_s() {
     timespec now{};
@@ -60,7 +59,7 @@ Result<void> FrameCase::create() {
         *device_, {static_cast<std::uint32_t>(desc_.width), static_cast<std::uint32_t>(desc_.height)});
     if (!target) return target.error();
     target_ = std::move(*target);
-    render::RendererDesc desc = render::quality_desc(kStep, vk::Offscreen::kFormat, desc_.height);
+    render::RendererDesc desc = render::quality_desc(desc_.step, vk::Offscreen::kFormat, desc_.height);
     desc.measures_parts = desc_.measures_parts;
     desc.host_clock = jobs::ThreadClock::now_ns;
     desc.sectors = desc_.sectors.value_or(desc.sectors);
@@ -70,7 +69,7 @@ Result<void> FrameCase::create() {
     renderer_ = std::move(*renderer);
     opened_ = wheel::open_scene({}, desc_.width, desc_.height);
     if (!opened_.lack.empty()) return system_lacks(opened_.lack);
-    opened_.scene->transition(render::has_time_for_moving_camera(kStep));
+    opened_.scene->transition(render::has_time_for_moving_camera(desc_.step));
 
     for (std::size_t i = 0; i < kRings; ++i) {
         pot_.top_mm.push_back(static_cast<float>((static_cast<double>(i) + 1.0) * kHeightMm / kRings));

@@ -24,7 +24,8 @@ struct FrameCaseDesc {
     bool with_hands = true;
     bool with_text = true;
     bool measures_parts = false;
-    std::optional<int> sectors{};  // else what one software core gets at this size
+    render::QualityStep step = render::QualityStep::kOneCore;
+    std::optional<int> sectors{};  // else what the step gets at this size
     std::optional<int> max_rings{};
 };
 

@@ -1,39 +1,18 @@
-// A machine with two Vulkan devices: the software driver, and beside it a copy of the same library, which the
-// loader takes for another driver.
-#include <algorithm>
-#include <filesystem>
-#include <nlohmann/json.hpp>
+// A machine with two Vulkan devices.
 #include <string>
 #include <vector>
 
 #include "tests/cli/cli_expectations.h"
+#include "tests/support/two_drivers.h"
 
 namespace onggi::test {
 namespace {
 
-namespace fs = std::filesystem;
-
-fs::path software_driver() {
-    for (const auto& entry : fs::directory_iterator("/usr/share/vulkan/icd.d")) {
-        if (entry.path().filename().string().starts_with("lvp_icd.")) return entry.path();
-    }
-    return {};
-}
-
 class SeveralDevices : public testing::Test {
   protected:
     void SetUp() override {
-        const fs::path first = software_driver();
-        ASSERT_FALSE(first.empty()) << "expected Mesa's software driver, found none";
-        auto manifest = nlohmann::json::parse(content_of(first));
-        fs::path library = manifest.at("ICD").at("library_path").get<std::string>();
-        // A name alone is one of the system's libraries, in the folder of all of them.
-        if (library.is_relative()) library = fs::path("/usr/lib") / ONGGI_LIBRARY_FOLDER / library;
-        const fs::path copy = drivers_ / "libvulkan_other.so";
-        fs::copy_file(library, copy);
-        manifest["ICD"]["library_path"] = copy.string();
-        put_file(drivers_ / "other.json", manifest.dump());
-        const std::string both = first.string() + ":" + (drivers_ / "other.json").string();
+        const std::string& both = drivers_.manifests();
+        ASSERT_FALSE(both.empty());
         environment_ = {"VK_ICD_FILENAMES=" + both, "VK_DRIVER_FILES=" + both,
                         // The driver leaks, and is unloaded before LeakSanitizer could find its name.
                         "ASAN_OPTIONS=detect_leaks=0"};
@@ -57,7 +36,7 @@ class SeveralDevices : public testing::Test {
         return run.out.substr(first, run.out.find('\n', at) - first);
     }
 
-    TemporaryFolder drivers_;
+    TwoDrivers drivers_;
     TemporaryFolder folder_;
     std::vector<std::string> environment_;
 };
@@ -82,6 +61,25 @@ TEST_F(SeveralDevices, ARequestForNoneOfThemIsOneLineWithAllThereAre) {
     EXPECT_NE(run.err.find("1 llvmpipe"), std::string::npos) << run.err;
     EXPECT_TRUE(folder_.names().empty());
     EXPECT_TRUE(doctor_of("2", "ONGGI_VULKAN_DEVICE '2'").starts_with("lacking"));
+}
+
+TEST_F(SeveralDevices, AreChosenFromWhateverDrawsAndDoctorSaysWhich) {
+    ProgramOptions options = with_request("");
+    const auto picture_line = [&](const std::string& backend) {
+        const ProgramRun run = run_onggi({"doctor", "--backend", backend}, options);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        const std::size_t at = run.out.find("backend " + backend);
+        return at == std::string::npos ? run.out : run.out.substr(at, run.out.find('\n', at) - at);
+    };
+    EXPECT_NE(picture_line("auto").find("drawn by the processor"), std::string::npos) << picture_line("auto");
+    EXPECT_NE(picture_line("cpu").find("drawn by the processor"), std::string::npos) << picture_line("cpu");
+    EXPECT_NE(picture_line("gpu").find("drawn by the device, which is software"), std::string::npos);
+    put_file(folder_ / "settings.toml", "[screen]\nbackend = \"gpu\"\n");
+    const ProgramRun by_settings =
+        run_onggi({"doctor", "--config", (folder_ / "settings.toml").string()}, options);
+    EXPECT_NE(by_settings.out.find("backend gpu: "), std::string::npos) << by_settings.out;
+    expect_one_line(run_onggi({"doctor", "--backend", "vulkan"}, options), 2,
+                    "--backend: expected gpu|cpu|auto, found 'vulkan'");
 }
 
 TEST_F(SeveralDevices, DrawTheSamePicture) {

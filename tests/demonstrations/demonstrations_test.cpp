@@ -51,7 +51,8 @@ TEST_P(Demonstration, ReplaysToTheBitWithinTheTimeAVisitorWatches) {
         static_cast<double>(session->session.tick_count()) * session->start.parameters.dt_s();
     EXPECT_GE(seconds, kShortestS);
     EXPECT_LE(seconds, kLongestS);
-    const auto difference = app::find_difference(session->session, std::move(session->start), {});
+    const auto difference =
+        app::find_difference(session->session, std::move(session->start), session->decoration);
     EXPECT_FALSE(difference) << "from tick " << (difference ? difference->first_tick : 0) << ": "
                              << (difference ? difference->what : "")
                              << "; where the clay is meant to differ, see assets/demonstrations/README.md";

@@ -170,5 +170,77 @@ TEST(PotPictures, ShowAGlazeABareFootAndADarkInside) {
     EXPECT_NEAR(mean_of(pictures.normal, 600, 800).x, 127.5, 2.0);
 }
 
+// Where in the pictures so high a place of the outside lies, and how high a row of them is; mm of the file.
+double height_at_row(const std::vector<exporter::PictureRow>& rows, double row) {
+    const double v = (row + 0.5) / look::kPictureSide;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        if (rows[i].v < v) continue;
+        const double part = (v - rows[i - 1].v) / std::max(rows[i].v - rows[i - 1].v, 1e-12);
+        return glm::mix(rows[i - 1].y_mm, rows[i].y_mm, part);
+    }
+    return 0.0;
+}
+
+TEST(DressedPot, WearsWhatWasDrawnOnItWithinTwoMillimetresOfWhereItWasDrawn) {
+    using decoration::stroke_point;
+    const StudioSample& pot = sample("studio_cylinder_glazed");
+    const exporter::PotRings rings = exporter::rings_of(pot.clay.rings());
+    std::vector<vec2> outline;
+    for (int i = 0; i < rings.count(); ++i) {
+        const std::size_t ring = exporter::PotRings::at(i);
+        outline.push_back({static_cast<float>(rings.outer_mm[ring]),
+                           static_cast<float>(i == 0 ? 0.0 : rings.edge_mm[ring + 1])});
+    }
+    const double wet_mm = double{outline.back().y};
+    decoration::Stroke band{.technique = decoration::Technique::kIron, .width = 400};
+    for (int i = 0; i <= 64; ++i)
+        band.points.push_back(stroke_point(i / 64.0, 0.6 * wet_mm).value());
+    decoration::Stroke line{
+        .technique = decoration::Technique::kInlay,
+        .slip = decoration::Slip::kBlack,
+        .width = 300,
+        .points = {stroke_point(0.3, 0.2 * wet_mm).value(), stroke_point(0.3, 0.5 * wet_mm).value()}};
+    const auto canvas = decoration::Canvas::of(decoration::wall_of(outline), {band, line});
+    ASSERT_TRUE(canvas);
+    const double scale = scale_of(pot);
+    const auto height_mm = static_cast<float>(wet_mm * scale);
+    const finish::GlazeMaterial& white = *finish::find_glaze("porcelain");
+    const auto solid = exporter::build_pot_solid(
+        rings, {.shrinkage = scale, .most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
+    ASSERT_TRUE(solid);
+    const look::PotPictures worn = look::bake(
+        solid->picture_rows, rings, scale,
+        look::marked_look(look::glaze_look(white, height_mm), canvas->marks(), white.marks, height_mm));
+    const auto is_dark = [&](int column, int row) {
+        return worn.base_colour.rgba[static_cast<std::size_t>(4 * (row * look::kPictureSide + column))] < 160;
+    };
+    for (int column = 0; column < look::kPictureSide; column += 16) {
+        double sum_mm = 0.0;
+        int rows = 0;
+        for (int row = 0; row < look::kPictureSide; ++row) {
+            const double y_mm = height_at_row(solid->picture_rows, row);
+            if (!is_dark(column, row) || y_mm < 0.55 * wet_mm * scale) continue;
+            sum_mm += y_mm;
+            ++rows;
+        }
+        ASSERT_GT(rows, 0) << column;
+        ASSERT_NEAR(sum_mm / rows, 0.6 * wet_mm * scale, 2.0) << column;
+    }
+    double turns = 0.0;
+    int places = 0;
+    for (int row = 0; row < look::kPictureSide; ++row) {
+        const double y_mm = height_at_row(solid->picture_rows, row) / scale;
+        if (y_mm < 0.25 * wet_mm || y_mm > 0.45 * wet_mm) continue;
+        for (int column = 0; column < look::kPictureSide; ++column) {
+            if (!is_dark(column, row)) continue;
+            turns += (column + 0.5) / look::kPictureSide;
+            ++places;
+        }
+    }
+    ASSERT_GT(places, 0);
+    EXPECT_NEAR(turns / places * double{canvas->wall().round_mm[180]},
+                0.3 * double{canvas->wall().round_mm[180]}, 2.0);
+}
+
 }  // namespace
 }  // namespace onggi

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/hash.h"
+#include "game/wheel/clay_look.h"
 
 namespace onggi::golden {
 namespace {
@@ -48,6 +49,63 @@ double stepped(double y) {
     return y < 40.0 ? 60.0 : (y < 90.0 ? 38.0 : (y < 130.0 ? 52.0 : 24.0));
 }
 
+// A pot with strokes on it, raw or under a glaze.
+GoldenScene drawn_pot(const char* name, const StudioShape& shape, const char* glaze,
+                      const decoration::Strokes& strokes) {
+    const clay::Firing stage = glaze != nullptr ? clay::Firing::kGlaze : clay::Firing::kDry;
+    GoldenScene scene{
+        .name = name, .pot = pot_of(shape, clay::ClayBody::kStoneware, stage), .tool_shown = false};
+    DrawnPot drawn;
+    const finish::GlazeMaterial* const worn = glaze != nullptr ? finish::find_glaze(glaze) : nullptr;
+    if (worn != nullptr)
+        drawn.material = look::glazed_lathe(wheel::clay_material(scene.pot.body, stage), *worn);
+    const decoration::Marks marks{decoration::wall_of(pot::outer_outline(scene.pot)), {strokes, 0}};
+    drawn.marks.dress(decoration::texture_of(marks), marks.wall,
+                      (worn != nullptr ? *worn : finish::wet_clay()).marks);
+    scene.drawn = std::make_shared<const DrawnPot>(std::move(drawn));
+    return scene;
+}
+
+// Each way of drawing, each under another glaze; in front is three quarters of a turn.
+std::vector<GoldenScene> drawn_scenes() {
+    using decoration::Motif;
+    using decoration::Technique;
+    const auto point = [](double turns, double height_mm) {
+        return decoration::stroke_point(turns, height_mm).value();
+    };
+    const auto round = [&](Technique technique, double height_mm, std::uint16_t width, double swing_mm) {
+        decoration::Stroke stroke{.technique = technique, .width = width};
+        for (int i = 0; i <= 192; ++i)
+            stroke.points.push_back(point(i / 192.0, height_mm + swing_mm * std::sin(i * 0.19634954)));
+        return stroke;
+    };
+    const auto motif = [&](Motif which, double turns, double height_mm, std::uint16_t size,
+                           std::uint8_t repeats) {
+        return decoration::Stroke{.technique = Technique::kMotif,
+                                  .motif = which,
+                                  .repeats = repeats,
+                                  .width = size,
+                                  .points = {point(turns, height_mm)}};
+    };
+    decoration::Stroke black = round(Technique::kInlay, 150.0, 250, 0.0);
+    black.slip = decoration::Slip::kBlack;
+    return {drawn_pot("drawn-celadon", jar(), "celadon",
+                      {motif(Motif::kCrane, 0.73, 95.0, 6500, 4), motif(Motif::kCloud, 0.86, 120.0, 3600, 4),
+                       round(Technique::kInlay, 156.0, 200, 0.0), black}),
+            drawn_pot("drawn-porcelain", jar(), "porcelain",
+                      {round(Technique::kCobalt, 150.0, 400, 0.0), round(Technique::kCobalt, 90.0, 500, 22.0),
+                       round(Technique::kCobalt, 30.0, 250, 0.0)}),
+            drawn_pot(
+                "drawn-buncheong", bowl(), "buncheong",
+                {round(Technique::kBrushedSlip, 45.0, 5200, 0.0), motif(Motif::kFish, 0.76, 46.0, 4200, 4)}),
+            drawn_pot("drawn-iron", jar(), "iron", {round(Technique::kFinger, 92.0, 2600, 18.0)}),
+            drawn_pot("drawn-ash", jar(), "ash",
+                      {motif(Motif::kGrass, 0.75, 85.0, 9000, 3), round(Technique::kIron, 150.0, 500, 0.0)}),
+            drawn_pot("drawn-dry", jar(), nullptr,
+                      {motif(Motif::kWave, 0.75, 62.0, 6000, 8),
+                       motif(Motif::kChrysanthemum, 0.76, 118.0, 4500, 5)})};
+}
+
 }  // namespace
 
 wheel::WheelView GoldenScene::shown() const {
@@ -63,6 +121,10 @@ wheel::WheelView GoldenScene::shown() const {
                   .side = side.value_or(clay::studio::Side::kOut),
                   .shown = tool_shown,
                   .touching = contacts > 0};
+    if (drawn) {
+        shown.material = drawn->material ? &*drawn->material : nullptr;
+        shown.marks = &drawn->marks.marks();
+    }
     if (second_hand_mm) {
         shown.second_hand = {.position_mm = *second_hand_mm,
                              .radius_mm = tool_radius_mm,
@@ -93,6 +155,7 @@ std::uint64_t GoldenScene::hash() const {
         hash.add(value);
     if (side) hash.add(static_cast<double>(*side));
     if (wire_height_mm) hash.add(*wire_height_mm);
+    if (drawn) hash.add_bytes(std::as_bytes(std::span(drawn->marks.marks().texels)));
     return hash.value();
 }
 
@@ -129,7 +192,7 @@ std::vector<GoldenScene> golden_scenes() {
     loaded.dents_mm.clear();
     StudioShape dry_jar = jar();
     dry_jar.liquidity = dry_jar.film = 0.0;
-    return {
+    std::vector<GoldenScene> all{
         // The paper's clay: solid.
         {.name = "fresh-lump", .pot = paper_pot([](double) { return 60.0; })},
         {.name = "vase", .pot = paper_pot(vase), .wheel_direction = {0.6, 0.8}},
@@ -237,6 +300,9 @@ std::vector<GoldenScene> golden_scenes() {
         {.name = "failure", .pot = failed, .tool_shown = false, .wheel_direction = {0.8, -0.6}},
         {.name = "empty-wheel", .tool_shown = false},
     };
+    for (GoldenScene& drawn : drawn_scenes())
+        all.push_back(std::move(drawn));
+    return all;
 }
 
 }  // namespace onggi::golden

@@ -2,17 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "game/look/lathe_marks.h"
 #include "game/wheel/still.h"
 #include "game/wheel/wheel_view.h"
 #include "tests/golden/golden_pots.h"
 
 namespace onggi::golden {
+
+// What was drawn on a pot, and what it wears over it.
+struct DrawnPot {
+    std::optional<render::LatheMaterial> material;  // none: its clay's own
+    look::DressedMarks marks;
+};
 
 struct GoldenScene {
     std::string name;
@@ -29,6 +37,7 @@ struct GoldenScene {
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
     wheel::StillView view = wheel::StillView::kThrowing;
+    std::shared_ptr<const DrawnPot> drawn = nullptr;
 
     // Refers to this scene.
     [[nodiscard]] wheel::WheelView shown() const;

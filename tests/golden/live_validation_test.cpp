@@ -10,6 +10,7 @@
 #include "game/wheel/live_view.h"
 #include "game/wheel/workshop_scene.h"
 #include "tests/golden/golden_scenes.h"
+#include "tests/support/test_backend.h"
 
 namespace onggi::golden {
 namespace {
@@ -66,7 +67,11 @@ TEST(LivePicture, OfEveryScenePleasesTheValidationLayerThroughAStormOfSizes) {
 }
 
 TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {
-    auto view = wheel::LiveView::open({.width = 200, .height = 150, .headless = true, .validation = true});
+    auto view = wheel::LiveView::open({.width = 200,
+                                       .height = 150,
+                                       .headless = true,
+                                       .validation = true,
+                                       .backend = test::backend_of_environment()});
     ASSERT_TRUE(view) << view.error().message;
     int lost = 0;
     int number = 0;

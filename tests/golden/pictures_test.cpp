@@ -46,6 +46,7 @@ class Picture : public testing::TestWithParam<GoldenScene> {
             if (!made) return made.error();
             camera = std::move(*made);
         }
+        camera->forget();
         return camera->take(scene.shown(), scene.view);
     }
 

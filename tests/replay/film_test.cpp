@@ -11,6 +11,9 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/throw_outputs.h"
 #include "game/app/replay/film_plan.h"
+#include "game/app/replay/replay.h"
+#include "game/app/replay/session_marks.h"
+#include "game/haptic/pot_copy.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/webp_frames.h"
@@ -37,6 +40,22 @@ std::unique_ptr<FilmMaker> maker_of(const FilmDesc& desc) {
     auto maker = FilmMaker::create(std::move(loaded.session), std::move(loaded.start), desc);
     if (!maker) throw std::runtime_error(maker.error().message);
     return std::move(maker).value();
+}
+
+// A band of iron half way up the pot that it leaves.
+decoration::Recorded iron_band() {
+    LoadedSession loaded = two_hands();
+    Replay replay(loaded.session, std::move(loaded.start));
+    while (!replay.is_over())
+        EXPECT_FALSE(replay.step());
+    decoration::Canvas canvas(wall_of(haptic::pot_of(replay.state())));
+    decoration::Stroke band{.technique = decoration::Technique::kIron, .width = 1200};
+    for (int i = 0; i <= 32; ++i) {
+        band.points.push_back(
+            decoration::stroke_point(i / 32.0, 0.5 * double{canvas.wall().height_mm}).value());
+    }
+    EXPECT_TRUE(canvas.begin(band));
+    return canvas.recorded();
 }
 
 // What `throw --screenshot` leaves after so many ticks of the session.
@@ -145,6 +164,31 @@ TEST(Film, RejectsALengthAndASizeThatCannotBe) {
         ASSERT_FALSE(maker);
         EXPECT_EQ(maker.error().kind, ErrorKind::kBadInput);
     }
+}
+
+TEST(Film, ShowsWhatWasDrawnOnThePotAndNothingOfItBefore) {
+    const auto last_of = [](bool decorates, asset::Image& making) {
+        const auto maker = maker_of(short_film());
+        maker->finish_in(*finish::find_glaze("porcelain"));
+        if (decorates) maker->decorate(iron_band());
+        for (bool goes_on = true; goes_on;) {
+            const bool made = maker->has_drawn_the_making();
+            const auto worked = maker->work();
+            EXPECT_TRUE(worked);
+            goes_on = worked && *worked;
+            if (!made) making = maker->picture();
+        }
+        return maker->picture();
+    };
+    asset::Image plain_making;
+    asset::Image drawn_making;
+    const asset::Image plain = last_of(false, plain_making);
+    const asset::Image drawn = last_of(true, drawn_making);
+    EXPECT_EQ(plain_making.rgba, drawn_making.rgba);
+    int darker = 0;
+    for (std::size_t i = 0; i < plain.rgba.size(); i += 4)
+        darker += plain.rgba[i] > drawn.rgba[i] + 40 ? 1 : 0;
+    EXPECT_GT(darker, 40);
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/throw_outputs.h"
 #include "game/app/replay/replay.h"
+#include "game/app/replay/session_marks.h"
 #include "game/haptic/history.h"
+#include "game/haptic/pot_copy.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -44,6 +46,62 @@ TEST(StoredSession, ReplaysToTheBitInThisBuild) {
         EXPECT_TRUE(session.session.is_complete());
         EXPECT_EQ(words_for(find_difference(session.session, std::move(session.start))), "none") << name;
     }
+}
+
+// A stored session's pot, with a band of iron and a crane on it, kept at `place`.
+decoration::Recorded decorate(const std::string& place) {
+    LoadedSession session = loaded(stored("one-finger-250hz.onggi"));
+    haptic::History history(session.start.state, session.start.parameters);
+    record::SessionCursor cursor(session.session);
+    for (std::uint64_t tick = 0; tick < session.session.tick_count(); ++tick)
+        history.add_played(cursor.at(tick));
+    using decoration::Stroke;
+    decoration::Canvas canvas(wall_of(haptic::pot_of(history.state())));
+    Stroke band{.technique = decoration::Technique::kIron};
+    for (int i = 0; i <= 32; ++i)
+        band.points.push_back(decoration::stroke_point(i / 32.0, 0.6 * canvas.wall().height_mm).value());
+    EXPECT_TRUE(canvas.begin(band));
+    EXPECT_TRUE(
+        canvas.begin({.technique = decoration::Technique::kMotif,
+                      .motif = decoration::Motif::kCrane,
+                      .width = 2500,
+                      .points = {decoration::stroke_point(0.75, 0.4 * canvas.wall().height_mm).value()}}));
+    EXPECT_TRUE(history.save(place, decoration::bytes_of(canvas.recorded())));
+    return canvas.recorded();
+}
+
+TEST(DecoratedSession, ReplaysToTheSameTexture) {
+    const TemporaryFolder folder;
+    const decoration::Recorded recorded = decorate(folder / "pot.onggi");
+    LoadedSession session = loaded(folder / "pot.onggi");
+    EXPECT_EQ(session.decoration, recorded);
+    EXPECT_EQ(words_for(find_difference(session.session, std::move(session.start), session.decoration)),
+              "none");
+}
+
+TEST(DecoratedSession, SaysThatItsStrokesComeToSomethingElse) {
+    const TemporaryFolder folder;
+    decorate(folder / "pot.onggi");
+    LoadedSession session = loaded(folder / "pot.onggi");
+    session.decoration.strokes.front().width = 900;
+    const auto difference = find_difference(session.session, std::move(session.start), session.decoration);
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(sentence_for(*difference),
+              "every tick is as recorded, but what its strokes come to is not what was recorded");
+}
+
+TEST(DecoratedSession, IsRefusedWhereItsStrokesAreNone) {
+    const TemporaryFolder folder;
+    LoadedSession session = loaded(stored("one-finger-250hz.onggi"));
+    const haptic::History history(session.start.state, session.start.parameters);
+    std::vector<std::byte> bytes = decoration::bytes_of({});
+    bytes.resize(5);
+    ASSERT_TRUE(history.save(folder / "pot.onggi", bytes));
+    const auto refused = load_session(folder / "pot.onggi");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
+    EXPECT_NE(refused.error().message.find("pot.onggi: decoration byte 0: expected a head, found the end"),
+              std::string::npos);
 }
 
 // Throws the performance and keeps it as a session at `place`.
@@ -201,7 +259,7 @@ TEST(Replay, NarrowsAStateThatIsNotFeltToItsBlock) {
 TEST(Replay, TellsOfEveryTick) {
     LoadedSession session = loaded(stored("touch-still-300hz.onggi"));
     std::uint64_t told = 0;
-    EXPECT_FALSE(find_difference(session.session, std::move(session.start),
+    EXPECT_FALSE(find_difference(session.session, std::move(session.start), {},
                                  [&](std::uint64_t tick) { EXPECT_EQ(tick, told++); }));
     EXPECT_EQ(told, session.session.tick_count());
 }

@@ -40,7 +40,7 @@ TEST_F(KioskFilmTest, IsWholeOnceItsGlazeIsKnown) {
     ASSERT_TRUE(film_.begin(session()));
     EXPECT_TRUE(film_.is_in_the_making());
     EXPECT_FALSE(film_.files());
-    film_.finish_in("iron");
+    film_.finish_in("iron", nullptr);
     ASSERT_TRUE(ends(film_));
     const auto files = film_.files();
     ASSERT_TRUE(files);
@@ -58,12 +58,12 @@ TEST_F(KioskFilmTest, ComesToNothingWithoutASessionOrAGlazeOrAProgram) {
     EXPECT_FALSE(film_.begin(folder_.path() / "none.onggi"));
     std::ofstream(folder_.path() / "bad.onggi") << "no session";
     ASSERT_TRUE(film_.begin(folder_.path() / "bad.onggi"));
-    film_.finish_in("iron");  // whether or not anybody still listens
+    film_.finish_in("iron", nullptr);  // whether or not anybody still listens
     ASSERT_TRUE(ends(film_));
     EXPECT_FALSE(film_.files());
 
     ASSERT_TRUE(film_.begin(session()));
-    film_.finish_in("gold");
+    film_.finish_in("gold", nullptr);
     ASSERT_TRUE(ends(film_));
     EXPECT_FALSE(film_.files());
 

@@ -86,7 +86,7 @@ TEST_F(FailedPot, IsFiredAndKeptAsItIs) {
     begin();
     spin_it_apart();
     ASSERT_TRUE(kiosk.press(Button::kKeepSlump));
-    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+    ASSERT_TRUE(kiosk.fires_it(false));
     ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
     ASSERT_TRUE(kiosk.press(Button::kKeep));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }));

@@ -236,6 +236,12 @@ class RealKiosk : public testing::Test {
         ASSERT_TRUE(life.comes_to("firing"));
         pause_s(0.4);
         life.press("firing-0 skip");
+        ASSERT_TRUE(life.comes_to("decorate"));
+        pause_s(0.4);
+        life.press("decorate-0 done");
+        ASSERT_TRUE(life.comes_to("firing"));
+        pause_s(0.4);
+        life.press("firing-2 skip");
         ASSERT_TRUE(life.comes_to("glaze"));
         pause_s(0.4);
         life.press("glaze-0 take-glaze");

@@ -171,6 +171,24 @@ class UnseenKiosk {
         point(double{middle.x}, double{middle.y});
         return true;
     }
+    // From the drying to the glazes, with a band of iron or as it is. False: it did not get there.
+    bool fires_it(bool decorates) {
+        if (!until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, 0.1)) return false;
+        if (decorates) {
+            constexpr int kFrames = 90;
+            if (!press(kiosk::Button::kDrawingTool, 1)) return false;
+            const auto middle = seen({0.0, 0.5 * snapshot().pot->height_mm, 0.0});
+            if (!middle) return false;
+            point(middle->x, middle->y);
+            hold(true);
+            for (int i = 0; i < kFrames; ++i)
+                frame();
+            hold(false);
+            frame();
+            if (state().decorating.strokes != 1) return false;
+        }
+        return press(kiosk::Button::kDone) && until([&] { return screen() == kiosk::Screen::kGlaze; }, 0.1);
+    }
     // A hand that presses the wall in, with the pointer.
     void touch_clay(std::mt19937& chance) {
         const double y_mm = 10.0 + static_cast<double>(chance() % 25);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <span>
 
 #include "game/clay/studio/pot.h"
 #include "tests/studio/finger.h"
@@ -140,6 +141,29 @@ TEST(ToolsInHand, NobodyRuinsAPotWithARibOrASponge) {
         EXPECT_GT(finger.clay.height_mm(), 105.0) << static_cast<int>(tool);
         EXPECT_GT(finger.clay.volume_mm3(), 0.98 * volume_mm3) << static_cast<int>(tool);
         EXPECT_LT(finger.clay.load_index(), 0.9);
+    }
+}
+
+double mean(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+TEST(ToolsInHand, LeaveAThrownPotAsTallAndAsWideInside) {
+    for (const StudioTool tool : {StudioTool::kRib, StudioTool::kSponge}) {
+        Finger finger;
+        finger.open();
+        finger.pull(100.0);
+        finger.pull(130.0);
+        const double height_mm = finger.clay.height_mm();
+        const double inside_mm = mean(finger.clay.inner_mm());
+        const double outside_mm = mean(finger.clay.outer_mm());
+        finger.input.hand.tool = tool;
+        finger.input.hand.radius_mm = 12.0;
+        for (int stroke = 0; stroke < 3; ++stroke)
+            finger.stroke({45.0, 0.3 * height_mm}, {45.0, 0.8 * height_mm}, 2.0);
+        EXPECT_NEAR(finger.clay.height_mm(), height_mm, 2.0) << static_cast<int>(tool);
+        EXPECT_NEAR(mean(finger.clay.inner_mm()), inside_mm, 0.5) << static_cast<int>(tool);
+        EXPECT_NEAR(mean(finger.clay.outer_mm()), outside_mm, 0.5) << static_cast<int>(tool);
     }
 }
 

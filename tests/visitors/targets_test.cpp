@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_pot.h"
 #include "game/heritage/target.h"
 #include "tests/support/places.h"

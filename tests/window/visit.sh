@@ -63,6 +63,9 @@ with_every_tool() {
     is_lower() { [ "$(clay_mm)" -le $((top - 6)) ]; }
     wait_for "a lower rim" is_lower
     on_screen throw
+    press "$throwing" undo
+    is_back() { [ "$(clay_mm)" -ge $((top - 1)) ]; }
+    wait_for "the rim as it was" is_back
 }
 
 is_a_lump() { [ "$(clay_mm)" -eq 50 ]; }

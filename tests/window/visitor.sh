@@ -71,7 +71,7 @@ look_at_memory() {
 }
 # A screen is there when the title says so; its cross-fade is over a quarter of a second later.
 on_screen() {
-    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm)?( .[0-9]+.)?\$"
+    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm| - [0-9]+ strokes)?( .[0-9]+.)?\$"
     sleep 0.6
     [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
@@ -83,6 +83,8 @@ on_screen() {
 shot=0
 throwing=throw-0  # as the layout calls it: with one switch there are more targets on it
 [ "$hand" = switch ] && throwing=throw-scan-0
+decorating=decorate-0
+[ "$hand" = switch ] && decorating=decorate-scan
 
 # Where a screen has a button, by the layout itself: at SCREEN BUTTON [VALUE]; sets x, y and place (in the ring).
 at() {
@@ -161,9 +163,31 @@ begin_visit() {
     esac
     on_screen choose
 }
+has_strokes() { [[ "$(title)" == *" - $1 strokes"* ]]; }
+# A band and a line of iron, with whatever hand; by keys and by one switch the brush is put down and lifted.
+decorate_the_pot() {
+    local middle=$((width / 2)) high=$((height * 45 / 100))
+    press $decorating drawing-tool 1
+    case $hand in
+    keys)
+        xdotool key Up; xdotool key Return; sleep 0.5; xdotool key Return
+        ;;
+    switch)
+        press $decorating put-brush; sleep 0.5; press $decorating put-brush
+        ;;
+    *)
+        xdotool mousemove "$middle" "$high" mousedown 1 sleep 0.5 mouseup 1
+        ;;
+    esac
+    wait_for "a stroke" has_strokes 1
+    on_screen decorate
+}
 # From the wheel to the shelf, where what was thrown has to be a pot; and out of the kiosk.
 keep_the_pot() {
     press $throwing done
+    on_screen firing; on_screen decorate
+    decorate_the_pot
+    press $decorating done
     on_screen firing; on_screen glaze
     press glaze-0 glaze 2; sleep 0.5; on_screen glaze
     press glaze-2 take-glaze; on_screen your-pot

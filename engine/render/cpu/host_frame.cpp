@@ -43,6 +43,8 @@ void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::spa
     rows_in_buffer(rects_, frame.extent.width, regions_);
     vkCmdCopyBufferToImage(frame.commands, from.handle(), into.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                            static_cast<std::uint32_t>(regions_.size()), regions_.data());
+    for (const PixelRect& rect : rects_)
+        frame.work.uploaded_bytes += std::size_t{4} * static_cast<std::size_t>(rect.width * rect.height);
 }
 
 // With the overlay on it, into what is laid.
@@ -64,7 +66,7 @@ Result<void> HostFrame::record(const FrameContext& frame, const vk::TargetImage&
     const bool moves_under = any(work_.moves_under);
     if (is_laid_over || moves_under) {
         if (auto made = vk::make_room(frame.device, laid_, "picture with the overlay", picture.pixels.size(),
-                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vk::MemoryUse::kWork);
             !made) {
             return made;
         }

@@ -59,7 +59,9 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
                     .streaks = streaks_,
                     .streak_size = streak_size_,
                     .order = order,
-                    .shows_load = built.shows_load},
+                    .shows_load = built.shows_load,
+                    .marks = built.marks != nullptr ? std::span<const LatheMark>(built.marks->texels)
+                                                    : std::span<const LatheMark>()},
                    canvas);
     }
     draw_section(section_corners_,

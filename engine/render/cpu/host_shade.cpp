@@ -19,9 +19,10 @@ ShadeLight shade_light(const LightLevels& levels, VkFormat format) {
 Result<void> HostShade::fit(const FrameContext& frame) {
     const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
     if (shaded_.size() == bytes) return {};
-    auto buffer = vk::Buffer::create(
-        frame.device,
-        {.name = "shaded still life", .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    auto buffer = vk::Buffer::create(frame.device, {.name = "shaded still life",
+                                                    .size = bytes,
+                                                    .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                                    .use = vk::MemoryUse::kWork});
     if (!buffer) return buffer.error();
     shaded_ = std::move(*buffer);
     touch(shaded_);

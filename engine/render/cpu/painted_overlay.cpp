@@ -8,7 +8,8 @@ Result<void> PaintedOverlay::fit_picture(const FrameContext& frame) {
     auto painted =
         vk::Buffer::create(frame.device, {.name = "painted overlay",
                                           .size = VkDeviceSize{4} * frame.extent.width * frame.extent.height,
-                                          .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+                                          .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                          .use = vk::MemoryUse::kWork});
     if (!painted) return painted.error();
     painted_ = std::move(*painted);
     grid_ = grid;

@@ -6,8 +6,10 @@ Result<void> RestingScene::fit(const FrameContext& frame) {
     grid_ = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
     const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
     if (picture_.size() == bytes) return {};
-    auto picture = vk::Buffer::create(
-        frame.device, {.name = "resting scene", .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    auto picture = vk::Buffer::create(frame.device, {.name = "resting scene",
+                                                     .size = bytes,
+                                                     .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                                     .use = vk::MemoryUse::kWork});
     if (!picture) return picture.error();
     picture_ = std::move(*picture);
     return {};

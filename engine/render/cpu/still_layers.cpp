@@ -131,7 +131,7 @@ Result<void> StillLayers::draw_own(FrameContext& frame, const LayerPipelines& pi
                               Reading{*coords, places_}};
     return draw_and_read(frame, all, readings, depth_, [&] {
         frame.bind(pipelines.still);
-        meshes.draw(frame.commands, frame.layout.get(), StillMeshes::Which::kAll);
+        meshes.draw(frame, StillMeshes::Which::kAll);
         frame.draw_screen(pipelines.backdrop);
     });
 }
@@ -147,7 +147,7 @@ Result<void> StillLayers::draw_places(FrameContext& frame, const LayerPipelines&
     const std::array readings{Reading{*foot, without_key_}, Reading{*coords, places_}};
     return draw_and_read(frame, band, readings, depth_, [&] {
         frame.bind(pipelines.places);
-        meshes.draw(frame.commands, frame.layout.get(), StillMeshes::Which::kAll);
+        meshes.draw(frame, StillMeshes::Which::kAll);
     });
 }
 

@@ -10,6 +10,10 @@
 
 namespace onggi::render {
 
+// Whether photographs are the values of that transfer as they are.
+[[nodiscard]] constexpr bool keeps_photographs(Transfer transfer) {
+    return transfer == Transfer::kExactSrgb;
+}
 // What each byte of a photograph, exact sRGB, is with the transfer of the picture.
 [[nodiscard]] std::array<std::uint8_t, 256> transfer_table(Transfer transfer);
 

@@ -33,7 +33,8 @@ constexpr std::array kBindings{vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kB
                                kImage,
                                vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
                                vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
-                               kVertexData};
+                               kVertexData,
+                               vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 static_assert(kBindings.size() == shaders::kBindings);
 
 // Vulkan does not promise it everywhere; every desktop driver we know has it.
@@ -45,19 +46,6 @@ Result<void> check_depth_format(const vk::Device& device) {
     if ((properties.optimalTilingFeatures & kFeatures) == kFeatures) return {};
     return system_lacks(fmt::format("Vulkan device {}: expected reading of D32_SFLOAT images, found none",
                                     device.description().name));
-}
-
-Result<void> create_scene_set(FrameContext& frame, std::size_t bindings) {
-    auto set = vk::create_set(frame.device, std::span(kBindings).first(bindings), "scene");
-    if (!set) return set.error();
-    frame.scene_set = std::move(*set);
-    constexpr auto kPushBytes = static_cast<std::uint32_t>(
-        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::PropDraw)}));
-    static_assert(kPushBytes <= 128);  // what every device has
-    auto layout = vk::create_pipeline_layout(frame.device, frame.scene_set.layout.get(), kPushBytes, "scene");
-    if (!layout) return layout.error();
-    frame.layout = std::move(*layout);
-    return {};
 }
 
 Result<void> create_shadow_map(FrameContext& frame) {
@@ -87,9 +75,22 @@ Result<void> create_shadow_map(FrameContext& frame) {
 
 }  // namespace
 
+Result<void> FrameContext::create_layout(std::size_t bindings) {
+    auto set = vk::create_set(device, std::span(kBindings).first(bindings), "scene");
+    if (!set) return set.error();
+    scene_set = std::move(*set);
+    constexpr auto kPushBytes = static_cast<std::uint32_t>(
+        std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::PropDraw)}));
+    static_assert(kPushBytes <= 128);  // what every device has
+    auto made = vk::create_pipeline_layout(device, scene_set.layout.get(), kPushBytes, "scene");
+    if (!made) return made.error();
+    layout = std::move(*made);
+    return {};
+}
+
 Result<void> FrameContext::create(std::size_t bindings) {
     if (auto there = check_depth_format(device); !there) return there;
-    if (auto made = create_scene_set(*this, bindings); !made) return made;
+    if (auto made = create_layout(bindings); !made) return made;
     if (auto made = create_shadow_map(*this); !made) return made;
     auto allocated = device.allocate_commands("frame");
     if (!allocated) return allocated.error();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "engine/render/frame/pass.h"
@@ -31,11 +32,14 @@ struct FrameContext {
     FrameStats stats{};
     PassClock clock{};
     vk::Buffer uniforms{};
+    mutable FrameWork work{};  // counted as it is recorded, by whoever only reads the rest
 
     // Makes what is here but the shadow map's pipeline, with the first so many bindings of
     // shaders/frame_data.h: a software device reads what is in a slot whether a shader does or not. Errors:
     // the device's, or that it lacks a format.
     Result<void> create(std::size_t bindings);
+    // Of that, only what pipelines are made with.
+    Result<void> create_layout(std::size_t bindings);
     // The command buffer; end() leaves the target, which is laid out as colour, as whoever shows it wants it.
     Result<void> begin();
     Result<void> end(const vk::TargetImage& target);
@@ -49,6 +53,7 @@ struct FrameContext {
     void build(const Scene& scene, const StillBounds& still);
     void upload_uniforms(const shaders::FrameData& data) {
         uniforms.write(std::as_bytes(std::span(&data, 1)));
+        work.uploaded_bytes += sizeof data;
     }
 
     [[nodiscard]] VkDescriptorSet set() const { return scene_set.set; }
@@ -75,10 +80,15 @@ struct FrameContext {
         vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                            0, sizeof constants, &constants);
     }
+    void count_draw(std::uint32_t vertices) const {
+        ++work.draws;
+        work.vertices += vertices;
+    }
     // One triangle over the whole target.
     void draw_screen(const vk::Pipeline& pipeline) const {
         bind(pipeline);
         vkCmdDraw(commands, 3, 1, 0, 0);
+        count_draw(3);
     }
 };
 

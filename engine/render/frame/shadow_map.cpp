@@ -24,7 +24,7 @@ void record_shadow_map(const FrameContext& frame, const StillMeshes& meshes) {
     vk::barrier(frame.commands, map, vk::state::kDiscard, vk::state::kDepth);
     begin_pass(frame.commands, map.extent(), {}, {.view = map.view(), .store = VK_ATTACHMENT_STORE_OP_STORE});
     frame.bind(frame.shadow_map_pipeline);
-    meshes.draw(frame.commands, frame.layout.get(), StillMeshes::Which::kCasters);
+    meshes.draw(frame, StillMeshes::Which::kCasters);
     vkCmdEndRendering(frame.commands);
     vk::barrier(frame.commands, map, vk::state::kDepth, vk::state::kSampled);
 }

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace onggi::render {
-namespace {
-
-constexpr VkShaderStageFlags kBothStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-
-}  // namespace
 
 Result<bool> StillMeshes::fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life) {
     const std::uint64_t revision = still_life ? still_life->revision : 0;
@@ -36,14 +31,15 @@ Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& stil
     return buffers_.upload(device, "still life", std::as_bytes(std::span(vertices)), indices);
 }
 
-void StillMeshes::draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const {
+void StillMeshes::draw(const FrameContext& frame, Which which) const {
     if (parts_.empty()) return;
-    buffers_.bind(commands);
+    buffers_.bind(frame.commands);
     for (const Part& part : parts_) {
         if (which == Which::kCasters && !part.casts_shadow) continue;
         if (which == Which::kNotInRelief && part.in_relief) continue;
-        vkCmdPushConstants(commands, layout, kBothStages, 0, sizeof part.draw, &part.draw);
-        vkCmdDrawIndexed(commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
+        frame.push(part.draw);
+        vkCmdDrawIndexed(frame.commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
+        frame.count_draw(part.index_count);
     }
 }
 

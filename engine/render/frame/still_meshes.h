@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/render/frame/frame_context.h"
 #include "engine/render/frame/mesh_buffers.h"
 #include "engine/render/scene.h"
 #include "engine/render/shapes/frame_build.h"
@@ -21,7 +22,7 @@ class StillMeshes {
 
     enum class Which { kAll, kCasters, kNotInRelief };
     // Draws each part with its push constants.
-    void draw(VkCommandBuffer commands, VkPipelineLayout layout, Which which) const;
+    void draw(const FrameContext& frame, Which which) const;
     [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
 
   private:

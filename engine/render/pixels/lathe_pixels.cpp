@@ -190,6 +190,10 @@ template <Pot kPot>
         draw_some<Pot::kWithLoad>(corners, indices, look, reach, canvas);
         return;
     }
+    if (!look.marks.empty()) {
+        draw_some<Pot::kMarked>(corners, indices, look, reach, canvas);
+        return;
+    }
     draw_some<Pot::kPlain>(corners, indices.first(plain), look, reach, canvas);
     draw_some<Pot::kNearSpheres>(corners, indices.subspan(plain), look, reach, canvas);
 }

@@ -9,6 +9,7 @@
 
 #include "engine/render/byte_order.h"
 #include "engine/render/pixels/lathe_corners.h"
+#include "engine/render/scene.h"
 #include "engine/render/shapes/lathe_profile.h"
 
 namespace onggi::render {
@@ -21,7 +22,8 @@ struct LatheLook {
     std::span<const std::uint32_t> streaks;
     StreakSize streak_size;
     ByteOrder order = ByteOrder::kRedFirst;
-    bool shows_load = false;  // which the corners must have then
+    bool shows_load = false;             // which the corners must have then
+    std::span<const LatheMark> marks{};  // of the scene, see LatheMarks; empty: none
 };
 
 // Draws triangles, three indices of corners each, where they look at the eye and nothing that is there is

@@ -27,7 +27,7 @@ using float8::looked_up;
 using float8::max;
 
 // Which pixels are drawn together.
-enum class Pot { kPlain, kNearSpheres, kWithLoad };
+enum class Pot { kPlain, kNearSpheres, kWithLoad, kMarked };
 
 // What a pixel that shows its load has besides: by how much that changes from it to the next ones, and by how
 // many mm the place along the hatch does.
@@ -90,16 +90,77 @@ struct Streaks {
     return {byte(0), byte(8), byte(16), byte(24)};
 }
 
+// What is painted there.
+struct Painted {
+    Float8x3 roots;  // of its light
+    Float8 cover;
+    Float8 lean_round;  // counter-clockwise from above
+    Float8 lean_up;
+};
+// Between four marks; past the outside's end there is none.
+[[gnu::always_inline]] inline Painted painted_at(const LatheLook& look, const Pixels& own) {
+    const vec4& marks = look.draw.marks;
+    const Float8 away = 1.0F / own[value::kNear];
+    // Streaks run clockwise from above, two of their texture go round, and some are added to all.
+    const float columns_a_texel =
+        -0.5F * static_cast<float>(kMarkColumns) / static_cast<float>(look.streak_size.across);
+    constexpr float kNotBelow0 = kMarkColumns * 8.0F;
+    const Float8 across = own[value::kStreak] * away * columns_a_texel + (kNotBelow0 - 0.5F);
+    const Float8 up = float8::clamp(own[value::kPlace + 1] * marks.x - 0.5F, 0.0F, kMarkRows - 1.0F);
+    const Int8 left = ints(across);
+    const Int8 low = ints(up);
+    const Float8 to_right = across - floats(left);
+    const Float8 to_high = up - floats(low);
+    const auto* const words = reinterpret_cast<const std::uint32_t*>(look.marks.data());
+    constexpr float kOneOver255 = 1.0F / 255.0F;
+    const auto byte = [&](const Int8& word, int shift) __attribute__((always_inline)) {
+        return floats((word >> shift) & 255) * kOneOver255;
+    };
+    Painted found{};
+    const auto add = [&](int step_across, int step_up, const Float8& weight) __attribute__((always_inline)) {
+        const Int8 column = (left + step_across) & (kMarkColumns - 1);
+        const Int8 next = low + step_up;
+        const Int8 row = next - ((next >= kMarkRows) & 1);
+        const Int8 at = (row * kMarkColumns + column) * 2;
+        const Int8 colour = looked_up(words, at);
+        const Int8 lean = looked_up(words, at + 1);
+        const Float8 cover = byte(colour, 24) * weight;
+        found.roots.x += byte(colour, 0) * cover;
+        found.roots.y += byte(colour, 8) * cover;
+        found.roots.z += byte(colour, 16) * cover;
+        found.cover += cover;
+        found.lean_round += byte(lean, 0) * weight;
+        found.lean_up += byte(lean, 8) * weight;
+    };
+    add(0, 0, (1.0F - to_right) * (1.0F - to_high));
+    add(1, 0, to_right * (1.0F - to_high));
+    add(0, 1, (1.0F - to_right) * to_high);
+    add(1, 1, to_right * to_high);
+    const Float8 one_over = 1.0F / max(found.cover, 1e-4F);
+    const float along_a_texel = shaders::kStreakMm / static_cast<float>(look.streak_size.up);
+    const Float8 along = own[value::kStreak + 1] * away * along_a_texel;
+    const Float8 is_outside = float8::select(along > marks.y, 0.0F, 1.0F);
+    return {.roots = {found.roots.x * one_over, found.roots.y * one_over, found.roots.z * one_over},
+            .cover = found.cover * is_outside,
+            .lean_round = shaders::lathe_mark_lean(found.lean_round, marks.w) * is_outside,
+            .lean_up = shaders::lathe_mark_lean(found.lean_up, marks.w) * is_outside};
+}
+
 // The way the wall looks there, not of unit length: the outline's own normal, leaned by dents and streaks.
+template <Pot kPot>
 [[gnu::always_inline]] inline Float8x3 normal_at(const LatheLook& look, const Pixels& own,
-                                                 const Streaks& streaks) {
+                                                 const Streaks& streaks, const Painted& painted) {
     const Int8 place = ints(float8::clamp(own[value::kNormal], 0.0F, shaders::kProfileTexels - 1.0F));
     const Int8 word = looked_up(look.normals.data(), place);
     constexpr float kTwice = 2.0F / 65535.0F;
     const Float8 across = floats(word & 0xFFFF) * kTwice - 1.0F;
     const Float8 upward = floats((word >> 16) & 0xFFFF) * kTwice - 1.0F;
-    const Float8 round = shaders::lathe_lean(look.draw.dry.w, streaks.lean_round);
-    const Float8 up = shaders::lathe_lean(look.draw.dry.w, streaks.lean_up);
+    Float8 round = shaders::lathe_lean(look.draw.dry.w, streaks.lean_round);
+    Float8 up = shaders::lathe_lean(look.draw.dry.w, streaks.lean_up);
+    if constexpr (kPot == Pot::kMarked) {
+        round -= painted.lean_round;
+        up += painted.lean_up;
+    }
     const Float8 out_x = own[value::kOutward];
     const Float8 out_z = own[value::kOutward + 1];
     return {across * out_x - round * out_z, upward - across * own[value::kLean] + up,
@@ -126,10 +187,11 @@ struct Fractions {
 };
 
 template <Pot kPot>
-[[gnu::always_inline]] inline Fractions fractions_at(const LatheLook& look, const Pixels& own) {
+[[gnu::always_inline]] inline Fractions fractions_at(const LatheLook& look, const Pixels& own,
+                                                     const Painted& painted) {
     const shaders::LatheDraw& draw = look.draw;
     const Streaks streaks = streaks_at(look, own);
-    const Float8x3 n = normal_at(look, own, streaks);
+    const Float8x3 n = normal_at<kPot>(look, own, streaks, painted);
     const Float8 one_over_n = float8::inversesqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     const Float8x3 v = own.three(value::kToEye);
     const vec3 key(look.frame.key_direction);
@@ -178,18 +240,25 @@ struct LoadLayers {
 // The light of one channel; with `load` as another colour of the body, null: as it is.
 [[gnu::always_inline]] inline Float8 light_of(const LatheLook& look, const Pixels& own,
                                               const Fractions& fractions, const LoadLayers* load,
-                                              int channel) {
+                                              const Painted* painted, int channel) {
     const auto number = static_cast<std::size_t>(channel);
     const float key = look.frame.key_radiance[channel];
     const float dry = key * look.draw.dry[channel];
     const float wet = key * look.draw.wet[channel];
     Float8 body = fractions.tone *
                   (own[value::kAmbient + number] + (dry + (wet - dry) * own[value::kWater]) * fractions.body);
-    if (load != nullptr) {
+    if (load != nullptr || painted != nullptr) {
         const float own_dry = look.draw.dry[channel];
         const Float8 colour =
             max(fractions.tone * (own_dry + (look.draw.wet[channel] - own_dry) * own[value::kWater]), 1e-4F);
-        body *= load->over(colour, channel) / colour;
+        if (load != nullptr) {
+            body *= load->over(colour, channel) / colour;
+        } else {
+            const Float8& root = channel == 0   ? painted->roots.x
+                                 : channel == 1 ? painted->roots.y
+                                                : painted->roots.z;
+            body *= shaders::lathe_marked(colour, root, painted->cover) / colour;
+        }
     }
     return max(body + key * fractions.gloss + own[value::kMirrored + number] * fractions.mirror, 0.0F);
 }
@@ -216,7 +285,9 @@ template <Pot kPot>
 [[gnu::always_inline]] inline void shade(Queue& queue, const LatheLook& look, const PictureCanvas& canvas) {
     for (std::size_t first = 0; first < queue.count; first += kFloat8) {
         const Pixels own{queue, first};
-        const Fractions fractions = fractions_at<kPot>(look, own);
+        Painted painted;
+        if constexpr (kPot == Pot::kMarked) painted = painted_at(look, own);
+        const Fractions fractions = fractions_at<kPot>(look, own, painted);
         LoadLayers load;
         if constexpr (kPot == Pot::kWithLoad) {
             const Float8 shown = own[value::kLoad];
@@ -225,7 +296,8 @@ template <Pot kPot>
                     .pale = shaders::load_pale(shown, own[kLoadWidth])};
         }
         const auto light = [&](int channel) __attribute__((always_inline)) {
-            return light_of(look, own, fractions, kPot == Pot::kWithLoad ? &load : nullptr, channel);
+            return light_of(look, own, fractions, kPot == Pot::kWithLoad ? &load : nullptr,
+                            kPot == Pot::kMarked ? &painted : nullptr, channel);
         };
         const Int8 pixels = encoded({light(0), light(1), light(2)}, look.order);
         const std::size_t end = std::min(queue.count - first, std::size_t{kFloat8});

@@ -130,6 +130,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
                    .rows = built.rows},
                   scene.key, angles, built.vertices);
     built.shows_load = lathe.shows_load;
+    built.marks = lathe.shows_load ? nullptr : lathe.marks;
     built.section_first = static_cast<std::uint32_t>(built.vertices.size());
     if (lathe.cut) {
         const std::size_t added = add_section({.lathe = lathe,
@@ -165,6 +166,9 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     built.lathe.gloss = vec4(material.roughness, wet_roughness(material), film_lobe, material.coat);
     built.lathe.turn = vec4(streak_turn(lathe.turn), static_cast<float>(built.sectors + 1),
                             0.02F + 0.02F * material.coat, 1.0F / std::max(material.soft_edge, 1e-4F));
+    const std::size_t edge = std::min(built.profile.edge, built.profile.points.size() - 1);
+    built.lathe.marks = vec4(kMarkRows / std::max(built.profile.height_mm, 1e-3F),
+                             built.profile.points[edge].along_mm, kMarkColumns, kMarkLean);
 }
 
 // Rays from the ground towards the light, past the outline at evenly spaced heights.
@@ -226,6 +230,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
     built.faces.clear();
     built.section_first = built.section_count = 0;
     built.shows_load = false;
+    built.marks = nullptr;
     built.rows.clear();
     built.vertices.clear();
     built.edges.clear();

@@ -32,8 +32,9 @@ struct BuiltFrame {
     std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
     std::uint32_t section_count = 0;
     bool shows_load = false;
-    LatheFaces faces;  // none: no lathe
-    PixelRect moving;  // where anything that moves can be seen
+    const LatheMarks* marks = nullptr;  // of the scene; null: none are shown
+    LatheFaces faces;                   // none: no lathe
+    PixelRect moving;                   // where anything that moves can be seen
     // For the processor: which tiles that is in (kMoves and its like), and which of them hands and tools are
     // in; one entry a tile.
     std::vector<std::uint8_t> moving_tiles;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "engine/render/frame/background_pair.h"
 #include "engine/render/shapes/relief.h"
@@ -55,6 +57,10 @@ Result<vk::Image> upload_picture(const VulkanFrame& frame, const asset::Image& p
     return upload_texels(
         frame, {name, kBackgroundFormat, extent_of(picture.width, picture.height), picture.rgba.size()},
         [&](std::byte* texels) {
+            if (keeps_photographs(frame.desc.transfer)) {
+                std::ranges::copy(std::as_bytes(std::span(picture.rgba)), texels);
+                return;
+            }
             std::transform(picture.rgba.begin(), picture.rgba.end(), texels,
                            [&](std::uint8_t value) { return std::byte{table[value]}; });
         });
@@ -115,30 +121,42 @@ void BackgroundPass::let_go(const VulkanFrame& frame, const BackgroundSlots& slo
     bound = nullptr;
 }
 
-Result<BackgroundPass::Resident> BackgroundPass::upload(const VulkanFrame& frame,
-                                                        std::shared_ptr<const Background> background) {
-    const auto pair = whole_pair(*background);
+Result<void> BackgroundPass::upload_part(const VulkanFrame& frame, Resident& resident) {
+    const Background& background = *resident.background;
+    const auto take = [&](auto&& made, auto& into) -> Result<void> {
+        if (!made) return made.error();
+        into = std::move(*made);
+        ++resident.parts;
+        return {};
+    };
+    if (resident.parts == kReliefPart) {
+        const ReliefMesh mesh = relief_mesh(background);
+        auto positions =
+            upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+        if (!positions) return positions.error();
+        resident.relief_positions = std::move(*positions);
+        resident.relief_index_count = static_cast<std::uint32_t>(mesh.indices.size());
+        return take(upload_buffer(frame, mesh.indices, "relief indices", VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
+                    resident.relief_indices);
+    }
+    if (resident.parts == kDepthPart) return take(upload_depth(frame, background.relief), resident.depth);
+    const auto pair = whole_pair(background);
     if (!pair) return pair.error();
-    const ReliefMesh mesh = relief_mesh(*background);
-    auto key = upload_picture(frame, (*pair)->key, "plate with the key light");
-    if (!key) return key.error();
-    auto ambient = upload_picture(frame, (*pair)->ambient, "plate without the key light");
-    if (!ambient) return ambient.error();
-    auto depth = upload_depth(frame, background->relief);
-    if (!depth) return depth.error();
-    background->photographs->let_go();
-    auto positions =
-        upload_buffer(frame, mesh.positions_mm, "relief corners", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    if (!positions) return positions.error();
-    auto indices = upload_buffer(frame, mesh.indices, "relief indices", VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    if (!indices) return indices.error();
-    return Resident{.background = std::move(background),
-                    .key = std::move(*key),
-                    .ambient = std::move(*ambient),
-                    .depth = std::move(*depth),
-                    .relief_positions = std::move(*positions),
-                    .relief_indices = std::move(*indices),
-                    .relief_index_count = static_cast<std::uint32_t>(mesh.indices.size())};
+    if (resident.parts == kKeyPart)
+        return take(upload_picture(frame, (*pair)->key, "plate with the key light"), resident.key);
+    auto sent =
+        take(upload_picture(frame, (*pair)->ambient, "plate without the key light"), resident.ambient);
+    if (sent) background.photographs->let_go();
+    return sent;
+}
+
+BackgroundPass::Resident& BackgroundPass::begin(std::shared_ptr<const Background> background) {
+    for (const auto& resident : residents_) {
+        if (resident->background == background) return *resident;
+    }
+    residents_.push_back(std::make_unique<Resident>());
+    residents_.back()->background = std::move(background);
+    return *residents_.back();
 }
 
 const BackgroundPass::Resident* BackgroundPass::find(
@@ -151,11 +169,11 @@ const BackgroundPass::Resident* BackgroundPass::find(
 
 Result<const BackgroundPass::Resident*> BackgroundPass::resident(
     const VulkanFrame& frame, const std::shared_ptr<const Background>& background) {
-    if (const Resident* there = find(background); there != nullptr) return there;
-    auto uploaded = upload(frame, background);
-    if (!uploaded) return uploaded.error();
-    residents_.push_back(std::make_unique<Resident>(std::move(*uploaded)));
-    return static_cast<const Resident*>(residents_.back().get());
+    Resident& there = begin(background);
+    while (!there.is_whole()) {
+        if (auto sent = upload_part(frame, there); !sent) return sent.error();
+    }
+    return static_cast<const Resident*>(&there);
 }
 
 Result<void> BackgroundPass::fit(const VulkanFrame& frame, const Scene& scene) {
@@ -169,8 +187,12 @@ Result<void> BackgroundPass::fit(const VulkanFrame& frame, const Scene& scene) {
     residents_.erase(std::partition(residents_.begin(), residents_.end(), is_wanted), residents_.end());
     let_go(frame, kFrom, from_);
     let_go(frame, kTo, to_);
+    // What may be seen soon comes a part a frame: all at once would be a frame that is late.
     for (const auto& background : scene.backgrounds_at_hand) {
-        if (auto there = resident(frame, background); !there) return there.error();
+        Resident& there = begin(background);
+        if (there.is_whole()) continue;
+        if (auto sent = upload_part(frame, there); !sent) return sent;
+        break;
     }
     if (changed && scene.background) {
         auto there = resident(frame, scene.background);
@@ -195,6 +217,7 @@ void BackgroundPass::draw_relief(const VulkanFrame& frame, const CameraTransitio
     vkCmdBindVertexBuffers(frame.commands, 0, 1, &buffer, &offset);
     vkCmdBindIndexBuffer(frame.commands, nearer->relief_indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     vkCmdDrawIndexed(frame.commands, nearer->relief_index_count, 1, 0, 0, 0);
+    frame.count_draw(nearer->relief_index_count);
 }
 
 }  // namespace onggi::render

@@ -28,7 +28,10 @@ class BackgroundPass {
     void draw_relief(const VulkanFrame& frame, const CameraTransition& transition) const;
 
   private:
+    // What a background is brought in, so that no frame has to wait for all of it.
+    enum Part { kReliefPart, kDepthPart, kKeyPart, kAmbientPart, kParts };
     struct Resident {
+        int parts = 0;                                 // that are here, in this order
         std::shared_ptr<const Background> background;  // held, so that no other can have its address
         vk::Image key{};
         vk::Image ambient{};
@@ -36,8 +39,14 @@ class BackgroundPass {
         vk::Buffer relief_positions{};
         vk::Buffer relief_indices{};
         std::uint32_t relief_index_count = 0;
+
+        [[nodiscard]] bool is_whole() const { return parts == kParts; }
     };
-    static Result<Resident> upload(const VulkanFrame& frame, std::shared_ptr<const Background> background);
+    // The next of them; some ms.
+    static Result<void> upload_part(const VulkanFrame& frame, Resident& resident);
+    // The one of that background, perhaps still without a part.
+    Resident& begin(std::shared_ptr<const Background> background);
+    // Whole.
     Result<const Resident*> resident(const VulkanFrame& frame,
                                      const std::shared_ptr<const Background>& background);
     void let_go(const VulkanFrame& frame, const BackgroundSlots& slots,

@@ -104,6 +104,7 @@ Result<void> OverlayPass::fill(const VulkanFrame& frame, const ui::DrawList& lis
     }
     if (!vertices.empty()) vertices_.write(vertices);
     if (!indices.empty()) indices_.write(indices);
+    frame.work.uploaded_bytes += vertices.size() + indices.size();
     return {};
 }
 
@@ -123,6 +124,7 @@ Result<void> OverlayPass::fit(const VulkanFrame& frame, const Overlay* overlay) 
     for (const ui::Atlas::Upload& upload : overlay_->uploads) {
         staging_.write(std::as_bytes(std::span(upload.painting->rgba)), at);
         at += upload.painting->rgba.size();
+        frame.work.uploaded_bytes += upload.painting->rgba.size();
     }
     hash_ = overlay_->list->hash();
     if (overlay_->covers) {
@@ -177,6 +179,7 @@ void OverlayPass::draw_list(const VulkanFrame& frame, VkImageView view, bool kee
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           run.from_atlas ? pictures_.get() : boxes_.get());
         vkCmdDrawIndexed(commands, run.index_count, 1, run.first_index, 0, 0);
+        frame.count_draw(run.index_count);
     }
     vkCmdEndRendering(commands);
 }

@@ -82,6 +82,7 @@ void PropPass::draw(const VulkanFrame& frame, const Scene& scene) const {
             const Range& range = ranges[mesh];
             frame.push(prop_draw(prop, (*uploaded_)[prop.model].meshes[mesh]));
             vkCmdDrawIndexed(frame.commands, range.index_count, 1, range.first_index, range.first_vertex, 0);
+            frame.count_draw(range.index_count);
         }
     }
 }

@@ -17,7 +17,7 @@ void RoomPass::record(const VulkanFrame& frame, const Scene& scene) const {
 void RoomPass::draw(const VulkanFrame& frame, const Scene& scene) const {
     if (scene.background && scene.transition) return draw_gliding(frame, scene);
     frame.bind(scene.background ? frame.pipelines.background_surface : frame.pipelines.still);
-    still_.draw(frame.commands, frame.layout.get(), StillMeshes::Which::kAll);
+    still_.draw(frame, StillMeshes::Which::kAll);
     frame.draw_screen(scene.background ? frame.pipelines.background : frame.pipelines.backdrop);
 }
 
@@ -27,7 +27,7 @@ void RoomPass::draw_gliding(const VulkanFrame& frame, const Scene& scene) const 
     const std::size_t need =
         !is_day ? kTransitionDimmed : (transition.fraction == 0.0F ? kTransitionAlone : kTransitionMixed);
     frame.bind(frame.pipelines.transition_surface[need]);
-    still_.draw(frame.commands, frame.layout.get(), StillMeshes::Which::kNotInRelief);
+    still_.draw(frame, StillMeshes::Which::kNotInRelief);
     frame.bind(frame.pipelines.transition[need]);
     background_.draw_relief(frame, transition);
 }

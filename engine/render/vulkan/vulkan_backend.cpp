@@ -66,8 +66,7 @@ Result<void> VulkanBackend::upload(const Scene& scene) {
     shadow_.update(frame_, scene);
     frame_.clock.end_host();
     frame_.upload_uniforms(frame_.built.frame);
-    lathe_.upload(frame_.built);
-    return {};
+    return lathe_.upload(frame_);
 }
 
 Result<bool> VulkanBackend::draw(const Scene& scene, const vk::TargetImage& target, const Overlay* overlay) {

@@ -57,7 +57,7 @@ void make_transition_pipelines(PipelineMaker& maker, const vk::PipelineDesc& bac
 }
 
 // The lathe. From one that draws into the picture.
-void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool needs_section,
+void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc,
                           const vk::PipelineDesc& into_picture, VulkanPipelines& pipelines) {
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
     constexpr std::uint32_t kNoSphereIsNear = 0;
@@ -89,17 +89,18 @@ void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc, bool n
     section.vertex_spirv = shaders::kLatheSectionVert;
     section.fragment_spirv = shaders::kLatheSectionFrag;
     section.cull = VK_CULL_MODE_NONE;
-    if (needs_section) maker.make(pipelines.lathe_section, section);
+    maker.make(pipelines.lathe_section, section);
+
+    vk::PipelineDesc marks = lathe;
+    marks.name = "lathe with marks";
+    marks.fragment_spirv = shaders::kLatheMarksFrag;
+    maker.make(pipelines.lathe_marks, marks);
 }
 
-// What not every scene shows.
-struct Needs {
-    bool own_colours = false;  // of the still life: there is no background
-    bool section = false;
-};
-
-// Those that every scene may show, and those that are needed, where they are not there yet.
-Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, VulkanPipelines& pipelines) {
+// Those that any scene may show, and the still life's own colours for where there is no background; as far as
+// they are not there yet. A section is cut and a pot is drawn upon in the middle
+// of a visit, and then there is no time to compile.
+Result<void> make_pipelines(const FrameContext& frame, bool needs_own_colours, VulkanPipelines& pipelines) {
     const RendererDesc& desc = frame.desc;
     const auto transfer = static_cast<std::uint32_t>(desc.transfer);
     const std::array constants{transfer};
@@ -112,7 +113,7 @@ Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, Vulka
     };
     PipelineMaker maker(frame.device);
     const vk::PipelineDesc still = into_picture(mesh_pipeline(frame, "still life", shaders::kMeshFrag));
-    if (needs.own_colours) {
+    if (needs_own_colours) {
         maker.make(pipelines.backdrop,
                    into_picture(screen_pipeline(frame, "backdrop", shaders::kBackdropFrag)));
         maker.make(pipelines.still, still);
@@ -124,7 +125,7 @@ Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, Vulka
     background_surface.attributes = std::span(kMeshAttributes).first(2);
     maker.make(pipelines.background_surface, background_surface);
     make_transition_pipelines(maker, background_surface, picture_formats, transfer, pipelines);
-    make_lathe_pipelines(maker, desc, needs.section, still, pipelines);
+    make_lathe_pipelines(maker, desc, still, pipelines);
 
     vk::PipelineDesc mask = screen_pipeline(frame, "shadow mask", shaders::kMaskFrag);
     mask.colour_formats = mask_formats;
@@ -139,19 +140,13 @@ Result<void> make_pipelines(const FrameContext& frame, const Needs& needs, Vulka
 
 Result<void> create_pipelines(const FrameContext& frame, VulkanPipelines& pipelines) {
     if (auto samplers = create_samplers(frame.device, pipelines); !samplers) return samplers;
-    return make_pipelines(frame, {}, pipelines);
+    return make_pipelines(frame, false, pipelines);
 }
 
 Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, VulkanPipelines& pipelines) {
-    const Needs needs{.own_colours = scene.background == nullptr, .section = scene.lathe && scene.lathe->cut};
-    const auto is_missing = [](bool is_needed, const vk::Pipeline& pipeline) {
-        return is_needed && pipeline.get() == VK_NULL_HANDLE;
-    };
-    if (!is_missing(needs.own_colours, pipelines.still) &&
-        !is_missing(needs.section, pipelines.lathe_section)) {
-        return {};
-    }
-    return make_pipelines(frame, needs, pipelines);
+    const bool needs_own_colours = scene.background == nullptr;
+    if (!needs_own_colours || pipelines.still.get() != VK_NULL_HANDLE) return {};
+    return make_pipelines(frame, true, pipelines);
 }
 
 }  // namespace onggi::render

@@ -31,6 +31,7 @@ struct VulkanPipelines {
     vk::Pipeline lathe;               // where no moving sphere's shadow falls
     vk::Pipeline lathe_near_spheres;  // where one may
     vk::Pipeline lathe_load;          // the same with its load shown
+    vk::Pipeline lathe_marks;         // with what is painted on it, where something is
     vk::Pipeline lathe_section;       // the faces of a cut, where there is one
 };
 

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -14,7 +16,9 @@
 #include "engine/vk/physical_device.h"
 #include "game/app/command_line/device_probes.h"
 #include "game/app/command_line/finding.h"
+#include "game/app/command_line/options.h"
 #include "game/app/command_line/system_probes.h"
+#include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/haptic_core.h"
 #include "game/wheel/live_screen.h"
 
@@ -23,22 +27,51 @@ namespace {
 
 using Verdict = Finding::Verdict;
 
-// Where the quality ladder begins on this device, and how far it may go from there.
-Finding probe_quality(const vk::DeviceDescription& device) {
+using render::BackendChoice;
+
+// Who draws on this device, where the quality ladder begins and how far it may go from there.
+Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend) {
     const int threads = draw_threads(jobs::choose_haptic_core());
-    const render::QualityRange range = render::quality_range(wheel::device_class(device), threads);
-    return {.subject = "picture",
-            .found = fmt::format("begins as for {}; frame times move it between {} and {}",
-                                 render::quality_name(range.first), render::quality_name(range.lowest),
-                                 render::quality_name(range.highest))};
+    const render::DeviceClass counts_as = render::class_for(backend, wheel::device_class(device));
+    const render::QualityRange range = render::quality_range(counts_as, threads);
+    const bool by_processor = counts_as == render::DeviceClass::kSoftware;
+    Finding finding{
+        .subject = "picture",
+        .found = fmt::format("backend {}: drawn by the {}; begins as for {}; frame times move it "
+                             "between {} and {}",
+                             render::backend_choice_name(backend),
+                             by_processor      ? "processor"
+                             : device.is_cpu() ? "device, which is software"
+                                               : "GPU",
+                             render::quality_name(range.first), render::quality_name(range.lowest),
+                             render::quality_name(range.highest))};
+    if (!by_processor && device.is_cpu()) {
+        finding.verdict = Verdict::kNote;
+        finding.cost = "some frames a second, for who looks at what a GPU would draw";
+        finding.remedy = "leave the backend at auto, or install a driver for a GPU";
+    }
+    return finding;
 }
 
-std::vector<Finding> probe_vulkan() {
+// The one asked for, else that of the settings, else auto.
+BackendChoice backend_of(const std::optional<BackendChoice>& asked, const std::string& settings) {
+    if (asked) return *asked;
+    std::error_code error;
+    const std::string file = settings.empty() ? kUsualSettings : settings;
+    if (!std::filesystem::exists(file, error)) return BackendChoice::kAuto;
+    const auto read = load_settings(file);
+    if (!read) return BackendChoice::kAuto;  // what is wrong with them is a finding of its own
+    return render::backend_choice_named(read->config.screen.backend).value_or(BackendChoice::kAuto);
+}
+
+std::vector<Finding> probe_vulkan(BackendChoice backend) {
     Finding none{.subject = "vulkan",
                  .verdict = Verdict::kLacking,
                  .cost = "no picture: no window and no --screenshot; pots can still be thrown and exported",
                  .remedy = "apt-get install mesa-vulkan-drivers"};
-    const auto devices = vk::describe_devices();
+    const std::string request = vk::device_request_of_environment();
+    const vk::DevicePreference preference{.cpu_first = backend == BackendChoice::kCpu};
+    const auto devices = vk::describe_devices(request, preference);
     if (!devices || devices->empty()) {
         none.found = devices ? "no device" : devices.error().message;
         return {none};
@@ -53,9 +86,9 @@ std::vector<Finding> probe_vulkan() {
         findings.push_back({.subject = "vulkan",
                             .verdict = device.chosen ? Verdict::kGood : Verdict::kNote,
                             .found = std::move(words)});
-        if (device.chosen) findings.push_back(probe_quality(device));
+        if (device.chosen) findings.push_back(probe_quality(device, backend));
     }
-    if (const auto chosen = vk::choose(*devices, vk::device_request_of_environment()); !chosen) {
+    if (const auto chosen = vk::choose(*devices, request, preference); !chosen) {
         none.found = chosen.error().message;
         if (chosen.error().kind == ErrorKind::kBadInput)
             none.remedy = "set ONGGI_VULKAN_DEVICE to one of these, or unset it";
@@ -87,13 +120,13 @@ std::vector<Finding> probe_haptic_loop() {
     return findings;
 }
 
-int examine(const std::string& settings, bool strict) {
+int examine(const std::string& settings, const std::optional<BackendChoice>& backend, bool strict) {
     std::vector<Finding> findings;
     const auto add = [&](std::vector<Finding> more) {
         findings.insert(findings.end(), std::make_move_iterator(more.begin()),
                         std::make_move_iterator(more.end()));
     };
-    add(probe_vulkan());
+    add(probe_vulkan(backend_of(backend, settings)));
     findings.push_back(probe_display());
     add(probe_haptic_loop());
     add(probe_haptic_devices());
@@ -121,7 +154,10 @@ void add_doctor_command(CLI::App& program, int& exit_status) {
         ->add_option("--config", *settings,
                      fmt::format("settings of a kiosk to look at; without it those in {}", kUsualSettings))
         ->type_name("FILE.toml");
-    command->callback([strict, settings, &exit_status] { exit_status = examine(*settings, *strict); });
+    const auto backend = std::make_shared<std::optional<BackendChoice>>();
+    add_backend_option(*command, *backend, "who is to draw, whatever the settings say");
+    command->callback(
+        [strict, settings, backend, &exit_status] { exit_status = examine(*settings, *backend, *strict); });
 }
 
 }  // namespace onggi::app

@@ -3,21 +3,25 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "engine/core/quote.h"
 #include "engine/files/atomic_file.h"
+#include "engine/files/read_file.h"
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/replay/film.h"
 #include "game/app/replay/film_plan.h"
 #include "game/app/system/report.h"
+#include "game/decoration/stroke_bytes.h"
 #include "game/finish/glaze.h"
 
 namespace onggi::app {
@@ -45,11 +49,24 @@ Result<const finish::GlazeMaterial*> glaze_called(const std::string& name, const
     return bad_input(fmt::format("{}: expected one of {}, found {}", place, known, in_quotes(name)));
 }
 
-// Who films a pot while its glaze is still being chosen says it when it is.
-Result<const finish::GlazeMaterial*> glaze_of_stdin() {
-    std::array<char, 32> name{};  // longer than any
-    std::cin.getline(name.data(), name.size());
-    return glaze_called(name.data(), "standard input");
+// Who films a pot while its glaze is still being chosen says it when it is, and behind it, after a space,
+// where what was drawn on the pot lies, if anything was.
+Result<const finish::GlazeMaterial*> finish_as_stdin_says(FilmMaker& maker) {
+    std::array<char, 4096> line{};  // longer than any place
+    std::cin.getline(line.data(), line.size());
+    const std::string all = line.data();
+    const std::size_t space = std::min(all.find(' '), all.size());
+    const auto glaze = glaze_called(all.substr(0, space), "standard input");
+    if (!glaze) return glaze;
+    maker.finish_in(**glaze);
+    if (space + 1 >= all.size()) return glaze;
+    const std::string place = all.substr(space + 1);
+    const auto bytes = files::read_file(place, record::kMaxSupplementBytes);
+    if (!bytes) return bytes.error();
+    const auto drawn = decoration::recorded_from(std::as_bytes(std::span(*bytes)), shown_path(place));
+    if (!drawn) return drawn.error();
+    maker.decorate(*drawn);
+    return glaze;
 }
 
 Result<void> check_place(const std::string& place, const std::string& what) {
@@ -77,6 +94,7 @@ Result<void> make_film(const FilmOptions& options) {
         (options.finished != clay::Firing::kWet || !options.glaze.empty()))
         return bad_input(
             "--fired, --glaze: expected the studio clay, found the paper's, which is never fired");
+    const decoration::Recorded decoration = std::move(loaded->decoration);
     FilmDesc desc{.width = options.size.width,
                   .height = options.size.height,
                   .finished = options.finished,
@@ -85,13 +103,13 @@ Result<void> make_film(const FilmOptions& options) {
     auto maker = FilmMaker::create(std::move(loaded->session), std::move(loaded->start), desc);
     if (!maker) return maker.error();
     if (glaze != nullptr) (*maker)->finish_in(*glaze);
+    (*maker)->decorate(decoration);
     Progress progress("filming", (*maker)->picture_count());
     for (bool goes_on = true; goes_on;) {
         if (asks_later && glaze == nullptr && (*maker)->has_drawn_the_making()) {
-            const auto called = glaze_of_stdin();
+            const auto called = finish_as_stdin_says(**maker);
             if (!called) return called.error();
             glaze = *called;
-            (*maker)->finish_in(*glaze);
         }
         const auto worked = (*maker)->work();
         if (!worked) return worked.error();
@@ -126,7 +144,8 @@ void add_film_command(CLI::App& program, int& exit_status) {
     command
         ->add_option(
             "--glaze", options->glaze,
-            "the finished pot under that glaze; - reads its name from standard input when the making "
+            "the finished pot under that glaze; - reads its name, and where what was drawn on it lies, from "
+            "standard input when the making "
             "is drawn")
         ->type_name("NAME");
     command->add_option("--still", options->still, "a picture from late in the making, beside the film")

@@ -26,6 +26,7 @@
 #include "game/app/kiosk/kiosk_voice.h"
 #include "game/app/system/end_signal.h"
 #include "game/app/system/haptic_core.h"
+#include "game/app/system/picture_note.h"
 #include "game/app/system/report.h"
 #include "game/app/system/restart.h"
 #include "game/app/system/service.h"
@@ -46,6 +47,7 @@ struct KioskOptions {
     std::string other_config;  // for when it cannot be read
     std::string gallery;
     std::optional<double> volume = {};
+    std::optional<render::BackendChoice> backend = {};
 };
 
 // Any number that is another one after a tick.
@@ -60,8 +62,24 @@ std::filesystem::path spoken_folder(const kiosk::Config& config) {
     return found ? *found : std::filesystem::path();
 }
 
-Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, KioskKeeper& keeper,
-                        const KioskSettings& settings, KioskSound& sound) {
+// Of the command line, else of the settings, which have been looked at.
+render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Config& config) {
+    return options.backend.value_or(
+        render::backend_choice_named(config.screen.backend).value_or(render::BackendChoice::kAuto));
+}
+
+// What is looked after beside the visits.
+struct Beside {
+    KioskKeeper& keeper;
+    KioskSound& sound;
+    const wheel::LiveView& view;
+    PictureNote* picture;  // null: what this run comes to is no rule
+};
+
+Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
+                        const Beside& beside) {
+    KioskSound& sound = beside.sound;
+    KioskKeeper& keeper = beside.keeper;
     Service service;
     KioskVoice voice(spoken_folder(settings.config));
     if (auto started = voice.start(); !started) remark(started.error().message);
@@ -87,6 +105,10 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, KioskKeeper& 
         sound.say(voice.line());
         if (const std::string line = voice.news(); !line.empty()) remark("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);
+        if (beside.picture != nullptr) {
+            if (auto kept = beside.picture->keep(beside.view.quality_note()); !kept)
+                remark(kept.error().message);
+        }
         pacer.finish();
     }
     service.ends();
@@ -106,12 +128,15 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const jobs::CoreChoice core = leave_haptic_core();
     StartKeeper starts(state_folder(settings->config.gallery.folder));
     const StartReport start_report = starts.begin_now(settings->remarks);
+    PictureNote picture(state_folder(settings->config.gallery.folder));
     auto view =
         wheel::LiveView::open({.width = options.size.width,
                                .height = options.size.height,
                                .full_screen = options.full_screen || settings->config.screen.full_screen,
                                .plain = start_report.is_safe_mode,
                                .draw_threads = draw_threads(core),
+                               .backend = backend_of(options, settings->config),
+                               .quality_note = picture.read(),
                                .workshop = settings->config.screen.room,
                                .title = "Onggi"});
     if (!view) return view.error();
@@ -175,7 +200,12 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                           .start = start_report,
                           .rate_hz = parameters.rate_hz()});
         played = visit.start();
-        if (played) played = run_visits(visit, job, keeper, *settings, sound);
+        if (played)
+            played = run_visits(visit, job, *settings,
+                                {.keeper = keeper,
+                                 .sound = sound,
+                                 .view = **view,
+                                 .picture = start_report.is_safe_mode ? nullptr : &picture});
         if (visit.restarts()) end = KioskEnd::kStartAnew;
     }
     phone.stop();
@@ -214,6 +244,10 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
         ->type_name("FOLDER");
     add_device_option(*command, options->device);
     add_volume_option(*command, options->volume);
+    add_backend_option(
+        *command, options->backend,
+        "who draws, whatever the settings say: the GPU, the processor, or the GPU where there is "
+        "one (auto); where there is none, gpu is drawn by software, for who looks at it");
     command->footer(
         "In the window: V shows what the hand feels, F or F11 fills the screen, arrow keys move the hand, "
         "Tab "

@@ -44,6 +44,7 @@ struct LiveOptions {
     bool headless = false;
     bool forces = false;
     PictureSize size;
+    std::optional<render::BackendChoice> backend;
     std::optional<std::string> stats;
 };
 
@@ -88,6 +89,7 @@ Result<void> play(const LiveOptions& options) {
                                        .headless = options.headless,
                                        .paper = performance->start.state.paper() != nullptr,
                                        .draw_threads = draw_threads(core),
+                                       .backend = options.backend.value_or(render::BackendChoice::kAuto),
                                        .title = "Onggi"});
     if (!view) return view.error();
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
@@ -122,7 +124,9 @@ Result<void> play(const LiveOptions& options) {
     if (!report) return report.error();
     say_what_is_lacking(report->real_time);
     if (!options.stats) return {};
-    return files::write_file_atomically(*options.stats, live_stats(*report).dump(2) + "\n");
+    auto stats = live_stats(*report);
+    stats["picture"] = {{"device", (*view)->device_name()}, {"quality", (*view)->quality()}};
+    return files::write_file_atomically(*options.stats, stats.dump(2) + "\n");
 }
 
 std::string check_wait(const std::string& word) {
@@ -184,6 +188,10 @@ void add_live_command(CLI::App& program, int& exit_status) {
     command->add_flag("--forces", options->forces,
                       "begin with the forces shown; in the window, V shows and hides them");
     add_size_option(*command, options->size);
+    add_backend_option(
+        *command, options->backend,
+        "who draws: the GPU, the processor, or the GPU where there is one (auto); where there is "
+        "none, gpu is drawn by software, for who looks at it");
     command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
         ->type_name("F.json");
     command->callback([options, &exit_status] {

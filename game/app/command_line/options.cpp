@@ -221,6 +221,17 @@ void add_volume_option(CLI::App& command, std::optional<double>& volume) {
                       "how loud the wheel is heard, 0 to 1; 0 opens no sound device (0.5)");
 }
 
+CLI::Option* add_backend_option(CLI::App& command, std::optional<render::BackendChoice>& backend,
+                                const std::string& description) {
+    std::vector<std::pair<std::string, render::BackendChoice>> choices;
+    for (const render::BackendChoice choice :
+         {render::BackendChoice::kGpu, render::BackendChoice::kCpu, render::BackendChoice::kAuto})
+        choices.emplace_back(render::backend_choice_name(choice), choice);
+    return add_choice<render::BackendChoice>(
+        command, "--backend", choices, [&backend](render::BackendChoice chosen) { backend = chosen; },
+        description);
+}
+
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first) {
     const auto known = [first](const std::string& given) -> std::string {
         if (given == first || names_a_device(given)) return {};

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/render/quality.h"
 #include "game/app/command_line/cli_names.h"
 #include "game/clay/studio/pot.h"
 #include "game/wheel/still.h"
@@ -50,6 +51,9 @@ void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size);  // --size WxH
 // --volume, 0 to 1; 0: no sound device is opened at all.
 void add_volume_option(CLI::App& command, std::optional<double>& volume);
+// --backend: who draws.
+CLI::Option* add_backend_option(CLI::App& command, std::optional<render::BackendChoice>& backend,
+                                const std::string& description);
 // --device: a word that names_a_device(), or `first`, what the first hand is called here.
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first = "mouse");
 // --view; it needs `picture`, the option that asks for one.

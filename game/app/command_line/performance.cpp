@@ -9,6 +9,7 @@
 #include "engine/files/read_file.h"
 #include "engine/haptics/gesture.h"
 #include "game/app/command_line/start_pot.h"
+#include "game/app/replay/session_marks.h"
 #include "game/haptic/tools.h"
 
 namespace onggi::app {
@@ -49,13 +50,15 @@ Result<LoadedSession> session_in_file(const std::string& file) {
     if (!start) {
         return Error{start.error().kind, fmt::format("{}: {}", shown_path(file), start.error().message)};
     }
+    auto decoration = decoration_in(*session, file);
+    if (!decoration) return decoration.error();
     record::SessionHeader of_start = haptic::session_header(*start);
     of_start.start_state_hash = header.start_state_hash;  // a replay compares that one
     if (of_start != header) {
         return bad_input(fmt::format("{}: expected {} as the header says, found {} in the start state",
                                      shown_path(file), clay_of(header), clay_of(of_start)));
     }
-    return LoadedSession{std::move(session).value(), std::move(start).value()};
+    return LoadedSession{std::move(session).value(), std::move(start).value(), std::move(decoration).value()};
 }
 
 Result<Performance> performance_of_session(const InputOptions& options) {

@@ -11,6 +11,7 @@
 #include "engine/haptics/haptic_device.h"
 #include "engine/record/session.h"
 #include "game/app/command_line/options.h"
+#include "game/decoration/stroke_bytes.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
@@ -34,6 +35,7 @@ struct Performance {
 struct LoadedSession {
     record::Session session;
     haptic::Start start;
+    decoration::Recorded decoration{};  // of the pot that is left
 };
 [[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
 

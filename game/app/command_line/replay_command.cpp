@@ -28,7 +28,7 @@ Result<void> validate(const std::string& file) {
     std::optional<Difference> difference;
     {
         Progress progress("replaying", loaded->session.tick_count());
-        difference = find_difference(loaded->session, std::move(loaded->start),
+        difference = find_difference(loaded->session, std::move(loaded->start), loaded->decoration,
                                      [&](std::uint64_t tick) { progress.reached(tick); });
     }
     if (difference) return failed(fmt::format("{}: {}", shown_path(file), sentence_for(*difference)));

@@ -83,6 +83,11 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     command->add_flag("--beauty", outputs.beauty, "the picture as the mean of many: finer, and slower")
         ->needs(screenshot);
     add_view_option(*command, outputs.view, screenshot);
+    add_backend_option(
+        *command, outputs.backend,
+        "who draws the picture: the GPU, or software in its place (gpu, auto); or the processor, "
+        "as the live window of a machine without one: quicker, and coarser")
+        ->needs(screenshot);
     add_firing_option(*command, outputs.stage, "the stage that --export and --screenshot show");
     add_target_option(*command, options->target);
     add_output("--save", outputs.session, "F.onggi", "the session, for replay");

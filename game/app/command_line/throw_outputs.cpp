@@ -48,7 +48,9 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
     const pot::Pot fired = pot::fired(pot, outputs.stage);
     snapshot.pot = &fired;
     return wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
-                               {.view = outputs.view, .beauty = outputs.beauty});
+                               {.view = outputs.view,
+                                .beauty = outputs.beauty,
+                                .quick = outputs.backend == render::BackendChoice::kCpu});
 }
 
 }  // namespace

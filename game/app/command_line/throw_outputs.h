@@ -31,6 +31,7 @@ struct ThrowOutputs {
     PictureSize size;
     wheel::StillView view = wheel::StillView::kThrowing;  // that the screenshot shows
     bool beauty = false;                                  // the screenshot as the mean of many
+    std::optional<render::BackendChoice> backend = {};    // that draws it; cpu: as the live window does
     clay::Firing stage = clay::Firing::kWet;              // that model and screenshot show
     std::optional<TargetChoice> target;                   // to score the pot beside
 };

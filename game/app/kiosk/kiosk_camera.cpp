@@ -79,6 +79,25 @@ class Framer {
         return framing;
     }
 
+    // Nearer, because a brush is small; the pot in the middle of what the ledge leaves.
+    [[nodiscard]] Framing decorating(double pot_mm) const {
+        constexpr double kNearest = 1.39;
+        constexpr double kFootU = 44.0;
+        const auto foot = from_middle(View::kThrowing, {0.0, 0.0, kFootMm});
+        const auto top = from_middle(View::kThrowing, {0.0, pot_mm, -kFootMm});
+        if (!foot || !top) return {};
+        const double top_px = kTopU * u_;
+        const double low_px = ledge_px_ - kFootU * u_;
+        Framing framing;
+        framing.zoom = std::clamp((low_px - top_px) / (foot->y - top->y), kLeastZoom, kNearest);
+        const double middle = 0.5 * (foot->y + top->y);
+        // As far as the background has picture.
+        const double most = std::max(0.0, framing.zoom - 1.0);
+        framing.shift.y =
+            std::clamp(shift_for(middle, 0.5 * (top_px + low_px), framing.zoom, half_.y), -most, most);
+        return framing;
+    }
+
     [[nodiscard]] Framing looking_in(double pot_mm) const {
         const auto middle = from_middle(View::kLookingIn, {0.0, 0.5 * pot_mm, 0.0});
         if (!middle) return {};
@@ -133,7 +152,11 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
         request.framing = framer.looking_in(fitted_mm_);
         return request;
     }
-    const bool throws = state.screen == kiosk::Screen::kThrow;
+    if (state.screen == kiosk::Screen::kDecorate && !state.comfort.reach) {
+        request.framing = framer.decorating(fitted_mm_);
+        return request;
+    }
+    const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kDecorate;
     request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
     return request;
 }

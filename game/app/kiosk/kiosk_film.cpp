@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <system_error>
+
+#include "engine/files/atomic_file.h"
 
 namespace onggi::app {
 
@@ -21,6 +24,16 @@ Result<void> KioskFilm::begin(const std::filesystem::path& session) {
     if (!maker) return system_lacks("film: " + maker.error().message);
     maker_.emplace(std::move(*maker));
     return {};
+}
+
+void KioskFilm::finish_in(std::string_view glaze, const decoration::Marks* marks) {
+    if (!maker_) return;
+    std::string words(glaze);
+    // A film of the pot as it was before is a film all the same.
+    const std::filesystem::path place = folder_ / "marks";
+    if (marks != nullptr && files::write_file_atomically(place, decoration::bytes_of(marks->recorded)))
+        words += ' ' + place.string();
+    maker_->tell(words);
 }
 
 void KioskFilm::drop() noexcept {

@@ -10,6 +10,7 @@
 
 #include "engine/core/result.h"
 #include "engine/jobs/idle_process.h"
+#include "game/decoration/canvas.h"
 
 namespace onggi::app {
 
@@ -32,10 +33,9 @@ class KioskFilm {
     // Of a session on the disk, which is taken from where it lies. The film before is dropped. System lacks:
     // no room, no process.
     Result<void> begin(const std::filesystem::path& session);
-    // The glaze of its last seconds, as finish::GlazeMaterial::id has it. Once a film.
-    void finish_in(std::string_view glaze) {
-        if (maker_) maker_->tell(glaze);
-    }
+    // The glaze of its last seconds, as finish::GlazeMaterial::id has it, and what was drawn below it; null:
+    // nothing. Once a film.
+    void finish_in(std::string_view glaze, const decoration::Marks* marks);
     [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
     // Those of the film that was begun last, once it is made; none if it came to nothing.
     [[nodiscard]] std::optional<Files> files() const {

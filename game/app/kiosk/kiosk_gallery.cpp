@@ -47,12 +47,14 @@ asset::Image straight_picture(ui::Painting painting) {
     return image;
 }
 
-Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
-                                            const finish::GlazeMaterial& glaze) {
+Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
+                                            const decoration::Marks* marks) {
     const double scale = clay::shrunk_scale(clay.lump().body, clay::Firing::kGlaze);
     const auto height_mm = static_cast<float>(clay.height_mm() * scale);
+    look::PotLook worn = look::glaze_look(glaze, height_mm);
+    if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
     return look::dressed_glb(
-        exporter::rings_of(clay.rings()), look::glaze_look(glaze, height_mm),
+        exporter::rings_of(clay.rings()), worn,
         {.extras = exporter::pot_extras(clay, clay::Firing::kGlaze), .shrinkage = scale});
 }
 
@@ -146,8 +148,10 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     auto folder = files::AtomicFolder::create(place);
     if (!folder) return folder.error();
     const fs::path session = folder->inside() / "pot.onggi";
-    const auto saved =
-        pot.history->is_whole() ? pot.history->save(session) : pot.history->save_outcome(session);
+    const std::vector<std::byte> drawn =
+        pot.marks ? decoration::bytes_of(pot.marks->recorded) : std::vector<std::byte>();
+    const auto saved = pot.history->is_whole() ? pot.history->save(session, drawn)
+                                               : pot.history->save_outcome(session, drawn);
     if (!saved) return saved.error();
     const auto write = [&](const char* name, const Result<std::vector<std::byte>>& bytes) -> Result<void> {
         if (!bytes) return bytes.error();
@@ -163,7 +167,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             !written)
             return written.error();
     }
-    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze)); !written)
+    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get())); !written)
         return written.error();
     if (auto written = write(
             "pot.stl", exporter::export_pot(*pot.clay, clay::Firing::kGlaze, exporter::ExportKind::kStl));

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/ui/painting.h"
 #include "game/clay/studio/studio_clay.h"
+#include "game/decoration/canvas.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/history.h"
 #include "game/kiosk/config.h"
@@ -23,7 +25,8 @@ struct PotToKeep {
     const haptic::History* history = nullptr;
     const clay::StudioClay* clay = nullptr;
     const finish::GlazeMaterial* glaze = nullptr;
-    ui::Painting portrait;  // for the PNG
+    ui::Painting portrait;                             // for the PNG
+    std::shared_ptr<const decoration::Marks> marks{};  // that were drawn on it; null: none
 };
 
 struct KeptPot {
@@ -68,7 +71,8 @@ class Gallery {
 
 // The pot as pot.glb has it: glaze-fired, wearing its glaze. Errors as look::dressed_glb() has them.
 [[nodiscard]] Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
-                                                          const finish::GlazeMaterial& glaze);
+                                                          const finish::GlazeMaterial& glaze,
+                                                          const decoration::Marks* marks = nullptr);
 
 // A painting, whose colours are dimmed by what is seen through them, as files have them.
 [[nodiscard]] asset::Image straight_picture(ui::Painting painting);

@@ -12,6 +12,7 @@
 #include "game/app/kiosk/kiosk_pot.h"
 #include "game/app/system/crash_report.h"
 #include "game/app/system/wall_clock.h"
+#include "game/haptic/pot_copy.h"
 
 namespace onggi::app {
 namespace {
@@ -201,7 +202,9 @@ void KioskKeeper::apply(const Request& request) {
             give_back_memory();  // of throwing, and of a look into the pot
             if (const clay::StudioClay* clay = history_.state().studio()) {
                 cut_ = std::make_shared<const clay::StudioClay>(*clay);
-                answer({.kind = KeeperAnswer::Kind::kCutOff, .clay = cut_});
+                answer({.kind = KeeperAnswer::Kind::kCutOff,
+                        .clay = cut_,
+                        .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
             }
             break;
         case Request::Kind::kWriteSession:
@@ -333,7 +336,8 @@ void KioskKeeper::save_now(const Request& request) {
     PotToKeep pot{.history = &history_,
                   .clay = cut_.get(),
                   .glaze = &finish::glaze_at(request.glaze),
-                  .portrait = portrait(*request.shape, request.glaze, kPortraitPx)};
+                  .portrait = portrait(*request.shape, request.glaze, kPortraitPx),
+                  .marks = request.shape->marks};
     const std::string day = today();
     const auto number = gallery_.keep(std::move(pot), day);
     if (number) {

@@ -41,6 +41,7 @@ struct KeeperAnswer {
     };
     Kind kind = Kind::kRemark;
     std::shared_ptr<const clay::StudioClay> clay{};                // of a cut pot
+    std::shared_ptr<const pot::Pot> pot{};                         // likewise, as it is drawn on
     int number = 0;                                                // of a saved one, of the day
     std::string gallery_name{};                                    // likewise: "2026-11-21/pot-014"
     std::filesystem::path session{};                               // of one that was written

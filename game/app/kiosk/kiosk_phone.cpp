@@ -67,7 +67,8 @@ void KioskPhone::take(const PhoneRequest& request, std::int64_t now_ns) {
             begin_film(request);
             break;
         case PhoneRequest::Kind::kShare:
-            film_.finish_in(finish::glaze_at(request.glaze).id);
+            film_.finish_in(finish::glaze_at(request.glaze).id,
+                            request.pot ? request.pot->shape.marks.get() : nullptr);
             waiting_ = request;
             waits_until_ns_ = now_ns + kFilmWaitNs;
             break;

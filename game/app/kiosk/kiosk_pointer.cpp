@@ -109,7 +109,10 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
             nudge(kiosk::Button::kHandRight);
             return;
         case Key::kEnter:
-            if (!key.repeat) press_focus(news);
+            if (key.repeat) return;
+            // Where no ring is, there may be a brush.
+            if (focus_ < 0) news.push_back({.kind = Kind::kPutDown});
+            press_focus(news);
             return;
         case Key::kSpace:
             // One switch is enough: the first press starts the ring on its way, the next takes what it is on.

@@ -22,6 +22,7 @@ struct PointerNews {
         kHandUp,      // lifted, or taken for lifted: it cannot be a finger's any more
         kHovered,     // the mouse, with no button held
         kNudged,      // an arrow key where nothing has the ring; `button` is one of the pad's
+        kPutDown,     // Enter, where nothing has the ring
         kCornerHeld,  // the staff's corner, long enough
         kCloseAsked,
         kFullScreen,
@@ -45,6 +46,10 @@ class KioskPointer {
     [[nodiscard]] int pressed() const { return pressed_over_ ? pressed_ : -1; }
     // Target with the ring; -1: none.
     [[nodiscard]] int focus() const { return focus_; }
+    // Who leads a dot with the arrow keys has left the ring; one that walks by itself stays.
+    void leave_ring() {
+        if (!scans_) focus_ = -1;
+    }
     [[nodiscard]] bool scans() const { return scans_; }
     [[nodiscard]] vec2 at_px() const { return at_px_; }
     // A finger lies beside all targets. One that leaves the window, stays a minute where it is, comes with a

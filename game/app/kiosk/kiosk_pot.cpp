@@ -26,54 +26,6 @@ constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 constexpr double kWarnsAt = 0.85;
 constexpr double kRelaxesAt = 0.70;
 
-// A pot of the tables for which there are words.
-struct Known {
-    std::string_view id;
-    const char* name_key;
-    const char* museum_key;
-    const char* date_key;
-    int glaze;
-};
-// Those of the choose screen, in its order: the least tall first.
-constexpr std::array kShown{
-    Known{"ido-kizaemon", "pot.ido", "mus.daitoku", "date.joseon16", finish::kIdoGlaze},
-    Known{"buncheong-bowl", "pot.buncheong", "mus.brooklyn", "date.joseon15", 2},
-    Known{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
-    Known{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1}};
-// The others, which a visitor's pot may resemble: their museums are not named there.
-constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseon18", 1},
-                                Known{"moon-jar-met", "pot.moon", "", "date.joseon18", 1},
-                                Known{"maebyeong-68", "pot.maebyeong", "", "date.goryeo12", 0},
-                                Known{"buncheong-small-bowl", "pot.buncheong", "", "date.joseon", 2},
-                                Known{"joseon-bowl", "pot.bowl", "", "date.joseon16", 1},
-                                Known{"meiping-ngv", "pot.meiping", "", "date.ming16", 0},
-                                Known{"kylix-met", "pot.kylix", "", "date.athens6", 3},
-                                Known{"kylix-ringling", "pot.kylix", "", "date.athens", 3},
-                                Known{"lekythos-boston", "pot.lekythos", "", "date.athens5", 3},
-                                Known{"lekythos-met", "pot.lekythos", "", "date.athens5", 3},
-                                Known{"amphora-met", "pot.amphora", "", "date.athens", 3},
-                                Known{"olla-cas", "pot.olla", "", "date.acoma19", 5},
-                                Known{"olla-sar", "pot.olla", "", "date.acoma19", 5}};
-constexpr int kBareGlaze = 5;
-
-std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
-    constexpr int kSteps = 40;
-    std::vector<vec2> outline;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double y_mm = target.height_mm * i / kSteps;
-        outline.push_back(vec2(target.radius_at(y_mm) * scale, y_mm * scale));
-    }
-    return outline;
-}
-
-// As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
-// thrown.
-heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
-    constexpr double kVisitorsWallMm = 8.0;
-    return heritage::thrown_size(target, clay::ClayBody::kStoneware,
-                                 {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm});
-}
-
 double volume_mm3(const pot::Pot& shape) {
     const auto& outer = shape.outer_mm;
     const auto& inner = shape.inner_mm;
@@ -203,58 +155,6 @@ ui::Painting portrait(const pot::Section& shape, int glaze, int side_px) {
     picture.painting = std::make_shared<const ui::Painting>(std::move(pot.painting));
     sketch.add(picture);
     return ui::Painter().paint(sketch);
-}
-
-namespace {
-
-screens::Exhibit exhibit_of(const heritage::Target& target, const Known* known) {
-    constexpr float kWallMm = 5.0F;
-    constexpr float kFloorMm = 9.0F;
-    screens::Exhibit exhibit;
-    // Words that are no key stand for themselves, in every language.
-    exhibit.name_key = known != nullptr ? known->name_key : target.name;
-    exhibit.museum_key = known != nullptr ? known->museum_key : target.place;
-    exhibit.date_key = known != nullptr ? known->date_key : target.culture_date;
-    exhibit.height_mm = target.height_mm;
-    exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
-    const heritage::ThrownSize size = size_on_this_wheel(target);
-    if (size.fraction < 1.0) exhibit.part = size.part;
-    exhibit.glaze = known != nullptr ? known->glaze : kBareGlaze;
-    exhibit.shape = pot::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
-    return exhibit;
-}
-
-}  // namespace
-
-std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
-                                          std::vector<std::size_t>& places) {
-    std::vector<screens::Exhibit> exhibits;
-    places.clear();
-    for (const Known& shown : kShown) {
-        for (std::size_t place = 0; place < targets.size(); ++place) {
-            if (targets[place].id != shown.id) continue;
-            exhibits.push_back(exhibit_of(targets[place], &shown));
-            places.push_back(place);
-        }
-    }
-    return exhibits;
-}
-
-std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets) {
-    std::vector<screens::Exhibit> relatives;
-    for (const heritage::Target& target : targets) {
-        const auto has_id = [&](const Known& one) { return one.id == target.id; };
-        const auto shown = std::find_if(kShown.begin(), kShown.end(), has_id);
-        const auto other = std::find_if(kRelatives.begin(), kRelatives.end(), has_id);
-        relatives.push_back(exhibit_of(target, shown != kShown.end()       ? &*shown
-                                               : other != kRelatives.end() ? &*other
-                                                                           : nullptr));
-    }
-    return relatives;
-}
-
-std::vector<vec2> wet_outline(const heritage::Target& target) {
-    return outline_of(target, size_on_this_wheel(target).wet_scale);
 }
 
 }  // namespace onggi::app

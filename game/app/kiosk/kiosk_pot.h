@@ -49,13 +49,4 @@ class Lesson {
 // A portrait on the evening museum's wall, square.
 [[nodiscard]] ui::Painting portrait(const pot::Section& shape, int glaze, int side_px);
 
-// The pots of the choose screen, of all that the tables hold: those for which the design has words. `places`
-// gets where each stands in the tables.
-[[nodiscard]] std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
-                                                        std::vector<std::size_t>& places);
-// All of them, in the tables' order; those that the program has no words for speak for themselves.
-[[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets);
-// Its outline at the size at which it is thrown, wet: radius and height from below.
-[[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
-
 }  // namespace onggi::app

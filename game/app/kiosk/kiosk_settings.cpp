@@ -9,7 +9,7 @@
 #include "engine/files/asset_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/exhibits.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {
@@ -136,10 +136,18 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     } else {
         settings.remarks.push_back(targets.error().message);  // free throwing needs none
     }
+    ExhibitWords words{.cards = {}, .languages = *settings.languages};
+    if (targets) {
+        if (auto cards = heritage::load_cards(*folder, settings.targets)) {
+            words.cards = std::move(*cards);
+        } else {
+            settings.remarks.push_back(cards.error().message);  // pots stand on the shelf without them
+        }
+    }
     settings.exhibits = std::make_shared<const std::vector<screens::Exhibit>>(
-        exhibits_of(settings.targets, settings.exhibit_places));
+        exhibits_of(settings.targets, words, settings.exhibit_places));
     settings.relatives =
-        std::make_shared<const std::vector<screens::Exhibit>>(relatives_of(settings.targets));
+        std::make_shared<const std::vector<screens::Exhibit>>(relatives_of(settings.targets, words));
     settings.rules.target_count = static_cast<int>(settings.exhibits->size());
     return settings;
 }

@@ -17,7 +17,9 @@
 #include "game/app/sharing/listen_place.h"
 #include "game/finish/glaze.h"
 #include "game/finish/glaze_surface.h"
+#include "game/finish/mark_colour.h"
 #include "game/screens/pot_picture.h"
+#include "game/screens/pot_shading.h"
 #include "game/sharing/share_link.h"
 
 namespace onggi::app {
@@ -104,6 +106,7 @@ asset::Image share_surface(const pot::Section& shape, int glaze) {
     std::vector<float> along{0.0F};
     for (std::size_t i = 1; i < wall.size(); ++i)
         along.push_back(along.back() + glm::distance(wall[i - 1], wall[i]));
+    const screens::DrawnOn drawn_on(shape);
     asset::Image image{.width = kColumns, .height = kRows, .rgba = {}};
     image.rgba.reserve(std::size_t{4} * kColumns * kRows);
     for (int row = 0; row < kRows; ++row) {
@@ -116,7 +119,11 @@ asset::Image share_surface(const pot::Section& shape, int glaze) {
         for (int column = 0; column < kColumns; ++column) {
             at.angle =
                 kRight + 2.0F * std::numbers::pi_v<float> * (static_cast<float>(column) + 0.5F) / kColumns;
-            const vec3 colour = finish::glaze_colour(material, shape.height_mm(), at);
+            vec3 colour = finish::glaze_colour(material, shape.height_mm(), at);
+            if (drawn_on.texture() != nullptr) {
+                const auto& texel = drawn_on.at(at.angle, at.height_mm / shape.height_mm());
+                colour = finish::marked(colour, finish::mark_colour(material.marks, texel));
+            }
             for (int channel = 0; channel < 3; ++channel)
                 image.rgba.push_back(render::srgb_byte(colour[channel]));
             image.rgba.push_back(255);

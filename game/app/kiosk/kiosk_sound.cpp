@@ -40,6 +40,7 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
             .is_hard_tool = is_hard(snapshot.tool.tool),
             .place = std::clamp(at.x / kEdgeMm, -1.0, 1.0),
             .slaps = static_cast<std::uint32_t>(snapshot.run),
+            .is_plucked = snapshot.tool.command != haptics::WorkCommand::kNone,
             .volume = volume};
 }
 

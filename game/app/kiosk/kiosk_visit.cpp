@@ -34,9 +34,10 @@ KioskVisit::KioskVisit(const VisitParts& parts)
              .start = parts.start,
              .rate_hz = parts.rate_hz}),
       wheel_(parts_, *this),
-      input_(parts_, wheel_.hand(), *this),
-      effects_(parts_, wheel_, input_, desk_, *this),
-      scene_(parts_, wheel_, input_),
+      drawing_(parts_.view, *this),
+      input_(parts_, wheel_.hand(), drawing_, *this),
+      effects_(parts_, wheel_, input_, drawing_, desk_, *this),
+      scene_(parts_, wheel_, input_, drawing_),
       screens_(parts_, effects_, input_.pointer(), desk_) {}
 
 KioskVisit::~KioskVisit() {
@@ -74,6 +75,7 @@ Result<void> KioskVisit::frame(double now_s) {
     wheel_.take_fault(moment);
     effects_.take_answers();
     wheel_.move_hand(moment);
+    drawing_.pass(moment.dt_s);
     parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
     scene_.aim_camera(state_, moment.snapshot, screens_.asked(), stage_.covers());
     screens_.update(state_, moment, scene_.edges(), wheel_.hand().wire_mm());
@@ -101,6 +103,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
         shown.wire_height_mm = *wire_mm;
         shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends
     }
+    drawing_.show(shown);
     const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
@@ -145,6 +148,8 @@ void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
     if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone)
         title += fmt::format(" - {} of {}, {:.0f} mm{}", shown.throwing.steps_done, kiosk::kTeachingSteps,
                              clay_mm, shown.throwing.shown ? ", shown" : "");
+    if (shown.screen == Screen::kDecorate && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} strokes", state_.decorating.strokes);
     if (input_.pointer().focus() >= 0) title += " [" + std::to_string(input_.pointer().focus()) + "]";
     if (title == title_) return;
     title_ = title;

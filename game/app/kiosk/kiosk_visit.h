@@ -7,6 +7,7 @@
 #include <string>
 
 #include "game/app/kiosk/staff_desk.h"
+#include "game/app/kiosk/visit_drawing.h"
 #include "game/app/kiosk/visit_effects.h"
 #include "game/app/kiosk/visit_input.h"
 #include "game/app/kiosk/visit_parts.h"
@@ -52,6 +53,7 @@ class KioskVisit final : private VisitFlow {
     kiosk::State state_;
     StaffDesk desk_;
     VisitWheel wheel_;
+    VisitDrawing drawing_;
     VisitInput input_;
     VisitEffects effects_;
     VisitScene scene_;

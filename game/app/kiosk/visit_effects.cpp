@@ -35,7 +35,28 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             break;
         }
         case Effect::Kind::kMoveHand:
-            input_.nudge(static_cast<Button>(effect.value));
+            if (flow_.state().screen == kiosk::Screen::kDecorate) {
+                input_.lead_by_keys();
+                drawing_.nudge(static_cast<Button>(effect.value));
+            } else {
+                input_.nudge(static_cast<Button>(effect.value));
+            }
+            break;
+        case Effect::Kind::kBeginDrawing:
+            drawing_.begin(moment.snapshot.wheel_direction);
+            break;
+        case Effect::Kind::kUndoStroke:
+            drawing_.undo();
+            break;
+        case Effect::Kind::kClearDrawing:
+            drawing_.clear();
+            break;
+        case Effect::Kind::kPutBrush:
+            input_.lead_by_keys();
+            drawing_.put_brush(effect.value != 0);
+            break;
+        case Effect::Kind::kEndDrawing:
+            fire_drawing();
             break;
         case Effect::Kind::kCutRim:
             wheel_.hand().cut_rim();
@@ -62,6 +83,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             break;
         case Effect::Kind::kForgetPot:
             pot_.reset();
+            drawing_.forget();
             phone_way_.reset();
             parts_.keeper.forget();
             if (parts_.phone != nullptr) parts_.phone->forget();
@@ -108,6 +130,14 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             desk_.test_sound();
             break;
     }
+}
+
+// What was drawn goes with the pot from here on.
+void VisitEffects::fire_drawing() {
+    if (!pot_) return;
+    screens::FiredPot drawn_on = *pot_;
+    drawn_on.shape.marks = drawing_.marks();
+    pot_ = std::make_shared<const screens::FiredPot>(std::move(drawn_on));
 }
 
 void VisitEffects::save() {
@@ -173,6 +203,7 @@ void VisitEffects::take_answers() {
             case KeeperAnswer::Kind::kCutOff:
                 pot_ = std::make_shared<const screens::FiredPot>(
                     fired_pot(*answer->clay, parts_.settings.targets, parts_.settings.relatives));
+                drawing_.take(answer->pot);
                 if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
                 break;
             case KeeperAnswer::Kind::kSessionWritten:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/app/kiosk/staff_desk.h"
+#include "game/app/kiosk/visit_drawing.h"
 #include "game/app/kiosk/visit_input.h"
 #include "game/app/kiosk/visit_parts.h"
 #include "game/app/kiosk/visit_wheel.h"
@@ -17,11 +18,12 @@ namespace onggi::app {
 class VisitEffects {
   public:
     // All outlive it.
-    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, StaffDesk& desk,
-                 VisitFlow& flow)
+    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, VisitDrawing& drawing,
+                 StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
+          drawing_(drawing),
           desk_(desk),
           flow_(flow) {}
 
@@ -45,6 +47,7 @@ class VisitEffects {
     [[nodiscard]] bool restarts() const { return restarts_; }
 
   private:
+    void fire_drawing();
     void save();
     void share();
     void take_phone_answers();
@@ -54,6 +57,7 @@ class VisitEffects {
     const VisitParts& parts_;
     VisitWheel& wheel_;
     VisitInput& input_;
+    VisitDrawing& drawing_;
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "game/app/kiosk/bench_tools.h"
+#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_pot.h"
 
 namespace onggi::app {
@@ -61,7 +63,46 @@ void VisitInput::help_along() {
     hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
 }
 
+bool VisitInput::take_drawing(const PointerNews& news) {
+    switch (news.kind) {
+        case PointerNews::Kind::kHandDown:
+            keys_lead_ = false;
+            flow_.dispatch({Event::Kind::kInput});
+            drawing_.press(news.at_px);
+            return true;
+        case PointerNews::Kind::kHandMoved:
+            flow_.dispatch({Event::Kind::kInput});
+            drawing_.drag(news.at_px);
+            return true;
+        case PointerNews::Kind::kHandUp:
+            drawing_.release();
+            return true;
+        case PointerNews::Kind::kHovered:
+            keys_lead_ = false;
+            drawing_.hover(news.at_px);
+            return true;
+        case PointerNews::Kind::kNudged:
+            pointer_.leave_ring();
+            flow_.dispatch(Event::pressed(news.button));
+            return true;
+        case PointerNews::Kind::kPutDown:
+            flow_.dispatch(Event::pressed(Button::kPutBrush));
+            return true;
+        default:
+            return false;
+    }
+}
+
+// What lies on the bench is taken by touching it.
+bool VisitInput::pick_up(vec2 px) {
+    if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
+    const auto held = bench_tool_at(bench_tools(parts_.view, flow_.state().throwing.looks_in), px);
+    if (held) flow_.dispatch(Event::pressed(Button::kTakeTool, static_cast<int>(*held)));
+    return held.has_value();
+}
+
 void VisitInput::take_news(const PointerNews& news, double now_s) {
+    if (drawing_is_open(flow_.state()) && take_drawing(news)) return;
     const bool scene_is_open =
         flow_.state().panel == Panel::kNone &&
         (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kChoose);
@@ -75,6 +116,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             flow_.dispatch(Event::pressed(news.button, news.value));
             break;
         case PointerNews::Kind::kHandDown:
+            if (pick_up(news.at_px)) break;
             if (clay_is_open(flow_.state())) {
                 keys_lead_ = false;
                 flow_.dispatch({Event::Kind::kClayTouched});
@@ -95,6 +137,8 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             hovered_s_ = now_s;
             keys_lead_ = false;
             if (const auto place = place_at(parts_.view, news.at_px)) hand_.hover(*place);
+            break;
+        case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
             if (!clay_is_open(flow_.state())) break;

@@ -8,6 +8,7 @@
 #include "game/app/devices/gamepad_hand.h"
 #include "game/app/kiosk/kiosk_hand.h"
 #include "game/app/kiosk/kiosk_pointer.h"
+#include "game/app/kiosk/visit_drawing.h"
 #include "game/app/kiosk/visit_parts.h"
 
 namespace onggi::app {
@@ -18,9 +19,10 @@ namespace onggi::app {
 class VisitInput {
   public:
     // All outlive it.
-    VisitInput(const VisitParts& parts, KioskHand& hand, VisitFlow& flow)
+    VisitInput(const VisitParts& parts, KioskHand& hand, VisitDrawing& drawing, VisitFlow& flow)
         : parts_(parts),
           hand_(hand),
+          drawing_(drawing),
           flow_(flow) {}
 
     // Once a frame.
@@ -32,17 +34,22 @@ class VisitInput {
     [[nodiscard]] const KioskPointer& pointer() const { return pointer_; }
     // No pointer has been moved since a key or a button of the pad was pressed.
     [[nodiscard]] bool keys_lead() const { return keys_lead_; }
+    void lead_by_keys() { keys_lead_ = true; }
     // A mouse with no button held wants something there: it has moved a moment ago.
     [[nodiscard]] bool hovers(double now_s) const;
 
   private:
     void take_news(const PointerNews& news, double now_s);
+    // On the pot that is being decorated; false: it is no such news.
+    bool take_drawing(const PointerNews& news);
+    bool pick_up(vec2 px);
     void take_devices();
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // draws a finger to the outline that is shown
 
     const VisitParts& parts_;
     KioskHand& hand_;
+    VisitDrawing& drawing_;
     VisitFlow& flow_;
     KioskPointer pointer_;
     GamepadHand gamepads_;

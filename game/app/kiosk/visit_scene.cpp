@@ -14,6 +14,7 @@ void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& s
                             const screens::View* shown, bool covered) {
     const bool will_cover = state.screen != kiosk::Screen::kAttract &&
                             state.screen != kiosk::Screen::kThrow &&
+                            state.screen != kiosk::Screen::kDecorate &&
                             state.screen != kiosk::Screen::kFailure && state.screen != kiosk::Screen::kResume;
     if (shown == nullptr || covered) parts_.view.jump();
     parts_.view.move_less(state.comfort.still);
@@ -95,6 +96,11 @@ std::optional<screens::Band> VisitScene::band_round(const pot::Pot& shape, doubl
 
 std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const VisitMoment& moment,
                                             const screens::Stage& stage) {
+    if (drawing_is_open(state)) {
+        if (!input_.keys_lead() && stage.target_at(input_.pointer().at_px()) >= 0) return std::nullopt;
+        screens::Cue dot{.ring = drawing_.ring(input_.keys_lead())};
+        return dot.ring.empty() ? std::nullopt : std::optional(dot);
+    }
     if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;
     if (const auto wire_mm = wheel_.hand().wire_mm()) {

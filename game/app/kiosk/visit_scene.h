@@ -25,10 +25,12 @@ struct SceneMarks {
 class VisitScene {
   public:
     // All outlive it.
-    VisitScene(const VisitParts& parts, const VisitWheel& wheel, const VisitInput& input)
+    VisitScene(const VisitParts& parts, const VisitWheel& wheel, const VisitInput& input,
+               const VisitDrawing& drawing)
         : parts_(parts),
           wheel_(wheel),
-          input_(input) {}
+          input_(input),
+          drawing_(drawing) {}
 
     // shown: the screen that was asked for last, null before the first. covered: nothing of the scene is seen
     // now.
@@ -58,6 +60,7 @@ class VisitScene {
     const VisitParts& parts_;
     const VisitWheel& wheel_;
     const VisitInput& input_;
+    const VisitDrawing& drawing_;
     KioskCamera camera_;
     CameraRequest aimed_;  // as the view was last told
     KioskCue cue_;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "game/app/kiosk/bench_tools.h"
+#include "game/app/kiosk/exhibits.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {
@@ -67,6 +69,8 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
     add_scene(view, state, moment.snapshot);
     add_wire(view, moment.snapshot, wire_mm);
+    if (state.screen == kiosk::Screen::kThrow && state.throwing.tray)
+        view.bench = bench_tools(parts_.view, state.throwing.looks_in);
     if (state.panel == kiosk::Panel::kStaff) {
         desk_.add_to(view, moment.snapshot);
     } else {

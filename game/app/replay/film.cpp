@@ -13,6 +13,8 @@
 #include "game/app/kiosk/snapshot_view.h"
 #include "game/app/replay/film_plan.h"
 #include "game/app/replay/replay.h"
+#include "game/app/replay/session_marks.h"
+#include "game/look/lathe_marks.h"
 #include "game/wheel/clay_look.h"
 #include "game/wheel/still_camera.h"
 
@@ -31,16 +33,6 @@ dvec2 turned(const dvec2& direction, double turns) {
     const double angle = 2.0 * std::numbers::pi * turns;
     const dvec2 by(std::cos(angle), std::sin(angle));
     return {direction.x * by.x - direction.y * by.y, direction.x * by.y + direction.y * by.x};
-}
-
-// As far as the lathe can wear it: one colour, and the glass over it.
-render::LatheMaterial lathe_material(const finish::GlazeMaterial& glaze, clay::ClayBody body) {
-    render::LatheMaterial material = wheel::clay_material(body, clay::Firing::kGlaze);
-    material.albedo = glaze.colour;
-    material.roughness = glaze.roughness;
-    material.coat = glaze.clear_coat;
-    material.coat_roughness = glaze.coat_roughness;
-    return material;
 }
 
 }  // namespace
@@ -62,6 +54,8 @@ struct FilmMaker::Parts {
     asset::Image picture;
     asset::Image still;
     const finish::GlazeMaterial* glaze = nullptr;  // null: the body's own
+    decoration::Recorded decoration;
+    std::optional<look::DressedMarks> dressed;  // as soon as it is shown
 
     [[nodiscard]] std::size_t pictures_of_the_making() const {
         const auto first =
@@ -73,16 +67,27 @@ struct FilmMaker::Parts {
         return static_cast<std::size_t>(kStillAt * static_cast<double>(pictures_of_the_making()));
     }
 
+    void dress(const pot::Pot& wet) {
+        const decoration::Marks marks{wall_of(wet), decoration};
+        dressed.emplace().dress(decoration::texture_of(marks), marks.wall,
+                                (glaze != nullptr ? *glaze : finish::wet_clay()).marks);
+    }
     Result<asset::Image> draw(const FilmPicture& shown) {
         haptic::Snapshot snapshot;
         haptic::fill_snapshot(snapshot, replay.state(), replay.last(), replay.parameters());
         pot::Pot pot = haptic::pot_of(replay.state());
-        if (shown.is_finished) pot = pot::fired(pot, desc.finished);
+        if (shown.is_finished) {
+            if (!dressed && !decoration.strokes.empty() && pot.ring_count() > 0) dress(pot);
+            pot = pot::fired(pot, desc.finished);
+        }
         snapshot.pot = &pot;
         wheel::WheelView view = wheel_view(snapshot);
         if (!shown.is_finished) return camera->take(view, wheel::StillView::kThrowing);
         std::optional<render::LatheMaterial> worn;
-        if (glaze != nullptr) view.material = &worn.emplace(lathe_material(*glaze, pot.body));
+        if (glaze != nullptr)
+            view.material = &worn.emplace(
+                look::glazed_lathe(wheel::clay_material(pot.body, clay::Firing::kGlaze), *glaze));
+        if (dressed) view.marks = &dressed->marks();
         view.wheel_direction = turned(view.wheel_direction, shown.turned);
         return camera->take(view, wheel::StillView::kPortrait);
     }
@@ -133,6 +138,10 @@ Result<bool> FilmMaker::work() {
 void FilmMaker::finish_in(const finish::GlazeMaterial& glaze) {
     parts_->desc.finished = clay::Firing::kGlaze;
     parts_->glaze = &glaze;
+}
+
+void FilmMaker::decorate(const decoration::Recorded& decoration) {
+    parts_->decoration = decoration;
 }
 
 bool FilmMaker::has_drawn_the_making() const {

@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/record/session.h"
 #include "game/clay/studio/pot.h"
+#include "game/decoration/stroke_bytes.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/start_state.h"
 
@@ -43,6 +44,8 @@ class FilmMaker {
     // From here on the finished pot is shown under that glaze, not under its body's own. Where it is drawn
     // already, nothing becomes of it.
     void finish_in(const finish::GlazeMaterial& glaze);
+    // Likewise with that drawn on it.
+    void decorate(const decoration::Recorded& decoration);
     // Whether the making is drawn, and the finished pot comes next.
     [[nodiscard]] bool has_drawn_the_making() const;
     [[nodiscard]] std::size_t picture_count() const;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/record/session.h"
+#include "game/decoration/stroke_bytes.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
@@ -16,6 +17,7 @@ struct Difference {
     std::uint64_t first_tick = 0;  // it differs at this tick at the earliest
     std::uint64_t last_tick = 0;   // and at this one at the latest; the same if it is known exactly
     std::string what;
+    bool after_all = false;  // every tick is as recorded; what was done to the pot later is not
 };
 [[nodiscard]] std::string sentence_for(const Difference& difference);
 
@@ -44,10 +46,10 @@ class Replay {
     std::size_t block_ = 0;
 };
 
-// The whole of it: the force of every tick is compared, and the state wherever its hash is stored. `reached`,
-// if any, is told of every tick.
+// The whole of it: the force of every tick is compared, the state wherever its hash is stored, and what the
+// strokes come to on the pot that is left. `reached`, if any, is told of every tick.
 [[nodiscard]] std::optional<Difference> find_difference(
-    const record::Session& session, haptic::Start start,
+    const record::Session& session, haptic::Start start, const decoration::Recorded& decoration = {},
     const std::function<void(std::uint64_t)>& reached = {});
 
 }  // namespace onggi::app

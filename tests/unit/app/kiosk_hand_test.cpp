@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "game/app/kiosk/kiosk_pot.h"
+#include "game/haptic/tools.h"
 #include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {
@@ -251,6 +252,50 @@ TEST(KioskPot, FindsTheThinnestPlaceOfAWall) {
     shape.inner_mm[70] = 57.5F;
     EXPECT_NEAR(thinnest_wall_mm(shape), 2.5, 1e-4);
     EXPECT_EQ(thinnest_wall_mm(pot(80, 60, 8, 80)), 0.0);
+}
+
+// Frames with that in the hand.
+haptics::ToolState holding(KioskHand& hand, kiosk::Held held, const pot::Pot& shape) {
+    return hand.request({.held = held}, shape, 1.0 / 60.0);
+}
+
+TEST_F(KioskHandTest, HoldsWhatItIsGivenAndPressesWithIt) {
+    EXPECT_EQ(holding(hand_, kiosk::Held::kRib, shape_).tool, haptic::kRib);
+    hand_.press({70.0, 50.0});
+    const auto tool = holding(hand_, kiosk::Held::kSponge, shape_);
+    EXPECT_EQ(tool.tool, haptic::kSponge);
+    EXPECT_TRUE(tool.guided && tool.pressing);
+    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).tool, haptics::ToolKind::kHand);
+}
+
+TEST_F(KioskHandTest, HoldsTheWireBelowTheRimAndMovesItWithoutATouch) {
+    EXPECT_FALSE(hand_.wire_mm());
+    EXPECT_EQ(holding(hand_, kiosk::Held::kWire, shape_).command, haptics::WorkCommand::kNone);
+    EXPECT_EQ(hand_.wire_mm(), 94.0);
+    hand_.key(HandKey::kDown, 1.0);
+    hand_.key(HandKey::kDown, 1.0);
+    hand_.button(HandKey::kUp, 1.0);
+    holding(hand_, kiosk::Held::kWire, shape_);
+    EXPECT_EQ(hand_.wire_mm(), 93.0);
+    hand_.press({65.0, 80.0});
+    EXPECT_FALSE(holding(hand_, kiosk::Held::kWire, shape_).pressing) << "nothing is cut by a finger";
+    EXPECT_EQ(hand_.wire_mm(), 80.0);
+    hand_.drag({65.0, 20.0});
+    holding(hand_, kiosk::Held::kWire, shape_);
+    EXPECT_EQ(hand_.wire_mm(), 50.0) << "never below half the height";
+}
+
+TEST_F(KioskHandTest, PullsTheWireThroughOnce) {
+    hand_.cut_rim();
+    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).command, haptics::WorkCommand::kNone)
+        << "nobody holds it";
+    holding(hand_, kiosk::Held::kWire, shape_);
+    hand_.cut_rim();
+    const auto tool = holding(hand_, kiosk::Held::kHand, shape_);
+    EXPECT_EQ(tool.command, haptic::kCutRim);
+    EXPECT_EQ(tool.command_height_mm, 94.0);
+    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).command, haptics::WorkCommand::kNone);
+    EXPECT_FALSE(hand_.wire_mm());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_settings.h"
 
 namespace onggi::app {
@@ -64,7 +65,7 @@ TEST(Relatives, HaveWordsInEveryLanguageAndSpeakForThemselvesWhereTheyHaveNone) 
     heritage::Target own = kiosk.targets.front();
     own.id = "own-pot";
     own.name = "A jar of this museum's";
-    const auto relatives = relatives_of({own});
+    const auto relatives = relatives_of({own}, {});
     EXPECT_EQ(kiosk.languages->front().shown(relatives.front().name_key), own.name);
 }
 

@@ -25,13 +25,14 @@ TEST(Config, TakesWhatIsWritten) {
         "[visit]\nidle_s = 60\n[languages]\norder = [\"en\", \"ko\"]\nfirst = \"ko\"\n[staff]\npin = "
         "\"0472\"\n"
         "locked = true\n[hours]\nopens = \"09:30\"\ncloses = \"18:00\"\n[gallery]\nfolder = \"/srv/pots\"\n"
-        "[screen]\nroom = \"/srv/room\"\n",
+        "[screen]\nroom = \"/srv/room\"\nbackend = \"cpu\"\n",
         "kiosk.toml");
     ASSERT_TRUE(config) << config.error().message;
     EXPECT_EQ(config->languages.order, (std::vector<std::string>{"en", "ko"}));
     EXPECT_EQ(config->hours.opens_min, 570);
     EXPECT_EQ(config->gallery.folder, "/srv/pots");
     EXPECT_EQ(config->screen.room, "/srv/room");
+    EXPECT_EQ(config->screen.backend, "cpu");
     const Rules rules = rules_of(*config);
     EXPECT_EQ(rules.idle_s, 60.0);
     EXPECT_EQ(rules.pin, 472);
@@ -123,6 +124,8 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
          "kiosk.toml, line 2: expected 200 to 5000 for distance_mm, found 60"},
         {"[screen]\ndiagonal_inch = \"24\"\n",
          "kiosk.toml, line 2: expected 7 to 120 for diagonal_inch, found '24'"},
+        {"[screen]\nbackend = \"vulkan\"\n",
+         "kiosk.toml, line 2: expected auto, gpu or cpu for backend, found 'vulkan'"},
         {"[screen]\nfull_screen = yes\n", "kiosk.toml, line 2: expected TOML, found "},
         {"[staff]\nlocked = tru\n", "kiosk.toml, line 2: expected TOML, found "},
         {"[sound]\nvolume = 6\n", "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 6"},

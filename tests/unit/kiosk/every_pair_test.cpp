@@ -19,15 +19,18 @@ namespace {
 
 // Sets of places that rules may name. "attract-left": an interrupted pot waits; "saving": not kept yet.
 const std::map<std::string, std::string> kSets{
-    {"visit", "choose throw failure firing glaze your-pot saving keep resume"},
-    {"left-alone", "choose throw failure glaze your-pot saving keep resume"},  // firing goes on by itself
-    {"any", "attract attract-left choose throw failure firing glaze your-pot saving keep resume fault"}};
+    {"visit", "choose throw failure firing decorate glaze your-pot saving keep resume"},
+    {"left-alone",
+     "choose throw failure decorate glaze your-pot saving keep resume"},  // firing goes on by itself
+    {"any",
+     "attract attract-left choose throw failure firing decorate glaze your-pot saving keep resume fault"}};
 // Over which of them each panel may lie.
 const std::map<std::string, std::string> kPanels{{"", "any"},
                                                  {"+language", "attract attract-left visit"},
                                                  {"+idle", "left-alone"},
                                                  {"+pin", "any"},
-                                                 {"+staff", "any"}};
+                                                 {"+staff", "any"},
+                                                 {"+card", "choose"}};
 
 struct Happening {
     std::string name;
@@ -51,13 +54,14 @@ std::vector<Happening> events() {
         return Happening{name, {Kind::kTick, Button::kNone, 0}, after_s, rules};
     };
     const std::string leaves =
-        "left-alone -> same+idle, firing -> glaze+idle, left-alone+language -> same+idle, "
-        "firing+language -> glaze+idle, attract+language -> attract, attract-left+language -> attract-left, "
-        "left-alone+idle -> attract, resume+idle -> attract-left";
+        "left-alone -> same+idle, firing -> decorate+idle, left-alone+language -> same+idle, "
+        "firing+language -> decorate+idle, attract+language -> attract, attract-left+language -> "
+        "attract-left, "
+        "left-alone+idle -> attract, resume+idle -> attract-left, choose+card -> same+idle";
     return {
         tick("a frame", 0.0, ""),
         tick("21 s", 21.0,
-             "firing -> glaze, firing+language -> glaze+language, left-alone+idle -> attract, "
+             "firing -> decorate, firing+language -> decorate+language, left-alone+idle -> attract, "
              "resume+idle -> attract-left"),
         tick("46 s", 46.0, leaves),
         tick("130 s", 130.0, leaves + ", " + kClosesStaff),
@@ -65,7 +69,8 @@ std::vector<Happening> events() {
                 "attract -> choose, attract-left -> resume, left-alone+idle -> same"),
         at_once("clay touched", Kind::kClayTouched, 0,
                 "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
-                "throw+idle -> same, failure+idle -> same, glaze+idle -> same, your-pot+idle -> same, "
+                "throw+idle -> same, failure+idle -> same, decorate+idle -> same, glaze+idle -> same, "
+                "your-pot+idle -> same, "
                 "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
         at_once("held", Kind::kHeld, 1, ""),
         at_once("show over", Kind::kShowOver, 0, ""),
@@ -75,6 +80,7 @@ std::vector<Happening> events() {
         at_once("collapsed", Kind::kCollapsed, 1,
                 "throw -> failure, throw+language -> failure, throw+idle -> failure+idle, "
                 "throw+pin -> failure+pin, throw+staff -> failure+staff"),
+        at_once("drawn", Kind::kDrawn, 3, ""),
         at_once("saved", Kind::kSaved, 5,
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
                 "saving+pin -> keep+pin, saving+staff -> keep+staff"),
@@ -91,7 +97,7 @@ std::vector<Happening> events() {
         at_once("fault", Kind::kFault, 0,
                 "any -> fault, attract+language -> fault, attract-left+language -> fault, "
                 "visit+language -> fault, left-alone+idle -> fault, any+pin -> fault+pin, "
-                "any+staff -> fault+staff"),
+                "any+staff -> fault+staff, choose+card -> fault"),
         at_once("fault over", Kind::kFaultOver, 0,
                 "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
         at_once("left over", Kind::kInterruptedSession, 0,
@@ -99,7 +105,7 @@ std::vector<Happening> events() {
                 "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
         at_once("corner held", Kind::kCornerHeld, 0,
                 "any -> same+pin, attract+language -> same+pin, attract-left+language -> same+pin, "
-                "visit+language -> same+pin, left-alone+idle -> same+pin"),
+                "visit+language -> same+pin, left-alone+idle -> same+pin, choose+card -> same+pin"),
         at_once("close asked", Kind::kCloseAsked, 0, ""),
     };
 }
@@ -121,6 +127,9 @@ std::vector<Happening> buttons() {
         {Button::kTarget, any + ", choose -> throw"},
         {Button::kShelfBefore, any},
         {Button::kShelfNext, any},
+        {Button::kCard, any + ", choose -> same+card"},
+        {Button::kCardClose, any + ", choose+card -> same"},
+        {Button::kCardThrow, any + ", choose+card -> throw"},
         {Button::kNewClay, any + ", failure -> throw"},
         {Button::kUndo, any},
         {Button::kTools, any},
@@ -132,7 +141,7 @@ std::vector<Happening> buttons() {
         {Button::kWaterMore, any},
         {Button::kSpeedLess, any},
         {Button::kSpeedMore, any},
-        {Button::kDone, any + ", throw -> firing"},
+        {Button::kDone, any + ", throw -> firing, decorate -> firing"},
         {Button::kHandUp, any},
         {Button::kHandDown, any},
         {Button::kHandLeft, any},
@@ -142,7 +151,14 @@ std::vector<Happening> buttons() {
         {Button::kMyTurn, any},
         {Button::kBeforeCollapse, any + ", failure -> throw"},
         {Button::kKeepSlump, any + ", failure -> firing"},
-        {Button::kSkip, any + ", firing -> glaze"},
+        {Button::kSkip, any + ", firing -> decorate"},
+        {Button::kDrawingTool, any},
+        {Button::kMotif, any},
+        {Button::kAllRound, any},
+        {Button::kSlip, any},
+        {Button::kTurning, any},
+        {Button::kPutBrush, any},
+        {Button::kClear, any},
         {Button::kGlaze, any},
         {Button::kTakeGlaze, any + ", glaze -> your-pot"},
         {Button::kOtherGlaze, any + ", your-pot -> glaze"},
@@ -224,7 +240,8 @@ Visitor at_screen(const std::string& name) {
     if (name == "throw") return visitor.starts_to_throw();
     if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
     if (name == "firing") return visitor.fires();
-    if (name == "glaze") return visitor.fires().presses(Button::kSkip);
+    if (name == "decorate") return visitor.decorates();
+    if (name == "glaze") return visitor.chooses_a_glaze();
     if (name == "your-pot") return visitor.sees_the_pot();
     if (name == "saving") return visitor.keeps();
     if (name == "keep") return visitor.keeps().does(Event::Kind::kSaved, 1);
@@ -242,6 +259,7 @@ Visitor at_place(const std::string& name) {
         visitor.now_s += 46.0;
         visitor.does(Event::Kind::kTick);
     }
+    if (panel == "+card") visitor.presses(Button::kCard, 1);
     if (panel == "+pin" || panel == "+staff") visitor.does(Event::Kind::kCornerHeld);
     if (panel == "+staff") {
         for (const int digit : {1, 2, 3, 4})

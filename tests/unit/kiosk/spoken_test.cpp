@@ -30,6 +30,10 @@ TEST(Spoken, SaysWhereAVisitorIs) {
     visitor.does(Event::Kind::kInput).presses(Button::kDone);
     EXPECT_EQ(spoken_key(visitor.state), "fin.cut");
     visitor.presses(Button::kSkip);
+    EXPECT_EQ(spoken_key(visitor.state), "dec.title");
+    visitor.presses(Button::kDrawingTool, 2);
+    EXPECT_EQ(spoken_key(visitor.state), "dec.cobalt.h");
+    visitor.presses(Button::kDone).presses(Button::kSkip);
     EXPECT_EQ(spoken_key(visitor.state), "glz.title");
     visitor.presses(Button::kTakeGlaze);
     EXPECT_EQ(spoken_key(visitor.state), "your.title");
@@ -49,6 +53,7 @@ TEST(Spoken, HasWordsInEveryLanguageForAllItSays) {
             for (int part = 0; part < 4; ++part) {
                 state.throwing.steps_done = std::min(part, kTeachingSteps);
                 state.throwing.warning = static_cast<Warning>(part);
+                state.decorating.tool = part;
                 state.firing = static_cast<FiringStage>(std::min(part, 2));
                 state.keeping.outcome = static_cast<Keeping::Outcome>(std::min(part, 2));
                 for (const bool lost : {false, true}) {

@@ -28,8 +28,14 @@ TEST(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     visitor.waits(1.3);
     EXPECT_EQ(visitor.state.firing, FiringStage::kDry);
     visitor.waits(1.5);
+    EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kBeginDrawing));
+    visitor.waits(20.0);
+    EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "nobody is hurried";
+    visitor.presses(Button::kDone);
     EXPECT_EQ(visitor.state.firing, FiringStage::kFire);
-    visitor.waits(2.4);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kEndDrawing));
+    visitor.waits(2.5);
     EXPECT_EQ(visitor.state.screen, Screen::kGlaze);
     visitor.presses(Button::kGlaze, 4).presses(Button::kTakeGlaze);
     EXPECT_EQ(visitor.state.screen, Screen::kYourPot);
@@ -43,6 +49,62 @@ TEST(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_EQ(visitor.count(Effect::Kind::kVisitEnded), 1);
     EXPECT_EQ(visitor.count(Effect::Kind::kForgetPot), 2);  // before the clay, and after the visitor
+}
+
+TEST(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
+    Visitor visitor;
+    visitor.decorates();
+    const Decorating& decorating = visitor.state.decorating;
+    EXPECT_TRUE(decorating.turns);
+    visitor.presses(Button::kDrawingTool, 3).presses(Button::kSlip, 1).presses(Button::kToolMore);
+    EXPECT_EQ(decorating.tool, kInlayTool);
+    EXPECT_TRUE(decorating.black);
+    EXPECT_EQ(decorating.brush, 3);
+    visitor.presses(Button::kToolMore).presses(Button::kTurning);
+    EXPECT_EQ(decorating.brush, kMostBrush);
+    EXPECT_FALSE(decorating.turns);
+    visitor.presses(Button::kDrawingTool, kDrawingTools).presses(Button::kMotif, -1);
+    EXPECT_EQ(decorating.tool, kInlayTool) << "there is no such tool";
+    visitor.presses(Button::kDrawingTool, kMotifTool).presses(Button::kMotif, 4).presses(Button::kAllRound);
+    EXPECT_EQ(decorating.motif, 4);
+    EXPECT_TRUE(decorating.all_round);
+    visitor.presses(Button::kBack);
+    EXPECT_EQ(decorating.tool, 0);
+    EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
+}
+
+TEST(Kiosk, ClearsADrawingOnlyWhereThereIsOne) {
+    Visitor visitor;
+    visitor.decorates().presses(Button::kClear);
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kClearDrawing));
+    visitor.does(Event::Kind::kDrawn, 1).presses(Button::kClear);
+    EXPECT_TRUE(visitor.caused(Effect::Kind::kClearDrawing));
+    EXPECT_TRUE(visitor.state.decorating.touched);
+}
+
+TEST(Kiosk, AKeysBrushStaysDownUntilItIsLiftedOrSomethingElseIsDone) {
+    Visitor visitor;
+    visitor.decorates().presses(Button::kPutBrush);
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kPutBrush, 1}}));
+    visitor.presses(Button::kHandLeft);
+    EXPECT_TRUE(visitor.state.decorating.brush_down);
+    visitor.presses(Button::kPutBrush);
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kPutBrush, 0}}));
+    visitor.presses(Button::kPutBrush).presses(Button::kDrawingTool, kMotifTool);
+    EXPECT_FALSE(visitor.state.decorating.brush_down);
+    visitor.presses(Button::kPutBrush);
+    EXPECT_FALSE(visitor.state.decorating.brush_down) << "a motif is there at once";
+}
+
+TEST(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
+    Visitor visitor;
+    visitor.starts_to_throw()
+        .presses(Button::kLanguages)
+        .presses(Button::kStill)
+        .presses(Button::kComfortDone);
+    visitor.presses(Button::kDone).presses(Button::kSkip);
+    EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
+    EXPECT_FALSE(visitor.state.decorating.turns);
 }
 
 TEST(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
@@ -145,16 +207,34 @@ TEST(Kiosk, LooksIntoThePotAndOutAgain) {
     EXPECT_FALSE(visitor.state.throwing.looks_in) << "new clay has nothing to look into";
 }
 
-TEST(Kiosk, WalksAlongTheShelfWhereOnlyThreePotsFit) {
+TEST(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
     Visitor visitor;
-    visitor.does(Event::Kind::kInput).presses(Button::kShelfBefore);
+    visitor.does(Event::Kind::kInput).presses(Button::kShelfBefore, -4);
     EXPECT_EQ(visitor.state.shelf_first, 0);
-    visitor.presses(Button::kShelfNext);
+    visitor.presses(Button::kShelfNext, 2);
     EXPECT_EQ(visitor.state.shelf_first, 2);
-    visitor.presses(Button::kShelfNext);
-    EXPECT_EQ(visitor.state.shelf_first, 2) << "the last three of five";
+    visitor.presses(Button::kShelfNext, 400);
+    EXPECT_EQ(visitor.state.shelf_first, visitor.rules.target_count);
     visitor.presses(Button::kTarget, 3).presses(Button::kBack);
     EXPECT_EQ(visitor.state.shelf_first, 0);
+}
+
+TEST(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
+    Visitor visitor;
+    visitor.does(Event::Kind::kInput).presses(Button::kCard, 2);
+    EXPECT_EQ(visitor.state.panel, Panel::kCard);
+    EXPECT_EQ(visitor.state.card, 2);
+    visitor.presses(Button::kCardClose);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+    EXPECT_EQ(visitor.state.screen, Screen::kChoose);
+    visitor.presses(Button::kCard, 99).presses(Button::kCard, -1);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "there is no such pot";
+    visitor.presses(Button::kCard, 2).presses(Button::kCardThrow);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(visitor.state.throwing.target, 2);
+    Visitor reader;
+    reader.does(Event::Kind::kInput).presses(Button::kCard, 2).waits(300.0);
+    EXPECT_EQ(reader.state.screen, Screen::kAttract) << "nobody reads any more";
 }
 
 TEST(Kiosk, NeverTeachesBackwards) {
@@ -235,7 +315,7 @@ TEST(Kiosk, GoesOnThrowingWhileTheForceRests) {
     visitor.starts_to_throw().does(Event::Kind::kClayTouched).does(Event::Kind::kForceRests);
     EXPECT_TRUE(visitor.state.force_rests);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
-    visitor.presses(Button::kDone).presses(Button::kSkip);
+    visitor.presses(Button::kDone).presses(Button::kSkip).presses(Button::kDone).presses(Button::kSkip);
     EXPECT_EQ(visitor.state.screen, Screen::kGlaze);
     visitor.waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);

@@ -38,7 +38,9 @@ class Visitor {
     // The short ways to the screens.
     Visitor& starts_to_throw() { return does(Event::Kind::kInput).presses(Button::kFree); }
     Visitor& fires() { return starts_to_throw().does(Event::Kind::kClayTouched).presses(Button::kDone); }
-    Visitor& sees_the_pot() { return fires().presses(Button::kSkip).presses(Button::kTakeGlaze); }
+    Visitor& decorates() { return fires().presses(Button::kSkip); }
+    Visitor& chooses_a_glaze() { return decorates().presses(Button::kDone).presses(Button::kSkip); }
+    Visitor& sees_the_pot() { return chooses_a_glaze().presses(Button::kTakeGlaze); }
     Visitor& keeps() { return sees_the_pot().presses(Button::kKeep); }
 
     Rules rules;

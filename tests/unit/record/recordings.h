@@ -104,10 +104,13 @@ inline std::string studio_session_bytes(std::uint64_t ticks) {
     return test::content_of(folder / "s.onggi");
 }
 
+constexpr const char* kSupplement = "what was done to it later";
+
 // The bytes of a session of so many ticks.
-inline std::string session_bytes(std::uint64_t ticks) {
+inline std::string session_bytes(std::uint64_t ticks, std::string_view supplement = {}) {
     const test::TemporaryFolder folder;
-    auto writer = SessionWriter::create(folder / "s.onggi", test_header(), bytes_of(kStartState));
+    auto writer = SessionWriter::create(folder / "s.onggi", test_header(), bytes_of(kStartState),
+                                        files::Beside::kNameless, bytes_of(supplement));
     EXPECT_TRUE(writer) << writer.error().message;
     EXPECT_TRUE(record_ticks(*writer, ticks));
     EXPECT_TRUE(writer->prepare(hash_after(ticks - 1)));

@@ -44,7 +44,7 @@ TEST(RejectsSession, OfAnotherKind) {
 }
 
 TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
-    const std::string expected = "s.onggi: byte 8: expected a session of version 2.0, found 1.";
+    const std::string expected = "s.onggi: byte 8: expected a session of version 2.1, found 1.";
     const std::string reason = ", recorded before hands could let go: record it anew";
     std::string bytes = with_header_field<std::uint16_t>(8, 1);
     EXPECT_EQ(refusal(bytes), expected + "0" + reason);
@@ -55,8 +55,8 @@ TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
 
 TEST(RejectsSession, OfANewerOrUnknownVersion) {
     EXPECT_EQ(refusal(with_header_field<std::uint16_t>(8, 3)),
-              "s.onggi: byte 8: expected a session of version 2.0, found 3.0, written by a newer program");
-    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 1)).find("found 2.1, written by a newer program"),
+              "s.onggi: byte 8: expected a session of version 2.1, found 3.0, written by a newer program");
+    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 2)).find("found 2.2, written by a newer program"),
               std::string::npos);
     EXPECT_NE(refusal(with_header_field<std::uint16_t>(8, 0)).find("byte 8: expected a session of version"),
               std::string::npos);
@@ -64,6 +64,34 @@ TEST(RejectsSession, OfANewerOrUnknownVersion) {
     std::string bytes = session_bytes(10);
     test::put_at<std::uint16_t>(bytes, 8, 7);
     EXPECT_NE(refusal(bytes).find("newer program"), std::string::npos);
+}
+
+TEST(RejectsSession, WithASupplementThatIsNone) {
+    const std::string good = session_bytes(1500, kSupplement);
+    const std::size_t at = session_bytes(1500).size() - 40;  // where the end would be
+    const auto with = [&](std::size_t field, std::uint32_t number) {
+        std::string bytes = good;
+        test::put_at(bytes, at + field, number);
+        test::mend_session_block(bytes, at);
+        return refusal(bytes);
+    };
+    const std::string place = "s.onggi: byte " + std::to_string(at + 4);
+    EXPECT_EQ(with(4, 0), place + ": expected 1 to 1048576 bytes of supplement, found 0");
+    EXPECT_EQ(with(4, 1U << 30U), place + ": expected 1 to 1048576 bytes of supplement, found 1073741824");
+    EXPECT_NE(with(8, 7).find("as the number of ticks"), std::string::npos);
+    EXPECT_NE(with(16, 1).find("in a supplement's field"), std::string::npos);
+    EXPECT_NE(with(24, 1).find("as the supplement's hash"), std::string::npos);
+    std::string bytes = good;
+    bytes[at + 41] = static_cast<char>(bytes[at + 41] + 1);
+    EXPECT_NE(refusal(bytes).find("of the supplement, found"), std::string::npos);
+    // A second one, and one in a session of the version before.
+    bytes = good;
+    bytes.insert(at, good.substr(at, 40 + std::string_view(kSupplement).size()));
+    EXPECT_NE(refusal(bytes).find("expected a block of ticks or the end, found 53444441"), std::string::npos);
+    bytes = good;
+    test::put_at<std::uint16_t>(bytes, 10, 0);
+    test::mend_session_header(bytes);
+    EXPECT_NE(refusal(bytes).find("expected a block of ticks or the end, found 53444441"), std::string::npos);
 }
 
 TEST(RejectsSession, WithAbsurdNumbersInItsHeader) {

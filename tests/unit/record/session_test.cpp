@@ -70,6 +70,30 @@ TEST(Session, CanBeEmpty) {
     EXPECT_EQ(SessionCursor(session).at(3), haptics::ToolState{});
 }
 
+TEST(Session, GivesBackItsSupplementAndPlaysAllTheSame) {
+    const Session session = session_of(session_bytes(1500, kSupplement));
+    const auto found = session.supplement();
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(found.data()), found.size()), kSupplement);
+    EXPECT_TRUE(session.is_complete());
+    EXPECT_EQ(session.tick_count(), 1500U);
+    EXPECT_TRUE(session_of(session_bytes(1500)).supplement().empty());
+}
+
+TEST(Session, IsOfTheVersionBeforeWhereItHasNoSupplement) {
+    EXPECT_EQ(session_bytes(10)[10], 0);
+    EXPECT_EQ(session_bytes(10, kSupplement)[10], 1);
+}
+
+TEST(Session, PlaysAllItsTicksWhereItIsCutWithinItsSupplement) {
+    const std::string whole = session_bytes(1500, kSupplement);
+    for (std::size_t missing = 1; missing <= 80 + std::string_view(kSupplement).size(); ++missing) {
+        const Session session = session_of(whole.substr(0, whole.size() - missing));
+        ASSERT_FALSE(session.is_complete());
+        ASSERT_EQ(session.tick_count(), 1500U);
+        ASSERT_EQ(session.supplement().empty(), missing > 40);
+    }
+}
+
 TEST(Session, IsTheSameFileEveryTime) {
     EXPECT_EQ(session_bytes(3456), session_bytes(3456));
 }

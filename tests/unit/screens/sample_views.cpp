@@ -58,47 +58,6 @@ void add_scene(View& view) {
     view.warning_at_px = foot + u * vec2(130.0F, -200.0F);
 }
 
-}  // namespace
-
-std::shared_ptr<const std::vector<Exhibit>> sample_exhibits() {
-    static const auto all = std::make_shared<const std::vector<Exhibit>>(std::vector<Exhibit>{
-        {"pot.ido", "mus.daitoku", "date.joseon16", 91.0, 154.0, "", finish::kIdoGlaze,
-         pot::hollowed({{26, 0}, {28, 12}, {30, 16}, {48, 30}, {63, 52}, {72, 74}, {77, 91}}, 5.0F, 20.0F)},
-        {"pot.buncheong", "mus.brooklyn", "date.joseon15", 50.0, 196.0, "", 2,
-         pot::hollowed({{29, 0}, {30, 7}, {48, 14}, {72, 26}, {90, 40}, {98, 50}}, 5.0F, 12.0F)},
-        {"pot.maebyeong", "mus.nmk", "date.goryeo12", 303.0, 0.0, "1/2", 0,
-         pot::hollowed({{52, 0},
-                        {50, 30},
-                        {52, 80},
-                        {64, 150},
-                        {84, 215},
-                        {90, 240},
-                        {84, 264},
-                        {60, 284},
-                        {28, 292},
-                        {20, 296},
-                        {25, 303}},
-                       5.0F, 8.0F)},
-        {"pot.moon", "mus.nmk", "date.joseon18", 305.0, 302.0, "1/3", 1,
-         pot::hollowed({{60, 0},
-                        {62, 10},
-                        {103, 44},
-                        {136, 90},
-                        {150, 135},
-                        {151, 158},
-                        {147, 188},
-                        {130, 228},
-                        {103, 262},
-                        {81, 283},
-                        {72, 290},
-                        {69, 296},
-                        {71, 305}},
-                       6.0F, 10.0F)}});
-    return all;
-}
-
-namespace {
-
 void add_staff_views(const View& base, std::vector<SampleView>& all) {
     using kiosk::StaffPage;
     const auto add = [&](const std::string& name, StaffPage page, const auto& change) {
@@ -215,6 +174,10 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
     add("attract", Screen::kAttract, nothing);
     add("attract-heritage", Screen::kAttract, [](View& view) { view.attract_exhibit = 3; });
     add("choose", Screen::kChoose, nothing);
+    add("card", Screen::kChoose, [](View& view) {
+        view.state.panel = kiosk::Panel::kCard;
+        view.state.card = 2;
+    });
     add("choose-next", Screen::kChoose, [](View& view) { view.state.shelf_first = 2; });
     for (int step = 0; step < 4; ++step) {
         add("throw-" + std::to_string(step), Screen::kThrow, [&](View& view) {
@@ -312,6 +275,21 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
     add("firing-heard", Screen::kFiring, [](View& view) {
         view.state.firing = kiosk::FiringStage::kFire;
         view.heard = "cap.kiln";
+    });
+    for (int tool = 0; tool < kiosk::kDrawingTools; ++tool) {
+        add("decorate-" + std::to_string(tool), Screen::kDecorate, [&](View& view) {
+            view.state.decorating.tool = tool;
+            view.state.decorating.strokes = tool % 2;
+            view.state.decorating.turns = tool < 3;
+        });
+    }
+    add("decorate-scan", Screen::kDecorate, [](View& view) {
+        view.scans = true;
+        view.focus = 0;
+    });
+    add("decorate-drawn", Screen::kDecorate, [](View& view) {
+        view.state.decorating.touched = true;
+        view.state.decorating.strokes = 7;
     });
     for (int glaze = 0; glaze < 6; ++glaze) {
         add("glaze-" + std::to_string(glaze), Screen::kGlaze, [&](View& view) { view.state.glaze = glaze; });

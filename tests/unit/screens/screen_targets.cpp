@@ -61,6 +61,18 @@ const char* word_of(onggi::kiosk::Button button) {
             return "speed-more";
         case Button::kDone:
             return "done";
+        case Button::kDrawingTool:
+            return "drawing-tool";
+        case Button::kMotif:
+            return "motif";
+        case Button::kAllRound:
+            return "all-round";
+        case Button::kTurning:
+            return "turning";
+        case Button::kPutBrush:
+            return "put-brush";
+        case Button::kClear:
+            return "clear";
         case Button::kSkip:
             return "skip";
         case Button::kGlaze:

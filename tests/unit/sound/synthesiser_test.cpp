@@ -146,6 +146,21 @@ TEST(Synthesiser, SlapsOncePerLump) {
     EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.5))), -100.0) << "it is over";
 }
 
+TEST(Synthesiser, PlucksATautStringOnceHoweverLongItIsHeld) {
+    Synthesiser synthesiser;
+    SoundScene scene{.volume = 1.0};
+    EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.2))), -100.0);
+    scene.is_plucked = true;
+    const auto pluck = left_of(played(synthesiser, scene, 0.4));
+    EXPECT_GT(level_db(pluck), -40.0);
+    EXPECT_GT(brightness_hz(pluck), 300.0);
+    EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.5))), -100.0) << "still held, and over";
+    scene.is_plucked = false;
+    EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.2))), -100.0);
+    scene.is_plucked = true;
+    EXPECT_GT(level_db(left_of(played(synthesiser, scene, 0.4))), -40.0) << "the next one";
+}
+
 // A click is a step between samples far beyond those of the sound around it.
 TEST(Synthesiser, NeverClicksHoweverTheSceneJumps) {
     Synthesiser synthesiser;
@@ -160,6 +175,7 @@ TEST(Synthesiser, NeverClicksHoweverTheSceneJumps) {
     for (int change = 0; change < 60; ++change) {
         scene = change % 3 == 0 ? SoundScene{.slaps = scene.slaps} : change % 3 == 1 ? kTurning : hard;
         scene.slaps = static_cast<std::uint32_t>(change);
+        scene.is_plucked = change % 2 == 0;
         scene.volume = change % 5 == 0 ? 0.0 : 1.0;
         for (const double sample : left_of(played(synthesiser, scene, 0.02 + 0.003 * change)))
             all.push_back(sample);

@@ -56,6 +56,26 @@ TEST(DeviceChoice, SaysHowToMendThatThereIsNone) {
     EXPECT_NE(old.error().message.find("Vulkan 1.3"), std::string::npos);
 }
 
+TEST(DeviceChoice, TakesTheProcessorFirstWhereItIsAskedTo) {
+    EXPECT_EQ(*choose(machine(), "", {.cpu_first = true}), 0U);
+    EXPECT_EQ(*choose(machine(), "intel", {.cpu_first = true}), 1U) << "whoever names one gets it";
+    auto devices = machine();
+    devices.erase(devices.begin());
+    EXPECT_EQ(*choose(devices, "", {.cpu_first = true}), 1U) << "there is none: the best of the others";
+}
+
+TEST(DeviceChoice, AvoidsWhatHasFailedWhateverTheRequestWhileThereIsAnother) {
+    EXPECT_EQ(*choose(machine(), "", {.avoided = {2}}), 1U);
+    EXPECT_EQ(*choose(machine(), "nvidia", {.avoided = {2}}), 1U);
+    EXPECT_EQ(*choose(machine(), "2", {.avoided = {2, 1}}), 0U);
+    EXPECT_EQ(*choose(machine(), "", {.avoided = {0, 1, 2}}), 2U) << "all have failed: the best again";
+    EXPECT_EQ(*choose(machine(), "intel", {.avoids_gpus = true}), 0U);
+    auto devices = machine();
+    devices.erase(devices.begin());
+    EXPECT_EQ(*choose(devices, "", {.avoids_gpus = true}), 1U) << "there is nothing but GPUs";
+    EXPECT_FALSE(choose(machine(), "matrox", {.avoids_gpus = true})) << "a request for none stays an error";
+}
+
 TEST(DeviceDescriptions, SayWhatThisMachineHasAndWhichIsChosen) {
     const auto devices = describe_devices("");
     ASSERT_TRUE(devices) << devices.error().message;

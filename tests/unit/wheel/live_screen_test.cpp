@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/wheel/live_view.h"
+#include "tests/support/two_drivers.h"
 
 namespace onggi::wheel {
 namespace {
@@ -103,6 +104,83 @@ TEST_F(ABrokenScreen, GivesUpOnADeviceThatIsLostAgainAndAgain) {
     ASSERT_FALSE(last);
     EXPECT_EQ(last.error().kind, ErrorKind::kSystemLacks);
     EXPECT_NE(last.error().message.find("VK_ERROR_DEVICE_LOST"), std::string::npos) << last.error().message;
+}
+
+TEST(AScreenOnTheLowestStep, GoesOnWhereThereIsNoMemoryForAWhile) {
+    auto view =
+        LiveView::open({.width = 160, .height = 120, .headless = true, .validation = true, .plain = true});
+    ASSERT_TRUE(view) << view.error().message;
+    EXPECT_EQ((*view)->quality(), "one slow software core");
+    (*view)->device_health().inject({.call = "vkAllocateMemory", .result = VK_ERROR_OUT_OF_DEVICE_MEMORY});
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
+    const ui::DrawList nothing;
+    const render::Overlay overlay{.list = &nothing, .atlas_side_px = 64};  // which has to be allocated
+    const auto drawn = (*view)->draw({.pot = &pot}, 1.0 / 60.0, &overlay);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_TRUE(*drawn);
+    EXPECT_EQ((*view)->mended(), 1);
+    EXPECT_EQ((*view)->quality(), "one slow software core");
+}
+
+// Software that stands for a GPU is a slow one.
+TEST(ASlowGpu, SettlesInViewByOneChangeAndBeginsThereTheNextTime) {
+    const LiveViewOptions options{
+        .width = 640, .height = 480, .headless = true, .backend = render::BackendChoice::kGpu};
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
+    std::string note;
+    {
+        auto view = LiveView::open(options);
+        ASSERT_TRUE(view) << view.error().message;
+        EXPECT_EQ((*view)->quality(), "integrated GPU");
+        static_cast<void>((*view)->take_remarks());
+        const auto draw = [&](int frames) {
+            for (int frame = 0; frame < frames; ++frame) {
+                const auto drawn = (*view)->draw({.pot = &pot});
+                ASSERT_TRUE(drawn) << drawn.error().message;
+            }
+        };
+        draw(240);
+        const std::vector<std::string> remarks = (*view)->take_remarks();
+        ASSERT_EQ(remarks.size(), 1U) << "it is slow, and changes once";
+        EXPECT_NE(remarks[0].find("quality is now that of"), std::string::npos) << remarks[0];
+        note = (*view)->quality_note();
+        EXPECT_NE(note.find("GPU\t"), std::string::npos) << note;
+    }
+    LiveViewOptions next = options;
+    next.quality_note = note;
+    auto view = LiveView::open(next);
+    ASSERT_TRUE(view) << view.error().message;
+    EXPECT_EQ((*view)->quality_note(), note);
+    next.quality_note = "discrete GPU\tanother device";
+    view = LiveView::open(next);
+    ASSERT_TRUE(view) << view.error().message;
+    EXPECT_EQ((*view)->quality(), "integrated GPU");
+}
+
+TEST(TwoDevices, TakeEachOthersPlaceWhereOneIsLostAgainAndAgain) {
+    const test::TwoDrivers drivers;
+    for (const char* name : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
+        ASSERT_EQ(setenv(name, drivers.manifests().c_str(), 1), 0);
+    auto view = LiveView::open({.width = 160, .height = 120, .headless = true});
+    ASSERT_TRUE(view) << view.error().message;
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
+    const auto lose = [&] {
+        (*view)->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_DEVICE_LOST});
+        const auto drawn = (*view)->draw({.pot = &pot});
+        ASSERT_TRUE(drawn) << drawn.error().message;
+    };
+    EXPECT_EQ((*view)->device_index(), 0);
+    lose();
+    EXPECT_EQ((*view)->device_index(), 0) << "once may be chance";
+    lose();
+    EXPECT_EQ((*view)->device_index(), 1);
+    // The other is as patient with itself; where both have failed, the better one draws.
+    lose();
+    EXPECT_EQ((*view)->device_index(), 1);
+    EXPECT_EQ((*view)->mended(), 3);
+    view->reset();
+    for (const char* name : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
+        unsetenv(name);
 }
 
 TEST_F(ABrokenScreen, LeavesOtherErrorsAsTheyAre) {

@@ -1,0 +1,33 @@
+// The museum's pots as the screens know them: on the shelf, beside a visitor's pot, and on their cards. Any
+// thread but the haptic one.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "game/heritage/card.h"
+#include "game/heritage/target.h"
+#include "game/kiosk/strings.h"
+#include "game/screens/view.h"
+
+namespace onggi::app {
+
+// What is told of them: cards by their ids, for these languages.
+struct ExhibitWords {
+    std::map<std::string, heritage::Card, std::less<>> cards;
+    std::vector<kiosk::Language> languages;
+};
+
+// The pots of the shelf: those for which the design has words, and behind them a house's own, which stand for
+// themselves. `places` gets where each stands in the tables.
+[[nodiscard]] std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
+                                                        const ExhibitWords& words,
+                                                        std::vector<std::size_t>& places);
+// All of them, in the tables' order; those that the program has no words for speak for themselves.
+[[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets,
+                                                         const ExhibitWords& words);
+// Its outline at the size at which it is thrown, wet: radius and height from below.
+[[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
+
+}  // namespace onggi::app

@@ -1,0 +1,254 @@
+// Decorating: the pot, dry, on the slowly turning or resting wheel; what to draw with stands on the ledge.
+// What is drawn, the renderer draws; a card says of each way what it is.
+#include <algorithm>
+#include <array>
+
+#include "game/screens/screens.h"
+
+namespace onggi::screens {
+namespace {
+
+using kiosk::Button;
+using ui::Rect;
+
+struct DrawingChoice {
+    Icon icon;
+    const char* key;
+};
+// Its card: what it is called, and a sentence.
+struct WayWords {
+    const char* title;
+    const char* line;
+};
+constexpr std::array<WayWords, kiosk::kDrawingTools> kWayWords{{{"dec.finger.t", "dec.finger.h"},
+                                                                {"dec.iron.t", "dec.iron.h"},
+                                                                {"dec.cobalt.t", "dec.cobalt.h"},
+                                                                {"dec.inlay.t", "dec.inlay.h"},
+                                                                {"dec.white.t", "dec.white.h"},
+                                                                {nullptr, "dec.motif.how"}}};
+constexpr std::array<DrawingChoice, kiosk::kDrawingTools> kToolChoices{{{Icon::kFingerWaves, "dec.finger"},
+                                                                        {Icon::kIronBrush, "dec.iron"},
+                                                                        {Icon::kBlueBrush, "dec.cobalt"},
+                                                                        {Icon::kInlay, "dec.inlay"},
+                                                                        {Icon::kWhiteBrush, "dec.white"},
+                                                                        {Icon::kFlower, "dec.motif"}}};
+constexpr std::array<DrawingChoice, kiosk::kMotifs> kMotifChoices{{{Icon::kCrane, "mo.crane"},
+                                                                   {Icon::kCloud, "mo.cloud"},
+                                                                   {Icon::kMum, "mo.mum"},
+                                                                   {Icon::kFish, "mo.fish"},
+                                                                   {Icon::kGrass, "mo.grass"},
+                                                                   {Icon::kWave, "mo.wave"}}};
+
+// Where things stand on the ledge, for each shape of picture.
+struct LedgePlaces {
+    std::array<Rect, 6> choices;
+    std::array<Rect, 2> slips;  // in the place of the size, as are the next two
+    Rect around;
+    Rect back;
+    Rect size;
+    Rect turning;
+    Rect undo;
+    Rect clear;
+    Rect done;
+    float label = 36.0F;  // height of one
+};
+
+LedgePlaces ledge_places(const Page& page, float top) {
+    LedgePlaces places;
+    const float grown = ledge_growth(page.view().state.comfort);
+    const auto row = [&](float x, float y, float wide, float pitch) {
+        for (std::size_t i = 0; i < places.choices.size(); ++i)
+            places.choices[i] = {x + pitch * static_cast<float>(i), y, wide, 66.0F};
+    };
+    switch (page.shape()) {
+        case Shape::kTall: {
+            places.label = 34.0F + 0.5F * grown;
+            const float second = top + 148.0F + 0.5F * grown;
+            row(26.0F, top + 30.0F, 98.0F, 114.0F);
+            places.size = {32.0F, second, 164.0F, 66.0F};
+            places.slips = {Rect{26.0F, second, 78.0F, 66.0F}, Rect{122.0F, second, 78.0F, 66.0F}};
+            places.around = {33.0F, second, 84.0F, 66.0F};
+            places.back = {142.0F, second, 64.0F, 66.0F};
+            places.turning = {252.0F, second, 84.0F, 66.0F};
+            places.undo = {412.0F, second, 90.0F, 66.0F};
+            places.clear = {568.0F, second, 90.0F, 66.0F};
+            places.done = {32.0F, page.height() - 96.0F, page.width() - 64.0F, 80.0F};
+            break;
+        }
+        case Shape::kSquare: {
+            places.label = 36.0F + 0.75F * grown;
+            const float y = top + 14.0F;
+            const float second = page.height() - 78.0F;
+            row(20.0F, y, 84.0F, 96.0F);
+            places.slips = {Rect{602.0F, y, 72.0F, 66.0F}, Rect{690.0F, y, 72.0F, 66.0F}};
+            places.size = {606.0F, y, 164.0F, 66.0F};
+            places.around = {611.0F, y, 84.0F, 66.0F};
+            places.back = {714.0F, y, 58.0F, 66.0F};
+            places.turning = {788.0F, y, 76.0F, 66.0F};
+            places.undo = {922.0F, y, 72.0F, 66.0F};
+            places.clear = {32.0F, second, 200.0F, 66.0F};
+            places.done = {page.width() - 332.0F, second, 300.0F, 66.0F};
+            break;
+        }
+        case Shape::kWide: {
+            places.label = 36.0F + grown;
+            const float y = top + 22.0F;
+            row(32.0F, y, 78.0F, 90.0F);
+            places.slips = {Rect{578.0F, y, 74.0F, 66.0F}, Rect{666.0F, y, 74.0F, 66.0F}};
+            places.size = {580.0F, y, 164.0F, 66.0F};
+            places.around = {589.0F, y, 84.0F, 66.0F};
+            places.back = {691.0F, y, 56.0F, 66.0F};
+            places.turning = {760.0F, y, 76.0F, 66.0F};
+            places.undo = {867.0F, y, 72.0F, 66.0F};
+            places.clear = {965.0F, y, 72.0F, 66.0F};
+            places.done = {page.width() - 224.0F, y, 192.0F, 66.0F};
+            break;
+        }
+    }
+    return places;
+}
+
+constexpr float kWideLabel = 17.0F;  // beyond its token, to either side
+constexpr float kLessWideLabel = 12.0F;
+
+// A token with its name below; one of several that is chosen is ticked and underlined.
+void choice_token(Page& page, const Rect& place, float label, const DrawingChoice& shown, Button button,
+                  int value, bool chosen, float spread = 6.0F) {
+    const Rect rect = page.on_ledge(place);
+    const int target = page.token(rect, Look::kToken, button, page.t(shown.key), value, shown.icon, false);
+    const Rect words{rect.x - spread, rect.bottom() + 8.0F, rect.width + 2.0F * spread, label};
+    page.words(words, {.text = page.t(shown.key),
+                       .size = 26.0F,
+                       .line = 32.0F,
+                       .bold = chosen,
+                       .align = ui::Align::kCentre});
+    if (!chosen) return;
+    ui::Sketch bar;
+    bar.add(ui::Box{{0.0F, 0.0F, 52.0F, 5.0F}, 3.0F, ui::Fill::flat(design::kAmber)});
+    page.sprite({rect.centre().x - 26.0F, rect.y - 10.0F, 52.0F, 5.0F}, std::move(bar));
+    ui::Sketch tick;
+    tick.add(ui::Ellipse{{0.0F, 0.0F, 26.0F, 26.0F}, ui::Fill::flat(design::kNight)});
+    add_icon(tick, Icon::kCheck, {5.0F, 5.0F}, 16.0F, design::kAmber);
+    page.sprite({rect.right() - 20.0F, rect.y - 8.0F, 26.0F, 26.0F}, std::move(tick), target);
+}
+
+// What the way of drawing is, until something is drawn so.
+void way_card(Page& page) {
+    const kiosk::Decorating& decorating = page.view().state.decorating;
+    if (decorating.touched) return;
+    const WayWords& way = kWayWords[static_cast<std::size_t>(decorating.tool)];
+    const bool tall = page.shape() == Shape::kTall;
+    const bool square = page.shape() == Shape::kSquare;
+    const float wide = tall ? 430.0F : square ? 244.0F : 304.0F;
+    const float most = tall ? 186.0F : square ? 290.0F : 264.0F;
+    Words line{.text = page.t(way.line), .size = 26.0F, .line = 33.0F, .colour = design::kInk2};
+    const float head = way.title != nullptr ? 42.0F : 0.0F;
+    constexpr float kMargin = 20.0F;
+    constexpr float kAbove = 12.0F;
+    const float needs = page.words_size(line, page.text_scale(), wide - 2.0F * kMargin).height;
+    const float high = std::min(most, kAbove + head + needs + 18.0F);
+    const Rect rect = page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide, high});
+    page.card(rect, design::kHanji, design::kHanji);
+    const Rect inner{rect.x + kMargin, rect.y + kAbove, rect.width - 2.0F * kMargin,
+                     rect.height - kAbove - 8.0F};
+    if (way.title != nullptr) {
+        page.fixed_words(
+            {inner.x, inner.y, inner.width, 40.0F},
+            {.text = page.t(way.title), .size = 28.0F, .line = 38.0F, .bold = true, .colour = design::kInk});
+    }
+    page.words({inner.x, inner.y + head, inner.width, inner.height - head}, line);
+}
+
+// For who cannot point at the pot: a dot that goes up, down and round, and the brush.
+void brush_pad(Page& page, float top) {
+    const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
+    const Rect pad = page.mirrored({page.width() - edge - 264.0F, top - 172.0F, 264.0F, 164.0F});
+    const auto arrow = [&](float x, float y, Button button, const char* key, Icon icon) {
+        page.token({pad.x + x, pad.y + y, 80.0F, 76.0F}, Look::kToken, button, page.t(key), 0, icon, false,
+                   true);
+    };
+    arrow(92.0F, 0.0F, Button::kHandUp, "ctl.up", Icon::kUp);
+    page.token({pad.x + 184.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kPutBrush, page.t("dec.put"), 0,
+               Icon::kBrushDown, false);
+    arrow(0.0F, 88.0F, Button::kHandLeft, "ctl.left", Icon::kLeft);
+    arrow(92.0F, 88.0F, Button::kHandDown, "ctl.down", Icon::kDown);
+    arrow(184.0F, 88.0F, Button::kHandRight, "ctl.right", Icon::kRight);
+}
+
+Rect decorate_box(const Page& page, float top) {
+    switch (page.shape()) {
+        case Shape::kTall:
+            return {90.0F, 240.0F, page.view().scans || page.is_low() ? 330.0F : 550.0F, top - 260.0F};
+        case Shape::kSquare:
+            return {280.0F, 114.0F, 430.0F, top - 124.0F};
+        case Shape::kWide:
+            break;
+    }
+    return {350.0F, 56.0F, 580.0F, top - 70.0F};
+}
+
+}  // namespace
+
+void draw_decorate(Page& page) {
+    const View& view = page.view();
+    const kiosk::Decorating& decorating = view.state.decorating;
+    const float top = ledge_y(page.shape(), page.height(), view.state.comfort);
+    const bool is_motif = decorating.tool == kiosk::kMotifTool;
+    const bool is_square = page.shape() == Shape::kSquare;
+    page.keep_clear(decorate_box(page, top));
+    page.scene_ends();
+    page.ledge(top);
+    page.allow_cue();
+    way_card(page);
+    if (view.scans || page.is_low()) brush_pad(page, top);
+    const LedgePlaces places = ledge_places(page, top);
+    const float label = places.label;
+    for (std::size_t i = 0; i < places.choices.size(); ++i) {
+        const int value = static_cast<int>(i);
+        if (is_motif) {
+            choice_token(page, places.choices[i], label, kMotifChoices[i], Button::kMotif, value,
+                         value == decorating.motif);
+        } else {
+            choice_token(page, places.choices[i], label, kToolChoices[i], Button::kDrawingTool, value,
+                         value == decorating.tool);
+        }
+    }
+    if (is_motif) {
+        choice_token(page, places.around, label, {Icon::kTurns, "dec.around"}, Button::kAllRound, 0,
+                     decorating.all_round, kWideLabel);
+        choice_token(page, places.back, label,
+                     {page.right_to_left() ? Icon::kRight : Icon::kLeft, "ctl.back"}, Button::kBack, 0, false,
+                     2.5F);
+    } else if (decorating.tool == kiosk::kInlayTool) {
+        choice_token(page, places.slips[0], label, {Icon::kPale, "dec.fillw"}, Button::kSlip, 0,
+                     !decorating.black);
+        choice_token(page, places.slips[1], label, {Icon::kDark, "dec.fillb"}, Button::kSlip, 1,
+                     decorating.black);
+    } else {
+        const Rect rect = page.on_ledge(places.size);
+        page.stepper(rect, kToolChoices[static_cast<std::size_t>(decorating.tool)].icon, kiosk::kMostBrush,
+                     decorating.brush, Button::kToolLess, Button::kToolMore, page.t("dec.size"),
+                     page.right_to_left());
+        page.label({rect.x, rect.bottom() + 8.0F, rect.width, label}, page.t("dec.size"));
+    }
+    choice_token(
+        page, places.turning, label,
+        decorating.turns ? DrawingChoice{Icon::kTurns, "dec.turn"} : DrawingChoice{Icon::kRests, "dec.rest"},
+        Button::kTurning, 0, false, kLessWideLabel);
+    choice_token(page, places.undo, label, {Icon::kUndo, "ctl.undo"}, Button::kUndo, 0, false, kWideLabel);
+    if (is_square) {
+        page.token(page.on_ledge(places.clear), Look::kToken, Button::kClear, page.t("dec.clear"), 0,
+                   Icon::kWipe);
+    } else {
+        choice_token(page, places.clear, label, {Icon::kWipe, "dec.clear"}, Button::kClear, 0, false);
+    }
+    const bool is_plain = decorating.strokes == 0;
+    page.token(page.on_ledge(places.done), Look::kPrimary, Button::kDone,
+               page.t(is_plain ? "dec.plain" : "dec.done"));
+    // Brought low, across from the brush's keys.
+    static_cast<void>(page.languages_token(page.shape() == Shape::kTall
+                                               ? Rect{32.0F, 648.0F, 150.0F, 60.0F}
+                                               : Rect{32.0F, 478.0F, 150.0F, 60.0F}));
+}
+
+}  // namespace onggi::screens

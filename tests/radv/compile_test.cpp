@@ -1,0 +1,50 @@
+// Every pipeline that a GPU may draw with, compiled by Mesa's driver for AMD without the hardware. No more
+// than that can be asked of it: it makes no views of images.
+#include <gtest/gtest.h>
+
+#include "engine/render/frame/shadow_map.h"
+#include "engine/render/quality.h"
+#include "engine/render/vulkan/overlay_pass.h"
+#include "engine/render/vulkan/prop_pass.h"
+#include "engine/render/vulkan/vulkan_frame.h"
+#include "shaders/frame_data.h"
+
+namespace onggi::render {
+namespace {
+
+TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
+    auto instance = vk::Instance::create({});
+    ASSERT_TRUE(instance) << instance.error().message;
+    auto chosen = vk::choose_device(**instance, VK_NULL_HANDLE);
+    ASSERT_TRUE(chosen) << chosen.error().message;
+    ASSERT_FALSE(chosen->description.is_cpu());
+    auto device = vk::Device::create(**instance, *chosen, false);
+    ASSERT_TRUE(device) << device.error().message;
+    const auto expect = [](const Result<void>& made, const char* what) {
+        EXPECT_TRUE(made) << what << ": " << (made ? "" : made.error().message);
+    };
+    // One sample a pixel, and four.
+    for (const QualityStep step : {QualityStep::kSlowGpu, QualityStep::kDiscreteGpu}) {
+        VulkanFrame frame{{.device = **device, .desc = quality_desc(step, VK_FORMAT_B8G8R8A8_UNORM, 720)}};
+        expect(frame.create_layout(shaders::kBindings), "layout");
+        expect(create_pipelines(frame, frame.pipelines), "with a room's photographs");
+        expect(fit_pipelines(frame, Scene{}, frame.pipelines), "without");
+        expect(fit_shadow_map(frame), "shadow map");
+        PropPass props;
+        expect(props.create(frame), "hands and tools");
+        OverlayPass overlay;
+        expect(overlay.create(frame), "overlay");
+        EXPECT_NE(frame.pipelines.lathe.get(), VkPipeline{VK_NULL_HANDLE});
+        EXPECT_NE(frame.pipelines.lathe_section.get(), VkPipeline{VK_NULL_HANDLE});
+        EXPECT_NE(frame.pipelines.still.get(), VkPipeline{VK_NULL_HANDLE});
+    }
+    // Without hardware there is nothing to wait for, and the driver falls over that: the process takes both
+    // along.
+    static const vk::Device* const kept_device = device->release();
+    static const vk::Instance* const kept_instance = instance->release();
+    EXPECT_NE(kept_device, nullptr);
+    EXPECT_NE(kept_instance, nullptr);
+}
+
+}  // namespace
+}  // namespace onggi::render

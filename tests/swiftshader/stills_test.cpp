@@ -1,0 +1,54 @@
+// The stills of two drivers, each written by others, are one picture: lavapipe's, which are kept, and
+// SwiftShader's.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "engine/asset/image.h"
+#include "engine/files/read_file.h"
+#include "game/wheel/still.h"
+#include "tests/golden/golden_scenes.h"
+#include "tests/support/image_compare.h"
+#include "tests/support/places.h"
+#include "tests/swiftshader/swiftshader_test.h"
+
+namespace onggi::golden {
+namespace {
+
+constexpr int kMostLevels = 5;          // of 255, in any channel, counts as alike
+constexpr double kMostApart = 0.003;    // of the pixels may be farther apart
+constexpr double kMostInTheMean = 0.4;  // of 255
+
+// Named: nearly all of these is the photographed room, filtered from its photograph by other rounding.
+constexpr double kMostInTheMeanLookingIn = 0.45;
+double most_in_the_mean(const GoldenScene& scene) {
+    const bool is_named = scene.name == "inside" || scene.name == "widening";
+    return is_named ? kMostInTheMeanLookingIn : kMostInTheMean;
+}
+
+class Stills : public testing::TestWithParam<GoldenScene> {};
+
+TEST_P(Stills, AreThoseOfTheOtherDriver) {
+    ONGGI_NEEDS_SWIFTSHADER();
+    const GoldenScene& scene = GetParam();
+    const auto file = test::in_checkout("tests/golden/images/lavapipe-22.3/" + scene.name + ".png");
+    constexpr std::size_t kMostBytes = 4'000'000;
+    const auto png = files::read_file(file, kMostBytes);
+    ASSERT_TRUE(png) << png.error().message;
+    const auto expected = asset::decode_png(std::as_bytes(std::span(*png)), scene.name);
+    ASSERT_TRUE(expected) << expected.error().message;
+    // Any word of the validation layer is an error.
+    const auto drawn = wheel::render_still(scene.shown(), scene.width, scene.height,
+                                           {.view = scene.view, .validation = true});
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    const support::ImageDifference found = support::compare_images(*expected, *drawn, kMostLevels);
+    fmt::print("{}: {:.4f} % of pixels differ by more than {}/255, mean {:.4f}\n", scene.name,
+               100.0 * found.bad_fraction, kMostLevels, found.mean_delta);
+    EXPECT_LE(found.bad_fraction, kMostApart);
+    EXPECT_LE(found.mean_delta, most_in_the_mean(scene));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfThePot, Stills, testing::ValuesIn(golden_scenes()),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+}  // namespace
+}  // namespace onggi::golden

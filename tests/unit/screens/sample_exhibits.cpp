@@ -1,0 +1,89 @@
+// Pots of museums as samples: four outlines, with the longest that any shipped card has to say.
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "game/finish/glaze.h"
+#include "game/heritage/card.h"
+#include "tests/support/places.h"
+#include "tests/unit/screens/sample_views.h"
+
+namespace onggi::screens {
+namespace {
+
+// The card with the most to say, in whichever language it says it.
+std::shared_ptr<const ExhibitCard> longest_card() {
+    const std::string folder = test::in_checkout("assets/heritage");
+    const auto targets = heritage::load_targets(folder).value();
+    const auto cards = heritage::load_cards(folder, targets).value();
+    const heritage::Card* longest = nullptr;
+    std::size_t most = 0;
+    for (const auto& [id, card] : cards) {
+        for (const char* language : {"ko", "en", "ar"}) {
+            std::size_t all = card.source.size();
+            for (const std::string& line : card.in(language))
+                all += line.size();
+            if (all <= most) continue;
+            most = all;
+            longest = &card;
+        }
+    }
+    auto shown = std::make_shared<ExhibitCard>();
+    for (const char* language : {"ko", "en", "ar"})  // as the samples order them
+        shown->lines.push_back(longest->in(language));
+    shown->known_by = {0, 1, 2};
+    shown->source = longest->source;
+    shown->published_points = 4;
+    shown->drawn_points = 9;
+    return shown;
+}
+
+std::shared_ptr<const std::vector<Exhibit>> make_exhibits() {
+    std::vector<Exhibit> all{
+        {"pot.ido", "mus.daitoku", "date.joseon16", 91.0, 154.0, "", finish::kIdoGlaze,
+         pot::hollowed({{26, 0}, {28, 12}, {30, 16}, {48, 30}, {63, 52}, {72, 74}, {77, 91}}, 5.0F, 20.0F)},
+        {"pot.buncheong", "mus.brooklyn", "date.joseon15", 50.0, 196.0, "", 2,
+         pot::hollowed({{29, 0}, {30, 7}, {48, 14}, {72, 26}, {90, 40}, {98, 50}}, 5.0F, 12.0F)},
+        {"pot.maebyeong", "mus.nmk", "date.goryeo12", 303.0, 0.0, "1/2", 0,
+         pot::hollowed({{52, 0},
+                        {50, 30},
+                        {52, 80},
+                        {64, 150},
+                        {84, 215},
+                        {90, 240},
+                        {84, 264},
+                        {60, 284},
+                        {28, 292},
+                        {20, 296},
+                        {25, 303}},
+                       5.0F, 8.0F)},
+        {"pot.moon", "mus.nmk", "date.joseon18", 305.0, 302.0, "1/3", 1,
+         pot::hollowed({{60, 0},
+                        {62, 10},
+                        {103, 44},
+                        {136, 90},
+                        {150, 135},
+                        {151, 158},
+                        {147, 188},
+                        {130, 228},
+                        {103, 262},
+                        {81, 283},
+                        {72, 290},
+                        {69, 296},
+                        {71, 305}},
+                       6.0F, 10.0F)}};
+    const auto card = longest_card();
+    for (Exhibit& exhibit : all)
+        exhibit.card = card;
+    return std::make_shared<const std::vector<Exhibit>>(std::move(all));
+}
+
+}  // namespace
+
+std::shared_ptr<const std::vector<Exhibit>> sample_exhibits() {
+    static const auto all = make_exhibits();
+    return all;
+}
+
+}  // namespace onggi::screens
