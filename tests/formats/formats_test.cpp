@@ -48,7 +48,7 @@ TEST(Sessions, OfVersion2AreReadAndOnesThatWereNeverShippedRefusedInOneLine) {
         const auto refused = read_session(old);
         ASSERT_FALSE(refused) << old;
         EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
-        EXPECT_NE(refused.error().message.find("version 2.0"), std::string::npos) << refused.error().message;
+        EXPECT_NE(refused.error().message.find("version 2."), std::string::npos) << refused.error().message;
     }
     EXPECT_EQ(record::kMajorVersion, 2) << "a new version wants a sample";
     EXPECT_EQ(record::kMinorVersion, 1) << "a new version wants a sample";

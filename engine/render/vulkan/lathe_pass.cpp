@@ -60,7 +60,7 @@ Result<void> LathePass::create(const VulkanFrame& frame) {
     }
     // Until there are marks: what is bound must be there, though nothing reads it.
     vk::write_buffer(frame.device, frame.set(), shaders::kBindMarks, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                     rows_.handle());
+                     rows_.buffer.handle());
     auto normals =
         vk::create_texels(frame.device, normals_.buffer.handle(), VK_FORMAT_R32_UINT, "outline normals");
     if (!normals) return normals.error();
