@@ -36,17 +36,22 @@ Result<record::Session> read_session(const std::string& name) {
 }
 
 TEST(Sessions, OfVersion2AreReadAndOnesThatWereNeverShippedRefusedInOneLine) {
-    const auto session = read_session("session/2.0.onggi");
-    ASSERT_TRUE(session) << session.error().message;
-    EXPECT_EQ(session->tick_count(), 9U);
+    for (const char* kept : {"session/2.0.onggi", "session/2.1.onggi"}) {
+        const auto session = read_session(kept);
+        ASSERT_TRUE(session) << session.error().message;
+        EXPECT_EQ(session->tick_count(), 9U);
+        EXPECT_TRUE(session->is_complete());
+    }
+    EXPECT_TRUE(read_session("session/2.0.onggi")->supplement().empty());
+    EXPECT_EQ(read_session("session/2.1.onggi")->supplement().size(), 31U);
     for (const char* old : {"session/1.0.onggi", "session/1.1.onggi"}) {
         const auto refused = read_session(old);
         ASSERT_FALSE(refused) << old;
         EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
-        EXPECT_NE(refused.error().message.find("version 2.0"), std::string::npos) << refused.error().message;
+        EXPECT_NE(refused.error().message.find("version 2."), std::string::npos) << refused.error().message;
     }
     EXPECT_EQ(record::kMajorVersion, 2) << "a new version wants a sample";
-    EXPECT_EQ(record::kMinorVersion, 0) << "a new version wants a sample";
+    EXPECT_EQ(record::kMinorVersion, 1) << "a new version wants a sample";
 }
 
 TEST(Settings, OfEveryVersionAreReadAndMeanWhatTheyMeant) {
@@ -60,9 +65,9 @@ TEST(Settings, OfEveryVersionAreReadAndMeanWhatTheyMeant) {
         EXPECT_EQ(config->staff.closes_after_s, 120.0);
         ++count;
     }
-    EXPECT_EQ(count, 9);
+    EXPECT_EQ(count, 10);
     EXPECT_EQ(test::content_of(test::in_checkout("assets/kiosk.toml")),
-              test::content_of(sample("settings/1.8.toml")))
+              test::content_of(sample("settings/1.9.toml")))
         << "settings that change want a version and a sample";
 }
 
