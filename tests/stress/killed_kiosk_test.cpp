@@ -80,7 +80,9 @@ class Life {
         return condition();
     }
     [[nodiscard]] bool is_on(const std::string& screen) {
-        return !said_by("xdotool search --name '^Onggi - " + screen + "( - [0-3] of 3, .*)?$'").empty();
+        return !said_by("xdotool search --name '^Onggi - " + screen +
+                        "( - [0-3] of 3, .*| - [0-9]+ strokes)?$'")
+                    .empty();
     }
     bool comes_to(const std::string& screen) {
         return until([&] { return is_on(screen); });
