@@ -32,7 +32,7 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
     const auto targets = heritage::load_targets(test::in_checkout("assets/heritage"));
     ASSERT_TRUE(targets) << targets.error().message;
     std::vector<std::size_t> places;
-    const auto exhibits = app::exhibits_of(*targets, places);
+    const auto exhibits = app::exhibits_of(*targets, {}, places);
     ASSERT_GE(exhibits.size(), 4U);
     std::vector<std::vector<Left>> sheet;
     for (const std::size_t place : places) {

@@ -26,14 +26,17 @@ constexpr std::array kShown{
     Known{"maebyeong-1869", "pot.maebyeong", "mus.nmk", "date.goryeo12", 0},
     Known{"moon-jar-nmk", "pot.moon", "mus.nmk", "date.joseon18", 1},
     Known{"joseon-bowl", "pot.bowl", "mus.freer", "date.joseon16", 1},
-    Known{"buncheong-small-bowl", "pot.smallbowl", "mus.brooklyn", "date.joseon15to16", 2},
     Known{"brown-jar-brooklyn", "pot.brownjar", "mus.brooklyn", "date.joseon19", 3},
     Known{"onggi-bottle-chang", "pot.onggibottle", "mus.chang", "date.joseon19", 3},
-    Known{"meiping-ngv", "pot.meiping", "mus.ngv", "date.ming16", 0},
+    Known{"onggi-cooler-bm", "pot.onggi", "mus.bm", "date.korea20", 3},
     Known{"moon-jar-met", "pot.moon", "mus.met", "date.joseon18", 1},
-    Known{"maebyeong-68", "pot.maebyeong", "mus.kansong", "date.goryeo12", 0}};
+    Known{"onggi-soy-yanji", "pot.soyjar", "", "date.korea20", 5},
+    Known{"onggi-heobeok-jeju", "pot.heobeok", "mus.jeju", "date.korea20", 5}};
 // The others, which a visitor's pot may resemble: their museums are not named there.
 constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseon17to18", 1},
+                                Known{"maebyeong-68", "pot.maebyeong", "", "date.goryeo12", 0},
+                                Known{"buncheong-small-bowl", "pot.smallbowl", "", "date.joseon15to16", 2},
+                                Known{"meiping-ngv", "pot.meiping", "", "date.ming16", 0},
                                 Known{"kylix-met", "pot.kylix", "", "date.athens6", 3},
                                 Known{"kylix-ringling", "pot.kylix", "", "date.athens", 3},
                                 Known{"lekythos-boston", "pot.lekythos", "", "date.athens5", 3},
@@ -41,9 +44,6 @@ constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseo
                                 Known{"amphora-met", "pot.amphora", "", "date.athens", 3},
                                 Known{"olla-cas", "pot.olla", "", "date.acoma19", 5},
                                 Known{"olla-sar", "pot.olla", "", "date.acoma19", 5},
-                                Known{"onggi-cooler-bm", "pot.onggi", "", "date.korea20", 3},
-                                Known{"onggi-soy-yanji", "pot.onggi", "", "date.korea20", 5},
-                                Known{"onggi-heobeok-jeju", "pot.heobeok", "", "date.korea20", 5},
                                 Known{"onggi-vat-chang", "pot.vat", "", "date.joseon19", 3}};
 constexpr int kBareGlaze = 5;
 
