@@ -171,7 +171,8 @@ TEST(ACutSession, IsPlayedUpToItsLastWholeBlockAndSaysSo) {
 TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndWhatIsAllowed) {
     const std::pair<std::string, std::string> cases[] = {
         {"[visit]\nidle_s = 5\n", "bad.toml, line 2: expected 10 to 600 for idle_s, found 5"},
-        {"[staff]\nlock = true\n", "bad.toml, line 2: expected one of closes_after_s, locked, name, pin"},
+        {"[staff]\nlock = true\n",
+         "bad.toml, line 2: expected one of closes_after_s, locked, metrics_folder, name, pin"},
         {"[vist]\n", "bad.toml, line 1: expected a section [screen]"},
         {"[visit\n", "bad.toml, line 1: expected TOML, found "},
         {"[languages]\norder = [\"en\", \"tlh\"]\n",

@@ -182,7 +182,8 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[visit.idle_s]\nseconds = 60\n",
          "kiosk.toml, line 1: expected 10 to 600 for idle_s, found a table"},
         {"staff.lock = true\n",
-         "kiosk.toml, line 1: expected one of closes_after_s, locked, name, pin, statistics_folder in "
+         "kiosk.toml, line 1: expected one of closes_after_s, locked, metrics_folder, name, pin, "
+         "statistics_folder in "
          "[staff], "
          "found 'lock'"},
         {"[staff]\nname = \"\xff\"\n", "kiosk.toml, line 2: expected TOML, found "},
