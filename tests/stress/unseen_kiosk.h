@@ -173,21 +173,27 @@ class UnseenKiosk {
     }
     // From the drying to the glazes, with a band of iron or as it is. False: it did not get there.
     bool fires_it(bool decorates) {
-        if (!until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, 0.1)) return false;
+        const auto misses = [](const char* what) {
+            ADD_FAILURE() << "expected " << what;
+            return false;
+        };
+        if (!until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, 0.1))
+            return misses("a pot to draw on");
         if (decorates) {
             constexpr int kFrames = 90;
-            if (!press(kiosk::Button::kDrawingTool, 1)) return false;
+            if (!press(kiosk::Button::kDrawingTool, 1)) return misses("a tool to draw with");
             const auto middle = seen({0.0, 0.5 * snapshot().pot->height_mm, 0.0});
-            if (!middle) return false;
+            if (!middle) return misses("the middle of the pot in sight");
             point(middle->x, middle->y);
             hold(true);
             for (int i = 0; i < kFrames; ++i)
                 frame();
             hold(false);
             frame();
-            if (state().decorating.strokes != 1) return false;
+            EXPECT_EQ(state().decorating.strokes, 1);
         }
-        return press(kiosk::Button::kDone) && until([&] { return screen() == kiosk::Screen::kGlaze; }, 0.1);
+        if (!press(kiosk::Button::kDone)) return misses("a way on to the kiln");
+        return until([&] { return screen() == kiosk::Screen::kGlaze; }, 0.1) || misses("a fired pot");
     }
     // A hand that presses the wall in, with the pointer.
     void touch_clay(std::mt19937& chance) {

@@ -82,7 +82,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     KioskKeeper& keeper = beside.keeper;
     Service service;
     KioskVoice voice(spoken_folder(settings.config));
-    if (auto started = voice.start(); !started) remark(started.error().message);
+    if (auto started = voice.start(); !started) warn(started.error().message);
     jobs::MonotonicClock clock;
     jobs::FramePacer<> pacer(clock, kFrameRateHz);
     std::optional<double> beat_s;
@@ -103,7 +103,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
         voice.ask((*settings.languages)[language].code(),
                   visit.is_closed() ? std::string_view() : kiosk::spoken_key(visit.state()));
         sound.say(voice.line());
-        if (const std::string line = voice.news(); !line.empty()) remark("voice: " + line);
+        if (const std::string line = voice.news(); !line.empty()) warn("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);
         if (beside.picture != nullptr) {
             if (auto kept = beside.picture->keep(beside.view.quality_note()); !kept)
@@ -142,11 +142,11 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (!view) return view.error();
     leave_haptic_core_wholly(core);
     for (const std::string& line : settings->remarks)
-        remark(line);
-    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
-    if (const std::string lack = screens::missing_fonts(); !lack.empty()) remark(lack);
+        warn(line);
+    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) warn(lack);
+    if (const std::string lack = screens::missing_fonts(); !lack.empty()) warn(lack);
     for (const std::string& lack : panel_lacks(settings->config, (*view)->width(), (*view)->height()))
-        remark(lack);
+        warn(lack);
 
     const jobs::RealTimeRequest real_time{.core = core};
     const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
@@ -162,7 +162,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     std::vector<std::string> show_lacks;
     const Show show = load_show({start, parameters.studio.forgiving}, show_lacks);
     for (const std::string& line : show_lacks)
-        remark(line);
+        warn(line);
     auto first_hand =
         std::make_unique<DemonstrationHand>(std::move(device), show.recordings, parameters.rate_hz());
     auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(first_hand), false);
@@ -182,7 +182,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     if (auto started = phone.start(); !started) return started.error();
     const StopGuard stop_guard(job);
     for (const std::string& line : job.refusals())
-        remark(line);
+        warn(line);
     KioskSound sound(options.volume.value_or(settings->config.sound.volume / kLoudestStep),
                      options.volume.has_value());
     Result<void> played;
@@ -212,7 +212,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     keeper.stop();
     job.stop();
     while (const auto answer = keeper.next_answer())
-        if (!answer->words.empty()) remark(answer->words);
+        if (!answer->words.empty()) answer->is_trouble ? warn(answer->words) : remark(answer->words);
     // An error that ends the program counts as a fall: it is started again, and may fail again.
     if (played) played = starts.end_now();
     if (!played) return played.error();

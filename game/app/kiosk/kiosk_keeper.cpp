@@ -81,8 +81,7 @@ void KioskKeeper::finish() noexcept {
     while (follow()) {
     }
     write_journal(0);
-    if (const auto left = journal_.leave(); !left)
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = left.error().message});
+    if (const auto left = journal_.leave(); !left) complain(left);
     if (heartbeat_) complain(heartbeat_->end(wall_clock_s()));
 }
 
@@ -108,7 +107,8 @@ bool KioskKeeper::follow() {
         if (report && *report)
             answer({.kind = KeeperAnswer::Kind::kRemark,
                     .words = fmt::format("fault: kept as {}, which onggi replay works out again",
-                                         (*report)->string())});
+                                         (*report)->string()),
+                    .is_trouble = true});
     }
     return true;
 }
@@ -122,7 +122,7 @@ bool KioskKeeper::work_out_interrupted_session() {
         std::vector<std::string> remarks;
         interrupted_session_ = InterruptedSession::find(visits_, start_, parameters_, remarks);
         for (std::string& line : remarks)
-            answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line)});
+            answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line), .is_trouble = true});
     }
     if (!interrupted_session_ || is_worked_out_) return false;
     const auto more = interrupted_session_->work(kInterruptedSessionTicksARound);
@@ -134,7 +134,8 @@ bool KioskKeeper::work_out_interrupted_session() {
                                      interrupted_session_->seconds())});
         return false;
     }
-    if (!more) answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message});
+    if (!more)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message, .is_trouble = true});
     interrupted_session_.reset();
     InterruptedSession::remove(visits_);
     return false;
@@ -142,8 +143,7 @@ bool KioskKeeper::work_out_interrupted_session() {
 
 void KioskKeeper::write_journal(std::int64_t now_ns) {
     if (!journalled_run_ || run_ != *journalled_run_ || is_put_) return;
-    if (const auto written = journal_.follow(history_, now_ns); !written)
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = written.error().message});
+    if (const auto written = journal_.follow(history_, now_ns); !written) complain(written);
     // Its visit goes on in the journal now.
     if (was_resumed_ && journal_.has_caught_up()) {
         was_resumed_ = false;
@@ -267,7 +267,8 @@ void KioskKeeper::apply(const Request& request) {
 
 // What could not be written down is said, and no more.
 void KioskKeeper::complain(const Result<void>& done) {
-    if (!done) answer({.kind = KeeperAnswer::Kind::kRemark, .words = done.error().message});
+    if (!done)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = done.error().message, .is_trouble = true});
 }
 
 void KioskKeeper::survey_now() {
@@ -285,7 +286,7 @@ void KioskKeeper::survey_now() {
         found.pots.push_back(std::move(pot.name));
     // Once, not with every look at the panel.
     if (trouble != gallery_trouble_ && !trouble.empty())
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble});
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble, .is_trouble = true});
     gallery_trouble_ = std::move(trouble);
     answer(std::move(found));
 }
@@ -348,7 +349,8 @@ void KioskKeeper::save_now(const Request& request) {
                 .gallery_name = name,
                 .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
     } else {
-        answer({.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message});
+        answer(
+            {.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message, .is_trouble = true});
     }
 }
 

@@ -47,6 +47,7 @@ struct KeeperAnswer {
     std::filesystem::path session{};                               // of one that was written
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall{};  // of kWall: as it is now, the oldest first
     std::string words{};                                           // for the log
+    bool is_trouble = false;                                       // what they tell of
     static constexpr std::size_t kMostPots = 1000;                 // that anybody pages through
     std::vector<std::string> pots{};                               // of a survey: the newest, newest first
     std::size_t pots_beyond = 0;                                   // likewise: how many more there are

@@ -48,6 +48,10 @@ void KioskVisit::say(const std::string& line) {
     if (const auto words = log_.say(line, now_s_)) remark(*words);
 }
 
+void KioskVisit::warn(const std::string& line) {
+    if (const auto words = log_.say(line, now_s_)) app::warn(*words);
+}
+
 void KioskVisit::dispatch(const Event& event) {
     const Screen before = state_.screen;
     for (const kiosk::Effect& effect : kiosk::step(state_, event, now_s_, parts_.settings.rules))

@@ -45,6 +45,7 @@ class KioskVisit final : private VisitFlow {
   private:
     void dispatch(const kiosk::Event& event) override;
     void say(const std::string& line) override;
+    void warn(const std::string& line) override;
     Result<void> draw(const VisitMoment& moment);
     void look_at_shown(const haptic::Snapshot& snapshot);
     void name_window(const kiosk::ScreenState& shown, double clay_mm);

@@ -198,7 +198,7 @@ void VisitEffects::take_answers() {
     }
     take_phone_answers();
     while (const auto answer = parts_.keeper.next_answer()) {
-        if (!answer->words.empty()) flow_.say(answer->words);
+        if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
         switch (answer->kind) {
             case KeeperAnswer::Kind::kCutOff:
                 pot_ = std::make_shared<const screens::FiredPot>(

@@ -51,8 +51,9 @@ class VisitFlow {
     [[nodiscard]] virtual const kiosk::State& state() const = 0;
     // Takes the state on and applies the effects before it returns.
     virtual void dispatch(const kiosk::Event& event) = 0;
-    // A line for the log.
+    // A line for the log; warn(): of what went wrong and is borne.
     virtual void say(const std::string& line) = 0;
+    virtual void warn(const std::string& line) = 0;
 
   protected:
     VisitFlow() = default;

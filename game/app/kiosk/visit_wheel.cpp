@@ -83,14 +83,16 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
 void VisitWheel::take_fault(const VisitMoment& moment) {
     const KioskFault::Advice advice = fault_.look(moment.snapshot.fault, moment.now_s);
     if (advice.force_rests != flow_.state().force_rests) {
-        flow_.say(advice.force_rests
-                      ? "kiosk: no force for the hand (" +
-                            std::string(haptics::words_for(moment.snapshot.fault)) + "); the clay goes on"
-                      : std::string("kiosk: the hand has its force again"));
+        if (advice.force_rests) {
+            flow_.warn("kiosk: no force for the hand (" +
+                       std::string(haptics::words_for(moment.snapshot.fault)) + "); the clay goes on");
+        } else {
+            flow_.say("kiosk: the hand has its force again");
+        }
         flow_.dispatch({advice.force_rests ? Event::Kind::kForceRests : Event::Kind::kForceBack});
     }
     if (advice.wheel_rests && flow_.state().screen != Screen::kFault) {
-        flow_.say("kiosk: the clay's force is no number; the wheel rests");
+        flow_.warn("kiosk: the clay's force is no number; the wheel rests");
         flow_.dispatch({Event::Kind::kFault});
     }
     if (advice.take_back && advice.wheel_rests) put_fresh_clay();
