@@ -82,7 +82,8 @@ TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
 
     const long written_kb = memory_kb(floats);  // of its mapping, which others may have come to share
     SparseFloats copy(floats);
-    EXPECT_LE(memory_kb(copy), written_kb + reading_kb + 32 * kPageKb) << "the copy of a page is a page";
+    // Kernels with large folios give up to 128 kB for each page that is written, and its floats lie in two.
+    EXPECT_LE(memory_kb(copy), written_kb + reading_kb + 64 * kPageKb) << "the copy of a page is a page";
     copy.take_memory();
     constexpr long kAllKb = static_cast<long>(kCount * sizeof(float) / 1024);
     EXPECT_GE(memory_kb(copy), kAllKb);
