@@ -36,9 +36,7 @@ void begin_decorating(Turn& turn) {
 
 void press_decorate(Turn& turn, const Event& event) {
     Decorating& decorating = turn.state.decorating;
-    const bool moves = event.button == Button::kHandUp || event.button == Button::kHandDown ||
-                       event.button == Button::kHandLeft || event.button == Button::kHandRight;
-    if (!moves && event.button != Button::kPutBrush) lift_brush(turn);
+    if (!moves_hand(event.button) && event.button != Button::kPutBrush) lift_brush(turn);
     switch (event.button) {
         case Button::kDrawingTool:
             take_tool(turn, event.value);
@@ -72,18 +70,13 @@ void press_decorate(Turn& turn, const Event& event) {
         case Button::kPutBrush:
             put_brush(turn);
             break;
-        case Button::kHandUp:
-        case Button::kHandDown:
-        case Button::kHandLeft:
-        case Button::kHandRight:
-            turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
-            break;
         case Button::kDone:
             turn.add(Effect::Kind::kEndDrawing);
             turn.state.firing = FiringStage::kFire;
             turn.show(Screen::kFiring);
             break;
         default:
+            if (moves_hand(event.button)) turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
             break;
     }
 }

@@ -85,12 +85,6 @@ void press_throw(Turn& turn, const Event& event) {
         case Button::kSpeedMore:
             change(throwing.speed, event.button == Button::kSpeedMore ? 1 : -1, kMostSpeed);
             break;
-        case Button::kHandUp:
-        case Button::kHandDown:
-        case Button::kHandLeft:
-        case Button::kHandRight:
-            turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
-            break;
         case Button::kLookIn:
             throwing.looks_in = !throwing.looks_in;
             break;
@@ -98,6 +92,7 @@ void press_throw(Turn& turn, const Event& event) {
             finish_throwing(turn);
             break;
         default:
+            if (moves_hand(event.button)) turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
             break;
     }
 }

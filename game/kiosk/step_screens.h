@@ -28,6 +28,12 @@ struct Turn {
     void end_visit();
 };
 
+// One of the four that move the hand, or the brush.
+[[nodiscard]] constexpr bool moves_hand(Button button) {
+    return button == Button::kHandUp || button == Button::kHandDown || button == Button::kHandLeft ||
+           button == Button::kHandRight;
+}
+
 void press_screen(Turn& turn, const Event& event);
 void press_idle(Turn& turn, const Event& event);
 void press_language(Turn& turn, const Event& event);

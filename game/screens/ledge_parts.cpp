@@ -1,6 +1,7 @@
 #include "game/screens/ledge_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace onggi::screens {
 
@@ -11,10 +12,6 @@ namespace {
 
 constexpr float kBelow = 8.0F;  // the ring goes round a control and not through its label
 
-float label_height(const Page& page) {
-    return 36.0F + labels_growth(page);
-}
-
 }  // namespace
 
 LedgeGrowth growth(const Page& page) {
@@ -23,8 +20,8 @@ LedgeGrowth growth(const Page& page) {
     return {0.45F * all, 0.55F * all};
 }
 
-float labels_growth(const Page& page) {
-    return growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
+float label_height(const Page& page) {
+    return 36.0F + growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
 }
 
 float ledge_top(const Page& page) {
@@ -74,6 +71,26 @@ int add_round(Page& page, const Rect& place, Icon icon, Button button, const cha
         std::clamp(rect.centre().x - 0.5F * label_width, kEdge, page.width() - kEdge - label_width);
     page.label({x, rect.bottom() + kBelow, label_width, label_height(page)}, page.t(key));
     return target;
+}
+
+void add_choice(Page& page, const Rect& place, const LedgeChoice& choice, float name_height, float spread) {
+    const Rect rect = page.on_ledge(place);
+    const int target =
+        page.token(rect, Look::kToken, choice.button, page.t(choice.key), choice.value, choice.icon, false);
+    page.words({rect.x - spread, rect.bottom() + kBelow, rect.width + 2.0F * spread, name_height},
+               {.text = page.t(choice.key),
+                .size = 26.0F,
+                .line = 32.0F,
+                .bold = choice.chosen,
+                .align = ui::Align::kCentre});
+    if (!choice.chosen) return;
+    ui::Sketch bar;
+    bar.add(ui::Box{{0.0F, 0.0F, 52.0F, 5.0F}, 3.0F, ui::Fill::flat(design::kAmber)});
+    page.sprite({rect.centre().x - 26.0F, rect.y - 10.0F, 52.0F, 5.0F}, std::move(bar));
+    ui::Sketch tick;
+    tick.add(ui::Ellipse{{0.0F, 0.0F, 26.0F, 26.0F}, ui::Fill::flat(design::kNight)});
+    add_icon(tick, Icon::kCheck, {5.0F, 5.0F}, 16.0F, design::kAmber);
+    page.sprite({rect.right() - 20.0F, rect.y - 8.0F, 26.0F, 26.0F}, std::move(tick), target);
 }
 
 }  // namespace onggi::screens

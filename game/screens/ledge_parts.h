@@ -14,8 +14,8 @@ struct LedgeGrowth {
 [[nodiscard]] LedgeGrowth growth(const Page& page);
 
 [[nodiscard]] float ledge_top(const Page& page);
-// Of the labels of one row.
-[[nodiscard]] float labels_growth(const Page& page);
+// Of the names below one row.
+[[nodiscard]] float label_height(const Page& page);
 // Where the tokens' row begins; on a tall picture there is another below it.
 [[nodiscard]] float row_y(const Page& page);
 [[nodiscard]] float second_row_y(const Page& page);
@@ -40,6 +40,19 @@ void add_stepper(Page& page, const ui::Rect& place, const Setting& setting, bool
 // A token with its name below, that wide at most; gives its target.
 int add_round(Page& page, const ui::Rect& place, Icon icon, kiosk::Button button, const char* key,
               float label_width, int value = 0);
+
+// One of several to choose from, or what is on or off.
+struct LedgeChoice {
+    Icon icon;
+    const char* key;
+    kiosk::Button button;
+    int value = 0;
+    bool chosen = false;
+};
+// A token with its name below, that high and wider than it by `spread` to either side; what is chosen is
+// ticked and underlined.
+void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, float name_height,
+                float spread);
 
 // What the hand holds, with a sign that there is more: opens the tray.
 void add_held_token(Page& page, const ui::Rect& place, float label_width);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "game/screens/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {
@@ -111,25 +112,11 @@ LedgePlaces ledge_places(const Page& page, float top) {
 constexpr float kWideLabel = 17.0F;  // beyond its token, to either side
 constexpr float kLessWideLabel = 12.0F;
 
-// A token with its name below; one of several that is chosen is ticked and underlined.
 void choice_token(Page& page, const Rect& place, float label, const DrawingChoice& shown, Button button,
                   int value, bool chosen, float spread = 6.0F) {
-    const Rect rect = page.on_ledge(place);
-    const int target = page.token(rect, Look::kToken, button, page.t(shown.key), value, shown.icon, false);
-    const Rect words{rect.x - spread, rect.bottom() + 8.0F, rect.width + 2.0F * spread, label};
-    page.words(words, {.text = page.t(shown.key),
-                       .size = 26.0F,
-                       .line = 32.0F,
-                       .bold = chosen,
-                       .align = ui::Align::kCentre});
-    if (!chosen) return;
-    ui::Sketch bar;
-    bar.add(ui::Box{{0.0F, 0.0F, 52.0F, 5.0F}, 3.0F, ui::Fill::flat(design::kAmber)});
-    page.sprite({rect.centre().x - 26.0F, rect.y - 10.0F, 52.0F, 5.0F}, std::move(bar));
-    ui::Sketch tick;
-    tick.add(ui::Ellipse{{0.0F, 0.0F, 26.0F, 26.0F}, ui::Fill::flat(design::kNight)});
-    add_icon(tick, Icon::kCheck, {5.0F, 5.0F}, 16.0F, design::kAmber);
-    page.sprite({rect.right() - 20.0F, rect.y - 8.0F, 26.0F, 26.0F}, std::move(tick), target);
+    add_choice(page, place,
+               {.icon = shown.icon, .key = shown.key, .button = button, .value = value, .chosen = chosen},
+               label, spread);
 }
 
 // What the way of drawing is, until something is drawn so.

@@ -30,16 +30,6 @@ void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
                 target);
 }
 
-void add_choice(Page& page, const Rect& place, Held held, float label_width) {
-    const int target = add_round(page, place, kHeldIcons[place_of(held)], Button::kTakeTool,
-                                 kHeldKeys[place_of(held)], label_width, static_cast<int>(held));
-    if (page.view().state.throwing.held != held) return;
-    const Rect rect = page.on_ledge(place);
-    add_sign(page, rect, Icon::kCheck, target);
-    page.box({rect.centre().x - 28.0F, rect.bottom() + 43.0F + labels_growth(page), 56.0F, 4.0F},
-             {design::kAmber, design::kAmber, design::kAmber, design::kAmber});
-}
-
 // What is to be done, and one line on what is in the hand.
 void add_lines(Page& page, const Rect& place, const std::string& title, const std::string& line) {
     const Rect rect = page.on_ledge(place);
@@ -74,7 +64,13 @@ void add_tool_tray(Page& page) {
     const float y = row_y(page);
     const auto choices = [&](float x, float row, float pitch, float wide, std::initializer_list<Held> all) {
         for (const Held held : all) {
-            add_choice(page, {x, row, wide, 66.0F}, held, pitch - 8.0F);
+            add_choice(page, {x, row, wide, 66.0F},
+                       {.icon = kHeldIcons[place_of(held)],
+                        .key = kHeldKeys[place_of(held)],
+                        .button = Button::kTakeTool,
+                        .value = static_cast<int>(held),
+                        .chosen = held == throwing.held},
+                       label_height(page), 0.5F * (pitch - 8.0F - wide));
             x += pitch;
         }
     };

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/core/list_folder.h"
-#include "game/app/system/process_use.h"
+#include "tests/support/process_hold.h"
 
 namespace onggi::stress {
 
@@ -38,8 +38,8 @@ inline double bytes_below(const std::filesystem::path& folder) {
 
 inline Figures figures_of_this_process(const std::filesystem::path& folder) {
     constexpr double kKb = 1e3;
-    return {.resident_kb = app::resident_mb().value_or(0.0) * kKb,
-            .handles = static_cast<double>(list_folder("/proc/self/fd").entries.size()),
+    return {.resident_kb = test::resident_kb(),
+            .handles = static_cast<double>(test::open_handles()),
             .threads = static_cast<double>(list_folder("/proc/self/task").entries.size()),
             .disk_kb = bytes_below(folder) / kKb};
 }

@@ -1,26 +1,19 @@
 // What this process holds of the machine: more after than before is a leak. Any thread.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "engine/core/list_folder.h"
+#include "game/app/system/process_use.h"
 
 namespace onggi::test {
 
+// kB of a thousand bytes; 0 where the kernel does not say.
 inline double resident_kb() {
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    while (status >> word) {
-        double kb = 0.0;
-        if (word == "VmRSS:" && status >> kb) return kb;
-    }
-    return 0.0;
+    constexpr double kKbAMb = 1e3;
+    return app::resident_mb().value_or(0.0) * kKbAMb;
 }
 
 inline long open_handles() {
-    const std::filesystem::directory_iterator all("/proc/self/fd");
-    return std::distance(begin(all), end(all));
+    return static_cast<long>(list_folder("/proc/self/fd").entries.size());
 }
 
 }  // namespace onggi::test

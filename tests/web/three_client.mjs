@@ -1,13 +1,8 @@
 // node three_client.mjs DIR [SCREENSHOTS]: opens every hand-made pot of DIR with three.js in Debian's Chromium, as a
 // visitor's phone would, and compares what arrived with what was thrown. Writes a screenshot a pot.
-import { mkdir } from 'node:fs/promises';
-import path from 'node:path';
-import { expect, launch, watch } from './browser.mjs';
-import { checkAll, listPots } from './pots.mjs';
-import { serve } from './server.mjs';
+import { expect } from './browser.mjs';
+import { checkInBrowser, SIZE_TOLERANCE_M } from './in_browser.mjs';
 
-const PAGE_TIMEOUT_MS = 60_000;
-const SIZE_TOLERANCE_M = 0.0001;  // a tenth of a millimetre
 const CLAY = [0.36, 0.29, 0.215];
 
 const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
@@ -46,41 +41,11 @@ function compare(found, pot) {
     expect(found.luminance > 60, `expected the lamp's side to face us, found a luminance of ${found.luminance}`);
 }
 
-/** One page load; fails on any console error, failed request, or request to another host. */
-async function open(browser, origin, pot, screenshots) {
-    const page = await browser.newPage({ viewport: { width: 480, height: 480 } });
-    const complaints = watch(page, origin);
-    try {
-        await page.goto(`${origin}/index.html?pot=${pot.name}`);
-        await page.waitForFunction('window.found !== undefined', null, { timeout: PAGE_TIMEOUT_MS });
-        const found = await page.evaluate('window.found');
-        if (screenshots) await page.screenshot({ path: path.join(screenshots, `${pot.name}.png`) });
-        compare(found, pot);
-        expect(complaints.length === 0, complaints.join('; '));
-        return found;
-    } finally {
-        await page.close();
-    }
+function check(found, pot) {
+    compare(found, pot);
+    const size = found.max.map((high, axis) => (1000 * (high - found.min[axis])).toFixed(2));
+    return `${size.join(' x ')} mm, ${found.triangles} triangles, ` +
+        `${(100 * found.coverage).toFixed(1)} % covered, luminance ${found.luminance.toFixed(0)}`;
 }
 
-const [folder, screenshots] = process.argv.slice(2);
-if (!folder) {
-    console.error('expected: node three_client.mjs DIR [SCREENSHOTS]');
-    process.exit(2);
-}
-if (screenshots) await mkdir(screenshots, { recursive: true });
-const pots = (await listPots(folder)).filter((pot) => pot.hand_made);
-const server = await serve(folder);
-const browser = await launch();
-try {
-    console.log(`Chromium ${browser.version()}`);
-    await checkAll(pots, async (pot) => {
-        const found = await open(browser, server.origin, pot, screenshots);
-        const size = found.max.map((high, axis) => (1000 * (high - found.min[axis])).toFixed(2));
-        return `${size.join(' x ')} mm, ${found.triangles} triangles, ` +
-            `${(100 * found.coverage).toFixed(1)} % covered, luminance ${found.luminance.toFixed(0)}`;
-    });
-} finally {
-    await browser.close();
-    await server.close();
-}
+await checkInBrowser({ address: 'index.html?pot=', check });
