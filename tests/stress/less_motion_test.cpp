@@ -75,8 +75,15 @@ class Camera : public testing::Test {
         return count;
     }
 
+    // Eight seconds into it the wheel would show a step by itself, and whose press meets that presses again.
+    static kiosk::Config without_shows() {
+        kiosk::Config config;
+        config.visit.shows_by_itself = false;
+        return config;
+    }
+
     test::TemporaryFolder folder;
-    UnseenKiosk kiosk{folder.path(), {.plain = false}};
+    UnseenKiosk kiosk{folder.path(), {.plain = false, .config = without_shows()}};
 };
 
 TEST_F(Camera, FadesOverIntoThePot) {

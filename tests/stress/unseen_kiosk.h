@@ -50,6 +50,7 @@ class UnseenKiosk {
         EXPECT_TRUE(settings);
         settings_ = std::move(*settings);
         settings_.config = std::move(options.config);
+        settings_.rules.shows_by_itself = settings_.config.visit.shows_by_itself;
         settings_.config.gallery.folder = gallery.string();
         settings_.config.gallery.least_free_mb = 1.0;
         settings_.config.gallery.most_pots = options.most_pots;
