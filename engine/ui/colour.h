@@ -1,9 +1,10 @@
 // A colour as a designer writes it, and the contrast of two as WCAG 2.1 counts it. Any thread.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
+
+#include "engine/math/luminance.h"
 
 namespace onggi::ui {
 
@@ -34,19 +35,16 @@ struct Colour {
     return mix(below, top.with_alpha(1.0F), top.a).with_alpha(1.0F);
 }
 
-// WCAG 2.1, relative luminance.
 [[nodiscard]] inline float luminance(const Colour& colour) {
     const auto linear = [](float value) {
         return value <= 0.03928F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
     };
-    return 0.2126F * linear(colour.r) + 0.7152F * linear(colour.g) + 0.0722F * linear(colour.b);
+    return onggi::luminance({linear(colour.r), linear(colour.g), linear(colour.b)});
 }
 
-// WCAG 2.1, contrast ratio of two opaque colours: 1 to 21.
+// Of two opaque colours.
 [[nodiscard]] inline float contrast(const Colour& one, const Colour& other) {
-    const float a = luminance(one);
-    const float b = luminance(other);
-    return (std::max(a, b) + 0.05F) / (std::min(a, b) + 0.05F);
+    return onggi::contrast(luminance(one), luminance(other));
 }
 
 }  // namespace onggi::ui

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 namespace onggi::finish {
-namespace {
 
 using decoration::Pigment;
 using decoration::Texel;
 
-vec3 colour_of(const MarkPalette& palette, Pigment pigment) {
+vec3 pigment_colour(const MarkPalette& palette, Pigment pigment) {
     switch (pigment) {
         case Pigment::kWhiteSlip:
             return palette.white_slip;
@@ -23,12 +22,10 @@ vec3 colour_of(const MarkPalette& palette, Pigment pigment) {
     return palette.iron;
 }
 
-}  // namespace
-
 MarkColour mark_colour(const MarkPalette& palette, const Texel& texel) {
     constexpr float kMost = 255.0F;
     const float amount = static_cast<float>(texel.amount) / kMost;
-    const vec3 pigment = colour_of(palette, texel.pigment);
+    const vec3 pigment = pigment_colour(palette, texel.pigment);
     if (texel.coat == 0) return {pigment, amount};
     const float thick = static_cast<float>(std::max(0, texel.coat - Texel::kWiped)) / (kMost - Texel::kWiped);
     const vec3 coat = glm::mix(palette.finger, palette.coat, thick);

@@ -9,6 +9,9 @@
 
 namespace onggi::finish {
 
+// What that pigment looks like; of none, iron's.
+[[nodiscard]] vec3 pigment_colour(const MarkPalette& palette, decoration::Pigment pigment);
+
 // A colour, and how far it hides what the place would be without it.
 struct MarkColour {
     vec3 colour{0.0F};

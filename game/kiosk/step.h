@@ -54,6 +54,7 @@ enum class Button {
     kClear,        // all that was drawn
     kGlaze,        // value: which
     kTakeGlaze,
+    kDecorateAgain,  // the glaze comes off once more
     kOtherGlaze,
     kKeep,
     kOnWifi,      // the phone has joined the museum's: the pot's code now

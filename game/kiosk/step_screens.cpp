@@ -120,6 +120,8 @@ void press_glaze(Turn& turn, const Event& event) {
         turn.state.glaze = event.value;
     } else if (event.button == Button::kTakeGlaze) {
         turn.show(Screen::kYourPot);
+    } else if (event.button == Button::kDecorateAgain) {
+        begin_decorating(turn);
     }
 }
 

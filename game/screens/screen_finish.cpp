@@ -93,6 +93,61 @@ float fitting_scale(const pot::Section& shape, float box_width, float box_height
     return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
 }
 
+// Where words and tokens of the glaze screen stand, before mirroring.
+struct GlazePlaces {
+    Rect line;
+    Rect hides;
+    Rect decorate;
+    Rect take;
+    Rect languages;  // brought low
+};
+
+GlazePlaces glaze_places(const Page& page, float shelf_y) {
+    const float right = page.width() - 32.0F;
+    switch (page.shape()) {
+        case Shape::kTall: {
+            // Brought low, the languages stand in the row too.
+            const float wide = right - 318.0F - (page.is_low() ? 166.0F : 0.0F);
+            return {.line = {40.0F, shelf_y + 40.0F, right - 48.0F, 44.0F},
+                    .hides = {40.0F, shelf_y + 86.0F, right - 48.0F, 44.0F},
+                    .decorate = {32.0F, shelf_y + 140.0F, 270.0F, 80.0F},
+                    .take = {318.0F, shelf_y + 140.0F, wide, 80.0F},
+                    .languages = {right - 150.0F, shelf_y + 150.0F, 150.0F, 60.0F}};
+        }
+        case Shape::kSquare:
+            return {.line = {right - 300.0F, 160.0F, 300.0F, 118.0F},
+                    .hides = {right - 300.0F, 284.0F, 300.0F, 80.0F},
+                    .decorate = {right - 236.0F, 384.0F, 236.0F, 60.0F},
+                    .take = {right - 236.0F, 454.0F, 236.0F, 66.0F},
+                    .languages = {32.0F, 397.0F, 150.0F, 60.0F}};
+        case Shape::kWide:
+            break;
+    }
+    return {.line = {right - 340.0F, 176.0F, 340.0F, 118.0F},
+            .hides = {right - 340.0F, 296.0F, 340.0F, 76.0F},
+            .decorate = {page.is_low() ? 198.0F : 32.0F, 376.0F, 236.0F, 74.0F},
+            .take = {right - 220.0F, 376.0F, 220.0F, 74.0F},
+            .languages = {32.0F, 383.0F, 150.0F, 60.0F}};
+}
+
+// What the glaze is; and to who drew on the pot, what it does to that.
+void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMaterial& glaze) {
+    const auto& pot = page.view().pot;
+    const bool was_made_for_it = pot && pot->drawn_with.inlaid && glaze.glaze == finish::Glaze::kCeladon;
+    Words words{.text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key),
+                .size = 27.0F,
+                .line = 38.0F};
+    if (page.shape() == Shape::kTall) words.align = ui::Align::kCentre;
+    const bool hides = pot && finish::hides(glaze, pot->drawn_with);
+    Rect line = places.line;
+    if (!hides) line.height = places.hides.bottom() - line.y;  // nothing comes below
+    page.words(page.mirrored(line), words);
+    if (!hides) return;
+    words.text = page.t("glz.hides");
+    words.bold = true;
+    page.words(page.mirrored(places.hides), words);
+}
+
 }  // namespace
 
 void draw_firing(Page& page) {
@@ -190,10 +245,8 @@ void draw_glazes(Page& page) {
     page.words(
         page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
         {.text = page.t("glz.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
-    // Brought low, it stands across from the token that takes the glaze, or beside it.
-    page.languages_token(tall     ? Rect{width - 182.0F, shelf_y + 150.0F, 150.0F, 60.0F}
-                         : square ? Rect{32.0F, 397.0F, 150.0F, 60.0F}
-                                  : Rect{32.0F, 383.0F, 150.0F, 60.0F});
+    const GlazePlaces places = glaze_places(page, shelf_y);
+    page.languages_token(places.languages);
     page.shelf(shelf_y, 34.0F);
     const finish::GlazeMaterial& chosen = finish::glaze_at(glaze);
     const float box_width = tall ? 560.0F : square ? 420.0F : 360.0F;
@@ -202,21 +255,10 @@ void draw_glazes(Page& page) {
         page.keep_clear(
             page.pot(view.pot->shape, chosen, std::min(scale, 3.2F), {centre_x, shelf_y + 12.0F}));
     }
-    const Words line{.text = page.t(chosen.line_key), .size = 27.0F, .line = 38.0F};
-    if (tall) {
-        page.words({40.0F, shelf_y + 50.0F, width - 80.0F, 80.0F}, [&] {
-            Words centred = line;
-            centred.align = ui::Align::kCentre;
-            return centred;
-        }());
-        page.token({0.5F * (width - 300.0F), shelf_y + 140.0F, 300.0F, 80.0F}, Look::kPrimary,
-                   kiosk::Button::kTakeGlaze, page.t("glz.take"));
-    } else {
-        const float side = square ? 300.0F : 340.0F;
-        page.words(page.mirrored({width - 32.0F - side, square ? 200.0F : 206.0F, side, 160.0F}), line);
-        page.token(page.mirrored({width - 32.0F - 220.0F, square ? 390.0F : 376.0F, 220.0F, 74.0F}),
-                   Look::kPrimary, kiosk::Button::kTakeGlaze, page.t("glz.take"));
-    }
+    glaze_words(page, places, chosen);
+    page.token(page.mirrored(places.take), Look::kPrimary, kiosk::Button::kTakeGlaze, page.t("glz.take"));
+    page.token(page.mirrored(places.decorate), Look::kToken, kiosk::Button::kDecorateAgain,
+               page.t("dec.title"), 0, Icon::kIronBrush);
     const float left = 0.5F * (width - static_cast<float>(columns) * (niche_width + gap) + gap);
     for (int i = 0; i < finish::kGlazeCount; ++i) {
         const finish::GlazeMaterial& one = finish::glaze_at(i);

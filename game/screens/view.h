@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "game/finish/drawn_with.h"
 #include "game/kiosk/state.h"
 #include "game/kiosk/strings.h"
 #include "game/screens/pot_picture.h"
@@ -45,6 +46,7 @@ struct FiredPot {
     double weight_g = 0.0;
     double capacity_l = 0.0;
     std::shared_ptr<const Exhibit> relative{};  // the museum's pot that it resembles most; null: none
+    finish::DrawnWith drawn_with{};             // what lies under the glaze
 };
 
 // Another pot on the day's shelf.

@@ -53,6 +53,13 @@ Stroke motif_stroke(const kiosk::Decorating& decorating, double round_mm, double
     return stroke;
 }
 
+// They were drawn on this wall; strokes of another leave it blank.
+decoration::Canvas canvas_of(const pot::Pot& wet, const decoration::Strokes& strokes) {
+    const decoration::Wall wall = wall_of(wet);
+    auto drawn_on = decoration::Canvas::of(wall, strokes);
+    return drawn_on ? std::move(*drawn_on) : decoration::Canvas(wall);
+}
+
 }  // namespace
 
 Stroke stroke_of(const kiosk::Decorating& decorating, double round_mm, double height_mm) {
@@ -64,9 +71,9 @@ Stroke stroke_of(const kiosk::Decorating& decorating, double round_mm, double he
             .width = width_units(kWidthsMm[tool][static_cast<std::size_t>(decorating.brush - 1)])};
 }
 
-VisitDrawing::Work::Work(const pot::Pot& wet)
+VisitDrawing::Work::Work(const pot::Pot& wet, const decoration::Strokes& strokes)
     : dry(pot::fired(wet, clay::Firing::kDry)),
-      canvas(wall_of(wet)),
+      canvas(canvas_of(wet, strokes)),
       scale(dry.height_mm / wet.height_mm) {
     dressed.dress(canvas.texture(), canvas.wall(), raw_palette());
     static_cast<void>(canvas.take_changed());
@@ -76,6 +83,7 @@ void VisitDrawing::forget() {
     release();
     pot_.reset();
     work_.reset();
+    put_away_.clear();
     hover_px_.reset();
     begun_ = brush_down_ = false;
     dot_rad_ = 0.0;
@@ -96,7 +104,17 @@ void VisitDrawing::begin(const dvec2& heading) {
 void VisitDrawing::start_if_ready() {
     constexpr double kLeastMm = 3.0 * decoration::kMarginMm;
     if (!begun_ || work_ || !pot_ || pot_->ring_count() == 0 || pot_->height_mm < kLeastMm) return;
-    work_ = std::make_shared<Work>(*pot_);
+    work_ = std::make_shared<Work>(*pot_, std::exchange(put_away_, {}));
+    if (!work_->canvas.is_plain()) tell();
+}
+
+void VisitDrawing::put_away() {
+    release();
+    put_away_ = work_->canvas.strokes();
+    work_.reset();
+    hover_px_.reset();
+    begun_ = brush_down_ = false;
+    jobs::give_back_freed_memory();
 }
 
 dvec2 VisitDrawing::heading() const {
@@ -265,10 +283,7 @@ void VisitDrawing::tell() {
 void VisitDrawing::pass(double dt_s) {
     constexpr double kTurnS = 10.0;
     const kiosk::Screen screen = flow_.state().screen;
-    if (screen == kiosk::Screen::kGlaze && work_) {
-        forget();  // it is fired: what it came to goes with the pot
-        jobs::give_back_freed_memory();
-    }
+    if (screen == kiosk::Screen::kGlaze && work_) put_away();  // fired: what it came to goes with the pot
     if (!drawing_is_open(flow_.state())) {
         release();
         put_brush(false);
@@ -316,6 +331,10 @@ std::vector<vec2> VisitDrawing::ring(bool keys_lead) const {
 std::shared_ptr<const decoration::Marks> VisitDrawing::marks() const {
     if (!work_ || work_->canvas.is_plain()) return nullptr;
     return std::make_shared<const decoration::Marks>(work_->canvas.marks());
+}
+
+finish::DrawnWith VisitDrawing::drawn_with() const {
+    return work_ ? finish::drawn_with(work_->canvas.texture(), work_->canvas.strokes()) : finish::DrawnWith{};
 }
 
 }  // namespace onggi::app

@@ -9,6 +9,7 @@
 #include "game/app/kiosk/visit_parts.h"
 #include "game/decoration/canvas.h"
 #include "game/decoration/picking.h"
+#include "game/finish/drawn_with.h"
 #include "game/look/lathe_marks.h"
 #include "game/pot/pot.h"
 #include "game/wheel/wheel_view.h"
@@ -32,6 +33,7 @@ class VisitDrawing {
 
     // The pot that was cut off, wet; it is drawn on from begin() on, as far as the wheel has turned then.
     void take(std::shared_ptr<const pot::Pot> pot);
+    // Once more where it went to the kiln and was wanted back: with what was drawn.
     void begin(const dvec2& heading);
     void forget();
 
@@ -54,10 +56,11 @@ class VisitDrawing {
     [[nodiscard]] std::vector<vec2> ring(bool keys_lead) const;
     // What was drawn; null: nothing.
     [[nodiscard]] std::shared_ptr<const decoration::Marks> marks() const;
+    [[nodiscard]] finish::DrawnWith drawn_with() const;
 
   private:
     struct Work {
-        explicit Work(const pot::Pot& wet);
+        Work(const pot::Pot& wet, const decoration::Strokes& strokes);
 
         pot::Pot dry;
         decoration::Canvas canvas;
@@ -65,6 +68,8 @@ class VisitDrawing {
         double scale;  // of the dry pot, beside the wall
     };
     void start_if_ready();
+    // What it is drawn with takes room; the strokes alone stay.
+    void put_away();
     void dress();
     void tell();
     void draw_at(const std::optional<decoration::WallPlace>& place);
@@ -77,6 +82,7 @@ class VisitDrawing {
     VisitFlow& flow_;
     std::shared_ptr<const pot::Pot> pot_;
     std::shared_ptr<Work> work_;
+    decoration::Strokes put_away_;  // to go on from
     bool begun_ = false;
     double turned_rad_ = 0.0;
     std::optional<vec2> finger_px_;

@@ -137,6 +137,7 @@ void VisitEffects::fire_drawing() {
     if (!pot_) return;
     screens::FiredPot drawn_on = *pot_;
     drawn_on.shape.marks = drawing_.marks();
+    drawn_on.drawn_with = drawing_.drawn_with();
     pot_ = std::make_shared<const screens::FiredPot>(std::move(drawn_on));
 }
 

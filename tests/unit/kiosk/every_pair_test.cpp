@@ -161,6 +161,7 @@ std::vector<Happening> buttons() {
         {Button::kClear, any},
         {Button::kGlaze, any},
         {Button::kTakeGlaze, any + ", glaze -> your-pot"},
+        {Button::kDecorateAgain, any + ", glaze -> decorate"},
         {Button::kOtherGlaze, any + ", your-pot -> glaze"},
         {Button::kKeep, any + ", your-pot -> saving"},
         {Button::kOnWifi, any},

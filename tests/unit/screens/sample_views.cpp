@@ -4,6 +4,7 @@
 
 #include "game/screens/design.h"
 #include "game/screens/layout.h"
+#include "tests/unit/screens/sample_decorations.h"
 
 namespace onggi::screens {
 namespace {
@@ -293,6 +294,18 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
     });
     for (int glaze = 0; glaze < 6; ++glaze) {
         add("glaze-" + std::to_string(glaze), Screen::kGlaze, [&](View& view) { view.state.glaze = glaze; });
+    }
+    for (const int glaze : {0, 3}) {
+        add("glaze-drawn-" + std::to_string(glaze), Screen::kGlaze, [&](View& view) {
+            FiredPot pot = *view.pot;
+            const double tall = pot.shape.height_mm();
+            const decoration::Strokes strokes{
+                motif_round(decoration::Motif::kCrane, 0.5 * tall, 0.36 * tall, 5)};
+            pot.shape = drawn_on(pot.shape, strokes);
+            pot.drawn_with = finish::drawn_with(decoration::texture_of(*pot.shape.marks), strokes);
+            view.pot = std::make_shared<const FiredPot>(std::move(pot));
+            view.state.glaze = glaze;
+        });
     }
     add("your-pot", Screen::kYourPot, nothing);
     add("your-pot-alone", Screen::kYourPot, [](View& view) {
