@@ -19,11 +19,10 @@ struct DrawnWith {
     [[nodiscard]] bool nothing() const;
     friend bool operator==(const DrawnWith&, const DrawnWith&) = default;
 };
-[[nodiscard]] DrawnWith drawn_with(const decoration::Texture& texture,
-                                   const decoration::Strokes& strokes);
+[[nodiscard]] DrawnWith drawn_with(const decoration::Texture& texture, const decoration::Strokes& strokes);
 
-// Hardly a tenth of what was drawn is to be told from this glaze where there is none of it. What fingers left is a
-// groove as well and is always seen.
+// Hardly a tenth of what was drawn is to be told from this glaze where there is none of it. What fingers left
+// is a groove as well and is always seen.
 [[nodiscard]] bool hides(const GlazeMaterial& glaze, const DrawnWith& drawn);
 
 }  // namespace onggi::finish

@@ -26,6 +26,9 @@ constexpr int kScreenCount = 11;
 enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
 constexpr int kPanelCount = 6;
 
+// The card of the pot that stands beside the visitor's own.
+constexpr int kRelativesCard = -1;
+
 // What a visitor may set, and what every visit begins with again.
 struct Comfort {
     int language = 0;   // place in Rules::languages
@@ -153,7 +156,7 @@ struct ScreenState {
     Comfort comfort;
     Throwing throwing;
     int shelf_first = 0;  // choose: the first that is seen of the shelf; 0 is throwing as one likes
-    int card = 0;         // of which pot of the shelf
+    int card = 0;         // of which pot of the shelf, or kRelativesCard
     FiringStage firing = FiringStage::kCut;
     Decorating decorating;
     int glaze = 0;

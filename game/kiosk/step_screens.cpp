@@ -128,6 +128,9 @@ void press_glaze(Turn& turn, const Event& event) {
 void press_your_pot(Turn& turn, const Event& event) {
     if (event.button == Button::kOtherGlaze) {
         show_glazes(turn);
+    } else if (event.button == Button::kCard) {
+        turn.state.card = kRelativesCard;
+        turn.lay_over(Panel::kCard);
     } else if (event.button == Button::kKeep) {
         turn.state.keeping = {};
         turn.add(Effect::Kind::kSave);
@@ -216,7 +219,7 @@ void press_screen(Turn& turn, const Event& event) {
 void press_card(Turn& turn, const Event& event) {
     if (event.button == Button::kCardClose) {
         turn.lay_over(Panel::kNone);
-    } else if (event.button == Button::kCardThrow) {
+    } else if (event.button == Button::kCardThrow && turn.state.card != kRelativesCard) {
         const int place = turn.state.card;
         turn.lay_over(Panel::kNone);
         press_choose(turn, Event::pressed(Button::kTarget, place));

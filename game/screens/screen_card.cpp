@@ -14,6 +14,7 @@ namespace {
 using ui::Rect;
 
 const Exhibit* exhibit_of(const View& view) {
+    if (view.state.card == kiosk::kRelativesCard) return view.pot ? view.pot->relative.get() : nullptr;
     const auto place = static_cast<std::size_t>(view.state.card);
     return place < view.exhibits->size() ? &(*view.exhibits)[place] : nullptr;
 }
@@ -109,6 +110,7 @@ void draw_card_panel(Page& page) {
     page.token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), Look::kOutline,
                kiosk::Button::kCardClose, page.t("ctl.back"), 0,
                page.right_to_left() ? Icon::kRight : Icon::kLeft);
+    if (view.state.card == kiosk::kRelativesCard) return;  // a pot is being looked at already
     page.token(page.mirrored({width - 332.0F, foot_y + 2.0F, 300.0F, 76.0F}), Look::kPrimary,
                kiosk::Button::kCardThrow, page.t("card.throw"));
 }

@@ -115,8 +115,8 @@ GlazePlaces glaze_places(const Page& page, float shelf_y) {
                     .languages = {right - 150.0F, shelf_y + 150.0F, 150.0F, 60.0F}};
         }
         case Shape::kSquare:
-            return {.line = {right - 300.0F, 160.0F, 300.0F, 118.0F},
-                    .hides = {right - 300.0F, 284.0F, 300.0F, 80.0F},
+            return {.line = {right - 300.0F, 104.0F, 300.0F, 174.0F},
+                    .hides = {right - 300.0F, 282.0F, 300.0F, 96.0F},
                     .decorate = {right - 236.0F, 384.0F, 236.0F, 60.0F},
                     .take = {right - 236.0F, 454.0F, 236.0F, 66.0F},
                     .languages = {32.0F, 397.0F, 150.0F, 60.0F}};
@@ -134,9 +134,8 @@ GlazePlaces glaze_places(const Page& page, float shelf_y) {
 void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMaterial& glaze) {
     const auto& pot = page.view().pot;
     const bool was_made_for_it = pot && pot->drawn_with.inlaid && glaze.glaze == finish::Glaze::kCeladon;
-    Words words{.text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key),
-                .size = 27.0F,
-                .line = 38.0F};
+    Words words{
+        .text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key), .size = 27.0F, .line = 38.0F};
     if (page.shape() == Shape::kTall) words.align = ui::Align::kCentre;
     const bool hides = pot && finish::hides(glaze, pot->drawn_with);
     Rect line = places.line;

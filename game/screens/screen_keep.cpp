@@ -74,11 +74,32 @@ void height_bracket(Page& page, float x, float foot_y, float height) {
     page.sprite({x - 10.0F, foot_y - height - 2.0F, 20.0F, height + 6.0F}, std::move(sketch));
 }
 
-void near_words(Page& page, const Rect& rect, const Exhibit& exhibit) {
-    const std::string text = page.t("your.near") + (page.language().code() == "ko" ? ": " : " ") +
-                             page.t(exhibit.name_key) + "\n" + page.t(exhibit.date_key) + " \u00b7 " +
-                             page.t("your.scale");
-    page.words(rect, {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
+// What stands beside it, and below that what is good about the pot and what to try next.
+// Brought low, the token of its card stands beside that of the languages.
+void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& languages) {
+    constexpr float kSide = 64.0F;
+    constexpr float kGap = 14.0F;
+    const Exhibit& exhibit = *pot.relative;
+    const float about = exhibit.card && !page.is_low() ? kSide + kGap : 0.0F;
+    const std::string text = page.t(pot.is_after_relative ? "your.after" : "your.near") +
+                             (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) + "\n" +
+                             page.t(exhibit.date_key) + "\n" + page.t("your.scale");
+    const bool rtl = page.right_to_left();
+    const float split = 0.61F * rect.height;  // three lines, and two
+    page.words({rtl ? rect.x + about : rect.x, rect.y, rect.width - about, split - 4.0F},
+               {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
+    if (exhibit.card) {
+        const Rect beside{rtl ? rect.x : rect.right() - kSide, rect.y + 23.0F, kSide, kSide};
+        const Rect low{rtl ? languages.right() + kGap : languages.x - kGap - kSide, languages.y - 2.0F, kSide,
+                       kSide};
+        page.token(page.is_low() ? low : beside, Look::kOutline, kiosk::Button::kCard, page.t("card.about"),
+                   kiosk::kRelativesCard, Icon::kAbout, false);
+    }
+    page.words({rect.x, rect.y + split, rect.width, rect.height - split},
+               {.text = page.t(pot.good_key) + "\n" + page.t(pot.next_key),
+                .size = 27.0F,
+                .line = 36.0F,
+                .colour = design::kSlip});
 }
 
 }  // namespace
@@ -99,7 +120,11 @@ void draw_your_pot(Page& page) {
     page.words(
         page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
         {.text = page.t("your.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
-    page.languages_token({width - 182.0F, tall ? height - 182.0F : square ? 480.0F : 474.0F, 150.0F, 60.0F});
+    const Rect languages = page.languages_token({width - 182.0F,
+                                                 tall     ? height - 182.0F
+                                                 : square ? 480.0F
+                                                          : 474.0F,
+                                                 150.0F, 60.0F});
     if (!view.pot) return;
 
     const Exhibit* const relative = view.pot->relative.get();
@@ -143,15 +168,16 @@ void draw_your_pot(Page& page) {
     }
     const float card_x = tall ? 40.0F : stage.width + 10.0F;
     const float card_width = tall ? width - 80.0F : width - 32.0F - card_x;
-    const Rect card = page.mirrored({card_x, (tall ? 740.0F : 118.0F) - raised, card_width, 320.0F});
+    const float card_height = relative == nullptr ? 320.0F : square && !page.is_low() ? 272.0F : 228.0F;
+    const Rect card = page.mirrored({card_x, (tall ? 740.0F : 118.0F) - raised, card_width, card_height});
     measures_card(page, card);
-    if (relative != nullptr) {
-        near_words(
-            page,
-            page.mirrored({card_x + 6.0F, card.bottom() + 12.0F, card_width - 6.0F, tall ? 76.0F : 90.0F}),
-            *relative);
-    }
     const float y = tall ? height - 110.0F : height - 108.0F;
+    if (relative != nullptr) {
+        const float top = card.bottom() + 12.0F;
+        const float bottom = page.is_low() ? languages.y : y;
+        near_words(page, page.mirrored({card_x + 6.0F, top, card_width - 6.0F, bottom - 4.0F - top}),
+                   *view.pot, languages);
+    }
     const float left_width = 0.46F * card_width;
     page.token(page.mirrored({card_x, y, left_width, 76.0F}), Look::kOutline, kiosk::Button::kOtherGlaze,
                page.t("your.glaze"));

@@ -45,8 +45,12 @@ struct FiredPot {
     double width_mm = 0.0;
     double weight_g = 0.0;
     double capacity_l = 0.0;
-    std::shared_ptr<const Exhibit> relative{};  // the museum's pot that it resembles most; null: none
-    finish::DrawnWith drawn_with{};             // what lies under the glaze
+    // The museum's pot that it was thrown after, or else that it resembles most; null: none.
+    std::shared_ptr<const Exhibit> relative{};
+    bool is_after_relative = false;
+    std::string good_key{};  // beside it: what is good, and what to try next
+    std::string next_key{};
+    finish::DrawnWith drawn_with{};  // what lies under the glaze
 };
 
 // Another pot on the day's shelf.

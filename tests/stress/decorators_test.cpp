@@ -230,6 +230,27 @@ TEST_F(Decorators, SeeTheirStrokeUnderTheFingerInTheVeryFrame) {
     kiosk.frame();
 }
 
+TEST_F(Decorators, TakeTheGlazeOffAndDrawOn) {
+    ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
+    draw(between({at(-0.5, 0.2), at(0.4, 0.2)}));
+    ASSERT_TRUE(kiosk.press(Button::kDone));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+    ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
+    ASSERT_TRUE(kiosk.press(Button::kOtherGlaze));
+    ASSERT_TRUE(kiosk.press(Button::kDecorateAgain));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kDecorate; }, 0.1));
+    EXPECT_EQ(kiosk.state().decorating.strokes, 1);
+    ASSERT_TRUE(kiosk.press(Button::kTurning));
+    ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
+    draw(between({at(-0.4, -0.2), at(0.4, -0.2)}));
+    draw(between({at(-0.4, -0.3), at(0.4, -0.3)}));
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    decoration::Recorded recorded;
+    decoration::Marks marks;
+    keep_and_read(recorded, marks);
+    EXPECT_EQ(recorded.strokes.size(), 2U);
+}
+
 TEST_F(Decorators, DrawByKeysAlone) {
     ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
     const auto key = [&](window::Key which) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "game/heritage/score.h"
+#include "game/heritage/advice.h"
 
 namespace onggi::app {
 
@@ -19,6 +19,8 @@ TargetScore score_beside(const TargetChoice& choice, const clay::StudioClay& cla
         if (measure.target) museum = *measure.target;
         measures[measure.name] = {{"pot", measure.pot}, {"museum", museum}};
     }
+    const heritage::Advice advice =
+        heritage::advise(form, target, choice.chosen ? std::optional(score.size.fraction) : std::nullopt);
     TargetScore result;
     result.json = {{"id", target.id},
                    {"text", heritage::sentence(target)},
@@ -30,9 +32,11 @@ TargetScore score_beside(const TargetChoice& choice, const clay::StudioClay& cla
                    {"published_points", score.published_points},
                    {"drawn_points", score.drawn_points},
                    {"mean_off_mm", score.mean_off_mm},
+                   {"good", heritage::good_key(advice)},
+                   {"try_next", heritage::next_key(advice)},
                    {"nearest", resembled.id},
                    {"nearest_unlikeness", nearest.unlikeness}};
-    result.text = heritage::report(score, target);
+    result.text = heritage::report(score, target) + heritage::report(advice);
     if (choice.chosen) {
         result.text += fmt::format("nearest in shape: {} ({:.3f} unlike, 0 the same)\n", resembled.id,
                                    nearest.unlikeness);

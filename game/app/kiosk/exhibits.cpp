@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "game/finish/glaze.h"
-#include "game/heritage/score.h"
 
 namespace onggi::app {
 namespace {
@@ -55,14 +54,6 @@ std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
         outline.push_back(vec2(target.radius_at(y_mm) * scale, y_mm * scale));
     }
     return outline;
-}
-
-// As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
-// thrown.
-heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
-    constexpr double kVisitorsWallMm = 8.0;
-    return heritage::thrown_size(target, clay::ClayBody::kStoneware,
-                                 {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm});
 }
 
 const Known* known_of(const heritage::Target& target) {
@@ -132,6 +123,12 @@ std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& 
     for (const heritage::Target& target : targets)
         relatives.push_back(exhibit_of(target, known_of(target), words));
     return relatives;
+}
+
+heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
+    constexpr double kVisitorsWallMm = 8.0;
+    return heritage::thrown_size(target, clay::ClayBody::kStoneware,
+                                 {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm});
 }
 
 std::vector<vec2> wet_outline(const heritage::Target& target) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/heritage/card.h"
+#include "game/heritage/score.h"
 #include "game/heritage/target.h"
 #include "game/kiosk/strings.h"
 #include "game/screens/view.h"
@@ -27,6 +28,9 @@ struct ExhibitWords {
 // All of them, in the tables' order; those that the program has no words for speak for themselves.
 [[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets,
                                                          const ExhibitWords& words);
+// As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
+// thrown.
+[[nodiscard]] heritage::ThrownSize size_on_this_wheel(const heritage::Target& target);
 // Its outline at the size at which it is thrown, wet: radius and height from below.
 [[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
 

@@ -7,11 +7,12 @@
 #include <string_view>
 
 #include "engine/ui/painter.h"
+#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_hand.h"
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/finish/glaze.h"
-#include "game/heritage/score.h"
+#include "game/heritage/advice.h"
 
 namespace onggi::app {
 namespace {
@@ -104,7 +105,8 @@ double thinnest_wall_mm(const pot::Pot& shape) {
 }
 
 screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
-                            const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives) {
+                            const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives,
+                            std::optional<std::size_t> chosen) {
     const clay::ClayBody body = clay.lump().body;
     const clay::PotMeasures measures = clay::measure_pot(clay.rings(), body, clay::Firing::kGlaze);
     const heritage::PotForm form = heritage::form_of(clay);
@@ -129,8 +131,16 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
         pot.shape.inside.push_back({0.6F * pot.shape.inside.back().x, floor_mm});
         pot.shape.inside.push_back({0.0F, floor_mm});
     }
-    if (!targets.empty() && relatives && relatives->size() == targets.size())
-        pot.relative = {relatives, &(*relatives)[heritage::nearest(form, targets).target]};
+    if (targets.empty() || !relatives || relatives->size() != targets.size()) return pot;
+    pot.is_after_relative = chosen && *chosen < targets.size();
+    const std::size_t beside = pot.is_after_relative ? *chosen : heritage::nearest(form, targets).target;
+    const heritage::Target& target = targets[beside];
+    const heritage::Advice advice = heritage::advise(
+        form, target,
+        pot.is_after_relative ? std::optional(size_on_this_wheel(target).fraction) : std::nullopt);
+    pot.relative = {relatives, &(*relatives)[beside]};
+    pot.good_key = heritage::good_key(advice);
+    pot.next_key = heritage::next_key(advice);
     return pot;
 }
 

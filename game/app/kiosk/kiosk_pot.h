@@ -41,11 +41,12 @@ class Lesson {
 // Thickness of the thinnest wall above the floor; 0 where nothing is hollow.
 [[nodiscard]] double thinnest_wall_mm(const pot::Pot& shape);
 
-// The pot as it comes out of the kiln, and what it resembles most of all `targets`, as relatives_of() shows
-// them; no relative where those are not theirs.
+// The pot as it comes out of the kiln, and beside it the one of `targets` that it was thrown after, `chosen`,
+// or else resembles most, as relatives_of() shows them; no relative where those are not theirs.
 [[nodiscard]] screens::FiredPot fired_pot(
     const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
-    const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives);
+    const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives,
+    std::optional<std::size_t> chosen = std::nullopt);
 // A portrait on the evening museum's wall, square.
 [[nodiscard]] ui::Painting portrait(const pot::Section& shape, int glaze, int side_px);
 

@@ -132,6 +132,13 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
     }
 }
 
+std::optional<std::size_t> VisitEffects::thrown_after() const {
+    const std::optional<int> target = flow_.state().throwing.target;
+    const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
+    if (!target || static_cast<std::size_t>(*target) >= places.size()) return std::nullopt;
+    return places[static_cast<std::size_t>(*target)];
+}
+
 // What was drawn goes with the pot from here on.
 void VisitEffects::fire_drawing() {
     if (!pot_) return;
@@ -202,8 +209,8 @@ void VisitEffects::take_answers() {
         if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
         switch (answer->kind) {
             case KeeperAnswer::Kind::kCutOff:
-                pot_ = std::make_shared<const screens::FiredPot>(
-                    fired_pot(*answer->clay, parts_.settings.targets, parts_.settings.relatives));
+                pot_ = std::make_shared<const screens::FiredPot>(fired_pot(
+                    *answer->clay, parts_.settings.targets, parts_.settings.relatives, thrown_after()));
                 drawing_.take(answer->pot);
                 if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
                 break;

@@ -47,6 +47,8 @@ class VisitEffects {
     [[nodiscard]] bool restarts() const { return restarts_; }
 
   private:
+    // Of the settings' targets.
+    [[nodiscard]] std::optional<std::size_t> thrown_after() const;
     void fire_drawing();
     void save();
     void share();

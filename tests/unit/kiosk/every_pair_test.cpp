@@ -19,6 +19,7 @@ namespace {
 
 // Sets of places that rules may name. "attract-left": an interrupted pot waits; "saving": not kept yet.
 const std::map<std::string, std::string> kSets{
+    {"told", "choose your-pot"},  // of a museum's pot, on its card
     {"visit", "choose throw failure firing decorate glaze your-pot saving keep resume"},
     {"left-alone",
      "choose throw failure decorate glaze your-pot saving keep resume"},  // firing goes on by itself
@@ -30,7 +31,7 @@ const std::map<std::string, std::string> kPanels{{"", "any"},
                                                  {"+idle", "left-alone"},
                                                  {"+pin", "any"},
                                                  {"+staff", "any"},
-                                                 {"+card", "choose"}};
+                                                 {"+card", "told"}};
 
 struct Happening {
     std::string name;
@@ -57,7 +58,7 @@ std::vector<Happening> events() {
         "left-alone -> same+idle, firing -> decorate+idle, left-alone+language -> same+idle, "
         "firing+language -> decorate+idle, attract+language -> attract, attract-left+language -> "
         "attract-left, "
-        "left-alone+idle -> attract, resume+idle -> attract-left, choose+card -> same+idle";
+        "left-alone+idle -> attract, resume+idle -> attract-left, told+card -> same+idle";
     return {
         tick("a frame", 0.0, ""),
         tick("21 s", 21.0,
@@ -97,7 +98,7 @@ std::vector<Happening> events() {
         at_once("fault", Kind::kFault, 0,
                 "any -> fault, attract+language -> fault, attract-left+language -> fault, "
                 "visit+language -> fault, left-alone+idle -> fault, any+pin -> fault+pin, "
-                "any+staff -> fault+staff, choose+card -> fault"),
+                "any+staff -> fault+staff, told+card -> fault"),
         at_once("fault over", Kind::kFaultOver, 0,
                 "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
         at_once("left over", Kind::kInterruptedSession, 0,
@@ -105,7 +106,7 @@ std::vector<Happening> events() {
                 "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
         at_once("corner held", Kind::kCornerHeld, 0,
                 "any -> same+pin, attract+language -> same+pin, attract-left+language -> same+pin, "
-                "visit+language -> same+pin, left-alone+idle -> same+pin, choose+card -> same+pin"),
+                "visit+language -> same+pin, left-alone+idle -> same+pin, told+card -> same+pin"),
         at_once("close asked", Kind::kCloseAsked, 0, ""),
     };
 }
@@ -127,8 +128,8 @@ std::vector<Happening> buttons() {
         {Button::kTarget, any + ", choose -> throw"},
         {Button::kShelfBefore, any},
         {Button::kShelfNext, any},
-        {Button::kCard, any + ", choose -> same+card"},
-        {Button::kCardClose, any + ", choose+card -> same"},
+        {Button::kCard, any + ", told -> same+card"},
+        {Button::kCardClose, any + ", told+card -> same"},
         {Button::kCardThrow, any + ", choose+card -> throw"},
         {Button::kNewClay, any + ", failure -> throw"},
         {Button::kUndo, any},

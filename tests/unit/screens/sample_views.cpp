@@ -157,7 +157,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
                                                          .width_mm = 152.0,
                                                          .weight_g = 730.0,
                                                          .capacity_l = 1.7,
-                                                         .relative = {base.exhibits, &base.exhibits->at(3)}});
+                                                         .relative = {base.exhibits, &base.exhibits->at(3)},
+                                                         .good_key = "tip.good.belly",
+                                                         .next_key = "tip.next.mouth.more"});
     base.shelf = std::make_shared<const std::vector<ShelfPot>>(
         std::vector<ShelfPot>{{jar(), 3}, {sample_exhibits()->at(0).shape, 4}, {jar(), 2}, {jar(), 5}});
     base.can_look_in = true;
@@ -308,6 +310,17 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         });
     }
     add("your-pot", Screen::kYourPot, nothing);
+    add("your-pot-after", Screen::kYourPot, [](View& view) {
+        FiredPot pot = *view.pot;
+        pot.is_after_relative = true;
+        pot.good_key = "tip.good.wall";
+        pot.next_key = "tip.next.height.more";
+        view.pot = std::make_shared<const FiredPot>(std::move(pot));
+    });
+    add("your-pot-card", Screen::kYourPot, [](View& view) {
+        view.state.panel = kiosk::Panel::kCard;
+        view.state.card = kiosk::kRelativesCard;
+    });
     add("your-pot-alone", Screen::kYourPot, [](View& view) {
         FiredPot pot = *view.pot;
         pot.relative.reset();

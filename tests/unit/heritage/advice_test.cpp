@@ -1,0 +1,67 @@
+// One good thing and one to try next, beside pots that differ from a museum's in one part alone.
+#include "game/heritage/advice.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/places.h"
+
+namespace onggi::heritage {
+namespace {
+
+Target moon_jar() {
+    const auto targets = load_targets(test::in_checkout("assets/heritage"));
+    const auto jar = targets ? find_target(*targets, "moon-jar-nmk") : Result<Target>(targets.error());
+    EXPECT_TRUE(jar);
+    return jar ? *jar : Target{};
+}
+
+PotForm like(const Target& target, double scale) {
+    PotForm form = form_of(target);
+    form.height_mm *= scale;
+    for (double& radius : form.radii_mm)
+        radius *= scale;
+    form.wall_mm = 5.0;
+    return form;
+}
+
+TEST(Advice, IsToTryAnotherWhereNothingIsToMend) {
+    const Target jar = moon_jar();
+    const Advice advice = advise(like(jar, 0.5), jar, 0.5);
+    EXPECT_FALSE(advice.next);
+    EXPECT_EQ(next_key(advice), "tip.next.other");
+}
+
+TEST(Advice, NamesThePartThatIsFarthestOffAndWhichWay) {
+    const Target jar = moon_jar();
+    PotForm narrow = like(jar, 0.5);
+    narrow.radii_mm.back() *= 0.8;
+    EXPECT_EQ(next_key(advise(narrow, jar, 0.5)), "tip.next.mouth.more");
+    EXPECT_NE(good_key(advise(narrow, jar, 0.5)), "tip.good.mouth");
+    PotForm broad = like(jar, 0.5);
+    broad.radii_mm.front() *= 1.3;
+    EXPECT_EQ(next_key(advise(broad, jar, 0.5)), "tip.next.foot.less");
+    PotForm thick = like(jar, 0.5);
+    thick.wall_mm = 11.0;
+    EXPECT_EQ(next_key(advise(thick, jar, 0.5)), "tip.next.wall.less");
+    PotForm thin = like(jar, 0.5);
+    thin.wall_mm = 1.0;
+    EXPECT_FALSE(advise(thin, jar, 0.5).next) << "nobody is told to leave more clay in a wall";
+}
+
+TEST(Advice, AsksForTheSizeOnlyWhereItWasMeant) {
+    const Target jar = moon_jar();
+    EXPECT_EQ(next_key(advise(like(jar, 0.4), jar, 0.5)), "tip.next.height.more");
+    EXPECT_FALSE(advise(like(jar, 0.4), jar, std::nullopt).next);
+    EXPECT_NE(advise(like(jar, 0.4), jar, std::nullopt).good, PotPart::kHeight);
+}
+
+TEST(Advice, IsSaidInTwoLines) {
+    const Target jar = moon_jar();
+    PotForm wide = like(jar, 0.5);
+    wide.radii_mm.back() *= 1.4;
+    EXPECT_EQ(report(advise(wide, jar, 0.5)),
+              "  good         the right height\n  try next     a closer mouth\n");
+}
+
+}  // namespace
+}  // namespace onggi::heritage
