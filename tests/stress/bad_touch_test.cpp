@@ -21,7 +21,7 @@ class BadTouch : public testing::Test {
         kiosk.frame();
         ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
         ASSERT_TRUE(kiosk.press(Button::kFree));
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
     }
     [[nodiscard]] bool presses() { return kiosk.snapshot().tool.guided && kiosk.snapshot().tool.pressing; }
     void point_at(const dvec3& place_mm) {

@@ -30,7 +30,7 @@ class Decorators : public testing::Test {
         kiosk.touch();
         ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
         ASSERT_TRUE(kiosk.press(Button::kFree));
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
         ASSERT_TRUE(kiosk.throw_a_pot(chance));
         ASSERT_TRUE(kiosk.press(Button::kDone));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kDecorate; }, 0.1));

@@ -32,7 +32,6 @@ class FailedPot : public testing::Test {
         ASSERT_TRUE(stays_on_the_wheel(60)) << "it stands as it is";
     }
     // Clay moves in its own time, and the visit's must not run away from it into attract.
-    static constexpr double kSlowly = 0.002;
     void spin_it_apart() {
         for (int step = 0; step < 2; ++step)
             ASSERT_TRUE(kiosk.press(Button::kSpeedMore));

@@ -24,6 +24,9 @@ namespace onggi::app {
 constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 constexpr double kRateHz = 1000.0;
+// A frame of who waits for what works by the clock on the wall, the keeper or whoever composes screens: on a
+// busy machine the visit's clock must not run away from them, into attract.
+constexpr double kSlowly = 0.002;
 
 struct UnseenOptions {
     clay::StudioClay lump = clay::StudioClay(clay::StudioLump{});  // every lump is that
@@ -166,7 +169,7 @@ class UnseenKiosk {
                 if (one.button == button && one.value == value) target = &one;
             return target != nullptr;
         };
-        if (!until(is_there)) return false;
+        if (!until(is_there, kSlowly)) return false;
         const float px = visit_->shown()->composition.px_per_u;
         const vec2 middle = px * target->rect.centre();
         point(double{middle.x}, double{middle.y});
@@ -179,7 +182,9 @@ class UnseenKiosk {
             return false;
         };
         if (!until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, 0.1))
-            return misses("a pot to draw on");
+            return misses("the pot dried");
+        const auto is_cut_off = [&] { return shown_view() != nullptr && shown_view()->pot != nullptr; };
+        if (!until(is_cut_off, kSlowly)) return misses("a pot to draw on");
         if (decorates) {
             constexpr int kFrames = 90;
             if (!press(kiosk::Button::kDrawingTool, 1)) return misses("a tool to draw with");

@@ -20,9 +20,6 @@ namespace fs = std::filesystem;
 using kiosk::Button;
 using kiosk::Screen;
 
-// A pot is saved in real time, and the visit's must not run away from it into attract.
-constexpr double kSlowly = 0.002;
-
 // So many, by the environment.
 int wanted(const char* name, int usual) {
     const char* words = std::getenv(name);
@@ -43,7 +40,7 @@ bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
     } else {
         EXPECT_TRUE(kiosk.press(Button::kTarget, static_cast<int>(chance() % 3)));
     }
-    EXPECT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }));
+    EXPECT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
     kiosk.touch_clay(chance);
     if (chance() % 3 == 0) {
         EXPECT_TRUE(kiosk.press(Button::kUndo));
@@ -92,7 +89,7 @@ std::size_t pots_in(const fs::path& gallery) {
 
 void keep_a_pot(UnseenKiosk& kiosk, std::mt19937& chance) {
     ASSERT_TRUE(kiosk.press(Button::kFree));
-    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
     ASSERT_TRUE(kiosk.throw_a_pot(chance));
     ASSERT_TRUE(kiosk.press(Button::kDone));
     ASSERT_TRUE(kiosk.fires_it(true));
