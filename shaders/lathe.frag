@@ -12,7 +12,7 @@
 
 layout(set = 0, binding = kBindNormals) uniform usamplerBuffer outline_normals;
 layout(set = 0, binding = kBindDetail) uniform sampler2D detail;
-layout(constant_id = 1) const bool kNearSpheres = true;  // where their shadow may fall
+layout(constant_id = 0) const bool kNearSpheres = true;  // where their shadow may fall
 
 layout(location = 0) in vec3 to_eye;
 layout(location = 1) in vec4 outline;

@@ -48,21 +48,6 @@ Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) 
     return sample;
 }
 
-void to_exact_srgb(std::span<std::uint8_t> rgba) {
-    static const std::array<std::uint8_t, 256> table = [] {
-        std::array<std::uint8_t, 256> values{};
-        for (std::size_t value = 0; value < values.size(); ++value) {
-            const float root = static_cast<float>(value) / 255.0F;
-            values[value] = srgb_byte(root * root);
-        }
-        return values;
-    }();
-    for (std::size_t pixel = 0; pixel < rgba.size() / 4; ++pixel) {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            rgba[4 * pixel + channel] = table[rgba[4 * pixel + channel]];
-    }
-}
-
 Accumulation::Accumulation(int width_px, int height_px)
     : width_px_(width_px),
       height_px_(height_px),

@@ -19,10 +19,6 @@ namespace onggi::render {
 // Light as a value of the screen, IEC 61966-2-1.
 [[nodiscard]] std::uint8_t srgb_byte(float light);
 
-// A picture that was encoded by Transfer::kSquareRoot, as Transfer::kExactSrgb would have it, but for what
-// eight bits lose.
-void to_exact_srgb(std::span<std::uint8_t> rgba);
-
 // The mean of pictures with exact sRGB values, taken of the light they stand for.
 class Accumulation {
   public:

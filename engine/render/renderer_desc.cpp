@@ -9,11 +9,11 @@ ByteOrder byte_order(VkFormat format) {
 Result<void> check_desc(const RendererDesc& desc) {
     const bool is_whole = desc.scale == 1.0F;
     if (desc.backend == Backend::kCpu) {
-        if (desc.samples == 1 && desc.transfer == Transfer::kSquareRoot && is_whole && !desc.inside_out)
-            return {};
+        if (desc.samples == 1 && is_whole && !desc.inside_out) return {};
         return failed(
-            "renderer: expected one sample a pixel, square roots, the whole size and outer faces of the "
-            "processor's backend, found others");
+            "renderer: expected one sample a pixel, the whole size and outer faces of the processor's "
+            "backend, "
+            "found others");
     }
     const bool has_samples = desc.samples == 1 || desc.samples == 4;
     if (has_samples && desc.scale >= 0.25F && desc.scale <= 1.0F && !desc.smooths_outlines) return {};
@@ -25,7 +25,6 @@ Result<void> check_desc(const RendererDesc& desc) {
 RendererDesc still_desc(VkFormat colour_format) {
     return {.colour_format = colour_format,
             .backend = Backend::kVulkan,
-            .transfer = Transfer::kExactSrgb,
             .samples = 4,
             .sectors = 192,
             .max_rings = kMaxRings,
@@ -38,7 +37,6 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
     return {
         .colour_format = colour_format,
         .backend = Backend::kCpu,
-        .transfer = Transfer::kSquareRoot,
         .samples = 1,
         .sectors = is_large ? 72 : 48,
         .sector_error_px = 0.5F,

@@ -9,13 +9,6 @@
 
 namespace onggi::render {
 
-// How light becomes eight bits. Done in the shader: the target is plain UNORM, because encoding in an _SRGB
-// target is neither quick nor the same on every processor under lavapipe.
-enum class Transfer {
-    kExactSrgb,   // IEC 61966-2-1
-    kSquareRoot,  // the live window on a processor: close to sRGB, 1.25 times quicker
-};
-
 constexpr int kMaxRings = 256;
 
 using HostClock = std::int64_t (*)();  // ns
@@ -31,8 +24,7 @@ enum class Backend {
 struct RendererDesc {
     VkFormat colour_format = VK_FORMAT_R8G8B8A8_UNORM;
     Backend backend = Backend::kVulkan;
-    Transfer transfer = Transfer::kExactSrgb;  // kCpu: kSquareRoot
-    int samples = 4;                           // a pixel, 1 or 4; kCpu: 1
+    int samples = 4;               // a pixel, 1 or 4; kCpu: 1
     float scale = 1.0F;            // of the scene's picture to its target, each way, 0.25 to 1; kCpu: 1
     int sectors = 128;             // of a lathe, at most
     float sector_error_px = 0.0F;  // how far an edge of it may lie from its circle; 0: all of them, evenly

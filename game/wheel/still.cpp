@@ -39,10 +39,7 @@ struct StillCamera::Parts {
     Result<std::vector<std::uint8_t>> draw(const render::Scene& scene) {
         auto drawn = renderer->draw(scene, *target);
         if (!drawn) return drawn.error();
-        auto pixels = target->read_back();
-        if (pixels && renderer->desc().transfer == render::Transfer::kSquareRoot)
-            render::to_exact_srgb(*pixels);
-        return pixels;
+        return target->read_back();
     }
     [[nodiscard]] Result<void> check_silence() const {
         const std::vector<std::string>& messages = instance->messages();

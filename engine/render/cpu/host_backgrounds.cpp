@@ -9,11 +9,7 @@ namespace onggi::render {
 namespace {
 
 HostPhotograph host_photograph(const FrameContext& frame, const asset::Image& picture) {
-    const std::array<std::uint8_t, 256> table = transfer_table(frame.desc.transfer);
-    std::vector<std::uint8_t> shown(picture.rgba.size());
-    std::transform(picture.rgba.begin(), picture.rgba.end(), shown.begin(),
-                   [&](std::uint8_t value) { return table[value]; });
-    return {picture.width, picture.height, shown, byte_order(frame.desc.colour_format)};
+    return {picture.width, picture.height, picture.rgba, byte_order(frame.desc.colour_format)};
 }
 
 std::vector<std::shared_ptr<const Background>> backgrounds_of(const Scene& scene) {

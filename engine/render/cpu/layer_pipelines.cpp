@@ -22,13 +22,10 @@ Result<void> create_pipelines(const FrameContext& frame, LayerPipelines& pipelin
 
 Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, LayerPipelines& pipelines) {
     if (scene.background) return {};
-    const std::array constants{static_cast<std::uint32_t>(frame.desc.transfer)};
     const std::array formats{frame.desc.colour_format, frame.desc.colour_format, kPackedFormat};
     vk::PipelineDesc backdrop = screen_pipeline(frame, "backdrop", shaders::kBackdropLayersFrag);
-    backdrop.constants = constants;
     backdrop.colour_formats = formats;
     vk::PipelineDesc still = mesh_pipeline(frame, "still life", shaders::kMeshLayersFrag);
-    still.constants = constants;
     still.colour_formats = formats;
     PipelineMaker maker(frame.device);
     maker.make(pipelines.backdrop, backdrop);

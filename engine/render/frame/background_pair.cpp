@@ -22,17 +22,6 @@ bool is_whole(const Background& background, const PhotographPair& pair) {
 
 }  // namespace
 
-std::array<std::uint8_t, 256> transfer_table(Transfer transfer) {
-    std::array<std::uint8_t, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const double v = static_cast<double>(i) / 255.0;
-        const double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-        const double shown = transfer == Transfer::kExactSrgb ? v : std::sqrt(linear);
-        table[i] = static_cast<std::uint8_t>(std::lround(255.0 * shown));
-    }
-    return table;
-}
-
 Result<const PhotographPair*> whole_pair(const Background& background) {
     if (!background.photographs) return failed("plate: expected its photographs, found none");
     const auto pair = background.photographs->pair();

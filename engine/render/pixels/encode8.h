@@ -1,10 +1,11 @@
-// Light to pixels, eight side by side: encode() of shaders/tone.glsl with the square root. Inline, so that it
+// Light to pixels, eight side by side: encode() of shaders/tone.glsl. Inline, so that it
 // becomes a part of whatever instructions its user is compiled for. Any thread; pure.
 #pragma once
 
 #include "engine/math/float8.h"
 #include "engine/render/byte_order.h"
 #include "shaders/curve.h"
+#include "shaders/transfer.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -20,7 +21,7 @@ constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
     const Float8 fraction = 1.0F / (under.x * under.y * under.z);
     const auto shown = [&](const Float8& own, const Float8& a, const Float8& b)
         __attribute__((always_inline)) {
-        return float8::ints(float8::sqrt(float8::min(own * a * b * fraction, 1.0F)) * 255.0F + 0.5F);
+        return float8::ints(shaders::transferred(float8::min(own * a * b * fraction, 1.0F)) * 255.0F + 0.5F);
     };
     const Int8 red = shown(light.x, under.y, under.z);
     const Int8 green = shown(light.y, under.z, under.x);

@@ -10,6 +10,7 @@
 #include "shaders/curve.h"
 #include "shaders/hand.h"
 #include "shaders/shadow.h"
+#include "shaders/transfer.h"
 
 // No vector leaves this file by value, see float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -106,7 +107,8 @@ struct Vertices8 {
         const Float8 light = ambient + frame.key_radiance[channel] * key *
                                            (albedo * (1.0F - metalness) * lit + straight_on * gleam);
         const Float8 above_0 = float8::max(light, 0.0F);
-        shown[number] = 255.0F * float8::sqrt(float8::min(above_0 / shaders::curve_under(above_0), 1.0F));
+        shown[number] =
+            255.0F * shaders::transferred(float8::min(above_0 / shaders::curve_under(above_0), 1.0F));
     }
 }
 

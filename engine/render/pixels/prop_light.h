@@ -20,7 +20,7 @@ struct PropView {
 };
 
 // Appends a corner for each vertex of one of the prop's meshes, of which those are good that these triangles
-// need, with colours as the square-root transfer shows them. A processor without wider vectors finds the same
+// need, with colours as encode() gives them. A processor without wider vectors finds the same
 // bits.
 void light_corners(const PropMesh& mesh, std::span<const std::uint32_t> indices, const Prop& prop,
                    const PropView& view, std::vector<PropCorner>& corners);

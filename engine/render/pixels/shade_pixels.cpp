@@ -8,6 +8,7 @@
 
 #include "engine/render/pixels/wide_vectors.h"
 #include "shaders/curve.h"
+#include "shaders/transfer.h"
 
 namespace onggi::render {
 namespace {
@@ -69,7 +70,7 @@ static_assert(std::endian::native == std::endian::little);
     return all_of == kBothUnshaded;
 }
 
-// The curve of shaders/curve.h of both lights together, with the square-root transfer, for one channel of a
+// The curve of shaders/curve.h of both lights together, between values of the screen, for one channel of a
 // texel: the light without the key times `ambient`, and the key's own, which is the difference of the two,
 // times `key`, all of it times `left`. As one fraction instead of three: of a = A / (1 - .8 A) and b alike it
 // is (A (ambient - key)(1 - .8 B) + B key (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
@@ -78,12 +79,12 @@ static_assert(std::endian::native == std::endian::little);
     constexpr float kOneOver255 = 1.0F / 255.0F;
     const float a = static_cast<float>(static_cast<int>(without_key & 0xFFU)) * kOneOver255;
     const float b = static_cast<float>(static_cast<int>(with_key & 0xFFU)) * kOneOver255;
-    const float curve_a = a * a;
-    const float curve_b = b * b;
+    const float curve_a = shaders::untransferred(a);
+    const float curve_b = shaders::untransferred(b);
     const float under_a = 1.0F - shaders::kCurveSlope * curve_a;
     const float under_b = 1.0F - shaders::kCurveSlope * curve_b;
     const float light = std::max(curve_a * under_b * (ambient - key) + curve_b * under_a * key, 0.0F) * left;
-    const float shown = std::sqrt(light / (light * shaders::kCurveSlope + under_a * under_b));
+    const float shown = shaders::transferred(light / (light * shaders::kCurveSlope + under_a * under_b));
     return static_cast<std::uint32_t>(static_cast<int>(shown * 255.0F + 0.5F));
 }
 

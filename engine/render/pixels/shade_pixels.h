@@ -41,7 +41,7 @@ void turn_into_places(std::span<std::uint32_t> packed_coords);
 constexpr int kShadeBlockPx = 16;  // pixels that are shaded side by side
 
 // Writes the shaded picture inside the rectangles, which lie inside the picture, and
-// here and there a few pixels beside one, to `into`, laid out as the layers are. Square-root transfer. The
+// here and there a few pixels beside one, to `into`, laid out as the layers are. The
 // same bits on every processor. Layers that are narrower than a block are copied as they are: nobody sees
 // what is in them.
 void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,

@@ -53,17 +53,9 @@ VkExtent2D extent_of(int width, int height) {
 }
 
 Result<vk::Image> upload_picture(const VulkanFrame& frame, const asset::Image& picture, const char* name) {
-    const std::array<std::uint8_t, 256> table = transfer_table(frame.desc.transfer);
     return upload_texels(
         frame, {name, kBackgroundFormat, extent_of(picture.width, picture.height), picture.rgba.size()},
-        [&](std::byte* texels) {
-            if (keeps_photographs(frame.desc.transfer)) {
-                std::ranges::copy(std::as_bytes(std::span(picture.rgba)), texels);
-                return;
-            }
-            std::transform(picture.rgba.begin(), picture.rgba.end(), texels,
-                           [&](std::uint8_t value) { return std::byte{table[value]}; });
-        });
+        [&](std::byte* texels) { std::ranges::copy(std::as_bytes(std::span(picture.rgba)), texels); });
 }
 
 // Depths of the relief's corners; of a background without one, that it hides nothing.

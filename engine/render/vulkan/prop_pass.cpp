@@ -29,13 +29,11 @@ shaders::PropDraw prop_draw(const Prop& prop, const PropMesh& mesh) {
 }  // namespace
 
 Result<void> PropPass::create(const VulkanFrame& frame) {
-    const std::array constants{static_cast<std::uint32_t>(frame.desc.transfer)};
     const std::array formats{frame.desc.colour_format};
     auto pipeline =
         vk::create_pipeline(frame.device, {.name = "hands and tools",
                                            .vertex_spirv = shaders::kPropVert,
                                            .fragment_spirv = shaders::kPropFrag,
-                                           .constants = constants,
                                            .layout = frame.layout.get(),
                                            .attributes = kAttributes,
                                            .vertex_stride = sizeof(PropMesh::Vertex),

@@ -33,11 +33,9 @@ Result<void> create_samplers(const vk::Device& device, VulkanPipelines& pipeline
 
 // From the one that puts a background on a mesh.
 void make_transition_pipelines(PipelineMaker& maker, const vk::PipelineDesc& background_surface,
-                               std::span<const VkFormat> picture_formats, std::uint32_t transfer,
-                               VulkanPipelines& pipelines) {
+                               std::span<const VkFormat> picture_formats, VulkanPipelines& pipelines) {
     for (std::size_t need = 0; need < pipelines.transition.size(); ++need) {
-        const std::array constants{transfer, need == kTransitionAlone ? 0U : 1U,
-                                   need == kTransitionDimmed ? 1U : 0U};
+        const std::array constants{need == kTransitionAlone ? 0U : 1U, need == kTransitionDimmed ? 1U : 0U};
         vk::PipelineDesc surface = background_surface;
         surface.name = "plates on the still life, moving";
         surface.vertex_spirv = shaders::kTransitionSurfaceVert;
@@ -59,11 +57,10 @@ void make_transition_pipelines(PipelineMaker& maker, const vk::PipelineDesc& bac
 // The lathe. From one that draws into the picture.
 void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc,
                           const vk::PipelineDesc& into_picture, VulkanPipelines& pipelines) {
-    const auto transfer = static_cast<std::uint32_t>(desc.transfer);
     constexpr std::uint32_t kNoSphereIsNear = 0;
     constexpr std::uint32_t kOneMayBe = 1;
-    const std::array plain_constants{transfer, kNoSphereIsNear};
-    const std::array constants{transfer, kOneMayBe};
+    const std::array plain_constants{kNoSphereIsNear};
+    const std::array constants{kOneMayBe};
 
     vk::PipelineDesc lathe = into_picture;
     lathe.name = "lathe";
@@ -102,12 +99,9 @@ void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc,
 // of a visit, and then there is no time to compile.
 Result<void> make_pipelines(const FrameContext& frame, bool needs_own_colours, VulkanPipelines& pipelines) {
     const RendererDesc& desc = frame.desc;
-    const auto transfer = static_cast<std::uint32_t>(desc.transfer);
-    const std::array constants{transfer};
     const std::array picture_formats{desc.colour_format};
     const std::array mask_formats{kMaskFormat};
     const auto into_picture = [&](vk::PipelineDesc made) {
-        made.constants = constants;
         made.colour_formats = picture_formats;
         return made;
     };
@@ -124,7 +118,7 @@ Result<void> make_pipelines(const FrameContext& frame, bool needs_own_colours, V
     background_surface.vertex_spirv = shaders::kBackgroundSurfaceVert;
     background_surface.attributes = std::span(kMeshAttributes).first(2);
     maker.make(pipelines.background_surface, background_surface);
-    make_transition_pipelines(maker, background_surface, picture_formats, transfer, pipelines);
+    make_transition_pipelines(maker, background_surface, picture_formats, pipelines);
     make_lathe_pipelines(maker, desc, still, pipelines);
 
     vk::PipelineDesc mask = screen_pipeline(frame, "shadow mask", shaders::kMaskFrag);

@@ -26,13 +26,6 @@ TEST(Accumulation, MixesLightAndNotNumbers) {
     EXPECT_EQ(mean.mean().rgba, (std::vector<std::uint8_t>{188, 188, 188, 255}));
 }
 
-TEST(ExactSrgb, OfSquareRootsIsTheSameLightAndLeavesAlphaAlone) {
-    // Light of 0, 0.25 and 1; IEC 61966-2-1 says 137 for a quarter.
-    std::vector<std::uint8_t> picture{0, 128, 255, 77};
-    to_exact_srgb(picture);
-    EXPECT_EQ(picture, (std::vector<std::uint8_t>{0, 137, 255, 77}));
-}
-
 TEST(BeautySample, FillsThePixelAndTheLightEvenly) {
     Scene scene;
     scene.key.towards_light = glm::normalize(vec3(-0.7F, 0.6F, 0.4F));

@@ -8,6 +8,8 @@
 #include "shaders/hand.h"
 #include "shaders/lathe.h"
 #include "shaders/shadow.h"
+#include "shaders/transfer.h"
+#include "tests/unit/render/exact_screen.h"
 
 namespace onggi {
 namespace {
@@ -44,6 +46,24 @@ TEST(Formula, OfAPowerOfEIsWrongByLittle) {
         EXPECT_NEAR(float8::exp_below_0(number), exact, 2e-5F * exact) << number;
     }
     EXPECT_EQ(float8::exp_below_0(-1000.0F), float8::exp_below_0(-87.0F)) << "no lower than a float goes";
+}
+
+TEST(Formula, OfTheScreensTransferIsTheStandardsWithinATenthOfALevelAndBackWithinAThird) {
+    constexpr int kSteps = 100'000;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double number = static_cast<double>(i) / kSteps;
+        const auto light = static_cast<float>(number);
+        ASSERT_NEAR(255.0 * double{shaders::transferred(light)}, 255.0 * render::exact_transferred(number),
+                    0.1)
+            << number;
+        ASSERT_NEAR(255.0 * render::exact_transferred(double{shaders::untransferred(light)}), 255.0 * number,
+                    0.33)
+            << number;
+    }
+    expect_the_same(0.5F * (kCosines + 1.0F),
+                    [](const auto& c, auto& into) { into = shaders::transferred(c); });
+    expect_the_same(0.5F * (kCosines + 1.0F),
+                    [](const auto& v, auto& into) { into = shaders::untransferred(v); });
 }
 
 TEST(Formula, OfASphereHidesWhatIsBehindItAndNothingElse) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/render/shapes/detail_texture.h"
+#include "tests/unit/render/exact_screen.h"
 #include "tests/unit/render/triangle_pixels.h"
 
 namespace onggi::render {
@@ -20,9 +21,8 @@ namespace value = lathe_value;
 constexpr std::uint32_t kUntouched = 0x12345678U;
 constexpr float kAwayMm = 500.0F;
 
-// What the square-root transfer shows of light.
 float shown(float light) {
-    return 255.0F * std::sqrt(std::min(light / (0.8F * light + 0.35F), 1.0F));
+    return static_cast<float>(255.0 * exact_shown(double{light}));
 }
 
 // A wall that looks at the eye, with the light in front of it.

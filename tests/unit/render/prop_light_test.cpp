@@ -9,13 +9,14 @@
 #include <numeric>
 
 #include "engine/render/shapes/projector.h"
+#include "shaders/transfer.h"
 
 namespace onggi::render {
 namespace {
 
-// What the square-root transfer shows of light.
+// How near the transfer is to the standard is formula_test.cpp's.
 float shown(float light) {
-    return 255.0F * std::sqrt(std::min(light / (0.8F * light + 0.35F), 1.0F));
+    return 255.0F * shaders::transferred(std::min(light / (0.8F * light + 0.35F), 1.0F));
 }
 
 // Of all of a mesh's vertices.

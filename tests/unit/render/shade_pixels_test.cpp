@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/render/shapes/shadow_region.h"
+#include "shaders/transfer.h"
 
 namespace onggi::render {
 namespace {
@@ -98,15 +99,17 @@ TEST(MaskPlace, IsThatOfEveryCoordinate) {
     }
 }
 
+// How near the transfer is to the standard is formula_test.cpp's.
 double light_of(double value) {
-    return 0.35 * value * value / (1.0 - 0.8 * value * value);
+    const double c = double{shaders::untransferred(static_cast<float>(value))};
+    return 0.35 * c / (1.0 - 0.8 * c);
 }
 
 // What there is of both lights, as it is written, in double.
 double shaded(double with_key, double without_key, double ambient, double key, double left) {
     const double unlit = light_of(without_key);
     const double light = std::max(unlit * ambient + (light_of(with_key) - unlit) * key, 0.0) * left;
-    return std::sqrt(light / (0.8 * light + 0.35));
+    return double{shaders::transferred(static_cast<float>(light / (0.8 * light + 0.35)))};
 }
 
 class ShadePixels : public testing::TestWithParam<ShadeLight> {};
