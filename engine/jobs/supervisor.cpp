@@ -38,6 +38,9 @@ int wait_for(pid_t child, const sigset_t& watched) {
 }  // namespace
 
 std::optional<int> supervise(const std::function<void(int signal)>& after_crash) {
+    // Whoever started us may ignore the ends of its children, and execve(2) hands that on: then waitpid(2)
+    // forgets how a child ended, and a crash or the wish for a restart would look like an end in order.
+    ::signal(SIGCHLD, SIG_DFL);
     const sigset_t watched = signals_to_hand_on();
     sigset_t before;
     ::sigprocmask(SIG_BLOCK, &watched, &before);

@@ -16,8 +16,8 @@ namespace onggi::jobs {
 // this way.
 //
 // SIGINT, SIGTERM, SIGHUP and SIGABRT, a service manager's watchdog, sent to the supervisor are handed on; a
-// terminal's Ctrl-C reaches the child by itself. A child whose supervisor is killed gets SIGTERM. Where no
-// process can be made the program runs unsupervised.
+// terminal's Ctrl-C reaches the child by itself. SIGCHLD is as usual afterwards, in both. A child whose
+// supervisor is killed gets SIGTERM. Where no process can be made the program runs unsupervised.
 [[nodiscard]] std::optional<int> supervise(const std::function<void(int signal)>& after_crash);
 
 }  // namespace onggi::jobs

@@ -41,6 +41,17 @@ TEST(Supervisor, EndsWithItsChildsOwnCode) {
     }
 }
 
+TEST(Supervisor, KnowsHowItsChildEndedWhereTheProgramWasStartedDeafToThat) {
+    ::signal(SIGCHLD, SIG_IGN);
+    const Watched asked = watch([] { ::_exit(75); });
+    ::signal(SIGCHLD, SIG_IGN);
+    const Watched crashed = watch([] { ::kill(::getpid(), SIGKILL); });
+    ::signal(SIGCHLD, SIG_DFL);
+    EXPECT_EQ(asked.code, 75);
+    EXPECT_EQ(crashed.crashes, 1);
+    EXPECT_EQ(crashed.signal, SIGKILL);
+}
+
 TEST(Supervisor, CleansUpAfterAChildThatDiesOnTheSpot) {
     for (const int signal : {SIGKILL, SIGABRT}) {
         const Watched watched = watch([&] {
