@@ -1,12 +1,13 @@
-// make_outbox SESSION FOLDER [--glaze NAME] [--poster FILE] [--film FILE] [--surface FILE] [--url URL]: puts
-// the pot that a session left into the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic
-// pages, for checks that other programs make; and lays what was put beside it, as FOLDER/pot.glb and so on.
-// Prints the code.
+// make_outbox SESSION FOLDER [--glaze NAME] [--decorated] [--poster FILE] [--film FILE] [--surface FILE]
+// [--url URL]: puts the pot that a session left into the outbox FOLDER/box, as the kiosk does, with Korean,
+// English and Arabic pages, for checks that other programs make; and lays what was put beside it, as
+// FOLDER/pot.glb and so on. Prints the code.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "engine/asset/image.h"
@@ -15,8 +16,11 @@
 #include "game/app/kiosk/kiosk_gallery.h"
 #include "game/app/kiosk/kiosk_pot.h"
 #include "game/app/kiosk/kiosk_share.h"
+#include "game/app/replay/session_marks.h"
 #include "game/exporter/studio_export.h"
 #include "game/finish/glaze.h"
+#include "game/haptic/pot_copy.h"
+#include "tests/unit/screens/sample_decorations.h"
 
 namespace {
 
@@ -26,11 +30,25 @@ struct Words {
     std::string session;
     std::filesystem::path folder;
     std::string glaze = "celadon";
+    bool decorated = false;  // cranes all round it, between two bands of black slip
     std::string poster;
     std::string film;
     std::string surface;
     std::string url;
 };
+
+decoration::Marks cranes_on(const clay::StudioClay& clay) {
+    using decoration::Technique;
+    const decoration::Wall wall = app::wall_of(haptic::pot_of(haptic::HapticState{clay}));
+    const double tall_mm = double{wall.height_mm};
+    decoration::Strokes strokes{
+        screens::motif_round(decoration::Motif::kCrane, 0.55 * tall_mm, 0.34 * tall_mm, 5)};
+    for (const double height : {0.3, 0.78}) {
+        strokes.push_back(screens::stroke_round(Technique::kInlay, height * tall_mm, 2.0));
+        strokes.back().slip = decoration::Slip::kBlack;
+    }
+    return decoration::Canvas::of(wall, strokes).value().marks();
+}
 
 Result<sharing::ShareCode> put(const Words& words) {
     auto settings = app::load_settings("");
@@ -39,7 +57,8 @@ Result<sharing::ShareCode> put(const Words& words) {
     settings->config.sharing.public_url = words.url;
     const auto clay = app::start_pot({.on = words.session});
     if (!clay) return clay.error();
-    const screens::FiredPot fired = app::fired_pot(**clay, settings->targets, settings->relatives);
+    screens::FiredPot fired = app::fired_pot(**clay, settings->targets, settings->relatives);
+    if (words.decorated) fired.shape.marks = std::make_shared<const decoration::Marks>(cranes_on(**clay));
     const finish::GlazeMaterial* material = finish::find_glaze(words.glaze);
     if (material == nullptr) return bad_input("make_outbox: expected a glaze, found " + words.glaze);
     const int glaze = static_cast<int>(material->glaze);
@@ -48,7 +67,7 @@ Result<sharing::ShareCode> put(const Words& words) {
     const ui::Painting painting = app::portrait(fired.shape, glaze, kPortraitPx);
     auto picture = asset::encode_png(
         {.width = painting.width, .height = painting.height, .rgba = painting.rgba});  // opaque
-    auto model = app::glazed_model(**clay, *material);
+    auto model = app::glazed_model(**clay, *material, fired.shape.marks.get());
     auto print = exporter::export_pot(**clay, clay::Firing::kGlaze, exporter::ExportKind::kStl);
     if (!picture) return picture.error();
     if (!model) return model.error();
@@ -92,6 +111,7 @@ int main(int argc, char** argv) {
     program.add_option("SESSION", words.session)->required();
     program.add_option("FOLDER", words.folder)->required();
     program.add_option("--glaze", words.glaze);
+    program.add_flag("--decorated", words.decorated);
     program.add_option("--poster", words.poster);
     program.add_option("--film", words.film);
     program.add_option("--surface", words.surface);
