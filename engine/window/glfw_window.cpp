@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -179,10 +180,12 @@ class GlfwWindow final : public Window {
         glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { self(w).push(ScrollEvent{y}); });
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {
             self(w).push(ResizeEvent{width, height});
+            self(w).moved_ = true;
         });
         glfwSetWindowFocusCallback(
             window_, [](GLFWwindow* w, int focused) { self(w).push(FocusEvent{focused == GLFW_TRUE}); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).push(CloseEvent{}); });
+        glfwSetWindowPosCallback(window_, [](GLFWwindow* w, int, int) { self(w).moved_ = true; });
     }
     ~GlfwWindow() override { glfwDestroyWindow(window_); }
     GlfwWindow(const GlfwWindow&) = delete;
@@ -209,6 +212,7 @@ class GlfwWindow final : public Window {
         glfwPollEvents();
         // A screen that is unplugged leaves a window; one that is plugged in again shall be filled.
         if (wants_full_screen_ && glfwGetWindowMonitor(window_) == nullptr) fill_screen();
+        if (std::exchange(moved_, false)) refresh_hz_ = refresh_now_hz();
         return std::exchange(events_, {});
     }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
@@ -220,6 +224,7 @@ class GlfwWindow final : public Window {
         glfwGetFramebufferSize(window_, &size.width, &size.height);
         return size;
     }
+    [[nodiscard]] double refresh_hz() const override { return refresh_hz_; }
     void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
     void set_full_screen(bool full_screen) override {
@@ -246,6 +251,34 @@ class GlfwWindow final : public Window {
         if (mode == nullptr) return;
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
+    // Asks the server, so not once a frame. Of the display that shows the window's middle, or else of the
+    // first.
+    [[nodiscard]] double refresh_now_hz() const {
+        GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+        if (monitor == nullptr) monitor = monitor_below();
+        const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+        return mode == nullptr ? 0.0 : static_cast<double>(mode->refreshRate);
+    }
+    [[nodiscard]] GLFWmonitor* monitor_below() const {
+        int x = 0;
+        int y = 0;
+        Size own;
+        glfwGetWindowPos(window_, &x, &y);
+        glfwGetWindowSize(window_, &own.width, &own.height);
+        int count = 0;
+        GLFWmonitor** const monitors = glfwGetMonitors(&count);
+        for (GLFWmonitor* monitor : std::span(monitors, static_cast<std::size_t>(count))) {
+            int left = 0;
+            int top = 0;
+            glfwGetMonitorPos(monitor, &left, &top);
+            const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+            if (mode == nullptr) continue;
+            const int across = x + own.width / 2 - left;
+            const int down = y + own.height / 2 - top;
+            if (across >= 0 && across < mode->width && down >= 0 && down < mode->height) return monitor;
+        }
+        return glfwGetPrimaryMonitor();
+    }
     void push(Event event) { events_.push_back(event); }
     void push_pointer(double x, double y) {
         // The pointer comes in the desktop's units, which on a scaled screen are not pixels.
@@ -259,6 +292,8 @@ class GlfwWindow final : public Window {
     std::unique_ptr<GlfwLibrary> library_;
     GLFWwindow* window_;
     std::vector<Event> events_;
+    double refresh_hz_ = refresh_now_hz();
+    bool moved_ = false;  // perhaps to another display
     Size windowed_;
     int windowed_x_ = 0;
     int windowed_y_ = 0;

@@ -13,6 +13,7 @@ class HeadlessWindow final : public Window {
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return {}; }
     [[nodiscard]] bool close_requested() const override { return false; }
     [[nodiscard]] Size size() const override { return size_; }
+    [[nodiscard]] double refresh_hz() const override { return 0.0; }
     void set_title(const std::string&) override {}
     void set_full_screen(bool) override {}
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/jobs/clock.h"
+#include "engine/jobs/frame_rate.h"
 #include "engine/jobs/thread_setup.h"
 
 namespace onggi::wheel {
@@ -104,7 +105,14 @@ void LiveScreen::begin_ladder() {
         const auto step = render::quality_named(note.substr(0, tab));
         if (step && *step >= range.lowest && *step <= range.highest) range.first = *step;
     }
-    ladder_ = render::QualityLadder(range);
+    ladder_ = render::QualityLadder(range, 1000.0 / frame_rate_hz());
+}
+
+double LiveScreen::frame_rate_hz() const {
+    constexpr double kMostHz = 75.0;
+    constexpr double kMostOnDiscreteGpuHz = 150.0;  // more is not seen, and warms the kiosk
+    return jobs::frame_rate_hz(window_->refresh_hz(),
+                               class_ == render::DeviceClass::kDiscreteGpu ? kMostOnDiscreteGpuHz : kMostHz);
 }
 
 std::string LiveScreen::quality_note() const {

@@ -62,6 +62,8 @@ class LiveScreen {
         renderer_->measure_parts(measures);
     }
     [[nodiscard]] render::QualityStep quality() const { return ladder_.step(); }
+    // At which frames suit the display and whoever draws.
+    [[nodiscard]] double frame_rate_hz() const;
     // One line: which device came to draw how well. Whoever keeps it begins there the next time.
     [[nodiscard]] std::string quality_note() const;
     // The last frame; only where it is unseen.

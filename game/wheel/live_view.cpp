@@ -246,6 +246,9 @@ std::vector<std::string> LiveView::take_remarks() {
 std::string LiveView::quality_note() const {
     return impl_->screen->quality_note();
 }
+double LiveView::frame_rate_hz() const {
+    return impl_->screen->frame_rate_hz();
+}
 std::string_view LiveView::quality() const {
     return render::quality_name(impl_->screen->quality());
 }

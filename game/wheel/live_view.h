@@ -102,6 +102,7 @@ class LiveView {
     // What happened that somebody should read, a line each, since the last call: a device that was lost and
     // made anew, a step of quality.
     [[nodiscard]] std::vector<std::string> take_remarks();
+    [[nodiscard]] double frame_rate_hz() const;      // at which draw() is best called
     [[nodiscard]] std::string_view quality() const;  // "one software core"
     // One line: which device came to draw how well. Whoever keeps it begins there the next time.
     [[nodiscard]] std::string quality_note() const;

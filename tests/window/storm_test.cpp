@@ -147,6 +147,14 @@ TEST_F(AWindow, FillsTheScreenAgainThatWasUnpluggedAndPluggedIn) {
     EXPECT_EQ(view_->mended(), 0);
 }
 
+TEST_F(AWindow, IsPacedAsUsualOnADisplayThatTellsNoRate) {
+    draw(3);
+    EXPECT_EQ(view_->frame_rate_hz(), 60.0);
+    view_->set_full_screen(true);
+    ASSERT_TRUE(becomes(1280));
+    EXPECT_EQ(view_->frame_rate_hz(), 60.0);
+}
+
 TEST_F(AWindow, ComesBackWithinTwoSecondsOfItsDeviceBeingLostAtAnyMoment) {
     std::mt19937 chance(22);
     constexpr std::array kCalls{"vkQueueSubmit2", "vkWaitSemaphores", "vkAcquireNextImageKHR",

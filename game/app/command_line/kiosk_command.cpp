@@ -84,11 +84,16 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     KioskVoice voice(spoken_folder(settings.config));
     if (auto started = voice.start(); !started) warn(started.error().message);
     jobs::MonotonicClock clock;
-    jobs::FramePacer<> pacer(clock, kFrameRateHz);
+    double frame_rate_hz = beside.view.frame_rate_hz();
+    std::optional<jobs::FramePacer<>> pacer;
+    pacer.emplace(clock, frame_rate_hz);
     std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the hand's loop has ended by itself");
-        pacer.wait();
+        // Another display, or another device that draws.
+        if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
+            pacer.emplace(clock, frame_rate_hz = rate_hz);
+        pacer->wait();
         const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
         // The first as soon as there is a picture to tell of.
@@ -109,7 +114,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
             if (auto kept = beside.picture->keep(beside.view.quality_note()); !kept)
                 remark(kept.error().message);
         }
-        pacer.finish();
+        pacer->finish();
     }
     service.ends();
     if (end_was_asked()) remark("ending, as asked");
