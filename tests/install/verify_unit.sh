@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# systemd-analyze has nothing to say about the unit. Its exit code is 0 even for a key that nobody knows, so its silence
-# is what counts. verify_unit.sh BUILD FOLDER
+# systemd-analyze has nothing to say about the units, each says all of unit_lines.txt, and every line that is taken out is
+# missed. verify_unit.sh BUILD FOLDER
 set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
 build=$1 folder=$2
 command -v systemd-analyze >/dev/null || { echo "skipped: no systemd-analyze (Debian: systemd)"; exit 77; }
 rm -rf "$folder"
@@ -9,28 +10,40 @@ mkdir -p "$folder"
 # For real, not under DESTDIR: the program that the unit starts has to stand where the unit says.
 cmake --install "$build" --prefix "$folder/usr" >"$folder/log"
 units=$folder/usr/lib/systemd/system
+# Its exit code is 0 even for a key that nobody knows, so its silence is what counts.
 verify() { systemd-analyze verify --man=no "$1" 2>&1 || true; }
-# expect_unit NAME KEY WRONG ...: nothing is said of it, WRONG in the place of KEY would have been, the rest stands in it.
-expect_unit() {
-    local unit=$units/$1 key=$2 wrong=$3 said line
-    shift 3
+# How much of the machine it could reach by systemd's own reckoning, 0 to 10; the least of services score 9.
+exposure() {
+    systemd-analyze security --offline=true --no-pager "$1" 2>/dev/null | sed -n 's/.*exposure level.*: \([0-9.]*\).*/\1/p'
+}
+# expected NAME: the lines of it, at the places of this installation.
+expected() {
+    local etc
+    etc=$(sed -n 's|^LoadCredential=kiosk.toml:\(.*\)/onggi/kiosk.toml|\1|p' "$units/onggi-share.service")
+    sed -n "s|^$1 ||p" "$here/unit_lines.txt" | sed "s|@ETC@|$etc|; s|=@/|=$folder/usr/|"
+}
+# missing NAME UNIT: what the unit does not say of it, if anything.
+missing() { expected "$1" | grep -vxFf "$2" || true; }
+
+# check_unit NAME KEY WRONG MOST: silent about it, though not with WRONG in the place of KEY; reaches no more than MOST.
+check_unit() {
+    local unit=$units/$1.service said line reach worse=0 lines=0 without=$folder/onggi-without.service
     said=$(verify "$unit")
     [ -z "$said" ] || { printf 'expected silence about %s, found:\n%s\n' "$unit" "$said"; exit 1; }
-    sed "s/^$key=/$wrong=/" "$unit" >"$folder/onggi-wrong.service"
-    [ -n "$(verify "$folder/onggi-wrong.service")" ] || { echo "systemd-analyze let $wrong= pass in silence"; exit 1; }
-    for line in "$@"; do
-        grep -q "^$line" "$unit" || { echo "expected $line in $unit"; exit 1; }
-    done
+    sed "s/^$2=/$3=/" "$unit" >"$folder/onggi-wrong.service"
+    [ -n "$(verify "$folder/onggi-wrong.service")" ] || { echo "systemd-analyze let $3= pass in silence"; exit 1; }
+    said=$(missing "$1" "$unit")
+    [ -z "$said" ] || { printf 'expected in %s:\n%s\n' "$unit" "$said"; exit 1; }
+    reach=$(exposure "$unit")
+    awk -v found="$reach" -v most="$4" 'BEGIN { exit !(found != "" && found <= most) }' ||
+        { echo "expected an exposure of at most $4 for $1, found '$reach'"; exit 1; }
+    while read -r line; do
+        grep -vxF -- "$line" "$unit" >"$without"
+        lines=$((lines + 1))
+        [ -n "$(missing "$1" "$without")" ] || { echo "nobody would miss '$line' in $unit; expected it in unit_lines.txt"; exit 1; }
+        awk -v found="$(exposure "$without")" -v before="$reach" 'BEGIN { exit !(found > before) }' && worse=$((worse + 1))
+    done < <(sed -n '/^\[Service\]/,/^\[Install\]/{/^[A-Z].*=/p}' "$unit")
+    echo "$1: exposure $reach; each of $lines lines is missed, $worse by systemd's reckoning too"
 }
-expect_unit onggi-kiosk.service WatchdogSec WatchdogSeconds Type=notify NotifyAccess=all WatchdogSec= Restart=always \
-    User=onggi LimitRTPRIO= LimitMEMLOCK=infinity 'DeviceAllow=char-hidraw rw' ReadWritePaths=-/var/lib/onggi-outbox \
-    ReadWritePaths=-/var/lib/prometheus/node-exporter
-expect_unit onggi-share.service LoadCredential LoadCredentials User=onggi-share LoadCredential=kiosk.toml: Restart=on-failure \
-    'RestrictAddressFamilies=AF_INET AF_INET6$' ProtectHome=yes ProtectSystem=strict NoNewPrivileges=yes \
-    'CapabilityBoundingSet=$' InaccessiblePaths=-/var/lib/onggi PrivateDevices=yes
-# How much of the machine it could reach by systemd's own reckoning, 0 to 10; the least of services score 9.
-exposed=$(systemd-analyze security --offline=true --no-pager "$units/onggi-share.service" 2>/dev/null |
-    sed -n 's/.*exposure level.*: \([0-9.]*\).*/\1/p')
-awk -v found="$exposed" 'BEGIN { exit !(found != "" && found < 2.0) }' ||
-    { echo "expected an exposure below 2.0 for onggi-share, found '$exposed'"; exit 1; }
-echo "the units are as systemd likes them"
+check_unit onggi-kiosk WatchdogSec WatchdogSeconds 2.6
+check_unit onggi-share LoadCredential LoadCredentials 1.6
