@@ -8,6 +8,7 @@
 
 #include "engine/jobs/clock.h"
 #include "engine/ui/painter.h"
+#include "game/finish/glaze.h"
 
 namespace onggi::bench {
 namespace {
@@ -115,12 +116,38 @@ void FrameCase::throw_a_little() {
     ++number_;
 }
 
+// A band that goes round and climbs; whole, the next begins.
+Result<void> FrameCase::draw_a_little() {
+    constexpr int kPointsInAStroke = 600;
+    constexpr std::uint16_t kWidth = 2000;  // 20 mm
+    if (!canvas_) {
+        const std::vector<vec2> outline{{56.0F, 0.0F}, {56.0F, static_cast<float>(kHeightMm)}};
+        canvas_.emplace(decoration::wall_of(outline));
+        marks_.dress(canvas_->texture(), canvas_->wall(), finish::wet_clay().marks);
+        static_cast<void>(canvas_->take_changed());
+    }
+    const auto point = decoration::stroke_point(0.004 * static_cast<double>(number_),
+                                                60.0 + 60.0 * std::sin(0.01 * static_cast<double>(number_)));
+    if (!point) return point.error();
+    const bool begins = canvas_->is_plain() || number_ % kPointsInAStroke == 0;
+    if (begins && !canvas_->is_plain()) canvas_->undo();
+    const auto drawn =
+        begins ? canvas_->begin(
+                     {.technique = decoration::Technique::kFinger, .width = kWidth, .points = {*point}})
+               : canvas_->add(*point);
+    if (!drawn) return drawn.error();
+    marks_.dress_changed(canvas_->texture(), canvas_->wall(), finish::wet_clay().marks,
+                         canvas_->take_changed());
+    return {};
+}
+
 wheel::WheelView FrameCase::shown() const {
     constexpr double kHandMm = 10.0;
     const double angle = 0.2 * static_cast<double>(number_);
     const double height_mm = 110.0 + 30.0 * std::sin(0.02 * static_cast<double>(number_));
     const double wall_mm = outer_at(height_mm);
     return {.pot = &pot_,
+            .marks = canvas_ ? &marks_.marks() : nullptr,
             .hand = {.position_mm = {wall_mm + kHandMm, height_mm, 0.0},
                      .radius_mm = kHandMm,
                      .side = clay::studio::Side::kOut,
@@ -137,9 +164,12 @@ wheel::WheelView FrameCase::shown() const {
 
 Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     throw_a_little();
-    const wheel::WheelView moment = shown();
     const double processor_s = processor_now_s();
     const auto start = std::chrono::steady_clock::now();
+    if (desc_.is_drawn_on) {
+        if (auto drawn = draw_a_little(); !drawn) return drawn.error();
+    }
+    const wheel::WheelView moment = shown();
     const render::Scene& scene = opened_.scene->apply(moment, desc_.width, desc_.height, kFrameS);
     view_changes_ = scene.next_view || scene.fade_in;
     light_changes_ = scene.levels.key != key_level_;

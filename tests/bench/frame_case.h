@@ -13,6 +13,8 @@
 #include "engine/ui/atlas.h"
 #include "engine/ui/draw_list.h"
 #include "engine/vk/offscreen.h"
+#include "game/decoration/canvas.h"
+#include "game/look/lathe_marks.h"
 #include "game/wheel/workshop_scene.h"
 
 namespace onggi::bench {
@@ -23,6 +25,7 @@ struct FrameCaseDesc {
     int grooves = 0;  // up the pot, 0.25 mm deep; 150 are a pixel each at 1280x720
     bool with_hands = true;
     bool with_text = true;
+    bool is_drawn_on = false;  // by a finger through the wet coat, a point a frame
     bool measures_parts = false;
     render::QualityStep step = render::QualityStep::kOneCore;
     std::optional<int> sectors{};  // else what the step gets at this size
@@ -58,6 +61,7 @@ class FrameCase {
     Result<void> create();
     void write_a_line();
     void throw_a_little();
+    Result<void> draw_a_little();
     [[nodiscard]] wheel::WheelView shown() const;
 
     FrameCaseDesc desc_;
@@ -70,6 +74,8 @@ class FrameCase {
     ui::DrawList list_;
     std::vector<ui::Atlas::Upload> uploads_;
     pot::Pot pot_;
+    std::optional<decoration::Canvas> canvas_;  // where it is drawn on
+    look::DressedMarks marks_;
     std::int64_t number_ = 0;
     bool view_changes_ = false;
     bool light_changes_ = false;
