@@ -53,6 +53,16 @@ struct Off {
     double by;
 };
 
+bool has_belly(const PotForm& pot) {
+    constexpr double kBeyond = 1.05;
+    return pot.widest_mm() > kBeyond * std::max(pot.mouth_mm(), pot.foot_mm());
+}
+
+// How much wider it is than its mouth and its foot: a straight wall is 1, however wide.
+double fullness(const PotForm& pot) {
+    return 2.0 * pot.widest_mm() / (pot.mouth_mm() + pot.foot_mm());
+}
+
 }  // namespace
 
 Advice advise(const PotForm& pot, const Target& target, std::optional<double> fraction) {
@@ -65,12 +75,13 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
     const double scale = fraction.value_or(pot.height_mm / museum.height_mm);
     std::array<Off, kPotPartCount> parts{
         {{PotPart::kHeight, pot.height_mm / (scale * museum.height_mm) - 1.0},
-         {PotPart::kBelly, pot.widest_mm() / (scale * museum.widest_mm()) - 1.0},
+         {PotPart::kBelly, fullness(pot) / fullness(museum) - 1.0},
          {PotPart::kMouth, pot.mouth_mm() / (scale * museum.mouth_mm()) - 1.0},
          {PotPart::kFoot, pot.foot_mm() / (scale * museum.foot_mm()) - 1.0},
          {PotPart::kWall, kOfWall * std::max(0.0, pot.wall_mm.value_or(0.0) / kThinWallMm - 1.0)}}};
     const auto is_asked = [&](const Off& off) {
         if (off.part == PotPart::kHeight) return fraction.has_value();
+        if (off.part == PotPart::kBelly) return has_belly(museum);
         return off.part != PotPart::kWall || pot.wall_mm.has_value();
     };
     const auto end = std::stable_partition(parts.begin(), parts.end(), is_asked);

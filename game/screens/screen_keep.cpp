@@ -85,7 +85,8 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
                              (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) + "\n" +
                              page.t(exhibit.date_key) + "\n" + page.t("your.scale");
     const bool rtl = page.right_to_left();
-    const float split = 0.61F * rect.height;  // three lines, and two
+    // Three lines, and two.
+    const float split = std::min(0.61F * rect.height, 114.0F * page.text_scale());
     page.words({rtl ? rect.x + about : rect.x, rect.y, rect.width - about, split - 4.0F},
                {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
     if (exhibit.card) {
@@ -168,7 +169,7 @@ void draw_your_pot(Page& page) {
     }
     const float card_x = tall ? 40.0F : stage.width + 10.0F;
     const float card_width = tall ? width - 80.0F : width - 32.0F - card_x;
-    const float card_height = relative == nullptr ? 320.0F : square && !page.is_low() ? 272.0F : 228.0F;
+    const float card_height = relative == nullptr ? 320.0F : square && !page.is_low() ? 272.0F : 222.0F;
     const Rect card = page.mirrored({card_x, (tall ? 740.0F : 118.0F) - raised, card_width, card_height});
     measures_card(page, card);
     const float y = tall ? height - 110.0F : height - 108.0F;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/places.h"
 
 namespace onggi::heritage {
@@ -46,6 +48,18 @@ TEST(Advice, NamesThePartThatIsFarthestOffAndWhichWay) {
     PotForm thin = like(jar, 0.5);
     thin.wall_mm = 1.0;
     EXPECT_FALSE(advise(thin, jar, 0.5).next) << "nobody is told to leave more clay in a wall";
+}
+
+TEST(Advice, PraisesNoBellyOfAStraightWall) {
+    const Target jar = moon_jar();
+    PotForm cylinder = like(jar, 0.5);
+    for (double& radius : cylinder.radii_mm)
+        radius = 0.5 * cylinder.widest_mm();
+    EXPECT_NE(good_key(advise(cylinder, jar, 0.5)), "tip.good.belly");
+    PotForm slim = like(jar, 0.5);
+    for (double& radius : slim.radii_mm)
+        radius = std::min(radius, 1.1 * std::max(slim.radii_mm.front(), slim.radii_mm.back()));
+    EXPECT_EQ(next_key(advise(slim, jar, 0.5)), "tip.next.belly.more");
 }
 
 TEST(Advice, AsksForTheSizeOnlyWhereItWasMeant) {
