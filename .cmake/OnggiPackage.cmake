@@ -16,6 +16,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 # Version and date are those of the commit that is there when the package is made, not when this was configured.
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/.cmake/package_version.cmake)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/.cmake/package_tree.cmake)
+set(CPACK_POST_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/.cmake/package_members.cmake)
 set(CPACK_ONGGI_SOURCE ${CMAKE_SOURCE_DIR})
 
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)

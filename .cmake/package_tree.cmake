@@ -22,3 +22,6 @@ file(CREATE_LINK onggi ${kiosk}/doc/onggi-kiosk SYMBOLIC)
 # Lintian's remarks that are answered there.
 file(MAKE_DIRECTORY ${onggi}/lintian/overrides)
 file(COPY_FILE ${CPACK_ONGGI_SOURCE}/assets/package/onggi/lintian-overrides ${onggi}/lintian/overrides/onggi)
+
+# Whatever the umask of whoever packs: no folder of a system is closed by ours.
+execute_process(COMMAND find ${CPACK_TEMPORARY_DIRECTORY} -type d -exec chmod 755 {} + COMMAND_ERROR_IS_FATAL ANY)
