@@ -40,7 +40,7 @@ class Window {
     [[nodiscard]] virtual std::vector<Gamepad> gamepads() const = 0;
     [[nodiscard]] virtual bool close_requested() const = 0;
     [[nodiscard]] virtual Size size() const = 0;
-    // How often the display that it is on is refreshed, as its driver says; 0: unknown. Cheap.
+    // How often the display that it is on is refreshed, in whole Hz as GLFW tells it; 0: unknown. Cheap.
     [[nodiscard]] virtual double refresh_hz() const = 0;
     virtual void set_title(const std::string& title) = 0;
     virtual void set_full_screen(bool full_screen) = 0;
