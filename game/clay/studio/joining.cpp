@@ -90,6 +90,18 @@ void ease_to_seam(Rings& rings, int first, int end, double seam_mm, double radiu
     }
 }
 
+// Sets rings [first, end) aside: by all of the shift far above the seam, by half of it at the seam, and not
+// at all far below.
+void shift_at_seam(Rings& rings, int first, int end, double seam_mm, const Joining& joining) {
+    for (int i = first; i < end; ++i) {
+        const double above = rings.centre_mm(i) - seam_mm;
+        const double eased = 0.5 * near_seam(std::fabs(above), joining.eased_mm);
+        const dvec2 by_mm = joining.shift_mm * (above > 0.0 ? 1.0 - eased : eased);
+        rings.centre_x_mm[Rings::at(i)] += static_cast<float>(by_mm.x);
+        rings.centre_z_mm[Rings::at(i)] += static_cast<float>(by_mm.y);
+    }
+}
+
 }  // namespace
 
 void StudioClay::put_back() {
@@ -97,6 +109,18 @@ void StudioClay::put_back() {
     wheel_.set_speed(0.0);
     wheel_load_n_mm_ = load_height_mm_ = 0.0;
     hands_ = {};
+}
+
+double rim_step_mm(const StudioClay& lower, const StudioClay& upper) {
+    return mean_radius_mm(lower.rings(), lower.ring_count() - 1) -
+           mean_radius_mm(upper.rings(), upper.ring_count() - 1);
+}
+
+double bore_at_width_mm(const StudioClay& pot, double outside_mm) {
+    const auto wide = std::find_if(pot.outer_mm().begin(), pot.outer_mm().end(),
+                                   [&](double outer) { return 2.0 * outer >= outside_mm; });
+    if (wide == pot.outer_mm().end()) return 0.0;
+    return 2.0 * pot.inner_mm()[static_cast<std::size_t>(wide - pot.outer_mm().begin())];
 }
 
 Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, const Joining& joining) {
@@ -109,7 +133,7 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
     const auto kept = first_kept(above, joining.mouth_mm);
     if (!kept) return kept.error();
     const int lower_rim = below.count - 1;
-    const double step = mean_radius_mm(below, lower_rim) - mean_radius_mm(above, above.count - 1);
+    const double step = rim_step_mm(lower, upper);
     if (!(std::fabs(step) <= joining.largest_step_mm)) {
         return bad_input(fmt::format(
             "joining: expected rims that meet, found {:.1f} mm across below and "
@@ -144,6 +168,7 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
     const double wall = 0.5 * (rings.wall_mm(lower_rim) + rings.wall_mm(below.count));
     ease_to_seam(rings, 0, below.count, seam, radius, wall, lower_rim, joining);
     ease_to_seam(rings, below.count, count, seam, radius, wall, below.count, joining);
+    if (joining.shift_mm != dvec2(0.0)) shift_at_seam(rings, 0, count, seam, joining);
     rings.settle(0, count);
 
     double cut = 0.0;  // whole grains: exact in any order
