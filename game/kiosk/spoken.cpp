@@ -26,6 +26,12 @@ std::string_view throwing_key(const State& state) {
     if (state.throwing.tray) return "tool.title";
     constexpr std::array<std::string_view, kHeldCount> kHeld{"", "tool.rib.line", "tool.sponge.line",
                                                              "wire.how"};
+    if (state.throwing.jar.is_low) return "moon.low";
+    if (state.throwing.jar.rims_apart) return "moon.more";
+    if (state.throwing.jar.step == JarStep::kAside) return "moon.s2";
+    if (state.throwing.jar.step == JarStep::kSeam) return "moon.s5";
+    if (state.throwing.jar.step != JarStep::kNone && state.throwing.steps_done == 0)
+        return state.throwing.jar.step == JarStep::kFirstBowl ? "moon.s1" : "moon.s3";
     if (state.throwing.held != Held::kHand) return kHeld[static_cast<std::size_t>(state.throwing.held)];
     constexpr std::array<std::string_view, kTeachingSteps + 1> kSteps{"step.press", "step.open", "step.raise",
                                                                       "step.own"};
@@ -102,8 +108,12 @@ std::string_view spoken_key(const State& state) {
             return "attract.touch";
         case Screen::kChoose:
             return "choose.title";
+        case Screen::kJarStart:
+            return "moon.title";
         case Screen::kThrow:
             return throwing_key(state);
+        case Screen::kJoin:
+            return "moon.s4";
         case Screen::kFailure:
             return "fail.title";
         case Screen::kFiring:

@@ -10,7 +10,9 @@ namespace onggi::kiosk {
 enum class Screen {
     kAttract,  // the wheel throws by itself
     kChoose,
+    kJarStart,  // of a jar that is made of two bowls: what lies ahead
     kThrow,
+    kJoin,  // the one bowl upside down on the other
     kFailure,
     kFiring,  // cut off, dried; and after the decorating fired
     kDecorate,
@@ -20,7 +22,7 @@ enum class Screen {
     kResume,  // a pot was left on the wheel when the power went
     kFault,
 };
-constexpr int kScreenCount = 11;
+constexpr int kScreenCount = 13;
 
 // What lies over the screen.
 enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
@@ -56,6 +58,31 @@ enum class FiringStage { kCut, kDry, kFire };
 enum class Held { kHand, kRib, kSponge, kWire };
 constexpr int kHeldCount = 4;
 
+// A jar of two bowls, rim to rim: where its maker stands. Each step but two is a throwing of its own.
+enum class JarStep {
+    kNone,
+    kFirstBowl,
+    kAside,  // the first one is put aside, and new clay is there
+    kSecondBowl,
+    kJoin,
+    kSeam,
+};
+constexpr int kJarSteps = 5;
+constexpr int kMostShiftMm = 8;
+
+struct JarMaking {
+    JarStep step = JarStep::kNone;
+    bool touched = false;     // the clay, in this step
+    bool is_bowl = false;     // what is on the wheel could be a half of the jar
+    bool waits = false;       // until the bowls are where they were asked to be
+    bool is_low = false;      // asked for, before it was a bowl
+    bool rims_apart = false;  // too far to be joined
+    int rims_mm = 0;          // how far, once they are held together
+    int shift_mm = 0;         // of the upper bowl, to the right as it is seen
+
+    friend bool operator==(const JarMaking&, const JarMaking&) = default;
+};
+
 struct Throwing {
     std::optional<int> target{};  // place among the heritage pots; none: as you like
     int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
@@ -70,6 +97,7 @@ struct Throwing {
     int speed = 3;
     Warning warning = Warning::kNone;
     Warning collapse = Warning::kNone;  // what it gave way by, on the failure screen
+    JarMaking jar{};
 
     friend bool operator==(const Throwing&, const Throwing&) = default;
 };

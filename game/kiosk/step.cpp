@@ -9,9 +9,9 @@
 namespace onggi::kiosk {
 
 std::string_view name_of(Screen screen) {
-    constexpr std::array<std::string_view, kScreenCount> kNames{"attract", "choose",   "throw", "failure",
-                                                                "firing",  "decorate", "glaze", "your-pot",
-                                                                "keep",    "resume",   "fault"};
+    constexpr std::array<std::string_view, kScreenCount> kNames{
+        "attract",  "choose", "jar-start", "throw", "join",   "failure", "firing",
+        "decorate", "glaze",  "your-pot",  "keep",  "resume", "fault"};
     return kNames[static_cast<std::size_t>(screen)];
 }
 
@@ -123,8 +123,15 @@ void pass_time(Turn& turn) {
         return;
     }
     if (state.screen == Screen::kFiring) pass_firing(turn);
-    if (state.screen == Screen::kThrow && state.panel == Panel::kNone) pass_show(turn);
-    if (now_s - state.input_s >= turn.rules.idle_s) turn.lay_over(Panel::kIdle);
+    if (state.screen == Screen::kThrow && state.panel == Panel::kNone) {
+        pass_aside(turn);
+        pass_show(turn);
+    }
+    const bool makes_jar =
+        state.throwing.jar.step != JarStep::kNone &&
+        (state.screen == Screen::kThrow || state.screen == Screen::kJoin || state.screen == Screen::kFailure);
+    const double idle_s = makes_jar ? turn.rules.jar_idle_s : turn.rules.idle_s;
+    if (now_s - state.input_s >= idle_s) turn.lay_over(Panel::kIdle);
 }
 
 // Something that lives is there. In attract it begins; at the countdown it goes on.
@@ -185,7 +192,10 @@ void touch_clay(Turn& turn) {
     }
     if (state.screen != Screen::kThrow) return;
     end_show(turn);
+    end_aside(turn);
     state.throwing.tray = false;
+    state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
+    state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     state.pace.touched_s = turn.now_s;
     state.pace.seen_since_touch.reset();
 }
@@ -240,6 +250,15 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
                     static_cast<Warning>(std::clamp(event.value, 0, static_cast<int>(Warning::kFast)));
                 turn.show(Screen::kFailure);
             }
+            break;
+        case Event::Kind::kBowl:
+        case Event::Kind::kSetAside:
+        case Event::Kind::kRims:
+        case Event::Kind::kRimsApart:
+        case Event::Kind::kJoined:
+        case Event::Kind::kJarStays:
+        case Event::Kind::kUndoneAll:
+            take_jar(turn, event);
             break;
         case Event::Kind::kDrawn:
             take_drawn(turn, event);

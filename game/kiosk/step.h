@@ -40,6 +40,7 @@ enum class Button {
     kHandLeft,  // on the screen, as are all four
     kHandRight,
     kLookIn,  // from above into the pot, or from the front again
+    kJoinBowls,
     kShowMe,  // the wheel's own hands do the next step
     kMyTurn,  // and leave off
     kBeforeCollapse,
@@ -106,6 +107,13 @@ struct Event {
         kProgress,     // value: teaching steps that the pot shows as done
         kWarned,       // value: a Warning
         kCollapsed,    // value: the Warning that says what it gave way by
+        kBowl,         // value: 1 where what is on the wheel could be a half of a jar
+        kSetAside,     // the first bowl is
+        kRims,         // value: mm between those of the two bowls, which can be joined
+        kRimsApart,    // they cannot
+        kJoined,       // the two bowls are one jar, on the wheel
+        kJarStays,     // what was asked of the bowls cannot be done
+        kUndoneAll,    // nothing is left to take back of what is on the wheel
         kDrawn,        // value: strokes on the pot
         kSaved,        // value: the pot's number of the day
         kShared,       // value: the pot's number of the day; its code may be shown
@@ -136,6 +144,11 @@ struct Effect {
         kFreshClay,       // value: target, -1 none
         kUndo,            // the last touch
         kBeforeCollapse,  // back to 2 s before it began
+        kSetAside,        // the bowl on the wheel, for the other one to come
+        kTakeBack,        // it is on the wheel again, as it was
+        kHoldTogether,    // the bowl that was set aside over the one on the wheel
+        kJoinBowls,       // value: mm that the upper one stands to the right
+        kPartBowls,       // the lower one is on the wheel again, as it was
         kMoveHand,        // value: a Button of the pad
         kCutRim,          // by the wire, where it is
         kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay
@@ -178,6 +191,8 @@ struct Rules {
     double show_after_s = 8.0;     // without progress, until they do
     double show_rests_s = 3.0;     // after a touch or a show, until they begin another
     double show_most_s = 6.0;      // of one show
+    double aside_s = 6.0;          // that a bowl which was set aside is looked at
+    double jar_idle_s = 180.0;     // instead of idle_s, over a jar of two bowls
     double staff_locks_s = 120.0;  // without a touch
     double cut_s = 1.2;
     double dry_s = 1.4;
@@ -187,6 +202,7 @@ struct Rules {
     int default_volume = 3;
     int default_text_size = 1;
     int target_count = 4;
+    std::vector<int> jars{};  // those of them that are made of two bowls
     int glaze_count = 6;
     bool shares = false;    // a kept pot can be taken home by phone
     bool has_wifi = false;  // after joining the museum's Wi-Fi

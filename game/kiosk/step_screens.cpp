@@ -13,6 +13,8 @@ void change(int& value, int by, int most) {
 void finish_throwing(Turn& turn) {
     turn.state.throwing.held = Held::kHand;
     turn.state.throwing.tray = false;
+    // What is cut off before the bowls are joined is a pot like any other.
+    if (turn.state.throwing.jar.step != JarStep::kSeam) turn.state.throwing.jar = {};
     turn.add(Effect::Kind::kCutOff);
     turn.state.firing = FiringStage::kCut;
     turn.state.throwing.warning = Warning::kNone;
@@ -28,6 +30,11 @@ bool is_pot(const Turn& turn, int place) {
     return place >= 0 && place < turn.rules.target_count;
 }
 
+bool is_jar(const Turn& turn, int place) {
+    const std::vector<int>& jars = turn.rules.jars;
+    return std::find(jars.begin(), jars.end(), place) != jars.end();
+}
+
 void press_choose(Turn& turn, const Event& event) {
     const bool is_target = event.button == Button::kTarget && is_pot(turn, event.value);
     if (event.button == Button::kShelfBefore || event.button == Button::kShelfNext) {
@@ -37,6 +44,8 @@ void press_choose(Turn& turn, const Event& event) {
         turn.lay_over(Panel::kCard);
     } else if (event.button == Button::kBack) {
         turn.end_visit();
+    } else if (is_target && is_jar(turn, event.value)) {
+        begin_jar(turn, event.value);
     } else if (event.button == Button::kFree || is_target) {
         turn.show(Screen::kThrow);
         turn.put_on_clay(is_target ? std::optional<int>(event.value) : std::nullopt);
@@ -47,6 +56,7 @@ void press_throw(Turn& turn, const Event& event) {
     Throwing& throwing = turn.state.throwing;
     const bool was_shown = throwing.shown.has_value();
     if (event.button != Button::kLookIn) end_show(turn);  // who does something has taken over
+    if (press_jar(turn, event)) return;
     switch (event.button) {
         case Button::kShowMe:
             if (!was_shown) begin_show(turn);
@@ -55,7 +65,7 @@ void press_throw(Turn& turn, const Event& event) {
             turn.show(Screen::kChoose);
             break;
         case Button::kNewClay:
-            turn.put_on_clay(throwing.target);
+            put_on_new_clay(turn);
             break;
         case Button::kUndo:
             turn.add(Effect::Kind::kUndo);
@@ -109,7 +119,7 @@ void press_failure(Turn& turn, const Event& event) {
         turn.show(Screen::kThrow);
     } else if (event.button == Button::kNewClay) {
         turn.show(Screen::kThrow);
-        turn.put_on_clay(turn.state.throwing.target);
+        put_on_new_clay(turn);
     } else if (event.button == Button::kKeepSlump) {
         finish_throwing(turn);
     }
@@ -182,8 +192,14 @@ void press_screen(Turn& turn, const Event& event) {
         case Screen::kChoose:
             press_choose(turn, event);
             break;
+        case Screen::kJarStart:
+            press_jar_start(turn, event);
+            break;
         case Screen::kThrow:
             press_throw(turn, event);
+            break;
+        case Screen::kJoin:
+            press_join(turn, event);
             break;
         case Screen::kFailure:
             press_failure(turn, event);

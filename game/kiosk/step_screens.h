@@ -46,6 +46,18 @@ void press_staff(Turn& turn, const Event& event);
 void begin_show(Turn& turn);
 void end_show(Turn& turn);
 void pass_show(Turn& turn);
+// A jar of two bowls; in step_jar.cpp. press_jar() is asked first on the throwing screen, and says whether
+// the button was its.
+void begin_jar(Turn& turn, int target);
+void press_jar_start(Turn& turn, const Event& event);
+[[nodiscard]] bool press_jar(Turn& turn, const Event& event);
+void press_join(Turn& turn, const Event& event);
+void take_jar(Turn& turn, const Event& event);
+// The second bowl begins, where the first was looked at for long enough or somebody wants to go on.
+void pass_aside(Turn& turn);
+void end_aside(Turn& turn);
+// New clay for what is being thrown; over a jar the bowl that was set aside stays.
+void put_on_new_clay(Turn& turn);
 // Keeping, and the way home by phone; in step_keep.cpp.
 void press_keep(Turn& turn, const Event& event);
 void take_saved(Turn& turn, const Event& event);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
@@ -17,13 +18,15 @@ namespace {
 constexpr std::array kValues{-1, 0, 1, 3, 8};  // none, good ones, too large for each list
 
 // Of a state, what decides how it goes on.
-using Key = std::tuple<int, int, int, int, bool, bool, bool, bool, bool>;
+using Key = std::tuple<int, int, int, int, int, bool, bool, bool, bool, bool, bool>;
 
 Key key_of(const State& state) {
     return {static_cast<int>(state.screen),
             static_cast<int>(state.panel),
             static_cast<int>(state.keeping.outcome),
             static_cast<int>(state.firing),
+            static_cast<int>(state.throwing.jar.step),
+            state.throwing.jar.is_bowl,
             state.interrupted_session,
             state.throwing.target.has_value(),
             state.throwing.warning != Warning::kNone,
@@ -32,7 +35,7 @@ Key key_of(const State& state) {
 }
 
 Rules staffed() {
-    return {.locked = true, .pin = 1234, .pin_digits = 4};
+    return {.jars = {2}, .locked = true, .pin = 1234, .pin_digits = 4};
 }
 
 // All visitors that a walk over every event from attract finds, one a key.
@@ -54,14 +57,16 @@ std::map<Key, Visitor> everywhere() {
             }
         }
         for (int button = 0; button < kButtonCount; ++button) {
-            Visitor next = from;
-            meet(next.presses(static_cast<Button>(button), 1));
+            for (const int value : {1, 2}) {
+                Visitor next = from;
+                meet(next.presses(static_cast<Button>(button), value));
+            }
         }
         Visitor typing = from;
         for (const int digit : {1, 2, 3, 4})
             typing.presses(Button::kDigit, digit);
         meet(typing);
-        for (const double seconds : {0.5, 1.3, 2.7, 6.0, 46.0}) {
+        for (const double seconds : {0.5, 1.3, 2.7, 6.0, 46.0, 181.0}) {
             Visitor waiting = from;
             meet(waiting.waits(seconds));
         }
@@ -83,8 +88,10 @@ void expect_whole(const State& state, const std::string& after) {
     EXPECT_TRUE(state.throwing.steps_done >= 0 && state.throwing.steps_done <= kTeachingSteps) << after;
     EXPECT_TRUE(!state.throwing.target || (*state.throwing.target >= 0 && *state.throwing.target < 4))
         << after;
+    EXPECT_LE(std::abs(state.throwing.jar.shift_mm), kMostShiftMm) << after;
+    EXPECT_EQ(state.screen == Screen::kJoin, state.throwing.jar.step == JarStep::kJoin) << after;
     EXPECT_TRUE(!state.throwing.shown ||
-                (*state.throwing.shown >= 0 && *state.throwing.shown < kTeachingSteps))
+                (*state.throwing.shown >= 0 && *state.throwing.shown <= kTeachingSteps))
         << after;
     EXPECT_TRUE(state.glaze >= 0 && state.glaze < 6) << after;
     if (state.screen == Screen::kFault) {

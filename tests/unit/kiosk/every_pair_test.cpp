@@ -20,15 +20,17 @@ namespace {
 // Sets of places that rules may name. "attract-left": an interrupted pot waits; "saving": not kept yet.
 const std::map<std::string, std::string> kSets{
     {"told", "choose your-pot"},  // of a museum's pot, on its card
-    {"visit", "choose throw failure firing decorate glaze your-pot saving keep resume"},
+    {"visit", "choose jar-start throw join failure firing decorate glaze your-pot saving keep resume"},
     {"left-alone",
-     "choose throw failure decorate glaze your-pot saving keep resume"},  // firing goes on by itself
+     "choose jar-start throw failure decorate glaze your-pot saving keep resume"},  // firing goes on by
+                                                                                    // itself
     {"any",
-     "attract attract-left choose throw failure firing decorate glaze your-pot saving keep resume fault"}};
+     "attract attract-left choose jar-start throw join failure firing decorate glaze your-pot saving keep "
+     "resume fault"}};
 // Over which of them each panel may lie.
 const std::map<std::string, std::string> kPanels{{"", "any"},
                                                  {"+language", "attract attract-left visit"},
-                                                 {"+idle", "left-alone"},
+                                                 {"+idle", "left-alone join"},
                                                  {"+pin", "any"},
                                                  {"+staff", "any"},
                                                  {"+card", "told"}};
@@ -58,20 +60,22 @@ std::vector<Happening> events() {
         "left-alone -> same+idle, firing -> decorate+idle, left-alone+language -> same+idle, "
         "firing+language -> decorate+idle, attract+language -> attract, attract-left+language -> "
         "attract-left, "
-        "left-alone+idle -> attract, resume+idle -> attract-left, told+card -> same+idle";
+        "left-alone+idle -> attract, join+idle -> attract, resume+idle -> attract-left, told+card -> "
+        "same+idle";
     return {
         tick("a frame", 0.0, ""),
         tick("21 s", 21.0,
              "firing -> decorate, firing+language -> decorate+language, left-alone+idle -> attract, "
-             "resume+idle -> attract-left"),
+             "join+idle -> attract, resume+idle -> attract-left"),
         tick("46 s", 46.0, leaves),
         tick("130 s", 130.0, leaves + ", " + kClosesStaff),
+        tick("181 s", 181.0, leaves + ", join -> same+idle, join+language -> same+idle, " + kClosesStaff),
         at_once("input", Kind::kInput, 0,
-                "attract -> choose, attract-left -> resume, left-alone+idle -> same"),
+                "attract -> choose, attract-left -> resume, left-alone+idle -> same, join+idle -> same"),
         at_once("clay touched", Kind::kClayTouched, 0,
                 "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
                 "throw+idle -> same, failure+idle -> same, decorate+idle -> same, glaze+idle -> same, "
-                "your-pot+idle -> same, "
+                "your-pot+idle -> same, jar-start+idle -> same, join+idle -> same, "
                 "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
         at_once("held", Kind::kHeld, 1, ""),
         at_once("show over", Kind::kShowOver, 0, ""),
@@ -81,6 +85,15 @@ std::vector<Happening> events() {
         at_once("collapsed", Kind::kCollapsed, 1,
                 "throw -> failure, throw+language -> failure, throw+idle -> failure+idle, "
                 "throw+pin -> failure+pin, throw+staff -> failure+staff"),
+        at_once("bowl", Kind::kBowl, 1, ""),
+        at_once("set aside", Kind::kSetAside, 0, ""),
+        at_once("rims", Kind::kRims, 3, ""),
+        at_once("rims apart", Kind::kRimsApart, 0, ""),
+        at_once("joined", Kind::kJoined, 0,
+                "join -> throw, join+language -> throw+language, join+idle -> throw+idle, "
+                "join+pin -> throw+pin, join+staff -> throw+staff"),
+        at_once("jar stays", Kind::kJarStays, 0, ""),
+        at_once("undone all", Kind::kUndoneAll, 0, ""),
         at_once("drawn", Kind::kDrawn, 3, ""),
         at_once("saved", Kind::kSaved, 5,
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
@@ -95,10 +108,11 @@ std::vector<Happening> events() {
         at_once("device back", Kind::kDeviceBack, 0, ""),
         at_once("force rests", Kind::kForceRests, 0, ""),
         at_once("force back", Kind::kForceBack, 0, ""),
-        at_once("fault", Kind::kFault, 0,
-                "any -> fault, attract+language -> fault, attract-left+language -> fault, "
-                "visit+language -> fault, left-alone+idle -> fault, any+pin -> fault+pin, "
-                "any+staff -> fault+staff, told+card -> fault"),
+        at_once(
+            "fault", Kind::kFault, 0,
+            "any -> fault, attract+language -> fault, attract-left+language -> fault, "
+            "visit+language -> fault, left-alone+idle -> fault, join+idle -> fault, any+pin -> fault+pin, "
+            "any+staff -> fault+staff, told+card -> fault"),
         at_once("fault over", Kind::kFaultOver, 0,
                 "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
         at_once("left over", Kind::kInterruptedSession, 0,
@@ -106,24 +120,26 @@ std::vector<Happening> events() {
                 "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
         at_once("corner held", Kind::kCornerHeld, 0,
                 "any -> same+pin, attract+language -> same+pin, attract-left+language -> same+pin, "
-                "visit+language -> same+pin, left-alone+idle -> same+pin, told+card -> same+pin"),
+                "visit+language -> same+pin, left-alone+idle -> same+pin, join+idle -> same+pin, told+card "
+                "-> same+pin"),
         at_once("close asked", Kind::kCloseAsked, 0, ""),
     };
 }
 
 // In the order of Button; a button without a line here has no expectation.
 std::vector<Happening> buttons() {
-    const std::string any = "attract -> choose, attract-left -> resume, left-alone+idle -> same";
+    const std::string any =
+        "attract -> choose, attract-left -> resume, left-alone+idle -> same, join+idle -> same";
     const std::string opens =
         "attract -> same+language, attract-left -> same+language, visit -> same+language, "
-        "left-alone+idle -> same, ";
+        "left-alone+idle -> same, join+idle -> same, ";
     const std::string done =
         "attract+language -> choose, attract-left+language -> resume, visit+language -> same";
     const std::vector<std::pair<Button, std::string>> rules{
         {Button::kNone, any},
-        {Button::kBegin, any},
+        {Button::kBegin, any + ", jar-start -> throw"},
         {Button::kLanguages, opens + done},
-        {Button::kBack, any + ", choose -> attract, throw -> choose"},
+        {Button::kBack, any + ", choose -> attract, jar-start -> choose, throw -> choose, join -> throw"},
         {Button::kFree, any + ", choose -> throw"},
         {Button::kTarget, any + ", choose -> throw"},
         {Button::kShelfBefore, any},
@@ -132,7 +148,7 @@ std::vector<Happening> buttons() {
         {Button::kCardClose, any + ", told+card -> same"},
         {Button::kCardThrow, any + ", choose+card -> throw"},
         {Button::kNewClay, any + ", failure -> throw"},
-        {Button::kUndo, any},
+        {Button::kUndo, any + ", join -> throw"},
         {Button::kTools, any},
         {Button::kTakeTool, any},
         {Button::kCut, any},
@@ -148,6 +164,7 @@ std::vector<Happening> buttons() {
         {Button::kHandLeft, any},
         {Button::kHandRight, any},
         {Button::kLookIn, any},
+        {Button::kJoinBowls, any},
         {Button::kShowMe, any},
         {Button::kMyTurn, any},
         {Button::kBeforeCollapse, any + ", failure -> throw"},
@@ -171,7 +188,8 @@ std::vector<Happening> buttons() {
         {Button::kAnother, any + ", keep -> choose"},
         {Button::kFinish, any + ", keep -> attract"},
         {Button::kStay, any},
-        {Button::kFresh, "attract -> choose, attract-left -> resume, left-alone+idle -> throw"},
+        {Button::kFresh,
+         "attract -> choose, attract-left -> resume, left-alone+idle -> throw, join+idle -> throw"},
         {Button::kLanguage, any},
         {Button::kTextLess, any},
         {Button::kTextMore, any},
@@ -235,10 +253,12 @@ std::string name_of_place(const State& state) {
 }
 
 Visitor at_screen(const std::string& name) {
-    Visitor visitor(Rules{.locked = true, .pin = 1234, .pin_digits = 4});
+    Visitor visitor(Rules{.jars = {2}, .locked = true, .pin = 1234, .pin_digits = 4});
     if (name == "attract") return visitor;
     if (name == "attract-left") return visitor.does(Event::Kind::kInterruptedSession);
     if (name == "choose") return visitor.does(Event::Kind::kInput);
+    if (name == "jar-start") return visitor.chooses_a_jar(2);
+    if (name == "join") return visitor.chooses_a_jar(2).holds_two_bowls();
     if (name == "throw") return visitor.starts_to_throw();
     if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
     if (name == "firing") return visitor.fires();
@@ -258,7 +278,7 @@ Visitor at_place(const std::string& name) {
     Visitor visitor = at_screen(screen);
     if (panel == "+language") visitor.presses(Button::kLanguages);
     if (panel == "+idle") {
-        visitor.now_s += 46.0;
+        visitor.now_s += screen == "join" ? 181.0 : 46.0;
         visitor.does(Event::Kind::kTick);
     }
     if (panel == "+card") visitor.presses(Button::kCard, 1);

@@ -37,6 +37,16 @@ class Visitor {
 
     // The short ways to the screens.
     Visitor& starts_to_throw() { return does(Event::Kind::kInput).presses(Button::kFree); }
+    Visitor& chooses_a_jar(int target) { return does(Event::Kind::kInput).presses(Button::kTarget, target); }
+    Visitor& ends_a_bowl() { return does(Event::Kind::kBowl, 1).presses(Button::kDone); }
+    // From what is told of a jar on.
+    Visitor& sets_a_bowl_aside() {
+        return presses(Button::kBegin).ends_a_bowl().does(Event::Kind::kSetAside).presses(Button::kDone);
+    }
+    Visitor& holds_two_bowls() { return sets_a_bowl_aside().ends_a_bowl().does(Event::Kind::kRims, 3); }
+    Visitor& joins_two_bowls() {
+        return holds_two_bowls().presses(Button::kJoinBowls).does(Event::Kind::kJoined);
+    }
     Visitor& fires() { return starts_to_throw().does(Event::Kind::kClayTouched).presses(Button::kDone); }
     Visitor& decorates() { return fires().presses(Button::kSkip); }
     Visitor& chooses_a_glaze() { return decorates().presses(Button::kDone).presses(Button::kSkip); }
