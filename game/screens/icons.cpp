@@ -128,6 +128,25 @@ std::vector<Stroke> strokes_of(Icon icon) {
                     {"M3 51 H61", {}, 3.4F}};
         case Icon::kStepRaise:
             return {{"M14 46 V8 H22 V38 H42 V8 H50 V46 Z", kStepFill, 3.4F}, {"M3 51 H61", {}, 3.4F}};
+        case Icon::kJarFirst:
+            return {{"M6 16 C8 36 18 46 23 46 H41 C46 46 56 36 58 16 Z", kStepFill, 3.4F},
+                    {"M3 51 H61", {}, 3.4F}};
+        case Icon::kJarAside:
+            return {{"M3 22 C4 37 11 44 14 44 H26 C29 44 36 37 37 22 Z", kStepFill, 3.4F},
+                    {"M2 50 H38 M44 33 H60 M53 26 L60 33 L53 40", {}, 3.4F}};
+        case Icon::kJarSecond:
+            return {{"M8 26 C10 40 19 46 23 46 H41 C45 46 54 40 56 26 Z", kStepFill, 3.4F},
+                    {"M6 14 H11 M18 14 H23 M30 14 H35 M42 14 H47 M54 14 H58 M3 51 H61", {}, 3.4F}};
+        case Icon::kJarJoin:
+            return {{"M12 25 C13 12 22 6 25 6 H39 C42 6 51 12 52 25 Z M12 34 C13 46 22 52 25 52 H39 C42 52 "
+                     "51 46 52 34 Z",
+                     kStepFill, 3.4F},
+                    {"M3 57 H61", {}, 3.4F}};
+        case Icon::kJarWhole:
+            return {
+                {"M24 7 H40 C52 12 57 21 57 29 C57 40 49 48 40 51 H24 C15 48 7 40 7 29 C7 21 12 12 24 7 Z",
+                 kStepFill, 3.4F},
+                {"M9 30 H15 M22 30 H28 M36 30 H42 M49 30 H55 M3 56 H61", {}, 3.4F}};
         case Icon::kFingerWaves:
         case Icon::kWave:
             return {{"M6 22 C14 10 20 10 28 20 C36 30 44 30 58 16"},

@@ -39,6 +39,11 @@ enum class Icon {
     kStepPress,  // sections of the clay
     kStepOpen,
     kStepRaise,
+    kJarFirst,  // a jar of two bowls
+    kJarAside,
+    kJarSecond,
+    kJarJoin,
+    kJarWhole,
     kFingerWaves,  // ways of decorating
     kIronBrush,
     kBlueBrush,

@@ -58,6 +58,16 @@ void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, fl
 void add_held_token(Page& page, const ui::Rect& place, float label_width);
 // The ledge turned over: what there is to hold, how large, and back.
 void add_tool_tray(Page& page);
+// The five steps of a jar of two bowls side by side, that far apart; current: the one that is being done, -1:
+// all lie ahead.
+void add_jar_pictograms(Page& page, vec2 at, float pitch, int current);
+// The same in the place of the lesson's, and what the one being done is called.
+void add_jar_steps(Page& page);
+// The ledges while the first bowl is set aside, and while it stands on the second.
+void add_aside_ledge(Page& page);
+void add_join_ledge(Page& page);
+// What is told of the step, until the clay is touched.
+void add_jar_card(Page& page);
 // The ledge while the wire is held: where it is to cut, and the cut.
 void add_wire_ledge(Page& page);
 

@@ -74,30 +74,45 @@ void height_bracket(Page& page, float x, float foot_y, float height) {
     page.sprite({x - 10.0F, foot_y - height - 2.0F, 20.0F, height + 6.0F}, std::move(sketch));
 }
 
+// A circle that is right is told of, and no more; nobody is scored by it.
+constexpr double kRoundMm = 1.0;
+
+std::string roundness_words(const Page& page, double off_round_mm) {
+    if (off_round_mm < kRoundMm) return page.t("moon.done.one");
+    return page.t("moon.done.off", page.digits(fmt::format("{:.0f}", off_round_mm))) + "\n" +
+           page.t("moon.done.line");
+}
+
 // What stands beside it, and below that what is good about the pot and what to try next.
 // Brought low, the token of its card stands beside that of the languages.
 void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& languages) {
     constexpr float kSide = 64.0F;
     constexpr float kGap = 14.0F;
     const Exhibit& exhibit = *pot.relative;
+    const bool is_jar = pot.off_round_mm.has_value();
     const float about = exhibit.card && !page.is_low() ? kSide + kGap : 0.0F;
     const std::string text = page.t(pot.is_after_relative ? "your.after" : "your.near") +
-                             (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) + "\n" +
-                             page.t(exhibit.date_key) + "\n" + page.t("your.scale");
+                             (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) +
+                             (is_jar ? "" : "\n" + page.t(exhibit.date_key)) +
+                             (is_jar && page.is_low() ? "" : "\n" + page.t("your.scale"));
     const bool rtl = page.right_to_left();
-    // Three lines, and two.
-    const float split = std::min(0.61F * rect.height, 114.0F * page.text_scale());
+    // Three lines, and two; of a jar two, or brought low one, and what its roundness is worth.
+    const float most = is_jar && page.is_low() ? 40.0F : is_jar ? 78.0F : 114.0F;
+    const float fraction = is_jar && page.is_low() ? 0.21F : is_jar ? 0.35F : 0.61F;
+    const float split = std::min(fraction * rect.height, most * page.text_scale());
     page.words({rtl ? rect.x + about : rect.x, rect.y, rect.width - about, split - 4.0F},
                {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
     if (exhibit.card) {
-        const Rect beside{rtl ? rect.x : rect.right() - kSide, rect.y + 23.0F, kSide, kSide};
+        const Rect beside{rtl ? rect.x : rect.right() - kSide, rect.y + (is_jar ? 2.0F : 23.0F), kSide,
+                          kSide};
         const Rect low{rtl ? languages.right() + kGap : languages.x - kGap - kSide, languages.y - 2.0F, kSide,
                        kSide};
         page.token(page.is_low() ? low : beside, Look::kOutline, kiosk::Button::kCard, page.t("card.about"),
                    kiosk::kRelativesCard, Icon::kAbout, false);
     }
     page.words({rect.x, rect.y + split, rect.width, rect.height - split},
-               {.text = page.t(pot.good_key) + "\n" + page.t(pot.next_key),
+               {.text = is_jar ? roundness_words(page, *pot.off_round_mm)
+                               : page.t(pot.good_key) + "\n" + page.t(pot.next_key),
                 .size = 27.0F,
                 .line = 36.0F,
                 .colour = design::kSlip});
@@ -118,9 +133,13 @@ void draw_your_pot(Page& page) {
     page.museum({stage.centre().x, 0.42F * height}, {0.44F * width, 0.62F * height}, 0.30F);
     page.shelf(shelf_y, 34.0F);
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
-    page.words(
-        page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
-        {.text = page.t("your.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
+    const bool is_off_round = view.pot && view.pot->off_round_mm.value_or(0.0) >= kRoundMm;
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t(is_off_round ? "moon.done.title" : "your.title"),
+                .size = 46.0F,
+                .line = 62.0F,
+                .title = true,
+                .least_size = 40.0F});
     const Rect languages = page.languages_token({width - 182.0F,
                                                  tall     ? height - 182.0F
                                                  : square ? 480.0F

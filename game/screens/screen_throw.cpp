@@ -67,6 +67,18 @@ void outline(Page& page) {
     }
 }
 
+// A bowl that waits for the other one.
+void bowl_aside(Page& page) {
+    const View& view = page.view();
+    if (!view.aside) return;
+    const vec2 foot = view.aside_foot_px / page.px_per_u();
+    const float scale = view.aside_px_per_mm / page.px_per_u();
+    const float reach = view.aside->radius_mm() * scale;
+    constexpr float kDaylight = 1.25F;  // beside the evening museum's, for which such pictures are lit
+    if (foot.x < -0.4F * reach || foot.y > ledge_y(page)) return;
+    page.pot(*view.aside, finish::wet_clay(), scale, foot, kDaylight);
+}
+
 // Round what lies on the bench and may be picked up there.
 void bench_rings(Page& page) {
     const float u = 1.0F / page.px_per_u();
@@ -194,14 +206,20 @@ void draw_throw(Page& page) {
     const float y = ledge_y(page);
     page.keep_clear(pot_box(page));
     page.scene_ends();
+    bowl_aside(page);
     outline(page);
     bench_rings(page);
     const bool warned = view.state.throwing.warning != kiosk::Warning::kNone;
     page.ledge(y);
-    if (warned) warning_card(page);
+    if (warned) {
+        warning_card(page);
+    } else {
+        add_jar_card(page);
+    }
     // The ring comes to the hand's keys before it comes to what ends the throwing.
     const kiosk::Throwing& throwing = view.state.throwing;
-    const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire;
+    const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire &&
+                            throwing.jar.step != kiosk::JarStep::kAside;
     if (has_hand_pad(view) && works_clay) hand_pad(page);
     add_throw_ledge(page);
     // Brought low, they stand over the hand's keys, or across from them.
@@ -225,6 +243,11 @@ void draw_throw(Page& page) {
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
              page.t(view.state.device_lost ? "dev.lost" : "dev.rest"));
+    } else if (throwing.jar.is_low || throwing.jar.rims_apart) {
+        const bool tall = page.shape() == Shape::kTall;
+        const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
+        chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
+             page.t(throwing.jar.is_low ? "moon.low" : "moon.more"));
     } else if (!view.heard.empty()) {
         // Where hand pad and caption have no room beside each other, the caption stands across from the pad.
         const bool beside = page.shape() == Shape::kTall && has_hand_pad(view);
@@ -234,7 +257,8 @@ void draw_throw(Page& page) {
              page.t(view.heard));
     }
     if (view.state.throwing.target && !view.outline_px.empty() &&
-        view.state.throwing.steps_done < kiosk::kTeachingSteps && !warned) {
+        throwing.jar.step == kiosk::JarStep::kNone && throwing.steps_done < kiosk::kTeachingSteps &&
+        !warned) {
         const float width = page.shape() == Shape::kWide ? 300.0F : 420.0F;
         chip(page, page.mirrored({24.0F, 28.0F, width, 84.0F}), page.t("out.target"));
     }

@@ -10,8 +10,12 @@ void draw_screen(Page& page) {
             return draw_attract(page);
         case kiosk::Screen::kChoose:
             return draw_choose(page);
+        case kiosk::Screen::kJarStart:
+            return draw_jar_start(page);
         case kiosk::Screen::kThrow:
             return draw_throw(page);
+        case kiosk::Screen::kJoin:
+            return draw_join(page);
         case kiosk::Screen::kFailure:
             return draw_failure(page);
         case kiosk::Screen::kFiring:

@@ -11,7 +11,9 @@ namespace onggi::screens {
 void draw_attract(Page& page);
 void draw_wall(Page& page);
 void draw_choose(Page& page);
+void draw_jar_start(Page& page);
 void draw_throw(Page& page);
+void draw_join(Page& page);
 void draw_failure(Page& page);
 void draw_firing(Page& page);
 void draw_decorate(Page& page);

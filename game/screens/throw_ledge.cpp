@@ -45,6 +45,7 @@ void steps(Page& page, float x, float y, float pitch, int done) {
 
 // The steps, and one line below or beside them.
 void teaching(Page& page, const std::string& text) {
+    if (page.view().state.throwing.jar.step != kiosk::JarStep::kNone) return add_jar_steps(page);
     const float y = ledge_top(page);
     const int done = page.view().state.throwing.steps_done;
     if (page.shape() == Shape::kWide) {
@@ -95,6 +96,11 @@ void gauge(Page& page, const Rect& rect) {
 void controls(Page& page) {
     const Setting water = water_setting(page.view().state.throwing);
     const Setting speed = speed_setting(page.view().state.throwing);
+    const kiosk::JarMaking& jar = page.view().state.throwing.jar;
+    const bool is_jar = jar.step != kiosk::JarStep::kNone;
+    const char* const done_key = jar.step == kiosk::JarStep::kFirstBowl ? "moon.aside" : "ctl.done";
+    const bool is_bowl_to_come = is_jar && jar.step != kiosk::JarStep::kSeam && !jar.is_bowl;
+    const Look done_look = is_bowl_to_come ? Look::kToken : Look::kPrimary;
     const float width = page.width();
     const float y = row_y(page);
     if (page.shape() == Shape::kTall) {
@@ -102,8 +108,8 @@ void controls(Page& page) {
         add_round(page, {280.0F, below, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
         add_round(page, {32.0F, below, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 120.0F);
         add_round(page, {156.0F, below, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 120.0F);
-        page.token(page.on_ledge({width - 300.0F, below, 268.0F, 80.0F}), Look::kPrimary, Button::kDone,
-                   page.t("ctl.done"), 0, Icon::kDone);
+        page.token(page.on_ledge({width - 300.0F, below, 268.0F, 80.0F}), done_look, Button::kDone,
+                   page.t(done_key), 0, is_jar ? std::nullopt : std::optional(Icon::kDone));
         add_held_token(page, {32.0F, y, 116.0F, 66.0F}, 164.0F);
         add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, false);
         add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
@@ -113,19 +119,22 @@ void controls(Page& page) {
         add_round(page, {32.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
         add_round(page, {153.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
         add_round(page, {255.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
-        page.token(page.on_ledge({width - 152.0F, y, 132.0F, 66.0F}), Look::kPrimary, Button::kDone,
-                   page.t("ctl.done"));
+        page.token(page.on_ledge({width - 152.0F, y, 132.0F, 66.0F}), done_look, Button::kDone,
+                   page.t(done_key));
         add_held_token(page, {352.0F, y, 100.0F, 66.0F}, 116.0F);
         add_stepper(page, {width - 500.0F, y, 164.0F, 66.0F}, water, false);
         add_stepper(page, {width - 328.0F, y, 164.0F, 66.0F}, speed, false);
         return;
     }
-    page.token(page.on_ledge({232.0F, y, 172.0F, 66.0F}), Look::kToken, Button::kShowMe, page.t("show.me"), 0,
-               Icon::kShow);
+    if (is_jar) {
+        add_round(page, {290.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
+    } else {
+        page.token(page.on_ledge({232.0F, y, 172.0F, 66.0F}), Look::kToken, Button::kShowMe,
+                   page.t("show.me"), 0, Icon::kShow);
+    }
     add_round(page, {416.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
     add_round(page, {518.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
-    page.token(page.on_ledge({width - 188.0F, y, 156.0F, 66.0F}), Look::kPrimary, Button::kDone,
-               page.t("ctl.done"));
+    page.token(page.on_ledge({width - 188.0F, y, 156.0F, 66.0F}), done_look, Button::kDone, page.t(done_key));
     add_held_token(page, {width - 668.0F, y, 116.0F, 66.0F}, 132.0F);
     add_stepper(page, {width - 524.0F, y, 156.0F, 66.0F}, water, false);
     add_stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
@@ -174,6 +183,7 @@ void add_throw_ledge(Page& page) {
         show_controls(page);
         return;
     }
+    if (throwing.jar.step == kiosk::JarStep::kAside) return add_aside_ledge(page);
     if (throwing.tray) return add_tool_tray(page);
     if (throwing.held == kiosk::Held::kWire) return add_wire_ledge(page);
     const bool is_thin = throwing.warning == kiosk::Warning::kThin && view.thinnest_mm > 0.0;

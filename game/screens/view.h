@@ -50,7 +50,8 @@ struct FiredPot {
     bool is_after_relative = false;
     std::string good_key{};  // beside it: what is good, and what to try next
     std::string next_key{};
-    finish::DrawnWith drawn_with{};  // what lies under the glaze
+    std::optional<double> off_round_mm{};  // of a jar of two bowls, instead of those two
+    finish::DrawnWith drawn_with{};        // what lies under the glaze
 };
 
 // Another pot on the day's shelf.
@@ -127,6 +128,10 @@ struct View {
     std::vector<std::vector<vec2>> outline_px;
     // Where the photographed room ends to the left, above and to the right.
     vec3 scene_edges_px{0.0F, 0.0F, 1e6F};
+    // The bowl that was set aside, on the bench; null: none.
+    std::shared_ptr<const pot::Section> aside;
+    vec2 aside_foot_px{0.0F};
+    float aside_px_per_mm = 0.0F;
     bool can_look_in = false;           // there is a view from above into the pot
     double thinnest_mm = 0.0;           // of the wall, for the warning
     std::optional<vec2> warning_at_px;  // its place on the pot's edge, for the leader

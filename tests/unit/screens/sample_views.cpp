@@ -59,6 +59,45 @@ void add_scene(View& view) {
     view.warning_at_px = foot + u * vec2(130.0F, -200.0F);
 }
 
+// A jar of two bowls, in all its steps.
+void add_jar_views(const View& base, std::vector<SampleView>& all) {
+    using kiosk::JarStep;
+    using kiosk::Screen;
+    const auto add = [&](const std::string& name, Screen screen, JarStep step, const auto& change) {
+        View view = base;
+        view.state.screen = screen;
+        view.state.throwing.target = 3;
+        view.state.throwing.jar.step = step;
+        view.state.throwing.steps_done = kiosk::kTeachingSteps;
+        change(view);
+        all.push_back({name, std::make_shared<const View>(std::move(view))});
+    };
+    const auto aside = [](View& view) {
+        view.aside = std::make_shared<const pot::Section>(
+            pot::hollowed({{35, 0}, {60, 24}, {76, 50}, {84, 74}, {86, 90}}, 5.0F, 8.0F));
+        const float u = px_per_u_of(view.width_px, view.height_px);
+        view.aside_foot_px =
+            vec2(0.05F * static_cast<float>(view.width_px), 0.55F * static_cast<float>(view.height_px));
+        view.aside_px_per_mm = 1.4F * u;
+    };
+    add("jar-start", Screen::kJarStart, JarStep::kNone, [](View&) {});
+    add("jar-first", Screen::kThrow, JarStep::kFirstBowl,
+        [](View& view) { view.state.throwing.jar.is_bowl = true; });
+    add("jar-first-low", Screen::kThrow, JarStep::kFirstBowl,
+        [](View& view) { view.state.throwing.jar.is_low = true; });
+    add("jar-aside", Screen::kThrow, JarStep::kAside, aside);
+    add("jar-second", Screen::kThrow, JarStep::kSecondBowl, [&](View& view) {
+        aside(view);
+        view.state.throwing.jar.is_bowl = true;
+        view.state.throwing.jar.rims_apart = true;
+    });
+    add("jar-join", Screen::kJoin, JarStep::kJoin, [](View& view) { view.state.throwing.jar.rims_mm = 3; });
+    add("jar-seam", Screen::kThrow, JarStep::kSeam, [](View& view) {
+        view.state.throwing.held = kiosk::Held::kRib;
+        view.outline_px.clear();
+    });
+}
+
 void add_staff_views(const View& base, std::vector<SampleView>& all) {
     using kiosk::StaffPage;
     const auto add = [&](const std::string& name, StaffPage page, const auto& change) {
@@ -231,6 +270,7 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
                 vec2(0.66F * static_cast<float>(view.width_px), 0.2F * static_cast<float>(view.height_px));
         });
     }
+    add_jar_views(base, all);
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
     add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
     add("throw-reach-left", Screen::kThrow, [](View& view) {
@@ -315,6 +355,12 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         pot.is_after_relative = true;
         pot.good_key = "tip.good.wall";
         pot.next_key = "tip.next.height.more";
+        view.pot = std::make_shared<const FiredPot>(std::move(pot));
+    });
+    add("your-pot-jar", Screen::kYourPot, [](View& view) {
+        FiredPot pot = *view.pot;
+        pot.is_after_relative = true;
+        pot.off_round_mm = 3.2;
         view.pot = std::make_shared<const FiredPot>(std::move(pot));
     });
     add("your-pot-card", Screen::kYourPot, [](View& view) {
