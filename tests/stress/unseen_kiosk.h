@@ -100,6 +100,7 @@ class UnseenKiosk {
 
     [[nodiscard]] kiosk::Screen screen() const { return visit_->state().screen; }
     [[nodiscard]] const kiosk::State& state() const { return visit_->state(); }
+    [[nodiscard]] const KioskSettings& settings() const { return settings_; }
     [[nodiscard]] const haptic::Snapshot& snapshot() { return job_->newest_snapshot(); }
     void frame(double dt_s = 1.0 / 60.0) {
         now_s_ += dt_s;
@@ -222,8 +223,6 @@ class UnseenKiosk {
             stroke({{58.0, 0.25 * top_mm()}, {56.0, top_mm()}, {55.0, top_mm() + 28.0}}, 1.2, chance);
         return is_open() && top_mm() >= kHighMm;
     }
-
-  private:
     // A finger along those places of the upright plane through the axis, mm, missed by some; in real time, as
     // the clay goes.
     void stroke(const std::vector<dvec2>& way_mm, double seconds, std::mt19937& chance) {
@@ -252,6 +251,7 @@ class UnseenKiosk {
         frame();
     }
 
+  private:
     KioskSettings settings_;
     std::unique_ptr<wheel::LiveView> view_;
     haptic::HapticState start_;

@@ -37,6 +37,7 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
     std::vector<std::vector<Left>> sheet;
     for (const std::size_t place : places) {
         const heritage::Target& target = (*targets)[place];
+        if (heritage::is_of_two_bowls(target)) continue;  // moon_jar_test.cpp
         const std::vector<vec2> outline = app::wet_outline(target);
         const auto all = throw_pots({.kind = Kind::kFollowsOutline,
                                      .count = kEach,

@@ -56,6 +56,12 @@ std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
     return outline;
 }
 
+// A lump, and the walls that come of it.
+heritage::ThrownClay visitors_clay() {
+    constexpr double kVisitorsWallMm = 8.0;
+    return {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm};
+}
+
 const Known* known_of(const heritage::Target& target) {
     const auto has_id = [&](const Known& one) { return one.id == target.id; };
     const auto shown = std::find_if(kShown.begin(), kShown.end(), has_id);
@@ -125,10 +131,13 @@ std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& 
     return relatives;
 }
 
+heritage::JarOfTwo jar_of(const heritage::Target& target) {
+    return heritage::jar_of_two(target, clay::ClayBody::kStoneware, visitors_clay());
+}
+
 heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
-    constexpr double kVisitorsWallMm = 8.0;
-    return heritage::thrown_size(target, clay::ClayBody::kStoneware,
-                                 {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm});
+    if (heritage::is_of_two_bowls(target)) return jar_of(target).size;
+    return heritage::thrown_size(target, clay::ClayBody::kStoneware, visitors_clay());
 }
 
 std::vector<vec2> wet_outline(const heritage::Target& target) {

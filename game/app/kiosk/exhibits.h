@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "game/heritage/card.h"
-#include "game/heritage/score.h"
+#include "game/heritage/jar.h"
 #include "game/heritage/target.h"
 #include "game/kiosk/strings.h"
 #include "game/screens/view.h"
@@ -30,8 +30,11 @@ struct ExhibitWords {
                                                          const ExhibitWords& words);
 // As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
 // thrown.
+// A jar of two bowls out of two lumps.
 [[nodiscard]] heritage::ThrownSize size_on_this_wheel(const heritage::Target& target);
 // Its outline at the size at which it is thrown, wet: radius and height from below.
 [[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
+// What each of its bowls is. Precondition: heritage::is_of_two_bowls().
+[[nodiscard]] heritage::JarOfTwo jar_of(const heritage::Target& target);
 
 }  // namespace onggi::app

@@ -9,6 +9,7 @@
 
 #include "engine/core/list_folder.h"
 #include "engine/files/read_file.h"
+#include "game/app/kiosk/visit_journal.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
@@ -18,8 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kJournalPrefix = "visit-";
 constexpr const char* kSpillFile = "left-over.onggi";
-// Half an hour of two hands at 4 kHz.
-constexpr std::size_t kMostJournalBytes = std::size_t{400} << 20U;
 
 struct Found {
     fs::path file;
@@ -39,7 +38,7 @@ std::vector<fs::path> journals_among(std::vector<fs::path> files) {
 Result<record::Session> read(const fs::path& file, const haptic::HapticState& start,
                              const haptic::HapticParameters& parameters,
                              const std::vector<std::byte>& expected) {
-    auto bytes = files::read_file(file, kMostJournalBytes);
+    auto bytes = files::read_file(file, kMostSessionBytes);
     if (!bytes) return bytes.error();
     auto session = record::parse_session(std::move(*bytes), file.string(), record::Damage::kCutThere);
     if (!session) return session;

@@ -156,7 +156,8 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
         request.framing = framer.decorating(fitted_mm_);
         return request;
     }
-    const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kDecorate;
+    const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kJoin ||
+                        state.screen == kiosk::Screen::kDecorate;
     request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
     return request;
 }

@@ -12,6 +12,8 @@
 #include "engine/core/list_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
+#include "engine/files/read_file.h"
+#include "game/app/kiosk/visit_journal.h"
 #include "game/app/system/wall_clock.h"
 #include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
@@ -157,6 +159,13 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (!bytes) return bytes.error();
         return files::write_file_atomically(folder->inside() / name, *bytes);
     };
+    for (std::size_t i = 0; i < pot.bowls.size(); ++i) {
+        const auto bowl = files::read_file(pot.bowls[i], kMostSessionBytes);
+        if (!bowl) return bowl.error();
+        const std::string name = fmt::format("bowl-{}.onggi", i + 1);
+        if (auto written = files::write_file_atomically(folder->inside() / name, *bowl); !written)
+            return written.error();
+    }
     {
         // First, so that its pixels are gone before the other solids are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));

@@ -27,6 +27,7 @@ struct PotToKeep {
     const finish::GlazeMaterial* glaze = nullptr;
     ui::Painting portrait;                             // for the PNG
     std::shared_ptr<const decoration::Marks> marks{};  // that were drawn on it; null: none
+    std::vector<std::filesystem::path> bowls{};        // sessions of the two that were joined; or none
 };
 
 struct KeptPot {
@@ -48,7 +49,8 @@ class Gallery {
     // Takes away what a killed program left half. Once, before the first pot is kept.
     void clear_parts() const;
 
-    // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png; gives the pot's number of the day, from 1.
+    // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png, of a jar of two bowls also bowl-1.onggi and
+    // bowl-2.onggi; gives the pot's number of the day, from 1.
     // System lacks: less of the disk is free than the configuration leaves alone, no permission; then nothing
     // is there.
     Result<int> keep(PotToKeep pot, const std::string& today);

@@ -42,6 +42,7 @@ KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& star
       parameters_(parameters),
       visits_(state_folder(gallery.folder())),
       journal_(visits_),
+      jar_(visits_, parameters),
       gallery_(std::move(gallery)),
       statistics_(std::move(statistics)),
       heartbeat_(std::move(heartbeat)),
@@ -52,7 +53,7 @@ Result<void> KioskKeeper::start() {
 }
 
 void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
-    ask({Request::Kind::kSave, 0, glaze, std::move(shape)});
+    ask({.kind = Request::Kind::kSave, .glaze = glaze, .shape = std::move(shape)});
 }
 
 std::shared_ptr<const KeeperAnswer> KioskKeeper::next_answer() {
@@ -101,6 +102,7 @@ bool KioskKeeper::follow() {
             interrupted_session_.reset();
             is_put_ = false;
         }
+        take_arriving(record);
         history_.add(record);
         // What cannot be kept is no reason to stop the wheel.
         const auto report = faults_.look(record, history_);
@@ -190,7 +192,7 @@ void KioskKeeper::apply(const Request& request) {
     }
     switch (request.kind) {
         case Request::Kind::kUndo:
-            if (const auto tick = history_.before_last_move()) put_state_at(*tick);
+            undo_now();
             break;
         case Request::Kind::kBefore: {
             const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
@@ -198,6 +200,21 @@ void KioskKeeper::apply(const Request& request) {
             put_state_at(until > back ? until - back : 0);
             break;
         }
+        case Request::Kind::kSetAside:
+            set_aside_now();
+            break;
+        case Request::Kind::kHoldTogether:
+            hold_together_now(request.join.mouth_mm);
+            break;
+        case Request::Kind::kJoinBowls:
+            join_now(request.join);
+            break;
+        case Request::Kind::kTakeBack:
+            go_on_with(jar_.take_back());
+            break;
+        case Request::Kind::kPartBowls:
+            go_on_with(jar_.part());
+            break;
         case Request::Kind::kCutOff:
             give_back_memory();  // of throwing, and of a look into the pot
             if (const clay::StudioClay* clay = history_.state().studio()) {
@@ -226,6 +243,8 @@ void KioskKeeper::apply(const Request& request) {
         case Request::Kind::kForget:
             cut_.reset();
             end_journal();
+            arriving_.reset();
+            jar_.forget();
             give_back_memory();  // of a visit
             break;
         case Request::Kind::kJournal:
@@ -338,11 +357,13 @@ void KioskKeeper::save_now(const Request& request) {
                   .clay = cut_.get(),
                   .glaze = &finish::glaze_at(request.glaze),
                   .portrait = portrait(*request.shape, request.glaze, kPortraitPx),
-                  .marks = request.shape->marks};
+                  .marks = request.shape->marks,
+                  .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
     const std::string day = today();
     const auto number = gallery_.keep(std::move(pot), day);
     if (number) {
         end_journal();
+        jar_.forget();
         const std::string name = fmt::format("{}/pot-{:03}", day, *number);
         answer({.kind = KeeperAnswer::Kind::kSaved,
                 .number = *number,

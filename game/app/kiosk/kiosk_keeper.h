@@ -13,6 +13,7 @@
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/spsc_ring.h"
 #include "game/app/kiosk/interrupted_session.h"
+#include "game/app/kiosk/jar_keeping.h"
 #include "game/app/kiosk/kiosk_gallery.h"
 #include "game/app/kiosk/kiosk_heartbeat.h"
 #include "game/app/kiosk/kiosk_settings.h"
@@ -30,6 +31,12 @@ namespace onggi::app {
 struct KeeperAnswer {
     enum class Kind {
         kCutOff,
+        kUndoneAll,
+        kSetAside,
+        kRims,
+        kRimsApart,
+        kJoined,
+        kJarStays,
         kSaved,
         kSaveFailed,
         kSurvey,
@@ -40,11 +47,11 @@ struct KeeperAnswer {
         kRemark
     };
     Kind kind = Kind::kRemark;
-    std::shared_ptr<const clay::StudioClay> clay{};                // of a cut pot
-    std::shared_ptr<const pot::Pot> pot{};                         // likewise, as it is drawn on
-    int number = 0;                                                // of a saved one, of the day
-    std::string gallery_name{};                                    // likewise: "2026-11-21/pot-014"
-    std::filesystem::path session{};                               // of one that was written
+    std::shared_ptr<const clay::StudioClay> clay{};  // of a cut pot
+    std::shared_ptr<const pot::Pot> pot{};  // likewise, as it is drawn on; of a bowl that was set aside
+    int number = 0;                         // of a saved one, of the day; of rims, mm between them
+    std::string gallery_name{};             // likewise: "2026-11-21/pot-014"
+    std::filesystem::path session{};        // of one that was written
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall{};  // of kWall: as it is now, the oldest first
     std::string words{};                                           // for the log
     bool is_trouble = false;                                       // what they tell of
@@ -68,7 +75,20 @@ class KioskKeeper final : private jobs::IoWork {
     void stop() noexcept { thread_.stop(); }
 
     // Main thread, wait-free.
+    // Answered by kUndoneAll where nothing is left to take back.
     void undo() { ask({Request::Kind::kUndo}); }
+    // The bowl on the wheel is the first of a jar. Answered by kSetAside or kJarStays; new clay may come
+    // then.
+    void set_aside() { ask({Request::Kind::kSetAside}); }
+    // How its rim meets that of the bowl on the wheel: kRims, or kRimsApart.
+    void hold_together(double mouth_mm) {
+        ask({.kind = Request::Kind::kHoldTogether, .join = {.mouth_mm = mouth_mm}});
+    }
+    // Both become one, on the wheel: kJoined, or kJarStays.
+    void join_bowls(const JarJoin& join) { ask({.kind = Request::Kind::kJoinBowls, .join = join}); }
+    // The first bowl, or the second, is on the wheel again as it was. Answered by kNotPut where it is not.
+    void take_back() { ask({Request::Kind::kTakeBack}); }
+    void part_bowls() { ask({Request::Kind::kPartBowls}); }
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
     void cut_off() { ask({Request::Kind::kCutOff}); }
@@ -121,6 +141,11 @@ class KioskKeeper final : private jobs::IoWork {
         enum class Kind {
             kUndo,
             kBefore,
+            kSetAside,
+            kHoldTogether,
+            kJoinBowls,
+            kTakeBack,
+            kPartBowls,
             kCutOff,
             kWriteSession,
             kSave,
@@ -142,6 +167,7 @@ class KioskKeeper final : private jobs::IoWork {
         Kind kind = Kind::kUndo;
         std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run
         int glaze = 0;
+        JarJoin join{};
         std::shared_ptr<const pot::Section> shape{};
         std::shared_ptr<const std::string> pot{};
         std::shared_ptr<const std::filesystem::path> place{};
@@ -162,6 +188,12 @@ class KioskKeeper final : private jobs::IoWork {
     void end_journal();
     void apply(const Request& request);
     void put_state_at(std::uint64_t tick);
+    void undo_now();
+    void set_aside_now();
+    void hold_together_now(double mouth_mm);
+    void join_now(const JarJoin& join);
+    void go_on_with(std::optional<haptic::History> history);
+    void take_arriving(const haptic::TickRecord& record);
     void look_at_the_wall(std::int64_t now_ns);
     void show_wall(const Result<void>& changed);
     void write_session_now(const std::filesystem::path& place);
@@ -185,6 +217,9 @@ class KioskKeeper final : private jobs::IoWork {
     bool is_worked_out_ = false;
     bool is_put_ = false;       // its state is on the way to the wheel
     bool was_resumed_ = false;  // and is not in the new journal yet
+    JarKeeping jar_;
+    std::optional<haptic::History> arriving_;  // of the jar's; goes on once its state is on the wheel
+    bool is_jar_ = false;                      // what history_ is of began as two bowls
     Gallery gallery_;
     std::string gallery_trouble_;  // as it was told last
     std::filesystem::path statistics_;

@@ -149,6 +149,10 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     settings.relatives =
         std::make_shared<const std::vector<screens::Exhibit>>(relatives_of(settings.targets, words));
     settings.rules.target_count = static_cast<int>(settings.exhibits->size());
+    for (int place = 0; place < settings.rules.target_count; ++place) {
+        const std::size_t row = settings.exhibit_places[static_cast<std::size_t>(place)];
+        if (heritage::is_of_two_bowls(settings.targets[row])) settings.rules.jars.push_back(place);
+    }
     return settings;
 }
 

@@ -35,10 +35,11 @@ KioskVisit::KioskVisit(const VisitParts& parts)
              .rate_hz = parts.rate_hz}),
       wheel_(parts_, *this),
       drawing_(parts_.view, *this),
-      input_(parts_, wheel_.hand(), drawing_, *this),
-      effects_(parts_, wheel_, input_, drawing_, desk_, *this),
+      jar_(parts_, *this),
+      input_(parts_, wheel_.hand(), drawing_, jar_, *this),
+      effects_(parts_, wheel_, input_, drawing_, jar_, desk_, *this),
       scene_(parts_, wheel_, input_, drawing_),
-      screens_(parts_, effects_, input_.pointer(), desk_) {}
+      screens_(parts_, effects_, jar_, input_.pointer(), desk_) {}
 
 KioskVisit::~KioskVisit() {
     screens_.stop();
@@ -76,12 +77,13 @@ Result<void> KioskVisit::frame(double now_s) {
     dispatch({Event::Kind::kTick});
     input_.take(moment);
     wheel_.take_clay(moment.snapshot);
+    jar_.look(moment.snapshot);
     wheel_.take_fault(moment);
     effects_.take_answers();
     wheel_.move_hand(moment);
     drawing_.pass(moment.dt_s);
     parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
-    scene_.aim_camera(state_, moment.snapshot, screens_.asked(), stage_.covers());
+    scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
     screens_.update(state_, moment, scene_.edges(), wheel_.hand().wire_mm());
     const Result<void> drawn = draw(moment);
     moment_ = nullptr;
@@ -108,6 +110,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
         shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends
     }
     drawing_.show(shown);
+    jar_.show(shown, moment.snapshot);
     const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),

@@ -10,6 +10,7 @@
 #include "game/app/kiosk/visit_drawing.h"
 #include "game/app/kiosk/visit_effects.h"
 #include "game/app/kiosk/visit_input.h"
+#include "game/app/kiosk/visit_jar.h"
 #include "game/app/kiosk/visit_parts.h"
 #include "game/app/kiosk/visit_scene.h"
 #include "game/app/kiosk/visit_screens.h"
@@ -55,6 +56,7 @@ class KioskVisit final : private VisitFlow {
     StaffDesk desk_;
     VisitWheel wheel_;
     VisitDrawing drawing_;
+    VisitJar jar_;
     VisitInput input_;
     VisitEffects effects_;
     VisitScene scene_;

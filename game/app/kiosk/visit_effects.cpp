@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "game/heritage/jar.h"
+
 namespace onggi::app {
 namespace {
 
@@ -58,6 +60,28 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kEndDrawing:
             fire_drawing();
             break;
+        case Effect::Kind::kSetAside:
+            wheel_.hand().release();
+            parts_.keeper.set_aside();
+            break;
+        case Effect::Kind::kHoldTogether:
+            wheel_.hand().release();
+            parts_.keeper.hold_together(jar_.join(moment.snapshot.wheel_direction).mouth_mm);
+            break;
+        case Effect::Kind::kJoinBowls:
+            wheel_.clay().expect_state(moment.snapshot);
+            parts_.keeper.join_bowls(jar_.join(moment.snapshot.wheel_direction));
+            break;
+        case Effect::Kind::kTakeBack:
+            wheel_.hand().release();
+            wheel_.clay().expect_state(moment.snapshot);
+            parts_.keeper.take_back();
+            break;
+        case Effect::Kind::kPartBowls:
+            wheel_.hand().release();
+            wheel_.clay().expect_state(moment.snapshot);
+            parts_.keeper.part_bowls();
+            break;
         case Effect::Kind::kCutRim:
             wheel_.hand().cut_rim();
             break;
@@ -84,6 +108,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kForgetPot:
             pot_.reset();
             drawing_.forget();
+            jar_.forget();
             phone_way_.reset();
             parts_.keeper.forget();
             if (parts_.phone != nullptr) parts_.phone->forget();
@@ -137,6 +162,33 @@ std::optional<std::size_t> VisitEffects::thrown_after() const {
     const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
     if (!target || static_cast<std::size_t>(*target) >= places.size()) return std::nullopt;
     return places[static_cast<std::size_t>(*target)];
+}
+
+void VisitEffects::take_cut_off(const clay::StudioClay& clay) {
+    screens::FiredPot pot =
+        fired_pot(clay, parts_.settings.targets, parts_.settings.relatives, thrown_after());
+    if (flow_.state().throwing.jar.step == kiosk::JarStep::kSeam)
+        pot.off_round_mm = heritage::off_round_mm(clay);
+    pot_ = std::make_shared<const screens::FiredPot>(std::move(pot));
+}
+
+void VisitEffects::take_jar(const KeeperAnswer& answer) {
+    switch (answer.kind) {
+        case KeeperAnswer::Kind::kSetAside:
+            jar_.set_aside(answer.pot);
+            return flow_.dispatch({Event::Kind::kSetAside});
+        case KeeperAnswer::Kind::kRims:
+            return flow_.dispatch({Event::Kind::kRims, Button::kNone, answer.number});
+        case KeeperAnswer::Kind::kRimsApart:
+            return flow_.dispatch({Event::Kind::kRimsApart});
+        case KeeperAnswer::Kind::kJoined:
+            return flow_.dispatch({Event::Kind::kJoined});
+        case KeeperAnswer::Kind::kJarStays:
+            wheel_.clay().expect_nothing();
+            return flow_.dispatch({Event::Kind::kJarStays});
+        default:
+            return flow_.dispatch({Event::Kind::kUndoneAll});
+    }
 }
 
 // What was drawn goes with the pot from here on.
@@ -209,10 +261,17 @@ void VisitEffects::take_answers() {
         if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
         switch (answer->kind) {
             case KeeperAnswer::Kind::kCutOff:
-                pot_ = std::make_shared<const screens::FiredPot>(fired_pot(
-                    *answer->clay, parts_.settings.targets, parts_.settings.relatives, thrown_after()));
+                take_cut_off(*answer->clay);
                 drawing_.take(answer->pot);
                 if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
+                break;
+            case KeeperAnswer::Kind::kUndoneAll:
+            case KeeperAnswer::Kind::kSetAside:
+            case KeeperAnswer::Kind::kRims:
+            case KeeperAnswer::Kind::kRimsApart:
+            case KeeperAnswer::Kind::kJoined:
+            case KeeperAnswer::Kind::kJarStays:
+                take_jar(*answer);
                 break;
             case KeeperAnswer::Kind::kSessionWritten:
                 parts_.phone->film(answer->session);

@@ -9,6 +9,7 @@
 #include "game/app/kiosk/staff_desk.h"
 #include "game/app/kiosk/visit_drawing.h"
 #include "game/app/kiosk/visit_input.h"
+#include "game/app/kiosk/visit_jar.h"
 #include "game/app/kiosk/visit_parts.h"
 #include "game/app/kiosk/visit_wheel.h"
 #include "game/screens/view.h"
@@ -19,11 +20,12 @@ class VisitEffects {
   public:
     // All outlive it.
     VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, VisitDrawing& drawing,
-                 StaffDesk& desk, VisitFlow& flow)
+                 VisitJar& jar, StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
           drawing_(drawing),
+          jar_(jar),
           desk_(desk),
           flow_(flow) {}
 
@@ -49,6 +51,8 @@ class VisitEffects {
   private:
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
+    void take_cut_off(const clay::StudioClay& clay);
+    void take_jar(const KeeperAnswer& answer);
     void fire_drawing();
     void save();
     void share();
@@ -60,6 +64,7 @@ class VisitEffects {
     VisitWheel& wheel_;
     VisitInput& input_;
     VisitDrawing& drawing_;
+    VisitJar& jar_;
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "game/app/kiosk/bench_tools.h"
-#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_pot.h"
 
 namespace onggi::app {
@@ -52,15 +51,16 @@ void VisitInput::help_along() {
             ? flow_.state().throwing.target
             : std::nullopt;
     const int steps_done = flow_.state().throwing.steps_done;
-    if (target == helped_ && steps_done == helped_steps_) return;
+    const kiosk::JarStep jar = flow_.state().throwing.jar.step;
+    if (target == helped_ && steps_done == helped_steps_ && jar == helped_jar_) return;
     helped_ = target;
     helped_steps_ = steps_done;
+    helped_jar_ = jar;
     if (!target) {
         hand_.set_outline({}, 0.0);
         return;
     }
-    const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*target)];
-    hand_.set_outline(wet_outline(parts_.settings.targets[place]), outline_help_after(steps_done));
+    hand_.set_outline(jar_.outline(), outline_help_after(steps_done));
 }
 
 bool VisitInput::take_drawing(const PointerNews& news) {
@@ -141,6 +141,8 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
+            if (flow_.state().screen == Screen::kJoin && flow_.state().panel == Panel::kNone)
+                flow_.dispatch(Event::pressed(news.button));
             if (!clay_is_open(flow_.state())) break;
             flow_.dispatch({Event::Kind::kClayTouched});
             keys_lead_ = true;

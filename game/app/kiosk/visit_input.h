@@ -9,6 +9,7 @@
 #include "game/app/kiosk/kiosk_hand.h"
 #include "game/app/kiosk/kiosk_pointer.h"
 #include "game/app/kiosk/visit_drawing.h"
+#include "game/app/kiosk/visit_jar.h"
 #include "game/app/kiosk/visit_parts.h"
 
 namespace onggi::app {
@@ -19,10 +20,12 @@ namespace onggi::app {
 class VisitInput {
   public:
     // All outlive it.
-    VisitInput(const VisitParts& parts, KioskHand& hand, VisitDrawing& drawing, VisitFlow& flow)
+    VisitInput(const VisitParts& parts, KioskHand& hand, VisitDrawing& drawing, const VisitJar& jar,
+               VisitFlow& flow)
         : parts_(parts),
           hand_(hand),
           drawing_(drawing),
+          jar_(jar),
           flow_(flow) {}
 
     // Once a frame.
@@ -50,6 +53,7 @@ class VisitInput {
     const VisitParts& parts_;
     KioskHand& hand_;
     VisitDrawing& drawing_;
+    const VisitJar& jar_;
     VisitFlow& flow_;
     KioskPointer pointer_;
     GamepadHand gamepads_;
@@ -59,6 +63,7 @@ class VisitInput {
     std::string holder_;         // the device that has the tool
     std::optional<int> helped_;  // along the outline of which target, and how far the lesson had come
     int helped_steps_ = 0;
+    kiosk::JarStep helped_jar_ = kiosk::JarStep::kNone;
     bool full_screen_ = false;
 };
 

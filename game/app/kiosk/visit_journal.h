@@ -14,6 +14,9 @@
 
 namespace onggi::app {
 
+// Half an hour of two hands at 4 kHz.
+constexpr std::size_t kMostSessionBytes = std::size_t{400} << 20U;
+
 class VisitJournal {
   public:
     // Its files are FOLDER/visit-N.onggi, with .part behind while they grow. The folder is made when it is

@@ -10,10 +10,10 @@
 namespace onggi::app {
 
 // Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
-void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& snapshot,
-                            const screens::View* shown, bool covered) {
+void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown,
+                            bool covered) {
     const bool will_cover = state.screen != kiosk::Screen::kAttract &&
-                            state.screen != kiosk::Screen::kThrow &&
+                            state.screen != kiosk::Screen::kThrow && state.screen != kiosk::Screen::kJoin &&
                             state.screen != kiosk::Screen::kDecorate &&
                             state.screen != kiosk::Screen::kFailure && state.screen != kiosk::Screen::kResume;
     if (shown == nullptr || covered) parts_.view.jump();
@@ -28,7 +28,7 @@ void VisitScene::aim_camera(const kiosk::State& state, const haptic::Snapshot& s
     if (sight.width_px <= 0 || sight.height_px <= 0) return;
     const bool shows_room =
         shown != nullptr && shown->attract_exhibit < 0 && !shown->wall && state.panel == kiosk::Panel::kNone;
-    CameraRequest request = camera_.request(state, shows_room, snapshot.pot->height_mm, sight);
+    CameraRequest request = camera_.request(state, shows_room, clay_mm, sight);
     request.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
     if (request == aimed_) return;
     aimed_ = request;

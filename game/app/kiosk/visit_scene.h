@@ -34,8 +34,7 @@ class VisitScene {
 
     // shown: the screen that was asked for last, null before the first. covered: nothing of the scene is seen
     // now.
-    void aim_camera(const kiosk::State& state, const haptic::Snapshot& snapshot, const screens::View* shown,
-                    bool covered);
+    void aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown, bool covered);
     // Where the photographed room ends, as the camera was aimed last.
     [[nodiscard]] SceneEdges edges() const;
     // Once a frame. pot: of the same snapshot.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "game/app/kiosk/bench_tools.h"
-#include "game/app/kiosk/exhibits.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {
@@ -68,6 +67,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.can_look_in = parts_.view.project_framed(wheel::View::kLookingIn, {}, dvec3(0.0)).has_value();
     view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
     add_scene(view, state, moment.snapshot);
+    add_aside(view);
     add_wire(view, moment.snapshot, wire_mm);
     if (state.screen == kiosk::Screen::kThrow && state.throwing.tray)
         view.bench = bench_tools(parts_.view, state.throwing.looks_in);
@@ -150,9 +150,8 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
         const double radius_mm = wall_at(shape, snapshot.load.height_mm).outer_mm;
         view.warning_at_px = seen({(rtl ? -radius_mm : radius_mm), snapshot.load.height_mm, 0.0});
     }
-    if (!state.throwing.target) return;
-    const auto place = parts_.settings.exhibit_places[static_cast<std::size_t>(*state.throwing.target)];
-    const std::vector<vec2> outline = wet_outline(parts_.settings.targets[place]);
+    const std::vector<vec2> outline = jar_.outline();
+    if (outline.empty()) return;
     std::vector<vec2> left;
     std::vector<vec2> right;
     for (const vec2& point : outline) {
@@ -167,6 +166,24 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
                             double{outline.back().x} * std::sin(angle)}));
     }
     view.outline_px = {std::move(left), std::move(right), std::move(rim)};
+}
+
+// On the bench to the left of the wheel.
+void VisitScreens::add_aside(screens::View& view) const {
+    constexpr dvec3 kPlaceMm{-335.0, -52.0, -150.0};
+    constexpr double kHalfMm = 50.0;
+    view.aside = jar_.aside();
+    if (!view.aside) return;
+    const auto foot = parts_.view.project(kPlaceMm);
+    const auto left = parts_.view.project(kPlaceMm - dvec3(kHalfMm, 0.0, 0.0));
+    const auto right = parts_.view.project(kPlaceMm + dvec3(kHalfMm, 0.0, 0.0));
+    if (!foot || !left || !right) {
+        view.aside.reset();
+        return;
+    }
+    // Whole pixels: what the camera does meanwhile is not seen.
+    view.aside_foot_px = vec2(glm::round(*foot));
+    view.aside_px_per_mm = static_cast<float>(std::round(right->x - left->x) / (2.0 * kHalfMm));
 }
 
 void VisitScreens::add_wire(screens::View& view, const haptic::Snapshot& snapshot,

@@ -20,10 +20,11 @@ namespace onggi::app {
 class VisitScreens {
   public:
     // All outlive it.
-    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const KioskPointer& pointer,
-                 StaffDesk& desk)
+    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const VisitJar& jar,
+                 const KioskPointer& pointer, StaffDesk& desk)
         : parts_(parts),
           effects_(effects),
+          jar_(jar),
           pointer_(pointer),
           desk_(desk) {}
 
@@ -42,6 +43,7 @@ class VisitScreens {
   private:
     void add_attract(screens::View& view, const kiosk::State& state, double now_s) const;
     void add_scene(screens::View& view, const kiosk::State& state, const haptic::Snapshot& snapshot) const;
+    void add_aside(screens::View& view) const;
     void add_wire(screens::View& view, const haptic::Snapshot& snapshot,
                   const std::optional<double>& wire_mm) const;
     void add_shelf(screens::View& view, const kiosk::State& state);
@@ -51,6 +53,7 @@ class VisitScreens {
 
     const VisitParts& parts_;
     const VisitEffects& effects_;
+    const VisitJar& jar_;
     const KioskPointer& pointer_;
     StaffDesk& desk_;
     screens::Composer composer_;

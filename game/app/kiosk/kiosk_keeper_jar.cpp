@@ -1,0 +1,80 @@
+// What the keeper does with the bowls of a jar: one history ends and another goes on with what is on the
+// wheel.
+#include <cmath>
+#include <utility>
+
+#include "game/app/kiosk/kiosk_keeper.h"
+#include "game/haptic/pot_copy.h"
+
+namespace onggi::app {
+
+void KioskKeeper::undo_now() {
+    if (arriving_) return;  // what it would take back is not there yet
+    if (const auto tick = history_.before_last_move()) {
+        put_state_at(*tick);
+    } else {
+        answer({.kind = KeeperAnswer::Kind::kUndoneAll});
+    }
+}
+
+void KioskKeeper::set_aside_now() {
+    if (!history_.is_whole() || history_.state().studio() == nullptr) {
+        answer({.kind = KeeperAnswer::Kind::kJarStays,
+                .words = "jar: a tick's record was lost; the bowl stays on the wheel"});
+        return;
+    }
+    auto bowl = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()));
+    complain(jar_.set_aside(std::move(history_)));
+    history_ = haptic::History(start_, parameters_, {.aside = visits_});  // new clay is about to come
+    answer({.kind = KeeperAnswer::Kind::kSetAside, .pot = std::move(bowl)});
+}
+
+void KioskKeeper::hold_together_now(double mouth_mm) {
+    const clay::StudioClay* const second = history_.state().studio();
+    if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr)
+        return answer({.kind = KeeperAnswer::Kind::kJarStays});
+    const auto rims_mm = jar_.rims_mm(*second, mouth_mm);
+    if (!rims_mm)
+        return answer({.kind = KeeperAnswer::Kind::kRimsApart, .words = "jar: " + rims_mm.error().message});
+    answer({.kind = KeeperAnswer::Kind::kRims, .number = static_cast<int>(std::lround(*rims_mm))});
+}
+
+void KioskKeeper::join_now(const JarJoin& join) {
+    if (!jar_.has_bowl() || !history_.is_whole() || arriving_)
+        return answer({.kind = KeeperAnswer::Kind::kJarStays});
+    auto jar = jar_.join(history_, join);
+    if (!jar) return answer({.kind = KeeperAnswer::Kind::kJarStays, .words = "jar: " + jar.error().message});
+    if (!job_.put(std::make_unique<haptic::HapticState>(jar->state()), run_)) {
+        history_ = std::move(*jar_.part());
+        return answer({.kind = KeeperAnswer::Kind::kJarStays});
+    }
+    history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's is there
+    arriving_ = std::move(*jar);
+    answer({.kind = KeeperAnswer::Kind::kJoined});
+}
+
+// Puts what it came to on the wheel.
+void KioskKeeper::go_on_with(std::optional<haptic::History> history) {
+    if (!history || !job_.put(std::make_unique<haptic::HapticState>(history->state()), run_))
+        return answer({.kind = KeeperAnswer::Kind::kNotPut});
+    arriving_ = std::move(history);
+}
+
+// What is on the wheel from that tick on may be of another history than what was there before.
+void KioskKeeper::take_arriving(const haptic::TickRecord& record) {
+    if ((record.flags & haptic::TickRecord::kFreshLump) != 0) {
+        arriving_.reset();
+        if (!std::exchange(is_jar_, false)) return;
+        history_ = haptic::History(start_, parameters_, {.aside = visits_});
+        jar_.drop_second();
+    }
+    const bool is_there =
+        arriving_ && (record.flags & haptic::TickRecord::kStatePut) != 0 && record.tick == arriving_->ticks();
+    if (!is_there) return;
+    history_ = std::move(*arriving_);
+    arriving_.reset();
+    is_jar_ = !jar_.sessions().empty();
+    journal_.drop();  // it began with another clay
+}
+
+}  // namespace onggi::app
