@@ -208,6 +208,7 @@ struct State : ScreenState {
     PinGuard pin_guard;
     int house_volume = 3;              // as house_language
     bool interrupted_session = false;  // an interrupted pot waits to be offered
+    int interrupted_jar = 0;           // what kind, as interrupted_jar() says; 0: a pot like any other
 };
 
 // One word for each, for titles and logs: "attract".

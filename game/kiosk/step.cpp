@@ -92,6 +92,7 @@ void Turn::end_visit() {
     state.comfort.volume = state.house_volume = before.house_volume;
     state.comfort.language = state.house_language = before.house_language;
     state.force_rests = before.force_rests;
+    state.interrupted_jar = before.interrupted_jar;
     state.interrupted_session = before.interrupted_session;  // until somebody has decided
     add(Effect::Kind::kForgetPot);
     add(Effect::Kind::kSetVolume, state.house_volume);
@@ -301,6 +302,7 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             break;
         case Event::Kind::kInterruptedSession:
             state.interrupted_session = true;
+            state.interrupted_jar = event.value;
             break;
         case Event::Kind::kCornerHeld:
             if (rules.pin_digits > 0 && state.panel != Panel::kStaff) {

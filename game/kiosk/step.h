@@ -126,7 +126,7 @@ struct Event {
         kForceBack,
         kFault,  // the wheel cannot work
         kFaultOver,
-        kInterruptedSession,  // an interrupted pot was found
+        kInterruptedSession,  // an interrupted pot was found; value: interrupted_jar(), else 0
         kCornerHeld,          // the staff's corner, for long enough
         kCloseAsked,          // the window's cross, Esc, Alt+F4, Ctrl+Q, Ctrl+C
     };
@@ -138,12 +138,19 @@ struct Event {
 };
 constexpr int kEventKindCount = static_cast<int>(Event::Kind::kCloseAsked) + 1;
 
+constexpr int kInterruptedJarStride = kJarSteps + 1;
+// Of an interrupted visit that made a jar of two bowls after that target, and was at that step.
+[[nodiscard]] constexpr int interrupted_jar(JarStep step, int target) {
+    return kInterruptedJarStride * (target + 1) + static_cast<int>(step);
+}
+
 struct Effect {
     enum class Kind {
         kStartDemo,       // attract: recorded sessions on the wheel
         kFreshClay,       // value: target, -1 none
         kUndo,            // the last touch
         kBeforeCollapse,  // back to 2 s before it began
+        kBeginJar,        // value: after which target; the lump that was put on is its first bowl's
         kSetAside,        // the bowl on the wheel, for the other one to come
         kTakeBack,        // it is on the wheel again, as it was
         kHoldTogether,    // the bowl that was set aside over the one on the wheel

@@ -1,6 +1,7 @@
 // A jar of two bowls, as moon jars are made: a bowl, set aside; another; the one upside down on the other;
 // the seam. What was done can be taken back across the steps, and clay that gives way costs one bowl at most.
 #include <algorithm>
+#include <utility>
 
 #include "game/kiosk/step_screens.h"
 
@@ -47,6 +48,7 @@ void end_bowl(Turn& turn, Effect::Kind with) {
 
 // To where it was before the step that is at its beginning.
 void step_back(Turn& turn) {
+    turn.state.throwing.jar.is_bowl = false;  // until it is there
     switch (turn.state.throwing.jar.step) {
         case JarStep::kAside:
         case JarStep::kSecondBowl:
@@ -80,7 +82,23 @@ void press_jar_start(Turn& turn, const Event& event) {
         turn.show(Screen::kThrow);
         turn.put_on_clay(turn.state.throwing.target);
         turn.state.throwing.jar.step = JarStep::kFirstBowl;
+        turn.add(Effect::Kind::kBeginJar, *turn.state.throwing.target);
     }
+}
+
+void resume_jar(Turn& turn) {
+    const int interrupted = std::exchange(turn.state.interrupted_jar, 0);
+    const int target = interrupted / kInterruptedJarStride - 1;
+    const auto step = static_cast<JarStep>(interrupted % kInterruptedJarStride);
+    const std::vector<int>& jars = turn.rules.jars;
+    const bool is_step =
+        step == JarStep::kFirstBowl || step == JarStep::kSecondBowl || step == JarStep::kSeam;
+    if (!is_step || std::find(jars.begin(), jars.end(), target) == jars.end()) return;
+    turn.state.throwing.target = target;
+    turn.state.throwing.jar.step = step;
+    if (step != JarStep::kSeam) return;
+    turn.state.throwing.steps_done = kTeachingSteps;
+    turn.state.throwing.held = Held::kRib;
 }
 
 void put_on_new_clay(Turn& turn) {

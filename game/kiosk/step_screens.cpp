@@ -155,6 +155,7 @@ void press_resume(Turn& turn, const Event& event) {
         turn.state.pace = {.progress_s = turn.now_s};
         turn.add(Effect::Kind::kResume);
         turn.show(Screen::kThrow);
+        resume_jar(turn);
     } else if (event.button == Button::kResumeFresh) {
         turn.state.interrupted_session = false;
         turn.add(Effect::Kind::kDropInterrupted);

@@ -51,6 +51,8 @@ void pass_show(Turn& turn);
 void begin_jar(Turn& turn, int target);
 void press_jar_start(Turn& turn, const Event& event);
 [[nodiscard]] bool press_jar(Turn& turn, const Event& event);
+// Where an interrupted visit made one, it goes on with it.
+void resume_jar(Turn& turn);
 void press_join(Turn& turn, const Event& event);
 void take_jar(Turn& turn, const Event& event);
 // The second bowl begins, where the first was looked at for long enough or somebody wants to go on.

@@ -11,6 +11,7 @@
 #include "engine/files/read_file.h"
 #include "engine/record/session.h"
 #include "engine/record/session_format.h"
+#include "game/app/kiosk/jar_keeping.h"
 #include "game/app/kiosk/kiosk_gallery.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/kiosk_statistics.h"
@@ -98,15 +99,35 @@ TEST(Galleries, OfBothVersionsAreOpenedTogether) {
     };
     put("2026-11-21/pot-001", first);
     put("2026-11-22/pot-001", second);
+    std::vector<std::string> third = second;
+    third.insert(third.end(), {"bowl-1.onggi", "bowl-2.onggi"});
+    put("2026-11-23/pot-001", third);
     kiosk::Config config;
     config.gallery.folder = folder.path().string();
     app::Gallery gallery(config);
     const auto pots = gallery.pots();
-    ASSERT_EQ(pots.size(), 2U);
-    EXPECT_EQ(pots[0].name, "2026-11-22/pot-001");
-    EXPECT_EQ(pots[1].name, "2026-11-21/pot-001");
-    ASSERT_TRUE(gallery.remove(pots[1]));
-    EXPECT_EQ(gallery.pots().size(), 1U);
+    ASSERT_EQ(pots.size(), 3U);
+    EXPECT_EQ(pots[0].name, "2026-11-23/pot-001");
+    EXPECT_EQ(pots[1].name, "2026-11-22/pot-001");
+    EXPECT_EQ(pots[2].name, "2026-11-21/pot-001");
+    ASSERT_TRUE(gallery.remove(pots[0]));
+    EXPECT_EQ(gallery.pots().size(), 2U);
+}
+
+TEST(Jars, OfVersion1AreGoneOnWith) {
+    const test::TemporaryFolder folder;
+    fs::copy_file(sample("jar/1.json"), folder.path() / "jar.json");
+    const haptic::HapticState lump(clay::StudioClay(clay::StudioLump{}));
+    app::JarKeeping jar(folder.path(), lump, {});
+    std::vector<std::string> remarks;
+    jar.look(remarks);
+    EXPECT_TRUE(remarks.empty());
+    EXPECT_EQ(jar.stage(), app::JarStage::kFirstBowl);
+    EXPECT_EQ(jar.target(), "moon-jar-nmk");
+    const test::TemporaryFolder other;
+    app::JarKeeping written(other.path(), lump, {});
+    ASSERT_TRUE(written.begin("moon-jar-nmk"));
+    EXPECT_EQ(test::content_of(other / "jar.json"), test::content_of(sample("jar/1.json")));
 }
 
 TEST(Walls, OfVersion1AreReadWhetherTheySayItOrNot) {

@@ -3,13 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/files/atomic_file.h"
+#include "engine/files/read_file.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/start_pot.h"
 #include "game/app/kiosk/exhibits.h"
+#include "game/app/kiosk/house_status.h"
+#include "game/app/kiosk/kiosk_gallery.h"
 #include "game/clay/studio/joining.h"
 #include "game/heritage/jar.h"
 #include "tests/stress/unseen_kiosk.h"
@@ -69,6 +75,41 @@ class MoonJar : public testing::Test {
         ASSERT_TRUE(kiosk.press(Button::kDone));
         ASSERT_TRUE(kiosk.until([&] { return step() == then; }, kSlowly));
     }
+    [[nodiscard]] fs::path state_folder() const { return app::state_folder(folder.path()); }
+    // It is synced once a second.
+    void wait_for_journal() {
+        for (int i = 0; i < 250; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            kiosk.frame(0.01);
+        }
+    }
+    void expect_bowl(double height_mm) {
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.state().throwing.jar.is_bowl; }, kSlowly));
+        EXPECT_TRUE(kiosk.until([&] { return std::fabs(kiosk.snapshot().pot->height_mm - height_mm) < 0.5; },
+                                kSlowly))
+            << kiosk.snapshot().pot->height_mm << " mm high instead of " << height_mm;
+    }
+    // The kept jar's session begins with what joining its two bowls' gives, and is worked out to the end.
+    void expect_made_of_its_bowls(const nlohmann::json& note) {
+        const fs::path kept = folder.path() / today() / "pot-001";
+        const auto first = start_pot({.on = (kept / "bowl-1.onggi").string()});
+        ASSERT_TRUE(first) << first.error().message;
+        const auto second = start_pot({.on = (kept / "bowl-2.onggi").string()});
+        ASSERT_TRUE(second) << second.error().message;
+        const auto joined = clay::join_pots(
+            **second, **first,
+            {.mouth_mm = clay::bore_at_width_mm(**first, note.at("mouth_mm").get<double>()),
+             .shift_mm = {note.at("shift_mm").at(0).get<double>(), note.at("shift_mm").at(1).get<double>()}});
+        ASSERT_TRUE(joined) << joined.error().message;
+        const auto session = load_session((kept / "pot.onggi").string());
+        ASSERT_TRUE(session) << session.error().message;
+        EXPECT_EQ(session->start.state.studio()->state_hash(), joined->state_hash()) << "to the bit";
+        const auto jar = start_pot({.on = (kept / "pot.onggi").string()});
+        ASSERT_TRUE(jar) << jar.error().message;
+        EXPECT_EQ((*jar)->ledger_error_mm3(), 0.0);
+        EXPECT_NEAR(heritage::off_round_mm(**jar), 3.0, 1.5) << "set on 3 mm to the side";
+        EXPECT_NEAR((*jar)->lump().mass_g, 2.0 * clay::StudioLump{}.mass_g, 1e-9);
+    }
     void look(const std::string& name) {
         const char* const into = std::getenv("ONGGI_LOOK");
         if (into == nullptr) return;
@@ -87,14 +128,51 @@ class MoonJar : public testing::Test {
     std::mt19937 chance{7};
 };
 
+// What a power cut at this moment leaves on the disk, at another kiosk: it offers the jar and goes on with
+// it.
+struct AfterPowerCut {
+    explicit AfterPowerCut(const fs::path& gallery) {
+        fs::copy(gallery, folder.path(), fs::copy_options::recursive);
+        kiosk = std::make_unique<UnseenKiosk>(folder.path());
+    }
+    void expect_goes_on(JarStep step, double height_mm) {
+        ASSERT_TRUE(kiosk->until([&] { return kiosk->state().interrupted_session; }, kSlowly));
+        kiosk->touch();
+        ASSERT_TRUE(kiosk->until([&] { return kiosk->shown_screen() == Screen::kResume; }, kSlowly));
+        ASSERT_TRUE(kiosk->press(Button::kResumeGo));
+        EXPECT_EQ(kiosk->state().throwing.jar.step, step);
+        // What was thrown last may be a block of the journal short.
+        constexpr double kMostLostMm = 12.0;
+        EXPECT_TRUE(kiosk->until(
+            [&] { return std::fabs(kiosk->snapshot().pot->height_mm - height_mm) < kMostLostMm; }, kSlowly))
+            << kiosk->snapshot().pot->height_mm << " mm high instead of " << height_mm;
+        const bool has_bowl = step == JarStep::kSecondBowl;
+        EXPECT_TRUE(kiosk->until(
+            [&] {
+                const auto view = kiosk->shown_view();
+                return view && view->state.screen == Screen::kThrow && (view->aside != nullptr) == has_bowl;
+            },
+            kSlowly));
+    }
+
+    test::TemporaryFolder folder;
+    std::unique_ptr<UnseenKiosk> kiosk;
+};
+
 TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     throw_bowl();
     look("2-bowl");
+    const double first_mm = kiosk.snapshot().pot->height_mm;
+    wait_for_journal();
+    AfterPowerCut(folder.path()).expect_goes_on(JarStep::kFirstBowl, first_mm);
     end_bowl(JarStep::kAside);
     look("3-aside");
     ASSERT_TRUE(kiosk.press(Button::kDone));
     throw_bowl();
     look("4-second");
+    const double second_mm = kiosk.snapshot().pot->height_mm;
+    wait_for_journal();
+    AfterPowerCut(folder.path()).expect_goes_on(JarStep::kSecondBowl, second_mm);
     end_bowl(JarStep::kJoin);
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kJoin; }, kSlowly));
     for (int mm = 0; mm < 3; ++mm)
@@ -109,6 +187,11 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     const double middle_mm = 0.5 * kiosk.snapshot().pot->height_mm;
     kiosk.stroke({{95.0, middle_mm - 8.0}, {84.0, middle_mm}, {84.0, middle_mm + 8.0}}, 2.0, chance);
     look("7-smoothed");
+    const double jar_mm = kiosk.snapshot().pot->height_mm;
+    wait_for_journal();
+    AfterPowerCut(folder.path()).expect_goes_on(JarStep::kSeam, jar_mm);
+    const auto note = files::read_file(state_folder() / "jar.json", 4096);
+    ASSERT_TRUE(note) << note.error().message;
     ASSERT_TRUE(kiosk.press(Button::kDone));
     ASSERT_TRUE(kiosk.fires_it(true));
     ASSERT_TRUE(kiosk.press(Button::kGlaze, 1));
@@ -119,6 +202,45 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
                             kSlowly));
     look("9-kept");
+    expect_made_of_its_bowls(nlohmann::json::parse(*note));
+    EXPECT_FALSE(fs::exists(state_folder() / "jar.json")) << "it is on the shelf";
+    EXPECT_FALSE(fs::exists(state_folder() / "jar-1.onggi"));
+}
+
+TEST_F(MoonJar, IsTakenBackAcrossItsSteps) {
+    throw_bowl();
+    const double first_mm = kiosk.snapshot().pot->height_mm;
+    end_bowl(JarStep::kAside);
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    EXPECT_EQ(step(), JarStep::kFirstBowl);
+    expect_bowl(first_mm);
+    end_bowl(JarStep::kAside);
+    ASSERT_TRUE(kiosk.press(Button::kDone));
+    throw_bowl();
+    const double second_mm = kiosk.snapshot().pot->height_mm;
+    end_bowl(JarStep::kJoin);
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    EXPECT_EQ(step(), JarStep::kSecondBowl);
+    expect_bowl(second_mm);
+    end_bowl(JarStep::kJoin);
+    ASSERT_TRUE(kiosk.press(Button::kJoinBowls));
+    ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSeam; }, kSlowly));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm > 140.0; }, kSlowly));
+    // Nothing was done to the jar yet: its bowls come apart.
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSecondBowl; }, kSlowly));
+    expect_bowl(second_mm);
+    // And the second one's moves can be taken back as if nothing had been joined.
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    ASSERT_TRUE(
+        kiosk.until([&] { return std::fabs(kiosk.snapshot().pot->height_mm - second_mm) > 0.01; }, kSlowly));
+    // New clay is another second bowl; the first one stays.
+    ASSERT_TRUE(kiosk.press(Button::kNewClay));
+    EXPECT_EQ(step(), JarStep::kSecondBowl);
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm < 60.0; }, kSlowly));
+    EXPECT_FALSE(kiosk.state().throwing.jar.is_bowl);
+    throw_bowl();
+    end_bowl(JarStep::kJoin);
 }
 
 }  // namespace

@@ -203,6 +203,34 @@ TEST(Joining, MakesAStateThatIsReadBackAndTickedToTheSameBits) {
     EXPECT_EQ(a.clay.failure().cause, Cause::kNone) << sentence(a.clay.failure());
 }
 
+TEST(Joining, SetsTheUpperPotAsideAndEasesHalfOfThatOnEitherSide) {
+    const StudioClay straight = bowl(50.0, 6.0, 60.0);
+    constexpr double kRightMm = 4.0;
+    const auto pot = join_pots(straight, straight, {.shift_mm = {kRightMm, 0.0}});
+    ASSERT_TRUE(pot) << pot.error().message;
+    expect_sound(*pot);
+    EXPECT_EQ(pot->ledger_error_mm3(), 0.0);
+    const double foot_mm = pot->centre_mm(0).x;
+    EXPECT_NEAR(pot->centre_mm(pot->ring_count() - 1).x - foot_mm, kRightMm, 1e-5);
+    double last_mm = foot_mm;
+    for (int ring = 1; ring < pot->ring_count(); ++ring) {
+        const double x_mm = pot->centre_mm(ring).x;
+        EXPECT_GE(x_mm, last_mm - 1e-5) << "never back";
+        EXPECT_LT(x_mm - last_mm, 0.1) << "and without a step, at ring " << ring;
+        last_mm = x_mm;
+    }
+    const int at_seam = pot->rings().ring_at(60.0);
+    EXPECT_NEAR(pot->centre_mm(at_seam).x - foot_mm, 0.5 * kRightMm, 0.05);
+}
+
+TEST(Joining, FindsTheBoreOfAMouthByItsOuterWidth) {
+    const StudioClay pot = flared(30.0, 60.0, 6.0, 70.0);
+    EXPECT_NEAR(bore_at_width_mm(pot, 90.0), 90.0 - 12.0, 0.2);
+    EXPECT_EQ(bore_at_width_mm(pot, 40.0), 0.0) << "its foot is wider, and solid";
+    EXPECT_EQ(bore_at_width_mm(pot, 200.0), 0.0) << "it is nowhere so wide";
+    EXPECT_NEAR(rim_step_mm(bowl(50.0, 6.0, 60.0), bowl(47.0, 4.0, 60.0)), 2.0, 1e-9);
+}
+
 std::string refusal(const StudioClay& lower, const StudioClay& upper, const Joining& joining = {}) {
     const auto pot = join_pots(lower, upper, joining);
     EXPECT_FALSE(pot);

@@ -35,9 +35,9 @@ std::vector<fs::path> journals_among(std::vector<fs::path> files) {
     return files;
 }
 
-Result<record::Session> read(const fs::path& file, const haptic::HapticState& start,
-                             const haptic::HapticParameters& parameters,
-                             const std::vector<std::byte>& expected) {
+Result<record::Session> session_of(const fs::path& file, const haptic::HapticState& start,
+                                   const haptic::HapticParameters& parameters,
+                                   const std::vector<std::byte>& expected) {
     auto bytes = files::read_file(file, kMostSessionBytes);
     if (!bytes) return bytes.error();
     auto session = record::parse_session(std::move(*bytes), file.string(), record::Damage::kCutThere);
@@ -68,7 +68,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
     for (const fs::path& file : others) {
         // Killed before its first block: nothing had been thrown.
         if (fs::file_size(file, ignored) < start_bytes.size()) continue;
-        auto session = read(file, start, parameters, start_bytes);
+        auto session = session_of(file, start, parameters, start_bytes);
         if (!session) {
             remarks.push_back("interrupted visit: dropped: " + session.error().message);
             continue;
@@ -93,10 +93,26 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
         new InterruptedSession(std::move(*longest.session), start, parameters, folder));
 }
 
+Result<std::unique_ptr<InterruptedSession>> InterruptedSession::read(
+    const fs::path& file, const haptic::HapticState& start, const haptic::HapticParameters& parameters,
+    const fs::path& folder) {
+    auto session = session_of(file, start, parameters, haptic::start_state_bytes(start, parameters));
+    if (!session) return session.error();
+    return std::unique_ptr<InterruptedSession>(
+        new InterruptedSession(std::move(*session), start, parameters, folder));
+}
+
+std::unique_ptr<InterruptedSession> InterruptedSession::of_nothing(const haptic::HapticState& start,
+                                                                   const haptic::HapticParameters& parameters,
+                                                                   const fs::path& folder) {
+    return std::unique_ptr<InterruptedSession>(
+        new InterruptedSession(std::nullopt, start, parameters, folder));
+}
+
 Result<bool> InterruptedSession::work(int ticks) {
     if (!session_) return false;
     for (int i = 0; i < ticks && played_ < session_->tick_count(); ++i) {
-        history_.add_played(cursor_.at(played_++));
+        history_.add_played(cursor_->at(played_++));
         const record::Session::Block& block = session_->blocks()[(played_ - 1) / record::kHashInterval];
         const bool ends_block = played_ == block.first_tick + block.tick_count;
         if (ends_block && history_.state().hash() != block.state_hash) {

@@ -28,6 +28,17 @@ class InterruptedSession {
                                                     const haptic::HapticParameters& parameters,
                                                     std::vector<std::string>& remarks);
 
+    // One session, as it was written, of a lump that starts so. kBadInput: it is none, or of another clay or
+    // rate.
+    static Result<std::unique_ptr<InterruptedSession>> read(const std::filesystem::path& file,
+                                                            const haptic::HapticState& start,
+                                                            const haptic::HapticParameters& parameters,
+                                                            const std::filesystem::path& folder);
+    // Where the clay that starts so had not been touched yet.
+    static std::unique_ptr<InterruptedSession> of_nothing(const haptic::HapticState& start,
+                                                          const haptic::HapticParameters& parameters,
+                                                          const std::filesystem::path& folder);
+
     // Works out so many ticks more. True while there are more.
     Result<bool> work(int ticks);
     // Whether anything was done to the clay; where nothing was, nobody misses it. After the last work().
@@ -39,16 +50,18 @@ class InterruptedSession {
     static void remove(const std::filesystem::path& folder) noexcept;
 
   private:
-    InterruptedSession(record::Session session, const haptic::HapticState& start,
+    InterruptedSession(std::optional<record::Session> session, const haptic::HapticState& start,
                        const haptic::HapticParameters& parameters, const std::filesystem::path& folder)
         : session_(std::move(session)),
-          cursor_(*session_),
-          seconds_(static_cast<double>(session_->tick_count()) / session_->header().rate_hz),
-          history_(start, parameters, {.aside = folder}) {}
+          history_(start, parameters, {.aside = folder}) {
+        if (!session_) return;
+        cursor_.emplace(*session_);
+        seconds_ = static_cast<double>(session_->tick_count()) / session_->header().rate_hz;
+    }
 
     std::optional<record::Session> session_;  // until it is worked out: its bytes are many
-    record::SessionCursor cursor_;
-    double seconds_;
+    std::optional<record::SessionCursor> cursor_;
+    double seconds_ = 0.0;
     haptic::History history_;
     std::uint64_t played_ = 0;
 };

@@ -21,8 +21,6 @@ constexpr std::int64_t kLookEveryNs = 4'000'000;
 constexpr double kBeforeCollapseS = 2.0;
 constexpr int kMostRecordsARound = 4000;
 constexpr int kPortraitPx = 1024;
-// A few ms of an interrupted visit, so that the one that goes on is followed too.
-constexpr int kInterruptedSessionTicksARound = 2000;
 
 // A visit goes from one thing to another, and what the one took is not needed for the other.
 void give_back_memory() {
@@ -42,7 +40,7 @@ KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& star
       parameters_(parameters),
       visits_(state_folder(gallery.folder())),
       journal_(visits_),
-      jar_(visits_, parameters),
+      jar_(visits_, start, parameters),
       gallery_(std::move(gallery)),
       statistics_(std::move(statistics)),
       heartbeat_(std::move(heartbeat)),
@@ -122,24 +120,29 @@ bool KioskKeeper::work_out_interrupted_session() {
         gallery_.clear_parts();
         files::clear_parts(statistics_);  // which may lie elsewhere
         std::vector<std::string> remarks;
-        interrupted_session_ = InterruptedSession::find(visits_, start_, parameters_, remarks);
-        for (std::string& line : remarks)
-            answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line), .is_trouble = true});
+        jar_.look(remarks);
+        tell_all(std::move(remarks));
     }
+    if (!has_found_ && find_interrupted_session()) return true;
     if (!interrupted_session_ || is_worked_out_) return false;
     const auto more = interrupted_session_->work(kInterruptedSessionTicksARound);
     if (more && *more) return true;
     is_worked_out_ = true;
-    if (more && interrupted_session_->is_worth_it()) {
-        answer({.kind = KeeperAnswer::Kind::kInterruptedSession,
-                .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
-                                     interrupted_session_->seconds())});
+    if (more && (interrupted_session_->is_worth_it() || jar_.has_bowl())) {
+        answer(
+            {.kind = KeeperAnswer::Kind::kInterruptedSession,
+             .pot = jar_.has_bowl() ? std::make_shared<const pot::Pot>(haptic::pot_of(jar_.bowl())) : nullptr,
+             .jar = jar_.stage(),
+             .jar_target = jar_.target(),
+             .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                                  interrupted_session_->seconds())});
         return false;
     }
     if (!more)
         answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message, .is_trouble = true});
     interrupted_session_.reset();
     InterruptedSession::remove(visits_);
+    jar_.forget();
     return false;
 }
 
@@ -171,6 +174,7 @@ void KioskKeeper::resume_now(std::uint64_t run) {
     }
     is_put_ = true;
     was_resumed_ = true;
+    is_jar_ = !jar_.sessions().empty();
     journal_.drop();
     journalled_run_ = run;
 }
@@ -200,6 +204,9 @@ void KioskKeeper::apply(const Request& request) {
             put_state_at(until > back ? until - back : 0);
             break;
         }
+        case Request::Kind::kBeginJar:
+            complain(jar_.begin(*request.pot));
+            break;
         case Request::Kind::kSetAside:
             set_aside_now();
             break;
@@ -259,6 +266,7 @@ void KioskKeeper::apply(const Request& request) {
             is_put_ = false;
             interrupted_session_.reset();
             InterruptedSession::remove(visits_);
+            jar_.forget();
             break;
         case Request::Kind::kSurvey:
             survey_now();

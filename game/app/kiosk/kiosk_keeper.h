@@ -53,6 +53,8 @@ struct KeeperAnswer {
     std::string gallery_name{};             // likewise: "2026-11-21/pot-014"
     std::filesystem::path session{};        // of one that was written
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall{};  // of kWall: as it is now, the oldest first
+    JarStage jar = JarStage::kNone;                                // of an interrupted session
+    std::string jar_target{};                                      // likewise
     std::string words{};                                           // for the log
     bool is_trouble = false;                                       // what they tell of
     static constexpr std::size_t kMostPots = 1000;                 // that anybody pages through
@@ -77,6 +79,11 @@ class KioskKeeper final : private jobs::IoWork {
     // Main thread, wait-free.
     // Answered by kUndoneAll where nothing is left to take back.
     void undo() { ask({Request::Kind::kUndo}); }
+    // The lump that comes is the first bowl of a jar after that pot of a museum.
+    void begin_jar(std::string target) {
+        ask({.kind = Request::Kind::kBeginJar,
+             .pot = std::make_shared<const std::string>(std::move(target))});
+    }
     // The bowl on the wheel is the first of a jar. Answered by kSetAside or kJarStays; new clay may come
     // then.
     void set_aside() { ask({Request::Kind::kSetAside}); }
@@ -137,10 +144,13 @@ class KioskKeeper final : private jobs::IoWork {
     [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer();
 
   private:
+    // A few ms of an interrupted visit, so that the one that goes on is followed too.
+    static constexpr int kInterruptedSessionTicksARound = 2000;
     struct Request {
         enum class Kind {
             kUndo,
             kBefore,
+            kBeginJar,
             kSetAside,
             kHoldTogether,
             kJoinBowls,
@@ -183,6 +193,8 @@ class KioskKeeper final : private jobs::IoWork {
     void finish() noexcept override;
     bool follow();
     bool work_out_interrupted_session();
+    bool find_interrupted_session();
+    void tell_all(std::vector<std::string> remarks);
     void write_journal(std::int64_t now_ns);
     void resume_now(std::uint64_t run);
     void end_journal();
@@ -214,6 +226,7 @@ class KioskKeeper final : private jobs::IoWork {
     std::uint64_t run_ = 0;                                    // of the last record
     std::unique_ptr<InterruptedSession> interrupted_session_;  // until it is on the wheel
     bool has_looked_ = false;
+    bool has_found_ = false;
     bool is_worked_out_ = false;
     bool is_put_ = false;       // its state is on the way to the wheel
     bool was_resumed_ = false;  // and is not in the new journal yet

@@ -8,6 +8,28 @@
 
 namespace onggi::app {
 
+// True while there is more of the bowls of an interrupted jar to be worked out.
+bool KioskKeeper::find_interrupted_session() {
+    const auto more = jar_.restore(kInterruptedSessionTicksARound);
+    if (more && *more) return true;
+    if (!more)
+        answer({.kind = KeeperAnswer::Kind::kRemark,
+                .words = "interrupted jar: " + more.error().message,
+                .is_trouble = true});
+    has_found_ = true;
+    std::vector<std::string> remarks;
+    interrupted_session_ = InterruptedSession::find(visits_, jar_.start(), parameters_, remarks);
+    tell_all(std::move(remarks));
+    if (!interrupted_session_) interrupted_session_ = jar_.left_over();
+    if (!interrupted_session_) jar_.forget();
+    return false;
+}
+
+void KioskKeeper::tell_all(std::vector<std::string> remarks) {
+    for (std::string& line : remarks)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line), .is_trouble = true});
+}
+
 void KioskKeeper::undo_now() {
     if (arriving_) return;  // what it would take back is not there yet
     if (const auto tick = history_.before_last_move()) {
@@ -18,6 +40,7 @@ void KioskKeeper::undo_now() {
 }
 
 void KioskKeeper::set_aside_now() {
+    if (arriving_) return answer({.kind = KeeperAnswer::Kind::kJarStays});
     if (!history_.is_whole() || history_.state().studio() == nullptr) {
         answer({.kind = KeeperAnswer::Kind::kJarStays,
                 .words = "jar: a tick's record was lost; the bowl stays on the wheel"});
@@ -25,13 +48,16 @@ void KioskKeeper::set_aside_now() {
     }
     auto bowl = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()));
     complain(jar_.set_aside(std::move(history_)));
+    journalled_run_.reset();  // it is on the disk as a whole
+    journal_.drop();
+    complain(jar_.note(JarStage::kSecondBowl));
     history_ = haptic::History(start_, parameters_, {.aside = visits_});  // new clay is about to come
     answer({.kind = KeeperAnswer::Kind::kSetAside, .pot = std::move(bowl)});
 }
 
 void KioskKeeper::hold_together_now(double mouth_mm) {
     const clay::StudioClay* const second = history_.state().studio();
-    if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr)
+    if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr || arriving_)
         return answer({.kind = KeeperAnswer::Kind::kJarStays});
     const auto rims_mm = jar_.rims_mm(*second, mouth_mm);
     if (!rims_mm)
@@ -66,7 +92,7 @@ void KioskKeeper::take_arriving(const haptic::TickRecord& record) {
         arriving_.reset();
         if (!std::exchange(is_jar_, false)) return;
         history_ = haptic::History(start_, parameters_, {.aside = visits_});
-        jar_.drop_second();
+        complain(jar_.drop_second());
     }
     const bool is_there =
         arriving_ && (record.flags & haptic::TickRecord::kStatePut) != 0 && record.tick == arriving_->ticks();
@@ -74,7 +100,11 @@ void KioskKeeper::take_arriving(const haptic::TickRecord& record) {
     history_ = std::move(*arriving_);
     arriving_.reset();
     is_jar_ = !jar_.sessions().empty();
+    complain(jar_.note(is_jar_           ? JarStage::kJar
+                       : jar_.has_bowl() ? JarStage::kSecondBowl
+                                         : JarStage::kFirstBowl));
     journal_.drop();  // it began with another clay
+    journalled_run_ = run_;
 }
 
 }  // namespace onggi::app

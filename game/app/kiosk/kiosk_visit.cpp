@@ -77,7 +77,7 @@ Result<void> KioskVisit::frame(double now_s) {
     dispatch({Event::Kind::kTick});
     input_.take(moment);
     wheel_.take_clay(moment.snapshot);
-    jar_.look(moment.snapshot);
+    if (wheel_.clay_is_there()) jar_.look(moment.snapshot);
     wheel_.take_fault(moment);
     effects_.take_answers();
     wheel_.move_hand(moment);

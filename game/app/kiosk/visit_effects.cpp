@@ -1,5 +1,7 @@
 #include "game/app/kiosk/visit_effects.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "game/heritage/jar.h"
@@ -59,6 +61,9 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             break;
         case Effect::Kind::kEndDrawing:
             fire_drawing();
+            break;
+        case Effect::Kind::kBeginJar:
+            parts_.keeper.begin_jar(jar_.target_id());
             break;
         case Effect::Kind::kSetAside:
             wheel_.hand().release();
@@ -124,6 +129,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             wheel_.rearm_force();
             wheel_.clay().expect_state(moment.snapshot);
             parts_.keeper.resume(wheel_.run());
+            if (interrupted_bowl_) jar_.set_aside(std::exchange(interrupted_bowl_, nullptr));
             break;
         case Effect::Kind::kDropInterrupted:
             parts_.keeper.drop_interrupted_session();
@@ -170,6 +176,20 @@ void VisitEffects::take_cut_off(const clay::StudioClay& clay) {
     if (flow_.state().throwing.jar.step == kiosk::JarStep::kSeam)
         pot.off_round_mm = heritage::off_round_mm(clay);
     pot_ = std::make_shared<const screens::FiredPot>(std::move(pot));
+}
+
+void VisitEffects::take_interrupted(const KeeperAnswer& answer) {
+    constexpr std::array kSteps{kiosk::JarStep::kNone, kiosk::JarStep::kFirstBowl,
+                                kiosk::JarStep::kSecondBowl, kiosk::JarStep::kSeam};
+    interrupted_bowl_ = answer.pot;
+    const kiosk::JarStep step = kSteps[static_cast<std::size_t>(answer.jar)];
+    const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
+    const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t row) {
+        return parts_.settings.targets[row].id == answer.jar_target;
+    });
+    const bool is_jar = step != kiosk::JarStep::kNone && place != places.end();
+    flow_.dispatch({Event::Kind::kInterruptedSession, Button::kNone,
+                    is_jar ? kiosk::interrupted_jar(step, static_cast<int>(place - places.begin())) : 0});
 }
 
 void VisitEffects::take_jar(const KeeperAnswer& answer) {
@@ -294,7 +314,7 @@ void VisitEffects::take_answers() {
                 desk_.take(*answer);
                 break;
             case KeeperAnswer::Kind::kInterruptedSession:
-                flow_.dispatch({Event::Kind::kInterruptedSession});
+                take_interrupted(*answer);
                 break;
             case KeeperAnswer::Kind::kNotPut:
                 wheel_.clay().expect_nothing();

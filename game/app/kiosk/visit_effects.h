@@ -52,6 +52,7 @@ class VisitEffects {
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
     void take_cut_off(const clay::StudioClay& clay);
+    void take_interrupted(const KeeperAnswer& answer);
     void take_jar(const KeeperAnswer& answer);
     void fire_drawing();
     void save();
@@ -68,6 +69,7 @@ class VisitEffects {
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;
+    std::shared_ptr<const pot::Pot> interrupted_bowl_;  // the first of an interrupted jar
     std::vector<screens::ShelfPot> day_;
     std::string kept_name_;  // of it, in the gallery
     std::shared_ptr<const screens::PhoneWay> phone_way_;

@@ -49,6 +49,11 @@ void VisitJar::look(const haptic::Snapshot& snapshot) {
     flow_.dispatch({kiosk::Event::Kind::kBowl, kiosk::Button::kNone, is_bowl ? 1 : 0});
 }
 
+std::string VisitJar::target_id() const {
+    const heritage::Target* const after = target();
+    return after != nullptr ? after->id : std::string();
+}
+
 std::vector<vec2> VisitJar::outline() const {
     const heritage::Target* const after = target();
     if (after == nullptr || flow_.state().screen != kiosk::Screen::kThrow) return {};

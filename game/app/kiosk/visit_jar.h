@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "game/app/kiosk/visit_parts.h"
@@ -22,6 +23,8 @@ class VisitJar {
     // Tells the visit whether the clay on the wheel could be a half of the jar. Once a frame.
     void look(const haptic::Snapshot& snapshot);
 
+    // Of the museum's pot that is thrown after; empty: none.
+    [[nodiscard]] std::string target_id() const;
     // What is thrown after: radius and height of the wet clay, from below; empty: nothing. Of a jar the bowl,
     // and for the second bowl the first as it came out.
     [[nodiscard]] std::vector<vec2> outline() const;

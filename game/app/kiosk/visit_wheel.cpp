@@ -72,6 +72,7 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     if (holds != flow_.state().pace.held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
     if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch({Event::Kind::kShowOver});
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
+    clay_is_there_ = news.has_value();
     if (!news) return;
     flow_.dispatch({Event::Kind::kProgress, Button::kNone, news->steps_done});
     flow_.dispatch({Event::Kind::kWarned, Button::kNone, static_cast<int>(news->warning)});

@@ -33,6 +33,8 @@ class VisitWheel {
 
     [[nodiscard]] KioskHand& hand() { return hand_; }
     [[nodiscard]] const KioskHand& hand() const { return hand_; }
+    // What is on the wheel is what was asked for, as far as the last take_clay() on the throwing screen knew.
+    [[nodiscard]] bool clay_is_there() const { return clay_is_there_; }
     [[nodiscard]] KioskClay& clay() { return clay_; }
     [[nodiscard]] bool shows() const { return demo_runs_; }
     // Of the lump that was asked for last, as Snapshot::run counts.
@@ -50,6 +52,7 @@ class VisitWheel {
     KioskHand hand_;
     KioskClay clay_;
     KioskFault fault_;
+    bool clay_is_there_ = false;
     bool demo_runs_ = true;
     double demo_since_s_ = 0.0;
     std::optional<std::size_t> shown_;  // the recording, or 0 for the gesture, that is on the wheel

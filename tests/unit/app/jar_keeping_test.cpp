@@ -1,0 +1,151 @@
+// What is on the disk of a jar in the making: damaged, half written, forgotten.
+#include "game/app/kiosk/jar_keeping.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/haptic/studio_hand.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+haptic::HapticParameters parameters() {
+    haptic::HapticParameters all;
+    all.set_rate_hz(500.0);
+    return all;
+}
+
+haptic::HapticState bowl(double outer_mm) {
+    clay::StudioClay clay = *test::studio_start().studio();
+    clay.set_wall(outer_mm, 6.0, 10.0, 60.0, 400);
+    return haptic::HapticState(std::move(clay));
+}
+
+haptic::History history_of(const haptic::HapticState& state) {
+    haptic::History history(state, parameters());
+    for (int tick = 0; tick < 40; ++tick)
+        history.add_played({.position_mm = {0.0, 300.0, 0.0}});
+    return history;
+}
+
+JarKeeping jar_in(const fs::path& folder) {
+    return JarKeeping(folder, bowl(50.0), parameters());
+}
+
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream(file) << text;
+}
+
+TEST(JarKeeping, DropsWhatIsDamagedWithOneLine) {
+    for (const std::string text : {"", "{", "[]", R"({"format":1})",
+                                   R"({"format":2,"stage":1,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
+                                   R"({"format":1,"stage":7,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
+                                   R"({"format":1,"stage":1,"target":"x","shift_mm":[0],"mouth_mm":0})",
+                                   R"({"format":1,"stage":1,"target":4,"shift_mm":[0,0],"mouth_mm":0})"}) {
+        const test::TemporaryFolder folder;
+        write(folder / "jar.json", text);
+        JarKeeping jar = jar_in(folder.path());
+        std::vector<std::string> remarks;
+        jar.look(remarks);
+        ASSERT_EQ(remarks.size(), 1U) << text;
+        EXPECT_EQ(remarks[0].find('\n'), std::string::npos);
+        EXPECT_NE(remarks[0].find("jar.json"), std::string::npos) << remarks[0];
+        EXPECT_EQ(jar.stage(), JarStage::kNone);
+        EXPECT_FALSE(fs::exists(folder / "jar.json"));
+    }
+}
+
+TEST(JarKeeping, IsRestoredWithBothBowlsToTheBit) {
+    const test::TemporaryFolder folder;
+    JarKeeping jar = jar_in(folder.path());
+    ASSERT_TRUE(jar.begin("moon-jar-nmk"));
+    haptic::History second = history_of(bowl(50.0));
+    ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+    ASSERT_TRUE(jar.note(JarStage::kSecondBowl));
+    const auto joined = jar.join(second, {.shift_mm = {2.0, 1.0}, .mouth_mm = 0.0});
+    ASSERT_TRUE(joined) << joined.error().message;
+    ASSERT_TRUE(jar.note(JarStage::kJar));
+
+    JarKeeping again = jar_in(folder.path());
+    std::vector<std::string> remarks;
+    again.look(remarks);
+    int rounds = 0;
+    for (auto more = again.restore(7); more && *more; more = again.restore(7))
+        ++rounds;
+    EXPECT_GT(rounds, 5) << "a few ticks at a time";
+    EXPECT_TRUE(remarks.empty());
+    EXPECT_EQ(again.stage(), JarStage::kJar);
+    EXPECT_EQ(again.sessions().size(), 2U);
+    EXPECT_EQ(again.start().hash(), joined->state().hash());
+    ASSERT_TRUE(again.left_over()) << "nothing was done to the jar yet";
+    EXPECT_EQ(again.left_over()->history().state().hash(), joined->state().hash());
+}
+
+TEST(JarKeeping, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
+    const test::TemporaryFolder folder;
+    {
+        JarKeeping jar = jar_in(folder.path());
+        ASSERT_TRUE(jar.begin("moon-jar-nmk"));
+        ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+        ASSERT_TRUE(jar.note(JarStage::kSecondBowl));
+    }
+    write(folder / "jar-1.onggi", "no session");
+    JarKeeping jar = jar_in(folder.path());
+    std::vector<std::string> remarks;
+    jar.look(remarks);
+    const auto more = jar.restore(100);
+    ASSERT_FALSE(more);
+    EXPECT_NE(more.error().message.find("jar-1.onggi"), std::string::npos);
+    EXPECT_EQ(jar.stage(), JarStage::kNone);
+    EXPECT_FALSE(fs::exists(folder / "jar-1.onggi"));
+}
+
+TEST(JarKeeping, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
+    const test::TemporaryFolder folder;
+    {
+        JarKeeping jar = jar_in(folder.path());
+        ASSERT_TRUE(jar.begin("moon-jar-nmk"));
+        ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+        // The power goes before it is noted that the bowl was set aside.
+    }
+    JarKeeping jar = jar_in(folder.path());
+    std::vector<std::string> remarks;
+    jar.look(remarks);
+    EXPECT_EQ(jar.stage(), JarStage::kFirstBowl);
+    const auto bowl = jar.left_over();
+    ASSERT_TRUE(bowl);
+    while (bowl->work(100).value()) {
+    }
+    EXPECT_EQ(bowl->history().ticks(), 40U);
+}
+
+TEST(JarKeeping, LeavesNothingBehindWhenItIsForgotten) {
+    const test::TemporaryFolder folder;
+    JarKeeping jar = jar_in(folder.path());
+    ASSERT_TRUE(jar.begin("moon-jar-nmk"));
+    ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+    haptic::History second = history_of(bowl(50.0));
+    ASSERT_TRUE(jar.join(second, {}));
+    jar.forget();
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(JarKeeping, TellsOfRimsThatCannotMeetAndChangesNothing) {
+    const test::TemporaryFolder folder;
+    JarKeeping jar = jar_in(folder.path());
+    ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+    haptic::History second = history_of(bowl(70.0));
+    EXPECT_FALSE(jar.rims_mm(*second.state().studio(), 0.0));
+    EXPECT_FALSE(jar.join(second, {}));
+    EXPECT_EQ(second.ticks(), 40U);
+    const auto near_mm = jar.rims_mm(*bowl(53.0).studio(), 0.0);
+    ASSERT_TRUE(near_mm);
+    EXPECT_NEAR(*near_mm, 3.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace onggi::app
