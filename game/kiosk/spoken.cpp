@@ -118,6 +118,8 @@ std::string_view spoken_key(const State& state) {
             return "fail.title";
         case Screen::kFiring:
             return firing_key(state.firing);
+        case Screen::kTrim:
+            return "trim.title";
         case Screen::kDecorate:
             return decorating_key(state.decorating);
         case Screen::kGlaze:

@@ -15,6 +15,7 @@ enum class Screen {
     kJoin,  // the one bowl upside down on the other
     kFailure,
     kFiring,  // cut off, dried; and after the decorating fired
+    kTrim,    // its foot is turned, upside down
     kDecorate,
     kGlaze,
     kYourPot,
@@ -22,7 +23,7 @@ enum class Screen {
     kResume,  // a pot was left on the wheel when the power went
     kFault,
 };
-constexpr int kScreenCount = 13;
+constexpr int kScreenCount = 14;
 
 // What lies over the screen.
 enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
@@ -100,6 +101,16 @@ struct Throwing {
     JarMaking jar{};
 
     friend bool operator==(const Throwing&, const Throwing&) = default;
+};
+
+// Turning the foot of a pot that has dried to leather hard.
+struct Trimming {
+    bool is_offered = false;  // there is clay to spare at the foot
+    bool touched = false;     // something was taken
+    int taken_g = 0;
+    int loop = 2;  // how large it is, of kMostTool
+
+    friend bool operator==(const Trimming&, const Trimming&) = default;
 };
 
 constexpr int kDrawingTools = 6;  // finger, iron, cobalt, inlay, white brush, motif
@@ -186,6 +197,7 @@ struct ScreenState {
     int shelf_first = 0;  // choose: the first that is seen of the shelf; 0 is throwing as one likes
     int card = 0;         // of which pot of the shelf, or kRelativesCard
     FiringStage firing = FiringStage::kCut;
+    Trimming trimming;
     Decorating decorating;
     int glaze = 0;
     Keeping keeping;

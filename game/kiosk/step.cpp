@@ -10,8 +10,8 @@ namespace onggi::kiosk {
 
 std::string_view name_of(Screen screen) {
     constexpr std::array<std::string_view, kScreenCount> kNames{
-        "attract",  "choose", "jar-start", "throw", "join",   "failure", "firing",
-        "decorate", "glaze",  "your-pot",  "keep",  "resume", "fault"};
+        "attract", "choose",   "jar-start", "throw",    "join", "failure", "firing",
+        "trim",    "decorate", "glaze",     "your-pot", "keep", "resume",  "fault"};
     return kNames[static_cast<std::size_t>(screen)];
 }
 
@@ -260,6 +260,10 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
         case Event::Kind::kJarStays:
         case Event::Kind::kUndoneAll:
             take_jar(turn, event);
+            break;
+        case Event::Kind::kThickFoot:
+        case Event::Kind::kTrimmed:
+            take_trim(turn, event);
             break;
         case Event::Kind::kDrawn:
             take_drawn(turn, event);

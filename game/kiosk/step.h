@@ -114,6 +114,8 @@ struct Event {
         kJoined,       // the two bowls are one jar, on the wheel
         kJarStays,     // what was asked of the bowls cannot be done
         kUndoneAll,    // nothing is left to take back of what is on the wheel
+        kThickFoot,    // the pot that was cut off has clay to spare there
+        kTrimmed,      // value: g that the trimmer has taken
         kDrawn,        // value: strokes on the pot
         kSaved,        // value: the pot's number of the day
         kShared,       // value: the pot's number of the day; its code may be shown
@@ -161,6 +163,8 @@ struct Effect {
         kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay
         kStopShow,        // they leave the clay as it is
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
+        kBeginTrim,       // the pot has dried to leather hard, and stands on its rim
+        kEndTrim,         // it is the pot that goes on
         kBeginDrawing,    // the pot has dried, and waits on the wheel
         kUndoStroke,
         kClearDrawing,

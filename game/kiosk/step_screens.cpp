@@ -5,11 +5,6 @@
 namespace onggi::kiosk {
 namespace {
 
-// One more or one less, within bounds.
-void change(int& value, int by, int most) {
-    value = std::clamp(value + by, 1, most);
-}
-
 void finish_throwing(Turn& turn) {
     turn.state.throwing.held = Held::kHand;
     turn.state.throwing.tray = false;
@@ -17,6 +12,7 @@ void finish_throwing(Turn& turn) {
     if (turn.state.throwing.jar.step != JarStep::kSeam) turn.state.throwing.jar = {};
     turn.add(Effect::Kind::kCutOff);
     turn.state.firing = FiringStage::kCut;
+    turn.state.trimming = {};
     turn.state.throwing.warning = Warning::kNone;
     turn.show(Screen::kFiring);
 }
@@ -179,7 +175,7 @@ void pass_firing(Turn& turn) {
     if (turn.state.firing == FiringStage::kFire) {
         if (passed_s >= rules.fire_s) show_glazes(turn);
     } else if (passed_s >= rules.cut_s + rules.dry_s) {
-        begin_decorating(turn);
+        end_drying(turn);
     } else if (passed_s >= rules.cut_s) {
         turn.state.firing = FiringStage::kDry;
     }
@@ -210,8 +206,11 @@ void press_screen(Turn& turn, const Event& event) {
             if (turn.state.firing == FiringStage::kFire) {
                 show_glazes(turn);
             } else {
-                begin_decorating(turn);
+                end_drying(turn);
             }
+            break;
+        case Screen::kTrim:
+            press_trim(turn, event);
             break;
         case Screen::kDecorate:
             press_decorate(turn, event);

@@ -1,6 +1,7 @@
 // What the buttons of each screen do; step.cpp decides which screen is asked. Any thread.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct Turn {
            button == Button::kHandRight;
 }
 
+// More or less by so much, from 1 to the most.
+inline void change(int& value, int by, int most) {
+    value = std::clamp(value + by, 1, most);
+}
+
 void press_screen(Turn& turn, const Event& event);
 void press_idle(Turn& turn, const Event& event);
 void press_language(Turn& turn, const Event& event);
@@ -64,6 +70,10 @@ void put_on_new_clay(Turn& turn);
 void press_keep(Turn& turn, const Event& event);
 void take_saved(Turn& turn, const Event& event);
 void take_shared(Turn& turn, const Event& event);
+// Turning the foot; in step_trim.cpp. After the drying: it is offered, or decorating begins.
+void end_drying(Turn& turn);
+void press_trim(Turn& turn, const Event& event);
+void take_trim(Turn& turn, const Event& event);
 // Decorating; in step_decorate.cpp. Whoever was offered it goes on to the kiln.
 void begin_decorating(Turn& turn);
 void press_decorate(Turn& turn, const Event& event);

@@ -27,24 +27,39 @@ Section section_of(const Pot& pot) {
     return section;
 }
 
+namespace {
+
+// The rings of a pot upside down, on what is there.
+void add_turned_over(Pot& below, const Pot& pot, const vec2& shift_mm) {
+    const auto on_mm = static_cast<float>(below.height_mm);
+    const auto height_mm = static_cast<float>(pot.height_mm);
+    for (std::size_t ring = pot.outer_mm.size(); ring-- > 0;) {
+        const float bottom_mm = ring > 0 ? pot.top_mm[ring - 1] : 0.0F;
+        below.outer_mm.push_back(pot.outer_mm[ring]);
+        below.top_mm.push_back(on_mm + height_mm - bottom_mm);
+        const vec2 centre_mm = pot.centre_mm.empty() ? vec2(0.0F) : pot.centre_mm[ring];
+        below.centre_mm.push_back(vec2(centre_mm.x, -centre_mm.y) + shift_mm);
+        below.film.push_back(pot.film[ring]);
+        below.liquidity.push_back(pot.liquidity[ring]);
+        below.load_index.push_back(0.0F);
+    }
+    below.height_mm += pot.height_mm;
+}
+
+}  // namespace
+
+Pot turned_over(const Pot& pot) {
+    Pot over{.body = pot.body, .stage = pot.stage};
+    add_turned_over(over, pot, vec2(0.0F));
+    return over;
+}
+
 Pot stacked(const Pot& lower, const Pot& upper, const vec2& shift_mm) {
     Pot both = lower;
     both.inner_mm.clear();
     both.dents_mm.clear();
     both.floor_mm = 0.0;
-    both.height_mm = lower.height_mm + upper.height_mm;
-    const auto on = static_cast<float>(lower.height_mm);
-    const auto upper_mm = static_cast<float>(upper.height_mm);
-    for (std::size_t ring = upper.outer_mm.size(); ring-- > 0;) {
-        const float bottom_mm = ring > 0 ? upper.top_mm[ring - 1] : 0.0F;
-        both.outer_mm.push_back(upper.outer_mm[ring]);
-        both.top_mm.push_back(on + upper_mm - bottom_mm);
-        const vec2 centre_mm = upper.centre_mm.empty() ? vec2(0.0F) : upper.centre_mm[ring];
-        both.centre_mm.push_back(vec2(centre_mm.x, -centre_mm.y) + shift_mm);
-        both.film.push_back(upper.film[ring]);
-        both.liquidity.push_back(upper.liquidity[ring]);
-        both.load_index.push_back(0.0F);
-    }
+    add_turned_over(both, upper, shift_mm);
     return both;
 }
 

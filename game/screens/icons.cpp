@@ -147,6 +147,9 @@ std::vector<Stroke> strokes_of(Icon icon) {
                 {"M24 7 H40 C52 12 57 21 57 29 C57 40 49 48 40 51 H24 C15 48 7 40 7 29 C7 21 12 12 24 7 Z",
                  kStepFill, 3.4F},
                 {"M9 30 H15 M22 30 H28 M36 30 H42 M49 30 H55 M3 56 H61", {}, 3.4F}};
+        case Icon::kTrimmer:
+            return {{"M28 36 L10 54", {}, 8.0F, kWoodFill},
+                    {"M30 34 C20 18 34 6 46 10 C58 14 58 30 46 34 C40 36 34 36 30 34 Z", {}, 4.0F}};
         case Icon::kFingerWaves:
         case Icon::kWave:
             return {{"M6 22 C14 10 20 10 28 20 C36 30 44 30 58 16"},

@@ -44,6 +44,7 @@ enum class Icon {
     kJarSecond,
     kJarJoin,
     kJarWhole,
+    kTrimmer,
     kFingerWaves,  // ways of decorating
     kIronBrush,
     kBlueBrush,

@@ -93,4 +93,53 @@ void add_choice(Page& page, const Rect& place, const LedgeChoice& choice, float 
     page.sprite({rect.right() - 20.0F, rect.y - 8.0F, 26.0F, 26.0F}, std::move(tick), target);
 }
 
+Rect add_paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
+    constexpr float kMargin = 20.0F;
+    constexpr float kAbove = 12.0F;
+    constexpr float kBetween = 4.0F;
+    const float wide = most.width - 2.0F * kMargin;
+    // All of them as large as the whole card bears, not the first at the cost of the last.
+    float scale = page.text_scale();
+    std::vector<float> needs;
+    float all = 0.0F;
+    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
+        needs.clear();
+        all = 0.0F;
+        bool is_too_wide = false;
+        for (const Words& words : lines) {
+            const ui::TextSize size = page.words_size(words, scale, wide);
+            needs.push_back(size.height + kBetween);
+            all += needs.back();
+            is_too_wide = is_too_wide || size.too_wide;
+        }
+        if (scale <= 1.0F || (all + 2.0F * kAbove <= most.height && !is_too_wide)) break;
+    }
+    const Rect rect{most.x, most.y, most.width, std::min(most.height, all + 2.0F * kAbove)};
+    page.card(rect, design::kHanji, design::kHanji);
+    float y = rect.y + kAbove;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Words words = lines[i];
+        words.size *= scale;
+        words.line *= scale;
+        page.fixed_words({rect.x + kMargin, y, wide, needs[i]}, words);
+        y += needs[i];
+    }
+    return rect;
+}
+
+void add_hand_pad(Page& page) {
+    // Right above the ledge and as on a keyboard, because a cross would leave the lower half.
+    const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
+    const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_top(page) - 172.0F, 264.0F, 164.0F});
+    const bool out_is_right = !page.view().state.comfort.left_hand;
+    page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,
+               Icon::kUp, false, true);
+    page.token({pad.x, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandLeft,
+               page.t(out_is_right ? "ctl.in" : "ctl.out"), 0, Icon::kLeft, false, true);
+    page.token({pad.x + 184.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandRight,
+               page.t(out_is_right ? "ctl.out" : "ctl.in"), 0, Icon::kRight, false, true);
+    page.token({pad.x + 92.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandDown,
+               page.t("ctl.down"), 0, Icon::kDown, false, true);
+}
+
 }  // namespace onggi::screens

@@ -2,6 +2,8 @@
 // The composer's thread.
 #pragma once
 
+#include <vector>
+
 #include "game/screens/page.h"
 
 namespace onggi::screens {
@@ -58,6 +60,10 @@ void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, fl
 void add_held_token(Page& page, const ui::Rect& place, float label_width);
 // The ledge turned over: what there is to hold, how large, and back.
 void add_tool_tray(Page& page);
+// The four keys that move the hand.
+void add_hand_pad(Page& page);
+// A card as high as its words, or where that is too high, words as small as it takes; gives where it is.
+ui::Rect add_paper(Page& page, const ui::Rect& most, const std::vector<Words>& lines);
 // The five steps of a jar of two bowls side by side, that far apart; current: the one that is being done, -1:
 // all lie ahead.
 void add_jar_pictograms(Page& page, vec2 at, float pitch, int current);

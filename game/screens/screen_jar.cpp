@@ -46,28 +46,6 @@ std::string told_of(const Page& page, JarStep step) {
     return {};
 }
 
-// A card as high as its words, or where that is too high, words as small as it takes.
-Rect paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
-    constexpr float kMargin = 20.0F;
-    constexpr float kAbove = 12.0F;
-    const float wide = most.width - 2.0F * kMargin;
-    std::vector<float> needs;
-    float all = 0.0F;
-    for (const Words& words : lines) {
-        needs.push_back(page.words_size(words, page.text_scale(), wide).height + 4.0F);
-        all += needs.back();
-    }
-    const Rect rect{most.x, most.y, most.width, std::min(most.height, all + 2.0F * kAbove)};
-    page.card(rect, design::kHanji, design::kHanji);
-    const float scale = std::min(1.0F, (rect.height - 2.0F * kAbove) / all);
-    float y = rect.y + kAbove;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        page.words({rect.x + kMargin, y, wide, scale * needs[i]}, lines[i]);
-        y += scale * needs[i];
-    }
-    return rect;
-}
-
 // Where the two bowls are to be seen.
 Rect bowls_box(const Page& page) {
     const float top = ledge_top(page);
@@ -112,7 +90,8 @@ void draw_jar_start(Page& page) {
     const float x = tall ? left : (square ? 450.0F : 650.0F);
     const float top = tall ? shelf_y + 122.0F : square ? 150.0F : 118.0F;
     const Rect most = page.mirrored({x, top, wide, tall ? 230.0F : square ? 230.0F : 220.0F});
-    paper(page, most, {{.text = page.t("moon.lead"), .size = 28.0F, .line = 37.0F, .colour = design::kInk}});
+    add_paper(page, most,
+              {{.text = page.t("moon.lead"), .size = 28.0F, .line = 37.0F, .colour = design::kInk}});
     const float steps_y = most.bottom() + 10.0F;
     const float pitch = std::min(96.0F, (wide - 60.0F) / (kiosk::kJarSteps - 1));
     const float steps_wide = pitch * (kiosk::kJarSteps - 1) + 56.0F;
@@ -148,12 +127,12 @@ void add_jar_card(Page& page) {
     const bool tall = page.shape() == Shape::kTall;
     const bool square = page.shape() == Shape::kSquare;
     const float wide = tall ? 390.0F : square ? 250.0F : 304.0F;
-    paper(page,
-          page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide,
-                         tall     ? 196.0F
-                         : square ? 300.0F
-                                  : 240.0F}),
-          {{.text = told_of(page, jar.step), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
+    add_paper(page,
+              page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide,
+                             tall     ? 196.0F
+                             : square ? 300.0F
+                                      : 240.0F}),
+              {{.text = told_of(page, jar.step), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
 }
 
 void draw_join(Page& page) {
@@ -170,14 +149,15 @@ void draw_join(Page& page) {
     const float wide = tall ? 320.0F : square ? 270.0F : 320.0F;
     const std::string apart = std::to_string(view.state.throwing.jar.rims_mm);
     const float y = tall ? std::max(languages.bottom(), 92.0F) + 20.0F : 112.0F;
-    paper(page,
-          page.mirrored({page.width() - wide - (square ? 20.0F : 32.0F), tall ? 240.0F : y, wide, 190.0F}),
-          {{.text = page.t("moon.rim", page.digits(apart)),
-            .size = 28.0F,
-            .line = 36.0F,
-            .bold = true,
-            .colour = design::kInk},
-           {.text = page.t("moon.rimok"), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
+    add_paper(
+        page,
+        page.mirrored({page.width() - wide - (square ? 20.0F : 32.0F), tall ? 240.0F : y, wide, 190.0F}),
+        {{.text = page.t("moon.rim", page.digits(apart)),
+          .size = 28.0F,
+          .line = 36.0F,
+          .bold = true,
+          .colour = design::kInk},
+         {.text = page.t("moon.rimok"), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
     add_join_ledge(page);
 }
 

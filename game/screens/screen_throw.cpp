@@ -159,21 +159,6 @@ void warning_card(Page& page) {
     page.fixed_words({inner.x, inner.y + head_height, inner.width, inner.height - head_height}, advice);
 }
 
-void hand_pad(Page& page) {
-    // Right above the ledge and as on a keyboard, because a cross would leave the lower half.
-    const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
-    const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_y(page) - 172.0F, 264.0F, 164.0F});
-    const bool out_is_right = !page.view().state.comfort.left_hand;
-    page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,
-               Icon::kUp, false, true);
-    page.token({pad.x, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandLeft,
-               page.t(out_is_right ? "ctl.in" : "ctl.out"), 0, Icon::kLeft, false, true);
-    page.token({pad.x + 184.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandRight,
-               page.t(out_is_right ? "ctl.out" : "ctl.in"), 0, Icon::kRight, false, true);
-    page.token({pad.x + 92.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandDown,
-               page.t("ctl.down"), 0, Icon::kDown, false, true);
-}
-
 // As wide as its words, up to that; where they need more lines than it has room for, it grows down.
 void chip(Page& page, const Rect& rect, const std::string& text) {
     const Words words{.text = text, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre};
@@ -220,7 +205,7 @@ void draw_throw(Page& page) {
     const kiosk::Throwing& throwing = view.state.throwing;
     const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire &&
                             throwing.jar.step != kiosk::JarStep::kAside;
-    if (has_hand_pad(view) && works_clay) hand_pad(page);
+    if (has_hand_pad(view) && works_clay) add_hand_pad(page);
     add_throw_ledge(page);
     // Brought low, they stand over the hand's keys, or across from them.
     const Rect languages =

@@ -20,6 +20,8 @@ void draw_screen(Page& page) {
             return draw_failure(page);
         case kiosk::Screen::kFiring:
             return draw_firing(page);
+        case kiosk::Screen::kTrim:
+            return draw_trim(page);
         case kiosk::Screen::kDecorate:
             return draw_decorate(page);
         case kiosk::Screen::kGlaze:

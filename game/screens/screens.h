@@ -16,6 +16,7 @@ void draw_throw(Page& page);
 void draw_join(Page& page);
 void draw_failure(Page& page);
 void draw_firing(Page& page);
+void draw_trim(Page& page);
 void draw_decorate(Page& page);
 void draw_glazes(Page& page);
 void draw_your_pot(Page& page);

@@ -33,7 +33,7 @@ class Decorators : public testing::Test {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
         ASSERT_TRUE(kiosk.throw_a_pot(chance));
         ASSERT_TRUE(kiosk.press(Button::kDone));
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kDecorate; }, 0.1));
+        ASSERT_TRUE(kiosk.dries());
         ASSERT_TRUE(kiosk.press(Button::kTurning));  // it rests
         const pot::Pot& wet = *kiosk.snapshot().pot;
         const double scale = clay::shrunk_scale(wet.body, clay::Firing::kDry);

@@ -128,6 +128,12 @@ class UnseenKiosk {
     void does(const window::Event& event) { view_->feed(event); }
     void point(double x_px, double y_px) { view_->feed(window::PointerEvent{x_px, y_px}); }
     void hold(bool pressed) { view_->feed(window::ButtonEvent{window::MouseButton::kLeft, pressed}); }
+    void key(window::Key which) {
+        view_->feed(window::KeyEvent{.key = which, .pressed = true});
+        frame();
+        view_->feed(window::KeyEvent{.key = which, .pressed = false});
+        frame();
+    }
     // A finger anywhere.
     void touch() {
         point(0.5 * view_->width(), 0.5 * view_->height());
@@ -176,14 +182,22 @@ class UnseenKiosk {
         point(double{middle.x}, double{middle.y});
         return true;
     }
+    // To the decorating; a foot that is thick is left as it is.
+    bool dries() {
+        const auto is_dry = [&] {
+            return shown_screen() == kiosk::Screen::kTrim || shown_screen() == kiosk::Screen::kDecorate;
+        };
+        if (!until(is_dry, 0.1)) return false;
+        if (shown_screen() == kiosk::Screen::kTrim && !press(kiosk::Button::kSkip)) return false;
+        return until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, kSlowly);
+    }
     // From the drying to the glazes, with a band of iron or as it is. False: it did not get there.
     bool fires_it(bool decorates) {
         const auto misses = [](const char* what) {
             ADD_FAILURE() << "expected " << what;
             return false;
         };
-        if (!until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, 0.1))
-            return misses("the pot dried");
+        if (!dries()) return misses("the pot dried");
         const auto is_cut_off = [&] { return shown_view() != nullptr && shown_view()->pot != nullptr; };
         if (!until(is_cut_off, kSlowly)) return misses("a pot to draw on");
         if (decorates) {

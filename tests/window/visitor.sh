@@ -182,10 +182,22 @@ decorate_the_pot() {
     wait_for "a stroke" has_strokes 1
     on_screen decorate
 }
+# Where the foot has clay to spare it may be turned; this visitor leaves it.
+is_dry() { has_come_to trim || has_come_to decorate; }
+leave_the_foot() {
+    local trimming=trim
+    [ "$hand" = switch ] && trimming=trim-scan
+    wait_for "a dry pot" is_dry
+    if has_come_to trim; then
+        on_screen trim
+        press $trimming skip
+    fi
+    on_screen decorate
+}
 # From the wheel to the shelf, where what was thrown has to be a pot; and out of the kiosk.
 keep_the_pot() {
     press $throwing done
-    on_screen firing; on_screen decorate
+    on_screen firing; leave_the_foot
     decorate_the_pot
     press $decorating done
     on_screen firing; on_screen glaze

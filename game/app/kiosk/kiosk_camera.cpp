@@ -157,7 +157,7 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
         return request;
     }
     const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kJoin ||
-                        state.screen == kiosk::Screen::kDecorate;
+                        state.screen == kiosk::Screen::kTrim || state.screen == kiosk::Screen::kDecorate;
     request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
     return request;
 }

@@ -20,6 +20,7 @@ constexpr double kBesideMm = 15.0;
 // Of who types faster than hands work.
 constexpr std::size_t kMostWaiting = 3;
 constexpr std::array kToolRadiiMm{7.0, 12.0, 20.0};
+constexpr std::array kLoopRadiiMm{4.0, 7.0, 11.0};
 constexpr std::array kWater{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr std::array kSpeedsRevMin{50.0, 80.0, 110.0, 145.0, 180.0};
 
@@ -203,14 +204,14 @@ haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::P
     tool.pressing = presses_now() && settings.held != kiosk::Held::kWire;
     shown_before_mm_ = finger_mm_;
     marker_mm_ = settings.held == kiosk::Held::kWire ? std::nullopt : marker_.place_mm(shape);
-    tool.tool = kind_of(settings.held);
+    tool.tool = settings.trims ? haptic::kTrimmer : kind_of(settings.held);
     if (std::exchange(cuts_, false)) {
         tool.command = haptic::kCutRim;
         tool.command_height_mm = *wire_mm_;
     }
     if (settings.held != kiosk::Held::kWire) wire_mm_.reset();
-    tool.radius_mm = step_of(kToolRadiiMm, settings.tool);
-    tool.water = step_of(kWater, settings.water);
+    tool.radius_mm = step_of(settings.trims ? kLoopRadiiMm : kToolRadiiMm, settings.tool);
+    tool.water = settings.trims ? 0.0 : step_of(kWater, settings.water);
     tool.wheel_speed_rev_min = step_of(kSpeedsRevMin, settings.speed);
     tool.wheel_button = true;
     return tool;

@@ -19,9 +19,10 @@ namespace onggi::app {
 
 struct HandSettings {
     kiosk::Held held = kiosk::Held::kHand;
-    int tool = 2;   // 1 to 3: how large
-    int water = 3;  // 1 to 5
-    int speed = 3;  // 1 to 5
+    int tool = 2;        // 1 to 3: how large
+    int water = 3;       // 1 to 5
+    int speed = 3;       // 1 to 5
+    bool trims = false;  // with a trimmer, whose loop is `tool` large, instead of what is held
 };
 
 // A hand that does nothing, aside of any clay.

@@ -231,6 +231,9 @@ void KioskKeeper::apply(const Request& request) {
                         .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
             }
             break;
+        case Request::Kind::kBeginTrim:
+            trimmed_from_ = history_.ticks();
+            break;
         case Request::Kind::kWriteSession:
             write_session_now(*request.place);
             break;

@@ -99,6 +99,8 @@ class KioskKeeper final : private jobs::IoWork {
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
     void cut_off() { ask({Request::Kind::kCutOff}); }
+    // Undoing goes no further back from here on, until other clay comes.
+    void begin_trim() { ask({Request::Kind::kBeginTrim}); }
     // All that was done to the pot that was cut off last, as a session at that place; answered by
     // kSessionWritten where it is known.
     void write_session(std::filesystem::path place) {
@@ -157,6 +159,7 @@ class KioskKeeper final : private jobs::IoWork {
             kTakeBack,
             kPartBowls,
             kCutOff,
+            kBeginTrim,
             kWriteSession,
             kSave,
             kPutOnWall,
@@ -228,8 +231,9 @@ class KioskKeeper final : private jobs::IoWork {
     bool has_looked_ = false;
     bool has_found_ = false;
     bool is_worked_out_ = false;
-    bool is_put_ = false;       // its state is on the way to the wheel
-    bool was_resumed_ = false;  // and is not in the new journal yet
+    bool is_put_ = false;                        // its state is on the way to the wheel
+    bool was_resumed_ = false;                   // and is not in the new journal yet
+    std::optional<std::uint64_t> trimmed_from_;  // the tick
     JarKeeping jar_;
     std::optional<haptic::History> arriving_;  // of the jar's; goes on once its state is on the wheel
     bool is_jar_ = false;                      // what history_ is of began as two bowls

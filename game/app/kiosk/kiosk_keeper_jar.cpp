@@ -32,7 +32,7 @@ void KioskKeeper::tell_all(std::vector<std::string> remarks) {
 
 void KioskKeeper::undo_now() {
     if (arriving_) return;  // what it would take back is not there yet
-    if (const auto tick = history_.before_last_move()) {
+    if (const auto tick = history_.before_last_move(); tick && *tick >= trimmed_from_.value_or(0)) {
         put_state_at(*tick);
     } else {
         answer({.kind = KeeperAnswer::Kind::kUndoneAll});
@@ -90,6 +90,7 @@ void KioskKeeper::go_on_with(std::optional<haptic::History> history) {
 void KioskKeeper::take_arriving(const haptic::TickRecord& record) {
     if ((record.flags & haptic::TickRecord::kFreshLump) != 0) {
         arriving_.reset();
+        trimmed_from_.reset();
         if (!std::exchange(is_jar_, false)) return;
         history_ = haptic::History(start_, parameters_, {.aside = visits_});
         complain(jar_.drop_second());

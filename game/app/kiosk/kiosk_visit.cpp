@@ -36,9 +36,10 @@ KioskVisit::KioskVisit(const VisitParts& parts)
       wheel_(parts_, *this),
       drawing_(parts_.view, *this),
       jar_(parts_, *this),
-      input_(parts_, wheel_.hand(), drawing_, jar_, *this),
-      effects_(parts_, wheel_, input_, drawing_, jar_, desk_, *this),
-      scene_(parts_, wheel_, input_, drawing_),
+      trim_(*this),
+      input_(parts_, wheel_.hand(), drawing_, jar_, trim_, *this),
+      effects_(parts_, wheel_, input_, drawing_, jar_, trim_, desk_, *this),
+      scene_(parts_, wheel_, input_, drawing_, trim_),
       screens_(parts_, effects_, jar_, input_.pointer(), desk_) {}
 
 KioskVisit::~KioskVisit() {
@@ -77,6 +78,7 @@ Result<void> KioskVisit::frame(double now_s) {
     dispatch({Event::Kind::kTick});
     input_.take(moment);
     wheel_.take_clay(moment.snapshot);
+    trim_.look(moment.snapshot);
     if (wheel_.clay_is_there()) jar_.look(moment.snapshot);
     wheel_.take_fault(moment);
     effects_.take_answers();
@@ -111,6 +113,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     }
     drawing_.show(shown);
     jar_.show(shown, moment.snapshot);
+    trim_.show(shown, moment.snapshot);
     const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
@@ -123,7 +126,8 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
                                   .atlas_side_px = stage_.atlas_side_px(),
                                   .scene_rests = stage_.scene_rests(),
                                   .covers = stage_.covers()};
-    if (!wheel_.shows() && !clay_is_open(state_)) shown.hand.shown = shown.second_hand.shown = false;
+    if (!wheel_.shows() && !clay_is_open(state_) && !trimming_is_open(state_))
+        shown.hand.shown = shown.second_hand.shown = false;
     auto drawn = parts_.view.draw(shown, moment.dt_s, &overlay);
     if (!drawn) return drawn.error();
     if (*drawn) ++frames_shown_;

@@ -14,6 +14,7 @@
 #include "game/app/kiosk/visit_parts.h"
 #include "game/app/kiosk/visit_scene.h"
 #include "game/app/kiosk/visit_screens.h"
+#include "game/app/kiosk/visit_trim.h"
 #include "game/app/kiosk/visit_wheel.h"
 #include "game/app/system/log_lines.h"
 #include "game/screens/stage.h"
@@ -57,6 +58,7 @@ class KioskVisit final : private VisitFlow {
     VisitWheel wheel_;
     VisitDrawing drawing_;
     VisitJar jar_;
+    VisitTrim trim_;
     VisitInput input_;
     VisitEffects effects_;
     VisitScene scene_;

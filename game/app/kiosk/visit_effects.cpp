@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "game/clay/studio/trimming.h"
 #include "game/heritage/jar.h"
 
 namespace onggi::app {
@@ -97,7 +98,18 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kStopShow:
             wheel_.hand().stop_showing();
             break;
+        case Effect::Kind::kBeginTrim:
+            wheel_.hand().leave_clay();
+            trim_.begin(moment.snapshot);
+            drawing_.forget();  // another pot will be drawn on
+            parts_.keeper.begin_trim();
+            break;
+        case Effect::Kind::kEndTrim:
+            wheel_.hand().leave_clay();
+            parts_.keeper.cut_off();
+            break;
         case Effect::Kind::kCutOff:
+            may_be_trimmed_ = true;
             wheel_.hand().release();
             parts_.keeper.cut_off();
             break;
@@ -170,12 +182,20 @@ std::optional<std::size_t> VisitEffects::thrown_after() const {
     return places[static_cast<std::size_t>(*target)];
 }
 
-void VisitEffects::take_cut_off(const clay::StudioClay& clay) {
+// Once when the throwing is over, and again where its foot was turned.
+void VisitEffects::take_cut_off(const KeeperAnswer& answer) {
+    const clay::StudioClay& clay = *answer.clay;
     screens::FiredPot pot =
         fired_pot(clay, parts_.settings.targets, parts_.settings.relatives, thrown_after());
     if (flow_.state().throwing.jar.step == kiosk::JarStep::kSeam)
         pot.off_round_mm = heritage::off_round_mm(clay);
     pot_ = std::make_shared<const screens::FiredPot>(std::move(pot));
+    drawing_.take(answer.pot);
+    const bool is_thick = clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm;
+    if (std::exchange(may_be_trimmed_, false) && is_thick) flow_.dispatch({Event::Kind::kThickFoot});
+    // Its film is made of what it is in the end.
+    if (parts_.phone != nullptr && !flow_.state().trimming.is_offered)
+        parts_.keeper.write_session(parts_.phone->session_place());
 }
 
 void VisitEffects::take_interrupted(const KeeperAnswer& answer) {
@@ -281,9 +301,7 @@ void VisitEffects::take_answers() {
         if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
         switch (answer->kind) {
             case KeeperAnswer::Kind::kCutOff:
-                take_cut_off(*answer->clay);
-                drawing_.take(answer->pot);
-                if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
+                take_cut_off(*answer);
                 break;
             case KeeperAnswer::Kind::kUndoneAll:
             case KeeperAnswer::Kind::kSetAside:

@@ -20,12 +20,13 @@ class VisitEffects {
   public:
     // All outlive it.
     VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, VisitDrawing& drawing,
-                 VisitJar& jar, StaffDesk& desk, VisitFlow& flow)
+                 VisitJar& jar, VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
           drawing_(drawing),
           jar_(jar),
+          trim_(trim),
           desk_(desk),
           flow_(flow) {}
 
@@ -51,7 +52,7 @@ class VisitEffects {
   private:
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
-    void take_cut_off(const clay::StudioClay& clay);
+    void take_cut_off(const KeeperAnswer& answer);
     void take_interrupted(const KeeperAnswer& answer);
     void take_jar(const KeeperAnswer& answer);
     void fire_drawing();
@@ -66,12 +67,14 @@ class VisitEffects {
     VisitInput& input_;
     VisitDrawing& drawing_;
     VisitJar& jar_;
+    VisitTrim& trim_;
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;
     std::shared_ptr<const pot::Pot> interrupted_bowl_;  // the first of an interrupted jar
     std::vector<screens::ShelfPot> day_;
-    std::string kept_name_;  // of it, in the gallery
+    bool may_be_trimmed_ = false;  // it is about to be cut off for the first time
+    std::string kept_name_;        // of it, in the gallery
     std::shared_ptr<const screens::PhoneWay> phone_way_;
     static constexpr double kLongAgoS = -1e9;
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall_;

@@ -14,6 +14,18 @@ using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
+// What works on the clay is the hand, whichever way the clay stands.
+bool hand_is_open(const kiosk::State& state) {
+    return clay_is_open(state) || trimming_is_open(state);
+}
+
+// Of a pot that stands on its rim, up is down.
+Button upright(Button button, const kiosk::State& state) {
+    if (state.screen != Screen::kTrim) return button;
+    if (button == Button::kHandUp) return Button::kHandDown;
+    return button == Button::kHandDown ? Button::kHandUp : button;
+}
+
 HandKey hand_key(Button button) {
     switch (button) {
         case Button::kHandUp:
@@ -42,7 +54,17 @@ bool VisitInput::hovers(double now_s) const {
 
 void VisitInput::nudge(Button button) {
     keys_lead_ = true;
-    hand_.button(hand_key(button), side_of(flow_.state()));
+    const HandKey key = hand_key(upright(button, flow_.state()));
+    if (flow_.state().screen == Screen::kTrim) {
+        hand_.key(key, side_of(flow_.state()));  // a trimmer walks along the wall, and draws none up
+    } else {
+        hand_.button(key, side_of(flow_.state()));
+    }
+}
+
+std::optional<dvec2> VisitInput::hand_place(vec2 px) const {
+    const auto place = place_at(parts_.view, px);
+    return place && flow_.state().screen == Screen::kTrim ? trim_.turned(*place) : place;
 }
 
 void VisitInput::help_along() {
@@ -105,7 +127,8 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
     if (drawing_is_open(flow_.state()) && take_drawing(news)) return;
     const bool scene_is_open =
         flow_.state().panel == Panel::kNone &&
-        (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kChoose);
+        (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kTrim ||
+         flow_.state().screen == Screen::kChoose);
     switch (news.kind) {
         case PointerNews::Kind::kNone:
             break;
@@ -117,10 +140,10 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             break;
         case PointerNews::Kind::kHandDown:
             if (pick_up(news.at_px)) break;
-            if (clay_is_open(flow_.state())) {
+            if (hand_is_open(flow_.state())) {
                 keys_lead_ = false;
                 flow_.dispatch({Event::Kind::kClayTouched});
-                if (const auto place = place_at(parts_.view, news.at_px)) hand_.press(*place);
+                if (const auto place = hand_place(news.at_px)) hand_.press(*place);
             } else {
                 flow_.dispatch({Event::Kind::kInput});
             }
@@ -128,7 +151,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kHandMoved:
             if (!scene_is_open) break;
             flow_.dispatch({Event::Kind::kInput});
-            if (const auto place = place_at(parts_.view, news.at_px)) hand_.drag(*place);
+            if (const auto place = hand_place(news.at_px)) hand_.drag(*place);
             break;
         case PointerNews::Kind::kHandUp:
             hand_.release();
@@ -136,17 +159,17 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kHovered:
             hovered_s_ = now_s;
             keys_lead_ = false;
-            if (const auto place = place_at(parts_.view, news.at_px)) hand_.hover(*place);
+            if (const auto place = hand_place(news.at_px)) hand_.hover(*place);
             break;
         case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
             if (flow_.state().screen == Screen::kJoin && flow_.state().panel == Panel::kNone)
                 flow_.dispatch(Event::pressed(news.button));
-            if (!clay_is_open(flow_.state())) break;
+            if (!hand_is_open(flow_.state())) break;
             flow_.dispatch({Event::Kind::kClayTouched});
             keys_lead_ = true;
-            hand_.key(hand_key(news.button), side_of(flow_.state()));
+            hand_.key(hand_key(upright(news.button, flow_.state())), side_of(flow_.state()));
             break;
         case PointerNews::Kind::kCornerHeld:
             flow_.dispatch({Event::Kind::kCornerHeld});
@@ -175,7 +198,7 @@ void VisitInput::take(const VisitMoment& moment) {
     take_devices();
     take_gamepads(moment);
     help_along();
-    if (!clay_is_open(flow_.state())) hand_.release();
+    if (!hand_is_open(flow_.state())) hand_.release();
 }
 
 void VisitInput::take_devices() {
@@ -204,9 +227,11 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
     if (request.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
-    if (!clay_is_open(flow_.state())) return;
+    if (!hand_is_open(flow_.state())) return;
     if (request.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
-    hand_.steer(request.step_mm, request.presses, *moment.snapshot.pot, side_of(flow_.state()));
+    const double up = flow_.state().screen == Screen::kTrim ? -1.0 : 1.0;
+    hand_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
+                side_of(flow_.state()));
     if (request.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
     if (request.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
     if (request.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));

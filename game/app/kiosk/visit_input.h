@@ -11,6 +11,7 @@
 #include "game/app/kiosk/visit_drawing.h"
 #include "game/app/kiosk/visit_jar.h"
 #include "game/app/kiosk/visit_parts.h"
+#include "game/app/kiosk/visit_trim.h"
 
 namespace onggi::app {
 
@@ -21,11 +22,12 @@ class VisitInput {
   public:
     // All outlive it.
     VisitInput(const VisitParts& parts, KioskHand& hand, VisitDrawing& drawing, const VisitJar& jar,
-               VisitFlow& flow)
+               const VisitTrim& trim, VisitFlow& flow)
         : parts_(parts),
           hand_(hand),
           drawing_(drawing),
           jar_(jar),
+          trim_(trim),
           flow_(flow) {}
 
     // Once a frame.
@@ -45,6 +47,8 @@ class VisitInput {
     void take_news(const PointerNews& news, double now_s);
     // On the pot that is being decorated; false: it is no such news.
     bool take_drawing(const PointerNews& news);
+    // On the clay as it stands on the wheel, however it is seen.
+    [[nodiscard]] std::optional<dvec2> hand_place(vec2 px) const;
     bool pick_up(vec2 px);
     void take_devices();
     void take_gamepads(const VisitMoment& moment);
@@ -54,6 +58,7 @@ class VisitInput {
     KioskHand& hand_;
     VisitDrawing& drawing_;
     const VisitJar& jar_;
+    const VisitTrim& trim_;
     VisitFlow& flow_;
     KioskPointer pointer_;
     GamepadHand gamepads_;

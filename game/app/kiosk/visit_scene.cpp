@@ -14,6 +14,7 @@ void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const scr
                             bool covered) {
     const bool will_cover = state.screen != kiosk::Screen::kAttract &&
                             state.screen != kiosk::Screen::kThrow && state.screen != kiosk::Screen::kJoin &&
+                            state.screen != kiosk::Screen::kTrim &&
                             state.screen != kiosk::Screen::kDecorate &&
                             state.screen != kiosk::Screen::kFailure && state.screen != kiosk::Screen::kResume;
     if (shown == nullptr || covered) parts_.view.jump();
@@ -100,6 +101,10 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         if (!input_.keys_lead() && stage.target_at(input_.pointer().at_px()) >= 0) return std::nullopt;
         screens::Cue dot{.ring = drawing_.ring(input_.keys_lead())};
         return dot.ring.empty() ? std::nullopt : std::optional(dot);
+    }
+    if (const auto foot = trim_.wanted()) {
+        auto belt = band_round(trim_.pot(), foot->low_mm, foot->high_mm);
+        return belt ? std::optional(screens::Cue{.belt = std::move(*belt)}) : std::nullopt;
     }
     if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;

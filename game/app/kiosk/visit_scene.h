@@ -26,11 +26,12 @@ class VisitScene {
   public:
     // All outlive it.
     VisitScene(const VisitParts& parts, const VisitWheel& wheel, const VisitInput& input,
-               const VisitDrawing& drawing)
+               const VisitDrawing& drawing, const VisitTrim& trim)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
-          drawing_(drawing) {}
+          drawing_(drawing),
+          trim_(trim) {}
 
     // shown: the screen that was asked for last, null before the first. covered: nothing of the scene is seen
     // now.
@@ -60,6 +61,7 @@ class VisitScene {
     const VisitWheel& wheel_;
     const VisitInput& input_;
     const VisitDrawing& drawing_;
+    const VisitTrim& trim_;
     KioskCamera camera_;
     CameraRequest aimed_;  // as the view was last told
     KioskCue cue_;

@@ -112,10 +112,16 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
     }
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
-    haptics::ToolState tool = hand_.request({throwing.held, throwing.tool, throwing.water, throwing.speed},
+    const bool trims = flow_.state().screen == Screen::kTrim;
+    haptics::ToolState tool = hand_.request({.held = throwing.held,
+                                             .tool = trims ? flow_.state().trimming.loop : throwing.tool,
+                                             .water = throwing.water,
+                                             .speed = throwing.speed,
+                                             .trims = trims},
                                             *moment.snapshot.pot, moment.dt_s);
-    const bool throws = flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kFailure ||
-                        flow_.state().screen == Screen::kChoose || flow_.state().screen == Screen::kAttract;
+    const bool throws = trims || flow_.state().screen == Screen::kThrow ||
+                        flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
+                        flow_.state().screen == Screen::kAttract;
     tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;
     parts_.hand.set_target(tool);
     soak(moment);

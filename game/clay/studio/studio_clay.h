@@ -103,6 +103,8 @@ class StudioClay {
     [[nodiscard]] const studio::Failure& failure() const { return sweep_.failure; }
     // Cut off the wheel: the pot is done, hands no longer move it.
     [[nodiscard]] bool is_cut_off() const { return cut_off_; }
+    // None of it is softer; a guided trimmer works on no other clay.
+    [[nodiscard]] bool is_leather_hard() const;
     // Water on the hands, 0 to 1.
     [[nodiscard]] double film() const { return film_; }
     // Puts a pot that was cut off on the wheel again, standing, to be thrown on; and one that was not, as if
@@ -160,6 +162,11 @@ class StudioClay {
     studio::Changed guide(const StudioInput& input, const StudioParameters& parameters, StudioForces& result);
     studio::Changed guide_tool(const StudioInput& input, const StudioParameters& parameters,
                                StudioForces& result);
+    studio::Changed guide_trimmer(const StudioInput& input, const StudioParameters& parameters,
+                                  StudioForces& result);
+    // A held tool on the outer face at the finger's height; false: the finger means something else.
+    bool lay_tool(const StudioInput& input, StudioForces& result, studio::Hand& hand);
+    void find_tool_contact(studio::Contact& contact, double y_mm, double depth_mm, double print_mm);
     void feel_guided(const studio::Contact& contact, const studio::Hand& hand, double bears_n_mm,
                      const StudioParameters& parameters, StudioForces& result);
     bool tend_rings(double dt_s);

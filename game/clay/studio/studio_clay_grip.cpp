@@ -83,6 +83,7 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
     if (turning && input.hand.tool != StudioTool::kHand) return guide_tool(input, parameters, result);
+    if (input.hand.tool == StudioTool::kTrimmer) return {};  // it leaves no print
     Changed changed{};
     if (turning) {
         changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
@@ -122,36 +123,49 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     return changed;
 }
 
-// A rib or a sponge lies along the outer face at the finger's height, with fingers behind the wall.
-Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters& parameters,
-                               StudioForces& result) {
+bool StudioClay::lay_tool(const StudioInput& input, StudioForces& result, Hand& hand) {
     constexpr double kNearMm = 30.0;  // a finger farther out means something else
-    constexpr double kDepthMm = 0.8;  // chosen: lies on it, and does not push
-    constexpr double kDry = 1e-6;
     studio::let_go(grip_);
     const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
     result.grip.hand_mm = result.grip.finger_mm = finger;
     const double top = rings_.top_mm();
     const double side = finger.x < 0.0 ? -1.0 : 1.0;
     const double y = std::clamp(finger.y, 0.0, top);
-    if (rings_.count < 3) return {};
+    if (rings_.count < 3) return false;
     const double face = studio::outer_face_mm(rings_, y);
-    if (std::fabs(finger.x) > face + kNearMm || finger.y > top + kNearMm) return {};
-    Hand hand;
+    if (std::fabs(finger.x) > face + kNearMm || finger.y > top + kNearMm) return false;
     hand.tool = input.hand.tool;
     hand.radius_mm = input.hand.radius_mm;
     hand.side = result.side = Side::kOut;
-    hand.drinks = hand.tool == StudioTool::kSponge && !(input.water > kDry);
     hand.direction = {side, 0.0};
     hand.in_clay = studio::into_clay(hand.direction, wheel_.heading());
-    hand.distance_mm = face + hand.radius_mm - kDepthMm;
+    hand.distance_mm = face + hand.radius_mm;
     hand.position_mm = {side * hand.distance_mm, y, 0.0};
     result.grip.grip = Grip::kWall;
     result.grip.hand_mm = result.grip.finger_mm = {side * face, y};
     result.grip.low_mm = std::max(y - hand.radius_mm, 0.0);
     result.grip.high_mm = std::min(y + hand.radius_mm, top);
+    return true;
+}
+
+void StudioClay::find_tool_contact(Contact& contact, double y_mm, double depth_mm, double print_mm) {
+    find_grip_contact(contact, rings_, y_mm, depth_mm, print_mm);
+}
+
+// A rib or a sponge lies along the outer face at the finger's height, with fingers behind the wall.
+Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters& parameters,
+                               StudioForces& result) {
+    constexpr double kDepthMm = 0.8;  // chosen: lies on it, and does not push
+    constexpr double kDry = 1e-6;
+    if (input.hand.tool == StudioTool::kTrimmer) return guide_trimmer(input, parameters, result);
+    Hand hand;
+    if (!lay_tool(input, result, hand)) return {};
+    hand.drinks = hand.tool == StudioTool::kSponge && !(input.water > kDry);
+    hand.distance_mm -= kDepthMm;
+    hand.position_mm.x = hand.direction.x * hand.distance_mm;
+    const double y = hand.position_mm.y;
     Contact& contact = contacts_[0];
-    find_grip_contact(contact, rings_, y, kDepthMm, hand.radius_mm);
+    find_tool_contact(contact, y, kDepthMm, hand.radius_mm);
     if (!contact.touches() || contact.range.size() <= 0) return {};
     feel_guided(contact, hand, studio::bearable_twist(rings_, y), parameters, result);
     const Changed changed = act(hands_[0], contact, hand, nullptr, input.water, parameters);

@@ -25,7 +25,7 @@ Key key_of(const State& state) {
             static_cast<int>(state.panel),
             static_cast<int>(state.keeping.outcome),
             static_cast<int>(state.firing),
-            static_cast<int>(state.throwing.jar.step),
+            static_cast<int>(state.throwing.jar.step) + (state.trimming.is_offered ? 8 : 0),
             state.throwing.jar.is_bowl,
             state.interrupted_session,
             state.throwing.target.has_value(),

@@ -20,12 +20,13 @@ namespace {
 // Sets of places that rules may name. "attract-left": an interrupted pot waits; "saving": not kept yet.
 const std::map<std::string, std::string> kSets{
     {"told", "choose your-pot"},  // of a museum's pot, on its card
-    {"visit", "choose jar-start throw join failure firing decorate glaze your-pot saving keep resume"},
+    {"visit", "choose jar-start throw join failure firing trim decorate glaze your-pot saving keep resume"},
     {"left-alone",
-     "choose jar-start throw failure decorate glaze your-pot saving keep resume"},  // firing goes on by
-                                                                                    // itself
+     "choose jar-start throw failure trim decorate glaze your-pot saving keep resume"},  // firing goes on by
+                                                                                         // itself
     {"any",
-     "attract attract-left choose jar-start throw join failure firing decorate glaze your-pot saving keep "
+     "attract attract-left choose jar-start throw join failure firing trim decorate glaze your-pot saving "
+     "keep "
      "resume fault"}};
 // Over which of them each panel may lie.
 const std::map<std::string, std::string> kPanels{{"", "any"},
@@ -74,7 +75,8 @@ std::vector<Happening> events() {
                 "attract -> choose, attract-left -> resume, left-alone+idle -> same, join+idle -> same"),
         at_once("clay touched", Kind::kClayTouched, 0,
                 "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
-                "throw+idle -> same, failure+idle -> same, decorate+idle -> same, glaze+idle -> same, "
+                "throw+idle -> same, failure+idle -> same, trim+idle -> same, decorate+idle -> same, "
+                "glaze+idle -> same, "
                 "your-pot+idle -> same, jar-start+idle -> same, join+idle -> same, "
                 "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
         at_once("held", Kind::kHeld, 1, ""),
@@ -94,6 +96,8 @@ std::vector<Happening> events() {
                 "join+pin -> throw+pin, join+staff -> throw+staff"),
         at_once("jar stays", Kind::kJarStays, 0, ""),
         at_once("undone all", Kind::kUndoneAll, 0, ""),
+        at_once("thick foot", Kind::kThickFoot, 0, ""),
+        at_once("trimmed", Kind::kTrimmed, 12, ""),
         at_once("drawn", Kind::kDrawn, 3, ""),
         at_once("saved", Kind::kSaved, 5,
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
@@ -158,7 +162,7 @@ std::vector<Happening> buttons() {
         {Button::kWaterMore, any},
         {Button::kSpeedLess, any},
         {Button::kSpeedMore, any},
-        {Button::kDone, any + ", throw -> firing, decorate -> firing"},
+        {Button::kDone, any + ", throw -> firing, trim -> decorate, decorate -> firing"},
         {Button::kHandUp, any},
         {Button::kHandDown, any},
         {Button::kHandLeft, any},
@@ -169,7 +173,7 @@ std::vector<Happening> buttons() {
         {Button::kMyTurn, any},
         {Button::kBeforeCollapse, any + ", failure -> throw"},
         {Button::kKeepSlump, any + ", failure -> firing"},
-        {Button::kSkip, any + ", firing -> decorate"},
+        {Button::kSkip, any + ", firing -> decorate, trim -> decorate"},
         {Button::kDrawingTool, any},
         {Button::kMotif, any},
         {Button::kAllRound, any},
@@ -262,6 +266,7 @@ Visitor at_screen(const std::string& name) {
     if (name == "throw") return visitor.starts_to_throw();
     if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
     if (name == "firing") return visitor.fires();
+    if (name == "trim") return visitor.fires().does(Event::Kind::kThickFoot).presses(Button::kSkip);
     if (name == "decorate") return visitor.decorates();
     if (name == "glaze") return visitor.chooses_a_glaze();
     if (name == "your-pot") return visitor.sees_the_pot();

@@ -319,6 +319,15 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.firing = kiosk::FiringStage::kFire;
         view.heard = "cap.kiln";
     });
+    add("trim", Screen::kTrim, nothing);
+    add("trim-taken", Screen::kTrim, [](View& view) {
+        view.state.trimming.touched = true;
+        view.state.trimming.taken_g = 138;
+    });
+    add("trim-scan", Screen::kTrim, [](View& view) {
+        view.scans = true;
+        view.focus = 0;
+    });
     for (int tool = 0; tool < kiosk::kDrawingTools; ++tool) {
         add("decorate-" + std::to_string(tool), Screen::kDecorate, [&](View& view) {
             view.state.decorating.tool = tool;

@@ -1,0 +1,122 @@
+// Turning the foot: the pot on its rim, and on the ledge how much lighter it has become.
+#include "game/screens/ledge_parts.h"
+#include "game/screens/screens.h"
+
+namespace onggi::screens {
+namespace {
+
+using kiosk::Button;
+using ui::Rect;
+
+Rect foot_box(const Page& page) {
+    const float top = ledge_top(page);
+    const bool padded = page.view().scans || page.is_low();
+    switch (page.shape()) {
+        case Shape::kTall:
+            return {90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F};
+        case Shape::kSquare:
+            return {290.0F, 114.0F, padded ? 420.0F : 480.0F, top - 124.0F};
+        case Shape::kWide:
+            break;
+    }
+    return {350.0F, 56.0F, padded ? 530.0F : 580.0F, top - 70.0F};
+}
+
+// Beside what was taken, where the shape of the ledge has room for it.
+void words_on_ledge(Page& page, const Rect& grams, const Rect& line) {
+    const kiosk::Trimming& trimming = page.view().state.trimming;
+    if (trimming.touched) {
+        page.words(page.on_ledge(grams),
+                   {.text = page.t("trim.weight", page.digits(std::to_string(trimming.taken_g))),
+                    .size = 30.0F,
+                    .line = 40.0F,
+                    .bold = true,
+                    .align = along_ledge(page)});
+    }
+    page.words(page.on_ledge(line), {.text = page.t("trim.sub"),
+                                     .size = 26.0F,
+                                     .line = 33.0F,
+                                     .colour = design::kSlip3,
+                                     .align = along_ledge(page)});
+}
+
+}  // namespace
+
+void draw_trim(Page& page) {
+    const View& view = page.view();
+    const kiosk::Trimming& trimming = view.state.trimming;
+    const float width = page.width();
+    const float top = ledge_top(page);
+    const float y = row_y(page);
+    page.keep_clear(foot_box(page));
+    page.scene_ends();
+    page.ledge(top);
+    page.allow_cue();
+    if (!trimming.touched) {
+        const bool tall = page.shape() == Shape::kTall;
+        const bool square = page.shape() == Shape::kSquare;
+        const Rect most{square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F,
+                        tall     ? 430.0F
+                        : square ? 250.0F
+                                 : 304.0F,
+                        tall ? 196.0F : 300.0F};
+        add_paper(page, page.mirrored(most),
+                  {{.text = page.t("trim.title"),
+                    .size = 28.0F,
+                    .line = 38.0F,
+                    .bold = true,
+                    .colour = design::kInk},
+                   {.text = page.t("trim.line"), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
+    }
+    if (view.scans || page.is_low()) add_hand_pad(page);
+    const Setting loop{Icon::kTrimmer, "trim.tool",       kiosk::kMostTool,
+                       trimming.loop,  Button::kToolLess, Button::kToolMore};
+    const Setting speed = speed_setting(view.state.throwing);
+    const auto leave = [&](const Rect& place) {
+        if (trimming.touched) return;
+        page.token(page.on_ledge(place), Look::kOutline, Button::kSkip, page.t("trim.auto"));
+    };
+    const auto done = [&](const Rect& place) {
+        page.token(page.on_ledge(place), trimming.touched ? Look::kPrimary : Look::kToken, Button::kDone,
+                   page.t("ctl.done"));
+    };
+    switch (page.shape()) {
+        case Shape::kWide:
+            words_on_ledge(page, {34.0F, top + 16.0F, 370.0F, 44.0F},
+                           {34.0F, top + (trimming.touched ? 60.0F : 30.0F), 370.0F,
+                            (trimming.touched ? 74.0F : 104.0F) + growth(page).labels});
+            add_round(page, {436.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 112.0F);
+            add_stepper(page, {542.0F, y, 156.0F, 66.0F}, loop, false);
+            add_stepper(page, {718.0F, y, 156.0F, 66.0F}, speed, false);
+            leave({894.0F, y, 180.0F, 66.0F});
+            done({width - 188.0F, y, 156.0F, 66.0F});
+            break;
+        case Shape::kSquare:
+            words_on_ledge(page, {32.0F, top + 24.0F, 250.0F, 50.0F + growth(page).caption},
+                           {trimming.touched ? 300.0F : 32.0F, top + 26.0F,
+                            width - (trimming.touched ? 332.0F : 64.0F), 56.0F + growth(page).caption});
+            add_round(page, {32.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 112.0F);
+            add_stepper(page, {150.0F, y, 156.0F, 66.0F}, loop, false);
+            add_stepper(page, {340.0F, y, 156.0F, 66.0F}, speed, false);
+            leave({540.0F, y, 200.0F, 66.0F});
+            done({width - 220.0F, y, 200.0F, 66.0F});
+            break;
+        case Shape::kTall: {
+            const float below = second_row_y(page);
+            words_on_ledge(page, {32.0F, top + 20.0F, 260.0F, 50.0F + growth(page).caption},
+                           {trimming.touched ? 310.0F : 32.0F, top + 22.0F,
+                            width - (trimming.touched ? 342.0F : 64.0F), 84.0F + growth(page).caption});
+            add_round(page, {32.0F, y, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 120.0F);
+            add_stepper(page, {278.0F, y, 164.0F, 66.0F}, loop, false);
+            add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
+            leave({32.0F, below, 300.0F, 80.0F});
+            done({width - 300.0F, below, 268.0F, 80.0F});
+            break;
+        }
+    }
+    static_cast<void>(page.languages_token(page.shape() == Shape::kTall
+                                               ? Rect{32.0F, 648.0F, 150.0F, 60.0F}
+                                               : Rect{32.0F, 478.0F, 150.0F, 60.0F}));
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,146 @@
+// A visitor turns the foot at the whole kiosk: what was taken is gone from the pot, from its files and its
+// weight, and the session works it out again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/files/atomic_file.h"
+#include "game/app/command_line/performance.h"
+#include "game/app/command_line/start_pot.h"
+#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/clay/studio/trimming.h"
+#include "tests/stress/unseen_kiosk.h"
+#include "tests/support/temporary_folder.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+using kiosk::Button;
+using kiosk::Screen;
+
+// ONGGI_LOOK=FOLDER: pictures, large enough to be looked at.
+UnseenOptions options() {
+    if (std::getenv("ONGGI_LOOK") == nullptr) return {};
+    return {.plain = false, .width = 1280, .height = 720};
+}
+
+class Trimming : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::mt19937 thrower(24);
+        kiosk.touch();
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
+        ASSERT_TRUE(kiosk.press(Button::kFree));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
+        ASSERT_TRUE(kiosk.throw_a_pot(thrower));
+        ASSERT_TRUE(kiosk.press(Button::kDone));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.state().trimming.is_offered; }, kSlowly));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kTrim; }, 0.1));
+    }
+    // A finger that presses beside the foot, which is on top now, and goes in by so much.
+    void shave(double from_top_mm, double in_mm) {
+        const pot::Pot& pot = *kiosk.snapshot().pot;
+        const double y_mm = pot.height_mm - from_top_mm;
+        const double x_mm = wall_at(pot, from_top_mm).outer_mm;
+        kiosk.stroke({{x_mm + 1.0, y_mm}, {x_mm - in_mm, y_mm}, {x_mm - in_mm, y_mm}}, 1.5, chance);
+    }
+    [[nodiscard]] double on_wheel_g() {
+        return kiosk.snapshot().on_wheel_mm3 * clay::studio::kDensityGPerMm3;
+    }
+    void keep() {
+        ASSERT_TRUE(kiosk.press(Button::kDone));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kDecorate; }, kSlowly));
+        ASSERT_TRUE(kiosk.press(Button::kDone));
+        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+        ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
+        ASSERT_TRUE(kiosk.press(Button::kKeep));
+        ASSERT_TRUE(kiosk.until(
+            [&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }, kSlowly));
+    }
+    [[nodiscard]] std::string session() const {
+        return (folder.path() / today() / "pot-001" / "pot.onggi").string();
+    }
+    void look(const std::string& name) {
+        const char* const into = std::getenv("ONGGI_LOOK");
+        if (into == nullptr) return;
+        for (int i = 0; i < 90; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            kiosk.frame(0.01);
+        }
+        const auto png = asset::encode_png(kiosk.picture());
+        ASSERT_TRUE(png);
+        ASSERT_TRUE(files::write_file_atomically(fs::path(into) / (name + ".png"), *png));
+    }
+
+    const test::TemporaryFolder folder;
+    UnseenKiosk kiosk{folder.path(), options()};
+    std::mt19937 chance{3};
+};
+
+TEST_F(Trimming, TakesWhatItSaysOffThePotThatIsKept) {
+    look("trim-1");
+    const double before_g = on_wheel_g();
+    const double before_mm = wall_at(*kiosk.snapshot().pot, 6.0).outer_mm;
+    shave(6.0, 5.0);
+    shave(14.0, 4.0);
+    look("trim-2");
+    const int taken_g = kiosk.state().trimming.taken_g;
+    EXPECT_GT(taken_g, 5);
+    EXPECT_NEAR(before_g - on_wheel_g(), taken_g, 0.51);
+    EXPECT_LT(wall_at(*kiosk.snapshot().pot, 6.0).outer_mm, before_mm - 2.0);
+    keep();
+    const auto pot = start_pot({.on = session()});
+    ASSERT_TRUE(pot) << pot.error().message;
+    EXPECT_EQ((*pot)->ledger_error_mm3(), 0.0);
+    EXPECT_NEAR((*pot)->volume_mm3() * clay::studio::kDensityGPerMm3, before_g - taken_g, 0.51);
+    EXPECT_TRUE((*pot)->is_leather_hard());
+    const auto view = kiosk.shown_view();
+    ASSERT_TRUE(view && view->pot);
+    const auto measures = clay::measure_pot((*pot)->rings(), (*pot)->lump().body, clay::Firing::kGlaze);
+    EXPECT_NEAR(view->pot->weight_g, measures.mass_g, 0.5) << "what the visitor reads is what is kept";
+}
+
+TEST_F(Trimming, NeverCutsThroughHoweverHardAVisitorPresses) {
+    for (const double from_top_mm : {4.0, 10.0, 16.0, 24.0, 34.0})
+        shave(from_top_mm, 60.0);
+    keep();
+    const auto pot = start_pot({.on = session()});
+    ASSERT_TRUE(pot) << pot.error().message;
+    const clay::studio::Rings& rings = (*pot)->rings();
+    for (int i = rings.first_hollow; i < rings.count; ++i)
+        EXPECT_GE(rings.wall_mm(i), clay::studio::kTrimmedWallMm - 1e-6) << "at " << rings.centre_mm(i);
+    EXPECT_EQ((*pot)->failure().cause, clay::studio::Cause::kNone);
+}
+
+TEST_F(Trimming, IsTakenBackAndNothingBeforeIt) {
+    const double before_g = on_wheel_g();
+    shave(8.0, 5.0);
+    ASSERT_GT(kiosk.state().trimming.taken_g, 2);
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().trimming.taken_g == 0; }, kSlowly));
+    EXPECT_NEAR(on_wheel_g(), before_g, 1e-6);
+    const double height_mm = kiosk.snapshot().pot->height_mm;
+    ASSERT_TRUE(kiosk.press(Button::kUndo));
+    for (int i = 0; i < 60; ++i)
+        kiosk.frame(kSlowly);
+    EXPECT_NEAR(kiosk.snapshot().pot->height_mm, height_mm, 1e-6) << "the throwing is over";
+}
+
+TEST_F(Trimming, IsDoneByKeysToo) {
+    const double before_g = on_wheel_g();
+    for (int i = 0; i < 6; ++i) {
+        kiosk.key(window::Key::kLeft);
+        for (int frame = 0; frame < 60; ++frame) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            kiosk.frame(0.01);
+        }
+    }
+    EXPECT_LT(on_wheel_g(), before_g - 1.0);
+    EXPECT_GT(kiosk.state().trimming.taken_g, 0);
+}
+
+}  // namespace
+}  // namespace onggi::app
