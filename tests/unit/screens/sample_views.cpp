@@ -83,6 +83,13 @@ void add_jar_views(const View& base, std::vector<SampleView>& all) {
     add("jar-start", Screen::kJarStart, JarStep::kNone, [](View&) {});
     add("jar-first", Screen::kThrow, JarStep::kFirstBowl,
         [](View& view) { view.state.throwing.jar.is_bowl = true; });
+    const auto scans = [](View& view) {
+        view.scans = true;
+        view.focus = 0;
+    };
+    add("jar-first-scan", Screen::kThrow, JarStep::kFirstBowl, scans);
+    add("jar-join-scan", Screen::kJoin, JarStep::kJoin, scans);
+    add("jar-seam-scan", Screen::kThrow, JarStep::kSeam, scans);
     add("jar-first-low", Screen::kThrow, JarStep::kFirstBowl,
         [](View& view) { view.state.throwing.jar.is_low = true; });
     add("jar-aside", Screen::kThrow, JarStep::kAside, aside);

@@ -15,6 +15,12 @@ namespace {
 const char* word_of(onggi::kiosk::Button button) {
     using onggi::kiosk::Button;
     switch (button) {
+        case Button::kBegin:
+            return "begin";
+        case Button::kShelfNext:
+            return "shelf-next";
+        case Button::kJoinBowls:
+            return "join-bowls";
         case Button::kFree:
             return "free";
         case Button::kTarget:

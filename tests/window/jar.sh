@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# A visitor at the window who makes a moon jar, from attract to the shelf: two bowls, joined; the seam; decorated, glazed,
+# kept. jar.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as visitor.sh says them.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
+
+# As the layout calls them: with one switch there are more targets on the ledge.
+scan=
+[ "$hand" = switch ] && scan=-scan
+is_a_lump() { [ "$(clay_mm)" -le 55 ]; }
+is_a_jar() { [ "$(clay_mm)" -ge 120 ]; }
+
+begin_visit
+press choose shelf-next; on_screen choose
+press choose-next target 0; on_screen jar-start  # the first that is seen then
+press jar-start begin; on_screen throw
+throwing=jar-first$scan
+throw_a_pot
+press "$throwing" done
+wait_for "new clay" is_a_lump
+on_screen throw  # the first bowl beside the wheel
+sleep 7          # it has been looked at
+throw_a_pot
+on_screen throw
+press "$throwing" done; on_screen join
+press jar-join$scan hand-right; on_screen join
+press jar-join$scan join-bowls
+wait_for "both as one" is_a_jar
+throwing=jar-seam$scan
+on_screen throw
+case $hand in mouse | touch | keys) draw_along "$(clay_mm)" ;; esac
+on_screen throw
+keep_the_pot
+for bowl in 1 2; do
+    [ -s "$pot/bowl-$bowl.onggi" ] || fail "expected $pot/bowl-$bowl.onggi, found none"
+    "$onggi" replay "$pot/bowl-$bowl.onggi" --validate || fail "the bowl's session does not replay"
+done
