@@ -230,6 +230,39 @@ TEST_F(Decorators, SeeTheirStrokeUnderTheFingerInTheVeryFrame) {
     kiosk.frame();
 }
 
+TEST_F(Decorators, FindWhatTheyDrewAfterAPowerCut) {
+    ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
+    draw(between({at(-0.5, 0.2), at(0.4, 0.2)}));
+    draw(between({at(-0.5, 0.0), at(0.4, -0.1)}));
+    ASSERT_TRUE(kiosk.until([&] { return fs::exists(folder.path() / "state" / "drawing"); }, kSlowly));
+    // The clay's journal is on the disk once a second of the wheel's own clock.
+    for (int i = 0; i < 250; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        kiosk.frame(0.01);
+    }
+    const test::TemporaryFolder after;
+    fs::copy(folder.path(), after.path(), fs::copy_options::recursive);
+    UnseenKiosk again(after.path());
+    ASSERT_TRUE(again.until([&] { return again.state().interrupted_session; }, kSlowly));
+    again.touch();
+    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly));
+    ASSERT_TRUE(again.press(Button::kResumeGo));
+    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kThrow; }, kSlowly));
+    ASSERT_TRUE(again.until([&] { return again.snapshot().pot->height_mm > 65.0; }, kSlowly));
+    ASSERT_TRUE(again.press(Button::kDone));
+    ASSERT_TRUE(again.dries());
+    ASSERT_TRUE(again.until([&] { return again.state().decorating.strokes == 2; }, kSlowly))
+        << again.state().decorating.strokes << " strokes";
+    // Who throws the pot away throws its drawing away.
+    ASSERT_TRUE(kiosk.press(Button::kDone));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+    ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
+    ASSERT_TRUE(kiosk.press(Button::kKeep));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
+                            kSlowly));
+    EXPECT_FALSE(fs::exists(folder.path() / "state" / "drawing"));
+}
+
 TEST_F(Decorators, TakeTheGlazeOffAndDrawOn) {
     ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
     draw(between({at(-0.5, 0.2), at(0.4, 0.2)}));

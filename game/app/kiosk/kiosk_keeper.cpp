@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/kiosk/house_status.h"
@@ -133,6 +134,7 @@ bool KioskKeeper::work_out_interrupted_session() {
             {.kind = KeeperAnswer::Kind::kInterruptedSession,
              .pot = jar_.has_bowl() ? std::make_shared<const pot::Pot>(haptic::pot_of(jar_.bowl())) : nullptr,
              .jar = jar_.stage(),
+             .drawn = interrupted_drawing(),
              .jar_target = jar_.target(),
              .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
                                   interrupted_session_->seconds())});
@@ -142,6 +144,7 @@ bool KioskKeeper::work_out_interrupted_session() {
         answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message, .is_trouble = true});
     interrupted_session_.reset();
     InterruptedSession::remove(visits_);
+    remove_drawing();
     jar_.forget();
     return false;
 }
@@ -160,6 +163,7 @@ void KioskKeeper::write_journal(std::int64_t now_ns) {
 void KioskKeeper::end_journal() {
     journalled_run_.reset();
     journal_.drop();
+    remove_drawing();
     if (!std::exchange(was_resumed_, false)) return;
     is_put_ = false;
     interrupted_session_.reset();
@@ -231,6 +235,10 @@ void KioskKeeper::apply(const Request& request) {
                         .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
             }
             break;
+        case Request::Kind::kKeepDrawing:
+            // Of a visit that is over, or saved, nothing stays.
+            if (journalled_run_) complain(files::write_file_atomically(drawing_place(), *request.drawn));
+            break;
         case Request::Kind::kBeginTrim:
             trimmed_from_ = history_.ticks();
             break;
@@ -269,6 +277,7 @@ void KioskKeeper::apply(const Request& request) {
             is_put_ = false;
             interrupted_session_.reset();
             InterruptedSession::remove(visits_);
+            remove_drawing();
             jar_.forget();
             break;
         case Request::Kind::kSurvey:

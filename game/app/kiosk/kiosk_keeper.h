@@ -54,6 +54,7 @@ struct KeeperAnswer {
     std::filesystem::path session{};        // of one that was written
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall{};  // of kWall: as it is now, the oldest first
     JarStage jar = JarStage::kNone;                                // of an interrupted session
+    std::shared_ptr<const decoration::Recorded> drawn{};           // likewise; null: nothing was
     std::string jar_target{};                                      // likewise
     std::string words{};                                           // for the log
     bool is_trouble = false;                                       // what they tell of
@@ -99,6 +100,11 @@ class KioskKeeper final : private jobs::IoWork {
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
     void cut_off() { ask({Request::Kind::kCutOff}); }
+    // What was drawn on it so far, for a power cut.
+    void keep_drawing(std::vector<std::byte> drawn) {
+        ask({.kind = Request::Kind::kKeepDrawing,
+             .drawn = std::make_shared<const std::vector<std::byte>>(std::move(drawn))});
+    }
     // Undoing goes no further back from here on, until other clay comes.
     void begin_trim() { ask({Request::Kind::kBeginTrim}); }
     // All that was done to the pot that was cut off last, as a session at that place; answered by
@@ -160,6 +166,7 @@ class KioskKeeper final : private jobs::IoWork {
             kPartBowls,
             kCutOff,
             kBeginTrim,
+            kKeepDrawing,
             kWriteSession,
             kSave,
             kPutOnWall,
@@ -181,6 +188,7 @@ class KioskKeeper final : private jobs::IoWork {
         std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run
         int glaze = 0;
         JarJoin join{};
+        std::shared_ptr<const std::vector<std::byte>> drawn{};
         std::shared_ptr<const pot::Section> shape{};
         std::shared_ptr<const std::string> pot{};
         std::shared_ptr<const std::filesystem::path> place{};
@@ -203,6 +211,9 @@ class KioskKeeper final : private jobs::IoWork {
     void end_journal();
     void apply(const Request& request);
     void put_state_at(std::uint64_t tick);
+    [[nodiscard]] std::filesystem::path drawing_place() const { return visits_ / "drawing"; }
+    void remove_drawing() const noexcept;
+    [[nodiscard]] std::shared_ptr<const decoration::Recorded> interrupted_drawing();
     void undo_now();
     void set_aside_now();
     void hold_together_now(double mouth_mm);

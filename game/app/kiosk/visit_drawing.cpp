@@ -72,18 +72,33 @@ Stroke stroke_of(const kiosk::Decorating& decorating, double round_mm, double he
 }
 
 VisitDrawing::Work::Work(const pot::Pot& wet, const decoration::Strokes& strokes)
+    : Work(wet, canvas_of(wet, strokes)) {}
+
+VisitDrawing::Work::Work(const pot::Pot& wet, decoration::Canvas drawn_on)
     : dry(pot::fired(wet, clay::Firing::kDry)),
-      canvas(canvas_of(wet, strokes)),
+      canvas(std::move(drawn_on)),
       scale(dry.height_mm / wet.height_mm) {
     dressed.dress(canvas.texture(), canvas.wall(), raw_palette());
     static_cast<void>(canvas.take_changed());
 }
 
 void VisitDrawing::forget() {
+    remembered_.reset();
+    forget_pot();
+}
+
+std::optional<std::vector<std::byte>> VisitDrawing::take_to_keep() {
+    if (!is_to_be_kept_ || draws_ || !work_) return std::nullopt;
+    is_to_be_kept_ = false;
+    return decoration::bytes_of(work_->canvas.recorded());
+}
+
+void VisitDrawing::forget_pot() {
     release();
     pot_.reset();
     work_.reset();
     put_away_.clear();
+    is_to_be_kept_ = false;
     hover_px_.reset();
     begun_ = brush_down_ = false;
     dot_rad_ = 0.0;
@@ -104,8 +119,21 @@ void VisitDrawing::begin(const dvec2& heading) {
 void VisitDrawing::start_if_ready() {
     constexpr double kLeastMm = 3.0 * decoration::kMarginMm;
     if (!begun_ || work_ || !pot_ || pot_->ring_count() == 0 || pot_->height_mm < kLeastMm) return;
-    work_ = std::make_shared<Work>(*pot_, std::exchange(put_away_, {}));
+    if (auto canvas = remembered_canvas()) {
+        work_ = std::make_shared<Work>(*pot_, std::move(*canvas));
+    } else {
+        work_ = std::make_shared<Work>(*pot_, std::exchange(put_away_, {}));
+    }
     if (!work_->canvas.is_plain()) tell();
+}
+
+// Strokes are told from those of another pot by what they come to.
+std::optional<decoration::Canvas> VisitDrawing::remembered_canvas() {
+    const auto drawn = std::exchange(remembered_, nullptr);
+    if (!drawn || !put_away_.empty()) return std::nullopt;
+    auto canvas = decoration::Canvas::of(wall_of(*pot_), drawn->strokes);
+    if (!canvas || canvas->recorded() != *drawn) return std::nullopt;
+    return std::move(*canvas);
 }
 
 void VisitDrawing::put_away() {
@@ -276,6 +304,7 @@ void VisitDrawing::dress() {
 }
 
 void VisitDrawing::tell() {
+    is_to_be_kept_ = true;
     flow_.dispatch(
         {kiosk::Event::Kind::kDrawn, Button::kNone, static_cast<int>(work_->canvas.strokes().size())});
 }

@@ -36,6 +36,12 @@ class VisitDrawing {
     // Once more where it went to the kiln and was wanted back: with what was drawn.
     void begin(const dvec2& heading);
     void forget();
+    // Another pot will be taken: what was drawn before a power cut waits for that one.
+    void forget_pot();
+    // What was drawn before a power cut: it is on the pot again, where the pot is the same.
+    void remember(std::shared_ptr<const decoration::Recorded> drawn) { remembered_ = std::move(drawn); }
+    // What is to be kept of it, for a power cut: once after each stroke, and after what takes one back.
+    [[nodiscard]] std::optional<std::vector<std::byte>> take_to_keep();
 
     // A finger comes down on the picture, goes on, leaves it; or a mouse is over it.
     void press(vec2 px);
@@ -61,6 +67,7 @@ class VisitDrawing {
   private:
     struct Work {
         Work(const pot::Pot& wet, const decoration::Strokes& strokes);
+        Work(const pot::Pot& wet, decoration::Canvas canvas);
 
         pot::Pot dry;
         decoration::Canvas canvas;
@@ -70,6 +77,7 @@ class VisitDrawing {
     void start_if_ready();
     // What it is drawn with takes room; the strokes alone stay.
     void put_away();
+    [[nodiscard]] std::optional<decoration::Canvas> remembered_canvas();
     void dress();
     void tell();
     void draw_at(const std::optional<decoration::WallPlace>& place);
@@ -83,6 +91,8 @@ class VisitDrawing {
     std::shared_ptr<const pot::Pot> pot_;
     std::shared_ptr<Work> work_;
     decoration::Strokes put_away_;  // to go on from
+    std::shared_ptr<const decoration::Recorded> remembered_;
+    bool is_to_be_kept_ = false;
     bool begun_ = false;
     double turned_rad_ = 0.0;
     std::optional<vec2> finger_px_;

@@ -101,7 +101,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kBeginTrim:
             wheel_.hand().leave_clay();
             trim_.begin(moment.snapshot);
-            drawing_.forget();  // another pot will be drawn on
+            drawing_.forget_pot();
             parts_.keeper.begin_trim();
             break;
         case Effect::Kind::kEndTrim:
@@ -141,6 +141,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             wheel_.rearm_force();
             wheel_.clay().expect_state(moment.snapshot);
             parts_.keeper.resume(wheel_.run());
+            drawing_.remember(std::exchange(interrupted_drawing_, nullptr));
             if (interrupted_bowl_) jar_.set_aside(std::exchange(interrupted_bowl_, nullptr));
             break;
         case Effect::Kind::kDropInterrupted:
@@ -191,8 +192,10 @@ void VisitEffects::take_cut_off(const KeeperAnswer& answer) {
         pot.off_round_mm = heritage::off_round_mm(clay);
     pot_ = std::make_shared<const screens::FiredPot>(std::move(pot));
     drawing_.take(answer.pot);
-    const bool is_thick = clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm;
-    if (std::exchange(may_be_trimmed_, false) && is_thick) flow_.dispatch({Event::Kind::kThickFoot});
+    // A hand control holds no trimmer: whoever throws with one goes on to decorate.
+    const bool can_trim =
+        clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm && parts_.devices.holder().empty();
+    if (std::exchange(may_be_trimmed_, false) && can_trim) flow_.dispatch({Event::Kind::kThickFoot});
     // Its film is made of what it is in the end.
     if (parts_.phone != nullptr && !flow_.state().trimming.is_offered)
         parts_.keeper.write_session(parts_.phone->session_place());
@@ -202,6 +205,7 @@ void VisitEffects::take_interrupted(const KeeperAnswer& answer) {
     constexpr std::array kSteps{kiosk::JarStep::kNone, kiosk::JarStep::kFirstBowl,
                                 kiosk::JarStep::kSecondBowl, kiosk::JarStep::kSeam};
     interrupted_bowl_ = answer.pot;
+    interrupted_drawing_ = answer.drawn;
     const kiosk::JarStep step = kSteps[static_cast<std::size_t>(answer.jar)];
     const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
     const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t row) {
@@ -297,6 +301,7 @@ void VisitEffects::take_answers() {
         parts_.keeper.clear_wall();
     }
     take_phone_answers();
+    if (auto drawn = drawing_.take_to_keep()) parts_.keeper.keep_drawing(std::move(*drawn));
     while (const auto answer = parts_.keeper.next_answer()) {
         if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
         switch (answer->kind) {

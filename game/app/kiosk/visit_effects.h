@@ -72,6 +72,7 @@ class VisitEffects {
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;
     std::shared_ptr<const pot::Pot> interrupted_bowl_;  // the first of an interrupted jar
+    std::shared_ptr<const decoration::Recorded> interrupted_drawing_;
     std::vector<screens::ShelfPot> day_;
     bool may_be_trimmed_ = false;  // it is about to be cut off for the first time
     std::string kept_name_;        // of it, in the gallery

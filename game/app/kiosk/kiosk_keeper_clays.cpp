@@ -1,9 +1,14 @@
-// What the keeper does with the bowls of a jar: one history ends and another goes on with what is on the
-// wheel.
+// What the keeper does where one clay gives way to another: undoing, a jar's bowls, an interrupted visit and
+// its drawing.
 #include <cmath>
+#include <span>
+#include <system_error>
 #include <utility>
 
+#include "engine/files/read_file.h"
+#include "engine/record/session_format.h"
 #include "game/app/kiosk/kiosk_keeper.h"
+#include "game/decoration/stroke_bytes.h"
 #include "game/haptic/pot_copy.h"
 
 namespace onggi::app {
@@ -23,6 +28,25 @@ bool KioskKeeper::find_interrupted_session() {
     if (!interrupted_session_) interrupted_session_ = jar_.left_over();
     if (!interrupted_session_) jar_.forget();
     return false;
+}
+
+void KioskKeeper::remove_drawing() const noexcept {
+    std::error_code ignored;
+    std::filesystem::remove(drawing_place(), ignored);
+}
+
+std::shared_ptr<const decoration::Recorded> KioskKeeper::interrupted_drawing() {
+    std::error_code ignored;
+    if (!std::filesystem::exists(drawing_place(), ignored)) return nullptr;
+    const auto bytes = files::read_file(drawing_place(), record::kMaxSupplementBytes);
+    auto drawn = bytes ? decoration::recorded_from(std::as_bytes(std::span(*bytes)), drawing_place().string())
+                       : Result<decoration::Recorded>(bytes.error());
+    if (drawn) return std::make_shared<const decoration::Recorded>(std::move(*drawn));
+    answer({.kind = KeeperAnswer::Kind::kRemark,
+            .words = "interrupted visit: what was drawn is dropped: " + drawn.error().message,
+            .is_trouble = true});
+    remove_drawing();
+    return nullptr;
 }
 
 void KioskKeeper::tell_all(std::vector<std::string> remarks) {
