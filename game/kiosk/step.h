@@ -164,7 +164,7 @@ struct Effect {
         kStopShow,        // they leave the clay as it is
         kCutOff,          // the clay is a pot now: stop the wheel, take its profile
         kBeginTrim,       // the pot has dried to leather hard, and stands on its rim
-        kEndTrim,         // it is the pot that goes on
+        kEndTrim,         // value: 1 where something was taken, and it is another pot that goes on
         kBeginDrawing,    // the pot has dried, and waits on the wheel
         kUndoStroke,
         kClearDrawing,

@@ -8,7 +8,7 @@ namespace onggi::kiosk {
 namespace {
 
 void end_trimming(Turn& turn) {
-    turn.add(Effect::Kind::kEndTrim);
+    turn.add(Effect::Kind::kEndTrim, turn.state.trimming.touched ? 1 : 0);
     begin_decorating(turn);
 }
 

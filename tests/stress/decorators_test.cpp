@@ -286,11 +286,7 @@ TEST_F(Decorators, TakeTheGlazeOffAndDrawOn) {
 
 TEST_F(Decorators, DrawByKeysAlone) {
     ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
-    const auto key = [&](window::Key which) {
-        kiosk.does(window::KeyEvent{.key = which, .pressed = true});
-        kiosk.does(window::KeyEvent{.key = which, .pressed = false});
-        kiosk.frame();
-    };
+    const auto key = [&](window::Key which) { kiosk.press_key(which); };
     key(window::Key::kUp);
     key(window::Key::kEnter);
     for (int i = 0; i < 5; ++i)

@@ -132,7 +132,7 @@ TEST_F(Trimming, IsTakenBackAndNothingBeforeIt) {
 TEST_F(Trimming, IsDoneByKeysToo) {
     const double before_g = on_wheel_g();
     for (int i = 0; i < 6; ++i) {
-        kiosk.key(window::Key::kLeft);
+        kiosk.press_key(window::Key::kLeft);
         for (int frame = 0; frame < 60; ++frame) {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
             kiosk.frame(0.01);

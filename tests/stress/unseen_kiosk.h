@@ -128,7 +128,7 @@ class UnseenKiosk {
     void does(const window::Event& event) { view_->feed(event); }
     void point(double x_px, double y_px) { view_->feed(window::PointerEvent{x_px, y_px}); }
     void hold(bool pressed) { view_->feed(window::ButtonEvent{window::MouseButton::kLeft, pressed}); }
-    void key(window::Key which) {
+    void press_key(window::Key which) {
         view_->feed(window::KeyEvent{.key = which, .pressed = true});
         frame();
         view_->feed(window::KeyEvent{.key = which, .pressed = false});

@@ -101,12 +101,16 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kBeginTrim:
             wheel_.hand().leave_clay();
             trim_.begin(moment.snapshot);
-            drawing_.forget_pot();
             parts_.keeper.begin_trim();
             break;
         case Effect::Kind::kEndTrim:
             wheel_.hand().leave_clay();
-            parts_.keeper.cut_off();
+            if (effect.value == 1) {
+                drawing_.forget_pot();
+                parts_.keeper.cut_off();
+            } else {
+                write_session();
+            }
             break;
         case Effect::Kind::kCutOff:
             may_be_trimmed_ = true;
@@ -197,8 +201,11 @@ void VisitEffects::take_cut_off(const KeeperAnswer& answer) {
         clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm && parts_.devices.holder().empty();
     if (std::exchange(may_be_trimmed_, false) && can_trim) flow_.dispatch({Event::Kind::kThickFoot});
     // Its film is made of what it is in the end.
-    if (parts_.phone != nullptr && !flow_.state().trimming.is_offered)
-        parts_.keeper.write_session(parts_.phone->session_place());
+    if (!flow_.state().trimming.is_offered) write_session();
+}
+
+void VisitEffects::write_session() {
+    if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
 }
 
 void VisitEffects::take_interrupted(const KeeperAnswer& answer) {

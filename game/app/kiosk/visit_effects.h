@@ -52,6 +52,7 @@ class VisitEffects {
   private:
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
+    void write_session();
     void take_cut_off(const KeeperAnswer& answer);
     void take_interrupted(const KeeperAnswer& answer);
     void take_jar(const KeeperAnswer& answer);
