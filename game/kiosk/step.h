@@ -154,10 +154,9 @@ struct Effect {
         kBeforeCollapse,  // back to 2 s before it began
         kBeginJar,        // value: after which target; the lump that was put on is its first bowl's
         kSetAside,        // the bowl on the wheel, for the other one to come
-        kTakeBack,        // it is on the wheel again, as it was
+        kTakeBack,        // value: 1 or 2, the bowl that is on the wheel again, as it was
         kHoldTogether,    // the bowl that was set aside over the one on the wheel
         kJoinBowls,       // value: mm that the upper one stands to the right
-        kPartBowls,       // the lower one is on the wheel again, as it was
         kMoveHand,        // value: a Button of the pad
         kCutRim,          // by the wire, where it is
         kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay

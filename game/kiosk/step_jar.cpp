@@ -52,12 +52,12 @@ void step_back(Turn& turn) {
     switch (turn.state.throwing.jar.step) {
         case JarStep::kAside:
         case JarStep::kSecondBowl:
-            turn.add(Effect::Kind::kTakeBack);
+            turn.add(Effect::Kind::kTakeBack, 1);
             turn.state.throwing.steps_done = kTeachingSteps;
             go_to(turn, JarStep::kFirstBowl);
             break;
         case JarStep::kSeam:
-            turn.add(Effect::Kind::kPartBowls);
+            turn.add(Effect::Kind::kTakeBack, 2);
             turn.state.throwing.held = Held::kHand;
             go_to(turn, JarStep::kSecondBowl);
             break;

@@ -56,24 +56,13 @@ void add_jar_pictograms(Page& page, vec2 at, float pitch, int current) {
 }
 
 void add_jar_steps(Page& page) {
-    const float y = ledge_top(page);
-    const std::string& text = page.t(kStepKeys[static_cast<std::size_t>(step_of(page))]);
     constexpr float kPitch = 46.0F;
-    if (page.shape() == Shape::kWide) {
-        add_jar_pictograms(page, {26.0F, y + 20.0F}, kPitch, step_of(page));
-        page.words(page.on_ledge({34.0F, y + 94.0F, 232.0F, 36.0F + growth(page).caption}),
-                   {.text = text, .size = 27.0F, .line = 34.0F, .bold = true, .align = along_ledge(page)});
-        return;
-    }
-    const bool tall = page.shape() == Shape::kTall;
-    add_jar_pictograms(page, {30.0F, y + (tall ? 26.0F : 18.0F)}, kPitch, step_of(page));
-    page.words(page.on_ledge({290.0F, y + (tall ? 30.0F : 28.0F), page.width() - 322.0F,
-                              (tall ? 84.0F : 44.0F) + growth(page).caption}),
-               {.text = text,
-                .size = tall ? 32.0F : 30.0F,
-                .line = 42.0F,
-                .bold = true,
-                .align = along_ledge(page)});
+    const vec2 at(page.shape() == Shape::kWide ? 26.0F : 30.0F,
+                  ledge_top(page) + (page.shape() == Shape::kTall     ? 26.0F
+                                     : page.shape() == Shape::kSquare ? 18.0F
+                                                                      : 20.0F));
+    add_jar_pictograms(page, at, kPitch, step_of(page));
+    add_step_caption(page, page.t(kStepKeys[static_cast<std::size_t>(step_of(page))]), 232.0F, 290.0F);
 }
 
 void add_aside_ledge(Page& page) {

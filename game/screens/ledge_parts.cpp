@@ -93,6 +93,23 @@ void add_choice(Page& page, const Rect& place, const LedgeChoice& choice, float 
     page.sprite({rect.right() - 20.0F, rect.y - 8.0F, 26.0F, 26.0F}, std::move(tick), target);
 }
 
+void add_step_caption(Page& page, const std::string& text, float wide, float beside) {
+    const float y = ledge_top(page);
+    if (page.shape() == Shape::kWide) {
+        page.words(page.on_ledge({34.0F, y + 94.0F, wide, 36.0F + growth(page).caption}),
+                   {.text = text, .size = 27.0F, .line = 34.0F, .bold = true, .align = along_ledge(page)});
+        return;
+    }
+    const bool tall = page.shape() == Shape::kTall;
+    page.words(page.on_ledge({beside, y + (tall ? 30.0F : 28.0F), page.width() - 32.0F - beside,
+                              (tall ? 84.0F : 44.0F) + growth(page).caption}),
+               {.text = text,
+                .size = tall ? 32.0F : 30.0F,
+                .line = 42.0F,
+                .bold = true,
+                .align = along_ledge(page)});
+}
+
 Rect add_paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
     constexpr float kMargin = 20.0F;
     constexpr float kAbove = 12.0F;

@@ -60,6 +60,9 @@ void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, fl
 void add_held_token(Page& page, const ui::Rect& place, float label_width);
 // The ledge turned over: what there is to hold, how large, and back.
 void add_tool_tray(Page& page);
+// What the step that is being done is called: below the steps and that wide, or from `beside` on to their
+// right.
+void add_step_caption(Page& page, const std::string& text, float wide, float beside);
 // The four keys that move the hand.
 void add_hand_pad(Page& page);
 // A card as high as its words, or where that is too high, words as small as it takes; gives where it is.

@@ -128,22 +128,12 @@ void way_card(Page& page) {
     const bool square = page.shape() == Shape::kSquare;
     const float wide = tall ? 430.0F : square ? 244.0F : 304.0F;
     const float most = tall ? 186.0F : square ? 290.0F : 264.0F;
-    Words line{.text = page.t(way.line), .size = 26.0F, .line = 33.0F, .colour = design::kInk2};
-    const float head = way.title != nullptr ? 42.0F : 0.0F;
-    constexpr float kMargin = 20.0F;
-    constexpr float kAbove = 12.0F;
-    const float needs = page.words_size(line, page.text_scale(), wide - 2.0F * kMargin).height;
-    const float high = std::min(most, kAbove + head + needs + 18.0F);
-    const Rect rect = page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide, high});
-    page.card(rect, design::kHanji, design::kHanji);
-    const Rect inner{rect.x + kMargin, rect.y + kAbove, rect.width - 2.0F * kMargin,
-                     rect.height - kAbove - 8.0F};
-    if (way.title != nullptr) {
-        page.fixed_words(
-            {inner.x, inner.y, inner.width, 40.0F},
+    std::vector<Words> lines;
+    if (way.title != nullptr)
+        lines.push_back(
             {.text = page.t(way.title), .size = 28.0F, .line = 38.0F, .bold = true, .colour = design::kInk});
-    }
-    page.words({inner.x, inner.y + head, inner.width, inner.height - head}, line);
+    lines.push_back({.text = page.t(way.line), .size = 26.0F, .line = 33.0F, .colour = design::kInk2});
+    add_paper(page, page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide, most}), lines);
 }
 
 // For who cannot point at the pot: a dot that goes up, down and round, and the brush.

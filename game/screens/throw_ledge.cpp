@@ -50,19 +50,10 @@ void teaching(Page& page, const std::string& text) {
     const int done = page.view().state.throwing.steps_done;
     if (page.shape() == Shape::kWide) {
         steps(page, 28.0F, y + 16.0F, 64.0F, done);
-        page.words(page.on_ledge({34.0F, y + 94.0F, 350.0F, 36.0F + growth(page).caption}),
-                   {.text = text, .size = 27.0F, .line = 34.0F, .bold = true, .align = along_ledge(page)});
-        return;
+    } else {
+        steps(page, 32.0F, y + (page.shape() == Shape::kTall ? 24.0F : 16.0F), 74.0F, done);
     }
-    const bool tall = page.shape() == Shape::kTall;
-    steps(page, 32.0F, y + (tall ? 24.0F : 16.0F), 74.0F, done);
-    page.words(page.on_ledge({282.0F, y + (tall ? 30.0F : 28.0F), page.width() - 314.0F,
-                              (tall ? 84.0F : 44.0F) + growth(page).caption}),
-               {.text = text,
-                .size = tall ? 32.0F : 30.0F,
-                .line = 42.0F,
-                .bold = true,
-                .align = along_ledge(page)});
+    add_step_caption(page, text, 350.0F, 282.0F);
 }
 
 // The wall's section with its thinnest place.

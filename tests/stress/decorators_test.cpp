@@ -236,10 +236,7 @@ TEST_F(Decorators, FindWhatTheyDrewAfterAPowerCut) {
     draw(between({at(-0.5, 0.0), at(0.4, -0.1)}));
     ASSERT_TRUE(kiosk.until([&] { return fs::exists(folder.path() / "state" / "drawing"); }, kSlowly));
     // The clay's journal is on the disk once a second of the wheel's own clock.
-    for (int i = 0; i < 250; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        kiosk.frame(0.01);
-    }
+    kiosk.passes(2.5);
     const test::TemporaryFolder after;
     fs::copy(folder.path(), after.path(), fs::copy_options::recursive);
     UnseenKiosk again(after.path());

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
 
-#include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/start_pot.h"
@@ -29,12 +27,6 @@ using kiosk::Button;
 using kiosk::JarStep;
 using kiosk::Screen;
 
-// ONGGI_LOOK=FOLDER: pictures of every step, large enough to be looked at.
-UnseenOptions options() {
-    if (std::getenv("ONGGI_LOOK") == nullptr) return {};
-    return {.plain = false, .width = 1280, .height = 720};
-}
-
 class MoonJar : public testing::Test {
   protected:
     void SetUp() override {
@@ -50,7 +42,7 @@ class MoonJar : public testing::Test {
         ASSERT_TRUE(kiosk.press(Button::kShelfNext, 4));
         ASSERT_TRUE(kiosk.press(Button::kTarget, value));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kJarStart; }, kSlowly));
-        look("1-start");
+        kiosk.look("1-start");
         ASSERT_TRUE(kiosk.press(Button::kBegin));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
         ASSERT_EQ(step(), JarStep::kFirstBowl);
@@ -77,12 +69,7 @@ class MoonJar : public testing::Test {
     }
     [[nodiscard]] fs::path state_folder() const { return app::state_folder(folder.path()); }
     // It is synced once a second.
-    void wait_for_journal() {
-        for (int i = 0; i < 250; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            kiosk.frame(0.01);
-        }
-    }
+    void wait_for_journal() { kiosk.passes(2.5); }
     void expect_bowl(double height_mm) {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.state().throwing.jar.is_bowl; }, kSlowly));
         EXPECT_TRUE(kiosk.until([&] { return std::fabs(kiosk.snapshot().pot->height_mm - height_mm) < 0.5; },
@@ -110,20 +97,9 @@ class MoonJar : public testing::Test {
         EXPECT_NEAR(heritage::off_round_mm(**jar), 3.0, 1.5) << "set on 3 mm to the side";
         EXPECT_NEAR((*jar)->lump().mass_g, 2.0 * clay::StudioLump{}.mass_g, 1e-9);
     }
-    void look(const std::string& name) {
-        const char* const into = std::getenv("ONGGI_LOOK");
-        if (into == nullptr) return;
-        for (int i = 0; i < 120; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            kiosk.frame(0.01);
-        }
-        const auto png = asset::encode_png(kiosk.picture());
-        ASSERT_TRUE(png);
-        ASSERT_TRUE(files::write_file_atomically(fs::path(into) / (name + ".png"), *png));
-    }
 
     const test::TemporaryFolder folder;
-    UnseenKiosk kiosk{folder.path(), options()};
+    UnseenKiosk kiosk{folder.path(), looked_at()};
     const heritage::Target* target = nullptr;
     std::mt19937 chance{7};
 };
@@ -161,15 +137,15 @@ struct AfterPowerCut {
 
 TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     throw_bowl();
-    look("2-bowl");
+    kiosk.look("2-bowl");
     const double first_mm = kiosk.snapshot().pot->height_mm;
     wait_for_journal();
     AfterPowerCut(folder.path()).expect_goes_on(JarStep::kFirstBowl, first_mm);
     end_bowl(JarStep::kAside);
-    look("3-aside");
+    kiosk.look("3-aside");
     ASSERT_TRUE(kiosk.press(Button::kDone));
     throw_bowl();
-    look("4-second");
+    kiosk.look("4-second");
     const double second_mm = kiosk.snapshot().pot->height_mm;
     wait_for_journal();
     AfterPowerCut(folder.path()).expect_goes_on(JarStep::kSecondBowl, second_mm);
@@ -178,15 +154,15 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     for (int mm = 0; mm < 3; ++mm)
         ASSERT_TRUE(kiosk.press(Button::kHandRight));
     EXPECT_EQ(kiosk.state().throwing.jar.shift_mm, 3);
-    look("5-join");
+    kiosk.look("5-join");
     ASSERT_TRUE(kiosk.press(Button::kJoinBowls));
     ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSeam; }, kSlowly));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm > 140.0; }, kSlowly));
-    look("6-seam");
+    kiosk.look("6-seam");
     EXPECT_EQ(kiosk.state().throwing.held, kiosk::Held::kRib);
     const double middle_mm = 0.5 * kiosk.snapshot().pot->height_mm;
     kiosk.stroke({{95.0, middle_mm - 8.0}, {84.0, middle_mm}, {84.0, middle_mm + 8.0}}, 2.0, chance);
-    look("7-smoothed");
+    kiosk.look("7-smoothed");
     const double jar_mm = kiosk.snapshot().pot->height_mm;
     wait_for_journal();
     AfterPowerCut(folder.path()).expect_goes_on(JarStep::kSeam, jar_mm);
@@ -197,11 +173,11 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     ASSERT_TRUE(kiosk.press(Button::kGlaze, 1));
     ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kYourPot; }, kSlowly));
-    look("8-your-pot");
+    kiosk.look("8-your-pot");
     ASSERT_TRUE(kiosk.press(Button::kKeep));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
                             kSlowly));
-    look("9-kept");
+    kiosk.look("9-kept");
     expect_made_of_its_bowls(nlohmann::json::parse(*note));
     EXPECT_FALSE(fs::exists(state_folder() / "jar.json")) << "it is on the shelf";
     EXPECT_FALSE(fs::exists(state_folder() / "jar-1.onggi"));

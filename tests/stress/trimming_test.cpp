@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
-#include "engine/files/atomic_file.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/start_pot.h"
 #include "game/app/kiosk/kiosk_gallery.h"
@@ -20,12 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using kiosk::Button;
 using kiosk::Screen;
-
-// ONGGI_LOOK=FOLDER: pictures, large enough to be looked at.
-UnseenOptions options() {
-    if (std::getenv("ONGGI_LOOK") == nullptr) return {};
-    return {.plain = false, .width = 1280, .height = 720};
-}
 
 class Trimming : public testing::Test {
   protected:
@@ -63,30 +55,19 @@ class Trimming : public testing::Test {
     [[nodiscard]] std::string session() const {
         return (folder.path() / today() / "pot-001" / "pot.onggi").string();
     }
-    void look(const std::string& name) {
-        const char* const into = std::getenv("ONGGI_LOOK");
-        if (into == nullptr) return;
-        for (int i = 0; i < 90; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            kiosk.frame(0.01);
-        }
-        const auto png = asset::encode_png(kiosk.picture());
-        ASSERT_TRUE(png);
-        ASSERT_TRUE(files::write_file_atomically(fs::path(into) / (name + ".png"), *png));
-    }
 
     const test::TemporaryFolder folder;
-    UnseenKiosk kiosk{folder.path(), options()};
+    UnseenKiosk kiosk{folder.path(), looked_at()};
     std::mt19937 chance{3};
 };
 
 TEST_F(Trimming, TakesWhatItSaysOffThePotThatIsKept) {
-    look("trim-1");
+    kiosk.look("trim-1");
     const double before_g = on_wheel_g();
     const double before_mm = wall_at(*kiosk.snapshot().pot, 6.0).outer_mm;
     shave(6.0, 5.0);
     shave(14.0, 4.0);
-    look("trim-2");
+    kiosk.look("trim-2");
     const int taken_g = kiosk.state().trimming.taken_g;
     EXPECT_GT(taken_g, 5);
     EXPECT_NEAR(before_g - on_wheel_g(), taken_g, 0.51);
@@ -133,10 +114,7 @@ TEST_F(Trimming, IsDoneByKeysToo) {
     const double before_g = on_wheel_g();
     for (int i = 0; i < 6; ++i) {
         kiosk.press_key(window::Key::kLeft);
-        for (int frame = 0; frame < 60; ++frame) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            kiosk.frame(0.01);
-        }
+        kiosk.passes(0.6);
     }
     EXPECT_LT(on_wheel_g(), before_g - 1.0);
     EXPECT_GT(kiosk.state().trimming.taken_g, 0);

@@ -6,14 +6,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <random>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "engine/asset/image.h"
+#include "engine/files/atomic_file.h"
 #include "game/app/kiosk/demonstrations.h"
 #include "game/app/kiosk/kiosk_sound.h"
 #include "game/app/kiosk/kiosk_staff.h"
@@ -42,6 +46,12 @@ struct UnseenOptions {
     std::function<int()> minute_of_day = app::minute_of_day;
     KioskSound::MakePlace loudspeaker = {};  // none: no sound
 };
+
+// ONGGI_LOOK=FOLDER: pictures of a visit's steps, large enough to be looked at; see UnseenKiosk::look().
+inline UnseenOptions looked_at() {
+    if (std::getenv("ONGGI_LOOK") == nullptr) return {};
+    return {.plain = false, .width = 1280, .height = 720};
+}
 
 class UnseenKiosk {
   public:
@@ -113,6 +123,24 @@ class UnseenKiosk {
     [[nodiscard]] double now_s() const { return now_s_; }
     // Where the last frame shows a place on the wheel, px.
     [[nodiscard]] std::optional<dvec2> seen(const dvec3& place_mm) const { return view_->project(place_mm); }
+    // So long by the clock on the wall, which the wheel and the keeper go by.
+    void passes(double seconds) {
+        constexpr double kFrameS = 0.01;
+        for (double since_s = 0.0; since_s < seconds; since_s += kFrameS) {
+            std::this_thread::sleep_for(std::chrono::duration<double>(kFrameS));
+            frame(kFrameS);
+        }
+    }
+    // Where somebody asked to see it: a picture of that name, of a scene at rest.
+    void look(const std::string& name) {
+        constexpr double kRestS = 1.2;
+        const char* const folder = std::getenv("ONGGI_LOOK");
+        if (folder == nullptr) return;
+        passes(kRestS);
+        const auto png = asset::encode_png(picture());
+        ASSERT_TRUE(png);
+        ASSERT_TRUE(files::write_file_atomically(std::filesystem::path(folder) / (name + ".png"), *png));
+    }
     // The last frame.
     [[nodiscard]] asset::Image picture() { return view_->read_back().value(); }
     // Frames until it is so; the clock of the visit goes by dt_s a frame. As long as there is patience.

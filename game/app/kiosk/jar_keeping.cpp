@@ -87,19 +87,11 @@ Result<haptic::History> JarKeeping::join(haptic::History& second, const JarJoin&
     return haptic::History(haptic::HapticState(std::move(*jar)), parameters_, {.aside = folder_});
 }
 
-// Their sessions stay on the disk until the journal of what goes on has caught up, or others take their
-// place.
-std::optional<haptic::History> JarKeeping::take_back() {
-    if (!first_ || second_) return std::nullopt;
-    std::optional<haptic::History> back(std::move(*first_));
-    first_.reset();
-    return back;
-}
-
-std::optional<haptic::History> JarKeeping::part() {
-    if (!second_) return std::nullopt;
-    std::optional<haptic::History> back(std::move(*second_));
-    second_.reset();
+// Its session stays on the disk until the journal of what goes on has caught up, or another takes its place.
+haptic::History JarKeeping::take_back() {
+    std::unique_ptr<haptic::History>& newest = second_ ? second_ : first_;
+    haptic::History back(std::move(*newest));
+    newest.reset();
     return back;
 }
 

@@ -48,9 +48,13 @@ class JarKeeping {
     // The history of the jar, which begins as the two are joined; the second bowl's is kept. Errors: as
     // rims_mm(), and then nothing has changed. Precondition: has_bowl().
     [[nodiscard]] Result<haptic::History> join(haptic::History& second, const JarJoin& join);
-    // What was done is taken back: that bowl's history, to go on with. None where there is none.
-    [[nodiscard]] std::optional<haptic::History> take_back();  // the first one's, before they are joined
-    [[nodiscard]] std::optional<haptic::History> part();       // the second one's
+    // What may be taken back: the first bowl before the two are joined, or the second one then; null: that
+    // one may not.
+    [[nodiscard]] const haptic::History* to_take_back(bool is_second) const {
+        return is_second == (second_ != nullptr) ? (is_second ? second_ : first_).get() : nullptr;
+    }
+    // That bowl's history, to go on with. Precondition: it may be taken back.
+    [[nodiscard]] haptic::History take_back();
     // The jar is gone from the wheel, and the first bowl waits for another second one.
     Result<void> drop_second();
     // Nothing of it stays, on the disk neither.

@@ -221,10 +221,7 @@ void KioskKeeper::apply(const Request& request) {
             join_now(request.join);
             break;
         case Request::Kind::kTakeBack:
-            go_on_with(jar_.take_back());
-            break;
-        case Request::Kind::kPartBowls:
-            go_on_with(jar_.part());
+            take_back_now(request.number == 2);
             break;
         case Request::Kind::kCutOff:
             give_back_memory();  // of throwing, and of a look into the pot

@@ -94,9 +94,11 @@ class KioskKeeper final : private jobs::IoWork {
     }
     // Both become one, on the wheel: kJoined, or kJarStays.
     void join_bowls(const JarJoin& join) { ask({.kind = Request::Kind::kJoinBowls, .join = join}); }
-    // The first bowl, or the second, is on the wheel again as it was. Answered by kNotPut where it is not.
-    void take_back() { ask({Request::Kind::kTakeBack}); }
-    void part_bowls() { ask({Request::Kind::kPartBowls}); }
+    // That bowl is on the wheel again as it was: the first one, or of a jar the second. Answered by kNotPut
+    // where it is not.
+    void take_back(int bowl) {
+        ask({.kind = Request::Kind::kTakeBack, .number = static_cast<std::uint64_t>(bowl)});
+    }
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
     void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
     void cut_off() { ask({Request::Kind::kCutOff}); }
@@ -163,7 +165,6 @@ class KioskKeeper final : private jobs::IoWork {
             kHoldTogether,
             kJoinBowls,
             kTakeBack,
-            kPartBowls,
             kCutOff,
             kBeginTrim,
             kKeepDrawing,
@@ -185,7 +186,7 @@ class KioskKeeper final : private jobs::IoWork {
             kKeepHouse
         };
         Kind kind = Kind::kUndo;
-        std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run
+        std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run; kTakeBack: 1 or 2
         int glaze = 0;
         JarJoin join{};
         std::shared_ptr<const std::vector<std::byte>> drawn{};
@@ -218,7 +219,7 @@ class KioskKeeper final : private jobs::IoWork {
     void set_aside_now();
     void hold_together_now(double mouth_mm);
     void join_now(const JarJoin& join);
-    void go_on_with(std::optional<haptic::History> history);
+    void take_back_now(bool is_second);
     void take_arriving(const haptic::TickRecord& record);
     void look_at_the_wall(std::int64_t now_ns);
     void show_wall(const Result<void>& changed);

@@ -95,7 +95,7 @@ void KioskKeeper::join_now(const JarJoin& join) {
     auto jar = jar_.join(history_, join);
     if (!jar) return answer({.kind = KeeperAnswer::Kind::kJarStays, .words = "jar: " + jar.error().message});
     if (!job_.put(std::make_unique<haptic::HapticState>(jar->state()), run_)) {
-        history_ = std::move(*jar_.part());
+        history_ = jar_.take_back();
         return answer({.kind = KeeperAnswer::Kind::kJarStays});
     }
     history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's is there
@@ -103,11 +103,11 @@ void KioskKeeper::join_now(const JarJoin& join) {
     answer({.kind = KeeperAnswer::Kind::kJoined});
 }
 
-// Puts what it came to on the wheel.
-void KioskKeeper::go_on_with(std::optional<haptic::History> history) {
-    if (!history || !job_.put(std::make_unique<haptic::HapticState>(history->state()), run_))
+void KioskKeeper::take_back_now(bool is_second) {
+    const haptic::History* const bowl = jar_.to_take_back(is_second);
+    if (bowl == nullptr || !job_.put(std::make_unique<haptic::HapticState>(bowl->state()), run_))
         return answer({.kind = KeeperAnswer::Kind::kNotPut});
-    arriving_ = std::move(history);
+    arriving_ = jar_.take_back();
 }
 
 // What is on the wheel from that tick on may be of another history than what was there before.

@@ -81,12 +81,7 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kTakeBack:
             wheel_.hand().release();
             wheel_.clay().expect_state(moment.snapshot);
-            parts_.keeper.take_back();
-            break;
-        case Effect::Kind::kPartBowls:
-            wheel_.hand().release();
-            wheel_.clay().expect_state(moment.snapshot);
-            parts_.keeper.part_bowls();
+            parts_.keeper.take_back(effect.value);
             break;
         case Effect::Kind::kCutRim:
             wheel_.hand().cut_rim();

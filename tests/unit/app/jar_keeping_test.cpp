@@ -123,6 +123,24 @@ TEST(JarKeeping, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
     EXPECT_EQ(bowl->history().ticks(), 40U);
 }
 
+TEST(JarKeeping, GivesBackTheBowlThatWasDoneLast) {
+    const test::TemporaryFolder folder;
+    JarKeeping jar = jar_in(folder.path());
+    EXPECT_EQ(jar.to_take_back(false), nullptr);
+    ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+    haptic::History second = history_of(bowl(51.0));
+    const std::uint64_t second_hash = second.state().hash();
+    EXPECT_EQ(jar.to_take_back(true), nullptr) << "there is no second one yet";
+    ASSERT_TRUE(jar.join(second, {}));
+    EXPECT_EQ(jar.to_take_back(false), nullptr) << "not while it is part of a jar";
+    ASSERT_NE(jar.to_take_back(true), nullptr);
+    EXPECT_EQ(jar.take_back().state().hash(), second_hash);
+    EXPECT_TRUE(jar.sessions().empty());
+    ASSERT_NE(jar.to_take_back(false), nullptr);
+    EXPECT_EQ(jar.take_back().ticks(), 40U);
+    EXPECT_FALSE(jar.has_bowl());
+}
+
 TEST(JarKeeping, LeavesNothingBehindWhenItIsForgotten) {
     const test::TemporaryFolder folder;
     JarKeeping jar = jar_in(folder.path());

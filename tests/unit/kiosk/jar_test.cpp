@@ -113,11 +113,11 @@ TEST(Jar, IsTakenBackStepByStep) {
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kUndo, 0}}));
     EXPECT_EQ(step_of(visitor), JarStep::kSeam) << "a move of the rib, if there was one";
     visitor.does(Kind::kUndoneAll);
-    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kPartBowls, 0}}));
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 2}}));
     EXPECT_EQ(step_of(visitor), JarStep::kSecondBowl);
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
     visitor.does(Kind::kUndoneAll);
-    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 0}}));
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 1}}));
     EXPECT_EQ(step_of(visitor), JarStep::kFirstBowl);
     visitor.does(Kind::kUndoneAll);
     EXPECT_TRUE(visitor.last.empty());
@@ -133,7 +133,7 @@ TEST(Jar, IsTakenBackFromTheJoinAndFromTheBowlThatWaits) {
     visitor = a_visitor();
     visitor.chooses_a_jar(kJar).presses(Button::kBegin).ends_a_bowl().does(Kind::kSetAside);
     visitor.presses(Button::kUndo);
-    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 0}}));
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 1}}));
     EXPECT_EQ(step_of(visitor), JarStep::kFirstBowl);
 }
 
