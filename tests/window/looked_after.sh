@@ -42,6 +42,9 @@ wait "$kiosk" || status=$?
 logged '^onggi: crash: SIGSEGV from process [0-9]+ in thread onggi of onggi [0-9.]+ \('
 [ "$(grep -cE '^/.*\(.*\) ?\[0x[0-9a-f]+\]$' kiosk.log)" -ge 5 ] || fail "expected a backtrace"
 logged '^onggi: crash: the session that led there: /.*/gallery/state/visit-[12]\.onggi\.part$'
+logged '^onggi: the kiosk ended with exit code 1$'
+EXPECTED=1 says '"state": "fell"' '"it ended with an error, or died"'
+grep -q '^onggi_up 0$' metrics/onggi.prom || fail "expected metrics that say it is down"
 logged '^onggi: crash: kept as gallery/faults/crash-1\.onggi, which onggi replay works out again$'
 "$onggi" replay gallery/faults/crash-1.onggi --validate || fail "expected the session of the crash to replay"
 

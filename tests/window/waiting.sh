@@ -9,7 +9,11 @@ wait_for() {
     shift
     for _ in $(seq 600); do
         "$@" >/dev/null 2>&1 && return
-        kill -0 "$kiosk" 2>/dev/null || fail "the program ended while waiting for $what"
+        if ! kill -0 "$kiosk" 2>/dev/null; then
+            local status=0
+            wait "$kiosk" || status=$?
+            fail "the program ended with exit code $status while waiting for $what"
+        fi
         sleep 0.1
     done
     fail "no $what after a minute"

@@ -31,6 +31,7 @@
 #include "game/app/system/restart.h"
 #include "game/app/system/service.h"
 #include "game/app/system/start_log.h"
+#include "game/app/system/wall_clock.h"
 #include "game/haptic/job.h"
 #include "game/kiosk/spoken.h"
 #include "game/screens/legibility.h"
@@ -75,6 +76,13 @@ struct Beside {
     const wheel::LiveView& view;
     PictureNote* picture;  // null: what this run comes to is no rule
 };
+
+// With what the command line says in place of the file's words.
+Result<KioskSettings> settings_of(const KioskOptions& options) {
+    auto settings = load_settings(options.config, options.other_config);
+    if (settings && !options.gallery.empty()) settings->config.gallery.folder = options.gallery;
+    return settings;
+}
 
 Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
                         const Beside& beside) {
@@ -125,10 +133,9 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
 enum class KioskEnd { kDone, kStartAnew };
 
 Result<KioskEnd> open_kiosk(const KioskOptions& options) {
-    auto settings = load_settings(options.config, options.other_config);
+    auto settings = settings_of(options);
     if (!settings) return settings.error();
     note_end_signals(settings->rules.locked);
-    if (!options.gallery.empty()) settings->config.gallery.folder = options.gallery;
     take_kept_house(*settings);
     const jobs::CoreChoice core = leave_haptic_core();
     StartKeeper starts(state_folder(settings->config.gallery.folder));
@@ -224,6 +231,16 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     return end;
 }
 
+// The kiosk under this supervisor is no more: for the journal, and for who asks for its status from afar.
+void tell_of_end(const KioskOptions& options, int exit_code) {
+    remark(fmt::format("the kiosk ended with exit code {}", exit_code));
+    if (exit_code == 0) return;
+    const auto settings = settings_of(options);
+    if (!settings) return;  // the kiosk has said why
+    if (auto told = KioskHeartbeat(settings->config).end_after_fall(wall_clock_s()); !told)
+        warn(told.error().message);
+}
+
 // With the exit code to end with, where the process cannot be taken over.
 int begin_anew() {
     static_cast<void>(report(start_anew()));
@@ -261,6 +278,7 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
         const bool lets_devices_push = options->device != "mouse";
         if (lets_devices_push) {
             if (const auto end = supervise_devices()) {
+                if (*end != kRestartExitCode) tell_of_end(*options, *end);
                 exit_status = *end == kRestartExitCode ? begin_anew() : *end;
                 return;
             }

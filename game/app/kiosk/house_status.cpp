@@ -73,7 +73,7 @@ std::vector<std::string> complaints_of(const HouseStatus& status, double least_f
             complaints.emplace_back("it was ended");
             break;
         case State::kFell:
-            complaints.emplace_back("it ended with an error");
+            complaints.emplace_back("it ended with an error, or died");
             break;
         case State::kRunning: {
             const StatusNote& note = *status.note;
@@ -96,6 +96,17 @@ std::vector<std::string> complaints_of(const HouseStatus& status, double least_f
 
 fs::path status_file(const fs::path& gallery) {
     return state_folder(gallery) / "status.json";
+}
+
+Result<std::optional<StatusNote>> read_status_note_of(const fs::path& gallery) {
+    const fs::path file = status_file(gallery);
+    std::error_code error;
+    if (!fs::exists(file, error)) return std::optional<StatusNote>();
+    const auto text = files::read_file(file, kMostNoteBytes);
+    if (!text) return text.error();
+    auto note = read_status_note(*text, file.string());
+    if (!note) return note.error();
+    return std::optional(std::move(*note));
 }
 
 const char* name_of(HouseStatus::State state) {
@@ -122,14 +133,9 @@ Result<HouseStatus> look_at_house(const kiosk::Config& config, std::int64_t now_
         if (auto may = may_look_into(folder); !may) return may.error();
 
     HouseStatus status{.name = config.staff.name, .now_s = now_s, .day = day_of(now_s)};
-    std::error_code error;
-    if (const fs::path file = status_file(gallery); fs::exists(file, error)) {
-        const auto text = files::read_file(file, kMostNoteBytes);
-        if (!text) return text.error();
-        auto note = read_status_note(*text, file.string());
-        if (!note) return note.error();
-        status.note = std::move(*note);
-    }
+    auto note = read_status_note_of(gallery);
+    if (!note) return note.error();
+    status.note = std::move(*note);
     StartLog starts;
     if (auto log = read_start_log_of(state_folder(gallery))) {
         starts = std::move(*log);

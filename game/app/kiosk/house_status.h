@@ -20,9 +20,9 @@ struct HouseStatus {
     enum class State {
         kNeverStarted,  // no heartbeat lies there
         kRunning,
-        kSilent,  // no heartbeat for kSilentAfterS: it hangs, or was killed
+        kSilent,  // no heartbeat for kSilentAfterS: it hangs, or was cut off with its supervisor
         kEnded,   // as was meant
-        kFell,    // it ended with an error
+        kFell,    // it ended with an error, or died and its supervisor said so
     };
     struct Fault {
         std::filesystem::path session;  // which `onggi replay` works out again
@@ -63,5 +63,7 @@ struct HouseStatus {
     return gallery / "faults";
 }
 [[nodiscard]] std::filesystem::path status_file(const std::filesystem::path& gallery);
+// The heartbeat that lies there; nothing: none does. Errors: of reading it.
+[[nodiscard]] Result<std::optional<StatusNote>> read_status_note_of(const std::filesystem::path& gallery);
 
 }  // namespace onggi::app

@@ -38,6 +38,14 @@ Result<void> KioskHeartbeat::end(std::int64_t now_s) {
     return write(now_s);
 }
 
+Result<void> KioskHeartbeat::end_after_fall(std::int64_t now_s) {
+    auto note = read_status_note_of(config_.gallery.folder);
+    if (!note) return note.error();
+    if (!*note || (*note)->has_ended) return {};
+    note_ = std::move(**note);
+    return end(now_s);
+}
+
 Result<void> KioskHeartbeat::write(std::int64_t now_s) {
     std::error_code ignored;  // write_file_atomically() says what is wrong
     const std::filesystem::path file = status_file(config_.gallery.folder);

@@ -22,6 +22,9 @@ class KioskHeartbeat {
     Result<void> beat(const KioskPulse& pulse, std::int64_t now_s);
     // The program ends; nothing where it had not begun.
     Result<void> end(std::int64_t now_s);
+    // For a supervisor, after the death of its child, which could not say so itself; nothing where it had
+    // said so or had not begun.
+    Result<void> end_after_fall(std::int64_t now_s);
 
   private:
     Result<void> write(std::int64_t now_s);

@@ -140,6 +140,20 @@ TEST_F(AHouse, KnowsAFallFromAnEnd) {
     EXPECT_EQ(look(kNoonS + 2).state, State::kEnded);
 }
 
+TEST_F(AHouse, IsToldByASupervisorThatTheProgramDied) {
+    ASSERT_TRUE(KioskHeartbeat(config_).end_after_fall(kNoonS)) << "it had not begun";
+    EXPECT_EQ(look(kNoonS).state, State::kNeverStarted);
+    StartKeeper starts(state_folder(config_.gallery.folder));
+    std::vector<std::string> remarks;
+    static_cast<void>(starts.begin_now(remarks));
+    ASSERT_TRUE(KioskHeartbeat(config_).beat(busy_pulse(), kNoonS));
+    ASSERT_TRUE(KioskHeartbeat(config_).end_after_fall(kNoonS + 1));
+    EXPECT_EQ(look(kNoonS + 2).state, State::kFell) << "at once, not when the next heartbeat is late";
+    EXPECT_EQ(look(kNoonS + 2).note->at_s, kNoonS + 1);
+    ASSERT_TRUE(KioskHeartbeat(config_).end_after_fall(kNoonS + 9));
+    EXPECT_EQ(look(kNoonS + 9).note->at_s, kNoonS + 1) << "it was said before";
+}
+
 TEST_F(AHouse, CountsTodayAndNamesTheNewestFaults) {
     const fs::path statistics = statistics_folder(config_);
     ASSERT_TRUE(note_visit(statistics, {.dwell_s = 300, .thrown = true, .kept = 2}, kNoonS));
