@@ -11,6 +11,7 @@
 #include "engine/render/scene.h"
 #include "game/pot/pot.h"
 #include "game/wheel/camera_motion.h"
+#include "game/wheel/shavings.h"
 #include "game/wheel/tool_pose.h"
 #include "game/wheel/workshop_files.h"
 
@@ -43,6 +44,16 @@ struct Tool {
     ToolSight sight{};
     ToolPose pose{};
     bool as_ball = true;
+};
+
+// What fell from a trimmer.
+struct Shaved {
+    Shavings shavings{};
+};
+
+// What is not in the photographs of the bench because it can be taken from it.
+struct OnBench {
+    bool rib = false;
 };
 
 // The wire that cuts the pot off, or its rim.

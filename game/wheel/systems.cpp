@@ -55,6 +55,7 @@ ecs::Schedule<FrameContext> wheel_schedule() {
         .add(ecs::Phase::kReceive, "receive wheel", receive_wheel)
         .add(ecs::Phase::kReceive, "receive tools", receive_tools)
         .add(ecs::Phase::kAnimate, "move tools", move_tools)
+        .add(ecs::Phase::kAnimate, "move shavings", move_shavings)
         .add(ecs::Phase::kAnimate, "move camera", move_camera)
         .add(ecs::Phase::kAnimate, "pass time of day", pass_time_of_day)
         .add(ecs::Phase::kExtract, "extract camera", extract_camera)

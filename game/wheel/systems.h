@@ -26,6 +26,7 @@ void receive_tools(ecs::Registry& registry, FrameContext& context);  // tool_sys
 
 // kAnimate: what eases in time.
 void move_tools(ecs::Registry& registry, FrameContext& context);
+void move_shavings(ecs::Registry& registry, FrameContext& context);
 void move_camera(ecs::Registry& registry, FrameContext& context);  // camera_systems.cpp has the camera's
 void pass_time_of_day(ecs::Registry& registry, FrameContext& context);
 

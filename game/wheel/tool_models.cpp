@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,7 +18,7 @@
 namespace onggi::wheel {
 namespace {
 
-constexpr std::array<const char*, kToolModels - 1> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
+constexpr std::array<const char*, kToolModels - 2> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
                                                           "trimmer",    "stick",      "wire"};
 // A tool of more triangles than this would cost a software renderer its frame.
 constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
@@ -94,6 +95,43 @@ render::PropModel wooden_ball() {
     return model;
 }
 
+// A ribbon of clay coiled twice, both faces of it.
+render::PropModel curl() {
+    constexpr int kSteps = 26;
+    constexpr float kTurns = 2.0F;
+    constexpr float kWideMm = 5.0F;
+    constexpr float kAdvanceMm = 11.0F;  // along the axis, over all turns
+    constexpr float kFirstMm = 4.4F;     // radius, which shrinks
+    constexpr float kLastMm = 2.8F;
+    render::PropMesh mesh;
+    for (const float face : {1.0F, -1.0F}) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (int step = 0; step <= kSteps; ++step) {
+            const float along = static_cast<float>(step) / kSteps;
+            const float angle = 2.0F * std::numbers::pi_v<float> * kTurns * along;
+            const vec3 out(0.0F, std::cos(angle), std::sin(angle));
+            for (const float edge : {-0.5F, 0.5F}) {
+                const vec3 at = glm::mix(kFirstMm, kLastMm, along) * out +
+                                vec3(kAdvanceMm * (along - 0.5F) + kWideMm * edge, 0.0F, 0.0F);
+                mesh.vertices.push_back({.position_mm = at, .normal = face * out, .smear = 255});
+            }
+        }
+        for (std::uint32_t quad = first; quad < first + 2 * kSteps; quad += 2) {
+            const std::array<std::uint32_t, 6> outside{quad,     quad + 2, quad + 1,
+                                                       quad + 1, quad + 2, quad + 3};
+            for (std::size_t i = 0; i < outside.size(); i += 3) {
+                mesh.indices.push_back(outside[i]);
+                mesh.indices.push_back(outside[i + (face > 0.0F ? 1 : 2)]);
+                mesh.indices.push_back(outside[i + (face > 0.0F ? 2 : 1)]);
+            }
+        }
+    }
+    render::PropModel model;
+    model.meshes.push_back(std::move(mesh));
+    render::measure(model);
+    return model;
+}
+
 }  // namespace
 
 std::shared_ptr<const render::PropLibrary> ball_alone() {
@@ -107,6 +145,7 @@ Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::f
         if (!model) return model.error();
         library->push_back(std::move(*model));
     }
+    library->push_back(curl());
     for (std::size_t i = 0; i < kToolModels; ++i)
         library->push_back(mirrored((*library)[i]));
     return std::shared_ptr<const render::PropLibrary>(std::move(library));

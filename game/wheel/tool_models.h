@@ -22,10 +22,14 @@ enum class ToolModel : std::size_t {
     kTrimmer,
     kStick,
     kWire,
+    kCurl,  // a shaving, about its origin, its axis along X
     kCount,
 };
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
 constexpr float kBallRadiusMm = 10.0F;
+
+// Where the rib lies on the bench of assets/workshop, which has room for it.
+constexpr dvec3 kRibOnBenchMm{268.0, -22.0, -58.0};
 
 // The place of a model, or of its mirror image in z, which a left hand leads.
 [[nodiscard]] constexpr std::size_t library_place(ToolModel model, bool left) {

@@ -42,21 +42,29 @@ double mouth_radius(const pot::Pot& pot) {
     return pot.inner_mm.empty() ? 0.0 : double{pot.inner_mm.back()};
 }
 
+// Leaning on the cup to the right of the wheel.
+mat4 rib_on_bench() {
+    dmat4 place = glm::translate(dmat4(1.0), kRibOnBenchMm);
+    place = glm::rotate(place, -0.35, dvec3(0.0, 1.0, 0.0));
+    return mat4(glm::rotate(place, 0.28, dvec3(0.0, 0.0, 1.0)));
+}
+
 ToolSight sight_of(const pot::Pot& pot, const HandView& hand, bool is_assistant) {
     const bool inside = hand.side == clay::studio::Side::kIn;
-    return {.centre_mm = hand.position_mm,
-            .radius_mm = hand.radius_mm,
-            .kind = hand.tool,
-            .side = hand.side,
-            // Nobody's hand belongs in the kiln, nor to a pot that comes out of it.
-            .shown = hand.shown && pot.stage == clay::Firing::kWet,
-            .touching = hand.touching,
-            .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.outer_mm, hand.position_mm.y),
-            .mouth_radius_mm = mouth_radius(pot),
-            .is_assistant = is_assistant,
-            .below_rim_mm = pot.height_mm - hand.position_mm.y,
-            .guided = hand.guided,
-            .digs = hand.digs};
+    return {
+        .centre_mm = hand.position_mm,
+        .radius_mm = hand.radius_mm,
+        .kind = hand.tool,
+        .side = hand.side,
+        // Nobody's hand belongs in the kiln, nor to a pot that comes out of it. What is trimmed is dry.
+        .shown = hand.shown && (pot.stage == clay::Firing::kWet || hand.tool == clay::StudioTool::kTrimmer),
+        .touching = hand.touching,
+        .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.outer_mm, hand.position_mm.y),
+        .mouth_radius_mm = mouth_radius(pot),
+        .is_assistant = is_assistant,
+        .below_rim_mm = pot.height_mm - hand.position_mm.y,
+        .guided = hand.guided,
+        .digs = hand.digs};
 }
 
 }  // namespace
@@ -74,10 +82,24 @@ void receive_tools(ecs::Registry& registry, FrameContext& context) {
         wire.shown = shown.wire_shown;
         wire.height_mm = shown.wire_height_mm;
     });
+    registry.each<OnBench>([&](ecs::Entity, OnBench& bench) { bench.rib = shown.rib_on_bench; });
 }
 
 void move_tools(ecs::Registry& registry, FrameContext& context) {
     registry.each<Tool>([&](ecs::Entity, Tool& tool) { tool.pose.follow(tool.sight, context.dt_s); });
+}
+
+void move_shavings(ecs::Registry& registry, FrameContext& context) {
+    const WheelView& shown = *context.shown;
+    bool moves_less = false;
+    registry.each<PhotographedRoom>(
+        [&](ecs::Entity, const PhotographedRoom& room) { moves_less = moves_less || room.moves_less; });
+    registry.each<Shaved>([&](ecs::Entity, Shaved& shaved) {
+        shaved.shavings.follow({.shaved_mm3 = shown.shaved_mm3,
+                                .from_mm = shown.shaved_at_mm,
+                                .wheel_speed_rad_s = shown.wheel_speed_rad_s},
+                               context.dt_s, moves_less);
+    });
 }
 
 void extract_tools(ecs::Registry& registry, FrameContext& context) {
@@ -114,8 +136,17 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
             add(shown.model, shown.left, shown.place);
         scene.spheres.insert(scene.spheres.end(), picture.shadows.begin(), picture.shadows.end());
     });
+    if (!has_tools) return;
+    registry.each<OnBench>([&](ecs::Entity, const OnBench& bench) {
+        if (bench.rib) add(ToolModel::kRib, false, rib_on_bench());
+    });
+    wetness = 0.0F;  // what is trimmed has dried
+    registry.each<Shaved>([&](ecs::Entity, const Shaved& shaved) {
+        for (const mat4& place : shaved.shavings.places())
+            add(ToolModel::kCurl, false, place);
+    });
     registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
-        if (!wire.shown || !has_tools) return;
+        if (!wire.shown) return;
         // Across the picture, so that it is seen to pass under the pot.
         constexpr double kAcross = 1.5707963267948966;
         add(ToolModel::kWire, false, placed({0.0, wire.height_mm, 0.0}, kAcross, 0.0));

@@ -18,6 +18,8 @@ WheelScene::WheelScene(std::shared_ptr<const Workshop> workshop, RoomModel model
     second_tool_ = registry_.create();
     registry_.add(second_tool_, Tool{.sight = {.shown = false, .is_assistant = true}});
     registry_.add(registry_.create(), Wire{});
+    registry_.add(registry_.create(), Shaved{});
+    registry_.add(registry_.create(), OnBench{});
     shelf_ = registry_.create();
     registry_.add(shelf_, ToolShelf{ball_alone()});
     camera_ = registry_.create();

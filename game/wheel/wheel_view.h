@@ -34,6 +34,11 @@ struct WheelView {
     clay::studio::Cause peak_load_cause = clay::studio::Cause::kNone;
     HandView hand{};
     HandView second_hand{.shown = false};
+    // What a trimmer has cut off since it was taken up, and where it does: shavings fall from there, and lie
+    // about until there is none.
+    double shaved_mm3 = 0.0;
+    dvec3 shaved_at_mm{0.0};
+    bool rib_on_bench = false;  // of the photographed workshop, against the cup
     bool wire_shown = false;
     double wire_height_mm = 0.0;
     dvec2 wheel_direction{1.0,

@@ -4,6 +4,7 @@
 //   frame/WxH, frame/WxH/rough      at rest; rough: 150 grooves, of a pixel each at 1280x720
 //   frame/1280x720/view_change, /evening     while another view is made and fades in, while the light changes
 //   frame/WxH/drawn                 while a finger draws on the pot, its new point laid in the same frame
+//   frame/1280x720/trimmed          shavings fly, the rib lies on the bench
 //   frame_by/...                    against what is in the picture, and how fine it is
 //   frame_cost/BACKEND/WxH          what a frame asks of the device, as the processor draws and on a GPU's
 //   steps frame_parts/1280x720            its parts, by the device's clock and by the host's
@@ -128,6 +129,7 @@ const bool added = [] {
     add("frame/1280x720/view_change", {}, changing_view());
     add("frame/1280x720/evening", {}, dimming());
     add("frame/1280x720/drawn", {.with_hands = false, .is_drawn_on = true});
+    add("frame/1280x720/trimmed", {.is_trimmed = true});
     add("frame/1920x1080/drawn", {.width = 1920, .height = 1080, .with_hands = false, .is_drawn_on = true});
     add("frame/1920x1080", {.width = 1920, .height = 1080});
     add("frame/1920x1080/view_change", {.width = 1920, .height = 1080}, changing_view());

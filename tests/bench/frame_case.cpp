@@ -146,10 +146,14 @@ wheel::WheelView FrameCase::shown() const {
     const double angle = 0.2 * static_cast<double>(number_);
     const double height_mm = 110.0 + 30.0 * std::sin(0.02 * static_cast<double>(number_));
     const double wall_mm = outer_at(height_mm);
+    constexpr double kTurnsRadS = 12.0;
+    const double shaved_mm3 =
+        desc_.is_trimmed ? wheel::Shavings::kCurlMm3 * static_cast<double>(number_) : 0.0;
     return {.pot = &pot_,
             .marks = canvas_ ? &marks_.marks() : nullptr,
             .hand = {.position_mm = {wall_mm + kHandMm, height_mm, 0.0},
                      .radius_mm = kHandMm,
+                     .tool = desc_.is_trimmed ? clay::StudioTool::kTrimmer : clay::StudioTool::kHand,
                      .side = clay::studio::Side::kOut,
                      .shown = desc_.with_hands,
                      .touching = true},
@@ -158,8 +162,12 @@ wheel::WheelView FrameCase::shown() const {
                             .side = clay::studio::Side::kIn,
                             .shown = desc_.with_hands,
                             .touching = true},
+            .shaved_mm3 = shaved_mm3,
+            .shaved_at_mm = {wall_mm, height_mm, 0.0},
+            .rib_on_bench = desc_.is_trimmed,
             .wheel_direction = {std::cos(angle), std::sin(angle)},
-            .wheel_turning = true};
+            .wheel_turning = true,
+            .wheel_speed_rad_s = kTurnsRadS};
 }
 
 Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {

@@ -39,6 +39,19 @@ class Trimming : public testing::Test {
         const double x_mm = wall_at(pot, from_top_mm).outer_mm;
         kiosk.stroke({{x_mm + 1.0, y_mm}, {x_mm - in_mm, y_mm}, {x_mm - in_mm, y_mm}}, 1.5, chance);
     }
+    // Pictures of the trimmer that deep in the wall.
+    void look_at_work(double from_top_mm, double in_mm) {
+        const pot::Pot& pot = *kiosk.snapshot().pot;
+        const auto px =
+            kiosk.seen({wall_at(pot, from_top_mm).outer_mm - in_mm, pot.height_mm - from_top_mm, 0.0});
+        ASSERT_TRUE(px);
+        kiosk.point(px->x, px->y);
+        kiosk.hold(true);
+        for (const char* name : {"trim-shaving-1", "trim-shaving-2", "trim-shaving-3"})
+            kiosk.look(name, 0.3);
+        kiosk.hold(false);
+        kiosk.frame();
+    }
     [[nodiscard]] double on_wheel_g() {
         return kiosk.snapshot().on_wheel_mm3 * clay::studio::kDensityGPerMm3;
     }
@@ -68,6 +81,7 @@ TEST_F(Trimming, TakesWhatItSaysOffThePotThatIsKept) {
     shave(6.0, 5.0);
     shave(14.0, 4.0);
     kiosk.look("trim-2");
+    look_at_work(10.0, 6.0);
     const int taken_g = kiosk.state().trimming.taken_g;
     EXPECT_GT(taken_g, 5);
     EXPECT_NEAR(before_g - on_wheel_g(), taken_g, 0.51);

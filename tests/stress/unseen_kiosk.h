@@ -131,12 +131,11 @@ class UnseenKiosk {
             frame(kFrameS);
         }
     }
-    // Where somebody asked to see it: a picture of that name, of a scene at rest.
-    void look(const std::string& name) {
-        constexpr double kRestS = 1.2;
+    // Where somebody asked to see it: a picture of that name, of a scene at rest after so long.
+    void look(const std::string& name, double rest_s = 1.2) {
         const char* const folder = std::getenv("ONGGI_LOOK");
         if (folder == nullptr) return;
-        passes(kRestS);
+        passes(rest_s);
         const auto png = asset::encode_png(picture());
         ASSERT_TRUE(png);
         ASSERT_TRUE(files::write_file_atomically(std::filesystem::path(folder) / (name + ".png"), *png));

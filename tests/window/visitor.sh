@@ -71,7 +71,7 @@ look_at_memory() {
 }
 # A screen is there when the title says so; its cross-fade is over a quarter of a second later.
 on_screen() {
-    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm| - [0-9]+ strokes)?( .[0-9]+.)?\$"
+    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm| - [0-9]+ strokes| - [0-9]+ g)?( .[0-9]+.)?\$"
     sleep 0.6
     [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
@@ -144,7 +144,7 @@ take() {
     fi
 }
 # Of a title: "Onggi - throw" of "Onggi - throw - 1 of 3, 56 mm [4]".
-screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ .[0-9]+.$//' <<<"$1"; }
+screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ - [0-9]+ g//; s/ .[0-9]+.$//' <<<"$1"; }
 has_come_to() { [[ "$(title)" = "Onggi - $1"* ]]; }
 # To the choice of pots, with the visitor's own hand.
 begin_visit() {
@@ -182,22 +182,36 @@ decorate_the_pot() {
     wait_for "a stroke" has_strokes 1
     on_screen decorate
 }
-# Where the foot has clay to spare it may be turned; this visitor leaves it.
+# Where the foot has clay to spare it may be turned, of the pot that stood TOP mm high; by one switch it is left as it is.
 is_dry() { has_come_to trim || has_come_to decorate; }
-leave_the_foot() {
-    local trimming=trim
-    [ "$hand" = switch ] && trimming=trim-scan
+is_lighter() { [[ "$(title)" =~ ^Onggi\ -\ trim\ -\ ([0-9]+)\ g ]] && [ "${BASH_REMATCH[1]}" -ge "$1" ]; }
+shave() {  # from off the wall inwards, where the belt shines
+    case $hand in
+    keys) keys Left ;;
+    *) stroke 2 "80 $(($1 - 12))" "46 $(($1 - 12))" ;;
+    esac
+}
+turn_the_foot() {
     wait_for "a dry pot" is_dry
     if has_come_to trim; then
         on_screen trim
-        press $trimming skip
+        if [ "$hand" = switch ]; then
+            press trim-scan skip
+        else
+            work_until "a foot that was turned" "is_lighter 5" shave "$1"
+            on_screen trim
+            title
+            press trim-taken done
+        fi
     fi
     on_screen decorate
 }
 # From the wheel to the shelf, where what was thrown has to be a pot; and out of the kiosk.
 keep_the_pot() {
+    local top
+    top=$(clay_mm)
     press $throwing done
-    on_screen firing; leave_the_foot
+    on_screen firing; turn_the_foot "$top"
     decorate_the_pot
     press $decorating done
     on_screen firing; on_screen glaze

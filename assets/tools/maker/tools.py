@@ -61,7 +61,7 @@ def trimmer():
                        bone(out * 24.0, out * 34.0, 1.9)], 2.0)
     ferrule = bone(out * 33.0, out * 47.0, 4.3, 5.0)
     handle = solid.chain([out * 47.0, out * 66.0, out * 110.0, out * 158.0], (5.2, 6.9, 7.6, 5.4))
-    low, high = vector(-30, -20, -20), vector(160, 100, 110)
+    low, high = vector(-30, -80, -20), vector(160, 20, 110)  # the handle hangs down, and is not cut off
     return [skin.part("steel", loop, low, vector(60, 60, 60), 0.7, 900, _wet_end(26)),
             skin.part("brass", ferrule, low, high, 1.3, 220),
             skin.part("dark timber", handle, low, high, 1.8, 520, lambda p: 0.35 * np.ones(len(p)), _grain)]

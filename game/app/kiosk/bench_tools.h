@@ -4,15 +4,19 @@
 #include <optional>
 #include <vector>
 
-#include "game/kiosk/state.h"
+#include "game/app/kiosk/visit_parts.h"
 #include "game/screens/view.h"
-#include "game/wheel/live_view.h"
 
 namespace onggi::app {
 
+// Whether that room is what visitors see: a museum's own has another bench.
+[[nodiscard]] bool has_bench(const VisitParts& parts);
+// The rib is drawn there while nobody holds it; the others are in the photographs.
+[[nodiscard]] bool rib_lies_there(const VisitParts& parts, const kiosk::State& state);
+
 // Where they are seen now, each with room for a finger; none from above, where the bench is out of the
 // picture.
-[[nodiscard]] std::vector<screens::BenchTool> bench_tools(const wheel::LiveView& view, bool looks_in);
+[[nodiscard]] std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state);
 
 // The one under a finger there.
 [[nodiscard]] std::optional<kiosk::Held> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "game/app/kiosk/bench_tools.h"
 #include "game/app/kiosk/snapshot_view.h"
 #include "game/app/system/report.h"
 
@@ -114,6 +115,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     drawing_.show(shown);
     jar_.show(shown, moment.snapshot);
     trim_.show(shown, moment.snapshot);
+    shown.rib_on_bench = rib_lies_there(parts_, state_);
     const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
@@ -159,6 +161,8 @@ void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
     if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone)
         title += fmt::format(" - {} of {}, {:.0f} mm{}", shown.throwing.steps_done, kiosk::kTeachingSteps,
                              clay_mm, shown.throwing.shown ? ", shown" : "");
+    if (shown.screen == Screen::kTrim && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} g", state_.trimming.taken_g);
     if (shown.screen == Screen::kDecorate && shown.panel == Panel::kNone)
         title += fmt::format(" - {} strokes", state_.decorating.strokes);
     if (input_.pointer().focus() >= 0) title += " [" + std::to_string(input_.pointer().focus()) + "]";

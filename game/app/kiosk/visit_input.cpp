@@ -118,7 +118,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
 // What lies on the bench is taken by touching it.
 bool VisitInput::pick_up(vec2 px) {
     if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
-    const auto held = bench_tool_at(bench_tools(parts_.view, flow_.state().throwing.looks_in), px);
+    const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
     if (held) flow_.dispatch(Event::pressed(Button::kTakeTool, static_cast<int>(*held)));
     return held.has_value();
 }

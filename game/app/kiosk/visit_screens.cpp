@@ -69,8 +69,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     add_scene(view, state, moment.snapshot);
     add_aside(view);
     add_wire(view, moment.snapshot, wire_mm);
-    if (state.screen == kiosk::Screen::kThrow && state.throwing.tray)
-        view.bench = bench_tools(parts_.view, state.throwing.looks_in);
+    if (state.screen == kiosk::Screen::kThrow && state.throwing.tray) view.bench = bench_tools(parts_, state);
     if (state.panel == kiosk::Panel::kStaff) {
         desk_.add_to(view, moment.snapshot);
     } else {

@@ -58,6 +58,8 @@ void VisitTrim::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) 
     shown.hand.shown = shown.hand.guided = true;
     shown.hand.digs = false;
     shown.hand.touching = works;
+    shown.shaved_mm3 = std::max(0.0, begun_mm3_ - snapshot.on_wheel_mm3);
+    shown.shaved_at_mm = {at_mm.x, at_mm.y, 0.0};
 }
 
 }  // namespace onggi::app

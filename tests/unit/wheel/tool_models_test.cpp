@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -41,6 +42,22 @@ TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
         }
         EXPECT_LT(nearest, 8.0F) << static_cast<std::size_t>(tool);
     }
+}
+
+TEST(ToolModels, AreWholeToTheEndsOfTheirHandles) {
+    const auto library = load_tool_models(test::in_checkout("assets/tools"));
+    ASSERT_TRUE(library) << library.error().message;
+    const auto reach_mm = [&](ToolModel tool) {
+        float farthest = 0.0F;
+        for (const render::PropMesh& mesh : (**library)[library_place(tool, false)].meshes) {
+            for (const render::PropMesh::Vertex& vertex : mesh.vertices)
+                farthest = std::max(farthest, glm::length(vertex.position_mm));
+        }
+        return farthest;
+    };
+    EXPECT_GT(reach_mm(ToolModel::kTrimmer), 155.0F);
+    EXPECT_GT(reach_mm(ToolModel::kStick), 290.0F);
+    EXPECT_GT(reach_mm(ToolModel::kWire), 190.0F);
 }
 
 TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {

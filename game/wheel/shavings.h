@@ -1,0 +1,52 @@
+// What a trimmer cuts off: curls that leave the wall, fall, slide off the turning wheel and lie in the pan.
+// For the eye alone; the ledger of the clay has what was cut. Pure but for its own memory; any thread. mm, s,
+// rad.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "engine/math/math.h"
+
+namespace onggi::wheel {
+
+struct ShavingSight {
+    double shaved_mm3 = 0.0;  // since the trimmer was taken up; less than before: it was taken back
+    dvec3 from_mm{0.0};       // where it cuts
+    double wheel_speed_rad_s = 0.0;
+};
+
+class Shavings {
+  public:
+    static constexpr std::size_t kMost = 32;   // the oldest give way
+    static constexpr double kCurlMm3 = 400.0;  // one is shown for so much clay
+
+    // One frame later by dt_s (0: nothing moves, as for a still). Who asked for less motion sees none fly.
+    void follow(const ShavingSight& sight, double dt_s, bool moves_less = false);
+    // Where a curl's model is to be drawn.
+    [[nodiscard]] std::vector<mat4> places() const;
+
+  private:
+    enum class Stage { kFlies, kOnHead, kInPan };
+    struct Curl {
+        Stage stage = Stage::kFlies;
+        dvec3 at_mm{0.0};
+        dvec3 velocity_mm_s{0.0};
+        double yaw_rad = 0.0;
+        double roll_rad = 0.0;
+        double spin_rad_s = 0.0;
+        double size = 1.0;
+    };
+
+    [[nodiscard]] Curl cut_off(const ShavingSight& sight);
+    // Between those two.
+    [[nodiscard]] double any(double least, double most);
+
+    std::vector<Curl> curls_;  // oldest first
+    double shown_mm3_ = 0.0;   // what curls were made of
+    std::minstd_rand chance_{24};
+};
+
+}  // namespace onggi::wheel
