@@ -64,7 +64,7 @@ def trimmer():
     low, high = vector(-30, -80, -20), vector(160, 20, 110)  # the handle hangs down, and is not cut off
     return [skin.part("steel", loop, low, vector(60, 60, 60), 0.7, 900, _wet_end(26)),
             skin.part("brass", ferrule, low, high, 1.3, 220),
-            skin.part("dark timber", handle, low, high, 1.8, 520, lambda p: 0.35 * np.ones(len(p)), _grain)]
+            skin.part("dark timber", handle, low, high, 1.8, 520, lambda p: 0.06 * np.ones(len(p)), _grain)]
 
 
 def stick():
