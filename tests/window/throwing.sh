@@ -97,12 +97,13 @@ do_this_step() {
     wait_for "hands that have done it" is_at_rest
 }
 
-# draw_along TOP: what is held, up along the wall.
+# draw_along TOP LEDGE: what is held, up along the wall; LEDGE is what is seen then.
 draw_along() {
     local low=$(($1 * 3 / 10)) high=$(($1 * 8 / 10))
     case $hand in
     mouse | touch) stroke 2 "45 $low" "45 $high" ;;
     keys) keys Left; sleep 0.5; keys Up Left ;;
+    switch) press "$2" hand-left; press "$2" hand-up ;;
     esac
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A visitor at the window, from attract to a kept pot: visit.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as
-# visitor.sh says them.
+# visitor.sh says them. TOOLS: one switch takes up every tool, too.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
 
@@ -40,26 +40,28 @@ through_a_failure_of_power() {
     has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
 }
 
-# take_tool FROM NUMBER: the tray, and what lies there; FROM is the ledge that is seen, NUMBER as screen_targets counts.
+# ledge NAME HELD: what the layout calls it while that is held; with one switch there are more targets on it.
+ledge() { echo "$1-$([ "$hand" = switch ] && echo scan-)$2"; }
+# take_tool FROM HELD NUMBER: the tray, and what lies there; FROM is the ledge that is seen while HELD is in the hand,
+# NUMBER as screen_targets counts.
 take_tool() {
     press "$1" tools; on_screen throw
-    press "tools-${1##*-}" take-tool "$2"; on_screen throw
+    press "$(ledge tools "$2")" take-tool "$3"; on_screen throw
 }
 # Rib, sponge and wire: the wall is faired and wiped, and a ring comes off the rim and back again, and off.
 with_every_tool() {
-    local top
-    top=$(clay_mm)
-    press "$throwing" tools; on_screen throw
-    press tools-0 take-tool 1; on_screen throw
-    draw_along "$top"
+    local top rib sponge wire
+    top=$(clay_mm) rib=$(ledge held 1) sponge=$(ledge held 2) wire=$(ledge held 3)
+    take_tool "$throwing" 0 1
+    draw_along "$top" "$rib"
     on_screen throw
-    take_tool held-1 2
-    draw_along "$top"
+    take_tool "$rib" 1 2
+    draw_along "$top" "$sponge"
     on_screen throw
-    take_tool held-2 3
-    press held-3 hand-down; press held-3 hand-down
+    take_tool "$sponge" 2 3
+    press "$wire" hand-down; press "$wire" hand-down
     on_screen throw
-    press held-3 cut
+    press "$wire" cut
     is_lower() { [ "$(clay_mm)" -le $((top - 6)) ]; }
     wait_for "a lower rim" is_lower
     on_screen throw
@@ -93,7 +95,10 @@ on_screen throw
 [ "$hand" = touch ] && through_a_failure_of_power
 raise_it
 on_screen throw
-case $hand in mouse | touch | keys) with_every_tool ;; esac
+case $hand in
+mouse | touch | keys) with_every_tool ;;
+switch) [ -z "${TOOLS:-}" ] || with_every_tool ;;  # whom it takes minutes
+esac
 if [ "$hand" != switch ]; then  # whom it takes half a minute
     press $throwing look-in
     sleep 2

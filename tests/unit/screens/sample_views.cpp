@@ -264,18 +264,31 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
             view.state.throwing.held = static_cast<kiosk::Held>(held);
             view.state.throwing.steps_done = kiosk::kTeachingSteps;
         };
-        add("tools-" + std::to_string(held), Screen::kThrow, [&](View& view) {
-            holds(view);
-            view.state.throwing.tray = true;
-        });
-        if (held == 0) continue;
-        add("held-" + std::to_string(held), Screen::kThrow, [&](View& view) {
-            holds(view);
+        const auto wire = [](View& view) {
             if (view.state.throwing.held != kiosk::Held::kWire) return;
             view.wire_off_mm = 6;
             view.wire_at_px =
                 vec2(0.66F * static_cast<float>(view.width_px), 0.2F * static_cast<float>(view.height_px));
-        });
+        };
+        for (const bool scans : {false, true}) {
+            const std::string ending = (scans ? "scan-" : "") + std::to_string(held);
+            const auto scan = [&](View& view) {
+                if (!scans) return;
+                view.scans = true;
+                view.focus = 0;
+            };
+            add("tools-" + ending, Screen::kThrow, [&](View& view) {
+                holds(view);
+                scan(view);
+                view.state.throwing.tray = true;
+            });
+            if (held == 0) continue;
+            add("held-" + ending, Screen::kThrow, [&](View& view) {
+                holds(view);
+                scan(view);
+                wire(view);
+            });
+        }
     }
     add_jar_views(base, all);
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
