@@ -3,6 +3,7 @@
 // thread. Lengths are u.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -125,6 +126,8 @@ class Page {
     // Buttons. `rect` is final.
     int token(const ui::Rect& rect, Look look, kiosk::Button button, std::string_view name, int value = 0,
               std::optional<Icon> icon = {}, bool with_words = true, bool repeats = false);
+    // Dots along a line that joins those places, cream over dark.
+    void dotted(std::span<const vec2> points);
     // No `less`: it rests, to be seen and not to be pressed.
     void stepper(const ui::Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,
                  const std::string& name, bool reversed);

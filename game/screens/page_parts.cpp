@@ -1,6 +1,9 @@
 // The design's parts: tokens, steppers, cards, niches.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "game/screens/page.h"
@@ -103,6 +106,29 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
         composition_.items[i].target = target;
     composition_.writings.back().within = rect;
     return target;
+}
+
+void Page::dotted(std::span<const vec2> points) {
+    if (points.size() < 2) return;
+    vec2 low = points.front();
+    vec2 high = low;
+    for (const vec2& point : points) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    constexpr float kMargin = 6.0F;
+    std::string path;
+    for (const vec2& point : points) {
+        const vec2 at = point - low + kMargin;
+        path += fmt::format("{}{:.1f} {:.1f} ", path.empty() ? 'M' : 'L', at.x, at.y);
+    }
+    constexpr float kPitch = 13.0F;
+    ui::Sketch sketch;
+    sketch.add(ui::Shape{
+        .path = path, .stroke = design::kNight.with_alpha(0.55F), .stroke_width = 7.0F, .dash = kPitch});
+    sketch.add(ui::Shape{.path = path, .stroke = design::kOutline, .stroke_width = 4.4F, .dash = kPitch});
+    const vec2 size = high - low + 2.0F * kMargin;
+    sprite({low.x - kMargin, low.y - kMargin, size.x, size.y}, std::move(sketch));
 }
 
 void Page::stepper(const Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "game/screens/screens.h"
 
@@ -76,6 +79,17 @@ void height_bracket(Page& page, float x, float foot_y, float height) {
 
 // A circle that is right is told of, and no more; nobody is scored by it.
 constexpr double kRoundMm = 1.0;
+
+// What a jar of two bowls is nearly.
+void true_circle(Page& page, vec2 centre, float radius) {
+    constexpr int kCorners = 72;
+    std::vector<vec2> points;
+    for (int i = 0; i <= kCorners; ++i) {
+        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+        points.push_back(centre + radius * vec2(std::cos(angle), std::sin(angle)));
+    }
+    page.dotted(points);
+}
 
 std::string roundness_words(const Page& page, double off_round_mm) {
     if (off_round_mm < kRoundMm) return page.t("moon.done.one");
@@ -164,6 +178,12 @@ void draw_your_pot(Page& page) {
     const float own_x = 62.0F + 0.5F * own_box;
     page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
                                      {mirrored_x(own_x), foot_y}));
+    if (is_off_round) {
+        const float radius_mm =
+            view.pot->shape.radius_mm() - 0.5F * static_cast<float>(*view.pot->off_round_mm);
+        true_circle(page, {mirrored_x(own_x), foot_y - 0.5F * view.pot->shape.height_mm() * scale},
+                    radius_mm * scale);
+    }
     height_bracket(page, mirrored_x(42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
     const float names_y = shelf_y + 40.0F;
     const Rect own_name =

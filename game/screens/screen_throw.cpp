@@ -39,31 +39,15 @@ Rect pot_box(const Page& page) {
     return {340.0F, 56.0F, 600.0F, ledge_y(page) - 70.0F};
 }
 
-// Dots along the target's outline, cream over dark. Drawn in the scene's pixels, never mirrored.
+// Along the target's outline. Drawn in the scene's pixels, never mirrored.
 void outline(Page& page) {
     const View& view = page.view();
     const float u = 1.0F / page.px_per_u();
     for (const std::vector<vec2>& line : view.outline_px) {
-        if (line.size() < 2) continue;
-        vec2 low = line.front() * u;
-        vec2 high = low;
-        for (const vec2& point : line) {
-            low = glm::min(low, point * u);
-            high = glm::max(high, point * u);
-        }
-        constexpr float kMargin = 6.0F;
-        std::string path;
-        for (const vec2& point : line) {
-            const vec2 at = point * u - low + kMargin;
-            path += fmt::format("{}{:.1f} {:.1f} ", path.empty() ? 'M' : 'L', at.x, at.y);
-        }
-        ui::Sketch sketch;
-        sketch.add(ui::Shape{
-            .path = path, .stroke = design::kNight.with_alpha(0.55F), .stroke_width = 7.0F, .dash = 13.0F});
-        sketch.add(ui::Shape{.path = path, .stroke = design::kOutline, .stroke_width = 4.4F, .dash = 13.0F});
-        page.sprite({low.x - kMargin, low.y - kMargin, high.x - low.x + 2.0F * kMargin,
-                     high.y - low.y + 2.0F * kMargin},
-                    std::move(sketch));
+        std::vector<vec2> points;
+        for (const vec2& point : line)
+            points.push_back(point * u);
+        page.dotted(points);
     }
 }
 

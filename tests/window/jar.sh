@@ -27,7 +27,10 @@ throw_a_bowl() {
 
 begin_visit
 press choose shelf-next; on_screen choose
-press choose-next target 0; on_screen jar-start  # the first that is seen then
+# It is the fourth museum's pot of the shelf, whose next part begins with the first that was not seen.
+seen=$(grep -c '^choose target ' targets)
+press choose-next target "$(awk '$1 == "choose-next" && $2 == "target" { print $3 }' targets | sed -n "$((4 - seen))p")"
+on_screen jar-start
 press jar-start begin; on_screen throw
 throwing=jar-first$scan
 throw_a_bowl
