@@ -1,7 +1,7 @@
-// Says where on the screen a visitor sees places of the wheel: clay_places WIDTH HEIGHT [low] reads a place a
-// line, radius (negative: left of the axis) and height in mm on the upright plane through the axis, and
-// writes its pixel. For scripts, which have no eyes: by the kiosk's own camera at rest, with clay up to 144
-// mm high on the wheel.
+// Says where on the screen a visitor sees places of the wheel: clay_places WIDTH HEIGHT [low] [CLAY_MM] reads
+// a place a line, radius (negative: left of the axis) and height in mm on the upright plane through the axis,
+// and writes its pixel. For scripts, which have no eyes: by the kiosk's own camera at rest, with clay so high
+// on the wheel, else up to 144 mm.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -16,7 +16,7 @@
 int main(int argc, char** argv) {
     using namespace onggi;
     if (argc < 3) {
-        std::fputs("clay_places: expected WIDTH HEIGHT [low]\n", stderr);
+        std::fputs("clay_places: expected WIDTH HEIGHT [low] [CLAY_MM]\n", stderr);
         return 2;
     }
     const auto folder = files::find_asset("workshop");
@@ -42,8 +42,10 @@ int main(int argc, char** argv) {
     state.screen = kiosk::Screen::kThrow;
     state.comfort.reach = argc > 3 && std::string_view(argv[3]) == "low";
     constexpr double kLumpMm = 50.0;
+    const double clay_mm = std::atof(argv[argc - 1]);  // of words: 0
     app::KioskCamera camera;
-    const app::CameraRequest request = camera.request(state, true, kLumpMm, sight);
+    const app::CameraRequest request =
+        camera.request(state, true, argc > 3 && clay_mm > 0.0 ? clay_mm : kLumpMm, sight);
     double radius_mm = 0.0;
     double height_mm = 0.0;
     while (std::cin >> radius_mm >> height_mm) {

@@ -34,12 +34,14 @@ on_screen jar-start
 press jar-start begin; on_screen throw
 throwing=jar-first$scan
 throw_a_bowl
+first_mm=$(clay_mm)
 press "$throwing" done
 wait_for "new clay" is_a_lump
 on_screen throw  # the first bowl beside the wheel
 sleep 7          # it has been looked at
 throw_a_bowl
 on_screen throw
+clay_top=$((first_mm + $(clay_mm)))  # the camera steps back for both, and stays there
 press "$throwing" done; on_screen join
 press jar-join$scan hand-right; on_screen join
 press jar-join$scan join-bowls

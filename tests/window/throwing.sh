@@ -4,6 +4,7 @@
 # places of the wheel are; a finger or mouse misses them by some pixels, the same ones every time.
 
 strokes=0
+clay_top=  # how high the clay stands, in mm, where the camera has stepped back for it
 
 # What is seen of the clay, by the window's title: how many steps of the lesson are done, how high it stands.
 steps_done() { title | sed -nE 's/^Onggi - throw - ([0-3]) of 3, .*/\1/p'; }
@@ -41,8 +42,8 @@ stroke() {
     local seconds=$1 way
     shift
     strokes=$((strokes + 1))
-    # shellcheck disable=SC2086  # no word where nothing is low
-    way=$(printf '%s\n' "$@" | "$programs/clay_places" "$width" "$height" $reach |
+    # shellcheck disable=SC2086  # no word where nothing is low, or high
+    way=$(printf '%s\n' "$@" | "$programs/clay_places" "$width" "$height" $reach $clay_top |
         awk -v seconds="$seconds" -v seed="$strokes" -v hand="$hand" -v short="$((width < height ? width : height))" '
             function miss(   sum, i) {  # four pixels of 720, as many more or less as people differ
                 for (i = 0; i < 12; i++) sum += rand()

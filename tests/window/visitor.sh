@@ -198,6 +198,7 @@ turn_the_foot() {
         if [ "$hand" = switch ]; then
             press trim-scan skip
         else
+            [ "${clay_top:-0}" -ge "$1" ] || clay_top=$1
             work_until "a foot that was turned" "is_lighter 5" shave "$1"
             on_screen trim
             title
