@@ -32,6 +32,19 @@ int KioskPointer::target_count() const {
     return composition_ == nullptr ? 0 : static_cast<int>(composition_->targets.size());
 }
 
+KioskPointer::Meaning KioskPointer::meaning_of(int target) const {
+    if (target < 0 || target >= target_count()) return {};
+    const screens::Target& found = composition_->targets[static_cast<std::size_t>(target)];
+    return {found.button, found.value};
+}
+
+int KioskPointer::place_of(const Meaning& meaning, int was) const {
+    if (was < 0 || meaning_of(was) == meaning) return was;
+    for (int i = 0; i < target_count(); ++i)
+        if (meaning_of(i) == meaning) return i;
+    return -1;
+}
+
 int KioskPointer::target_at(vec2 px) const {
     for (int i = target_count() - 1; i >= 0; --i) {
         if (composition_->targets[static_cast<std::size_t>(i)].lies_under(px / composition_->px_per_u))
@@ -58,18 +71,26 @@ void KioskPointer::look_at(const screens::Composition* composition, int screen_k
     composition_ = composition;
     right_to_left_ = right_to_left;
     if (screen_key == screen_key_) {
-        if (focus_ >= target_count()) focus_ = target_count() - 1;
-        return;
+        // A button before it may have come or gone: finger and ring stay on theirs.
+        pressed_ = place_of(pressed_meaning_, pressed_);
+        if (const int place = place_of(focus_meaning_, focus_); place >= 0 || focus_ < 0) {
+            focus_ = place;
+        } else {
+            focus_ = std::min(focus_, target_count() - 1);
+        }
+    } else {
+        screen_key_ = screen_key;
+        if (focus_ >= 0 || scans_) focus_ = target_count() > 0 ? 0 : -1;
+        scan_is_new_ = true;
     }
-    screen_key_ = screen_key;
-    if (focus_ >= 0 || scans_) focus_ = target_count() > 0 ? 0 : -1;
-    scan_is_new_ = true;
+    focus_meaning_ = meaning_of(focus_);
 }
 
 void KioskPointer::move_focus(int by) {
     const int count = target_count();
     if (count == 0) return;
     focus_ = focus_ < 0 ? (by > 0 ? 0 : count - 1) : (focus_ + by + count) % count;
+    focus_meaning_ = meaning_of(focus_);
 }
 
 void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
@@ -202,6 +223,7 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
         focus_ = -1;
         if (in_corner(at_px_)) corner_s_ = now_s;
         pressed_ = target_at(at_px_);
+        pressed_meaning_ = meaning_of(pressed_);
         pressed_over_ = pressed_ >= 0;
         pressed_key_ = screen_key_;
         repeat_s_ = now_s + kRepeatAfterS;

@@ -61,6 +61,16 @@ class KioskPointer {
   private:
     [[nodiscard]] int target_at(vec2 px) const;
     [[nodiscard]] int target_count() const;
+    // What a target is for, whatever else there is on the screen by then.
+    struct Meaning {
+        kiosk::Button button = kiosk::Button::kNone;
+        int value = 0;
+
+        friend bool operator==(const Meaning&, const Meaning&) = default;
+    };
+    [[nodiscard]] Meaning meaning_of(int target) const;
+    // Where that is now, which was there; -1: it is gone.
+    [[nodiscard]] int place_of(const Meaning& meaning, int was) const;
     [[nodiscard]] bool in_corner(vec2 px) const;
     [[nodiscard]] bool in_window(vec2 px) const;
     void handle_pointer(const window::PointerEvent& pointer, double now_s, std::vector<PointerNews>& news);
@@ -82,12 +92,14 @@ class KioskPointer {
     vec2 hand_still_px_{0.0F};  // where the hand has rested on the scene, and since when
     double hand_still_s_ = 0.0;
     int pressed_ = -1;
+    Meaning pressed_meaning_{};
     bool pressed_over_ = false;  // the pointer is still on it
     int pressed_key_ = -1;       // the screen on which it was pressed
     double repeat_s_ = 0.0;      // when a held token repeats next
     bool has_repeated_ = false;  // since it was pressed
     std::optional<double> corner_s_;
     int focus_ = -1;
+    Meaning focus_meaning_{};
     bool scans_ = false;
     double scan_s_ = 0.0;
     bool scan_is_new_ = false;  // another screen: the ring begins anew

@@ -88,6 +88,42 @@ TEST(KioskPointer, DropsAPressThatEndsOnAnotherScreen) {
     EXPECT_TRUE(finger.pressed().empty());
 }
 
+// The same screen, composed anew without its first button, while a finger or the ring is on the second.
+TEST(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
+    screens::Composition fewer = screen();
+    fewer.targets.erase(fewer.targets.begin());
+    Finger finger;
+    finger.moves(320, 630).presses();
+    finger.pointer.look_at(&fewer, 1, false);
+    EXPECT_EQ(finger.pointer.pressed(), 0);
+    finger.lifts();
+    EXPECT_EQ(finger.pressed(), std::vector<Button>{Button::kToolMore}) << "and not what took its place";
+    Finger keys;
+    keys.types(window::Key::kTab).types(window::Key::kTab);
+    keys.pointer.look_at(&fewer, 1, false);
+    EXPECT_EQ(keys.pointer.focus(), 0);
+    keys.pointer.look_at(&keys.composition, 1, false);
+    keys.types(window::Key::kEnter);
+    EXPECT_EQ(keys.pressed(), std::vector<Button>{Button::kToolMore});
+}
+
+TEST(KioskPointer, PressesNothingWhereItsButtonHasGone) {
+    screens::Composition fewer = screen();
+    fewer.targets.erase(fewer.targets.begin());
+    Finger finger;
+    finger.moves(150, 630).presses();
+    finger.pointer.look_at(&fewer, 1, false);
+    EXPECT_EQ(finger.pointer.pressed(), -1);
+    finger.waits(1.1).lifts();
+    EXPECT_TRUE(finger.pressed().empty());
+    Finger keys;
+    keys.types(window::Key::kLeftBracket);
+    EXPECT_EQ(keys.pointer.focus(), 2);
+    fewer.targets.pop_back();
+    keys.pointer.look_at(&fewer, 1, false);
+    EXPECT_EQ(keys.pointer.focus(), 0) << "the ring is on what is left";
+}
+
 TEST(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
     Finger finger;
     finger.moves(320, 630).presses().waits(1.1).lifts();
