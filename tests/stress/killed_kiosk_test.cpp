@@ -81,7 +81,7 @@ class Life {
     }
     [[nodiscard]] bool is_on(const std::string& screen) {
         return !said_by("xdotool search --name '^Onggi - " + screen +
-                        "( - [0-3] of 3, .*| - [0-9]+ strokes)?$'")
+                        "( - [0-3] of 3, .*| - [0-9]+ strokes| - [0-9]+ g)?$'")
                     .empty();
     }
     bool comes_to(const std::string& screen) {

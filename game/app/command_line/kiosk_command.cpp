@@ -233,9 +233,11 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
 }
 
 // The kiosk under this supervisor is no more: for the journal, and for who asks for its status from afar.
-void tell_of_end(const KioskOptions& options, int exit_code) {
-    remark(fmt::format("the kiosk ended with exit code {}", exit_code));
-    if (exit_code == 0) return;
+void tell_of_end(const KioskOptions& options, int code) {
+    // What could not begin has said so, in one line.
+    if (code == 0 || code == exit_code(ErrorKind::kFailed))
+        remark(fmt::format("the kiosk ended with exit code {}", code));
+    if (code == 0) return;
     const auto settings = settings_of(options);
     if (!settings) return;  // the kiosk has said why
     if (auto told = KioskHeartbeat(settings->config).end_after_fall(wall_clock_s()); !told)
