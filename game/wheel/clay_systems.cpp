@@ -15,6 +15,9 @@ void receive_clay(ecs::Registry& registry, FrameContext& context) {
         const render::LatheMaterial* own = context.shown->material;
         clay.material = own != nullptr ? *own : clay_material(pot.body, pot.stage);
         clay.marks = context.shown->marks;
+        clay.wetness.clear();
+        // Dry clay has none, whatever it held when it was thrown.
+        if (pot.stage != clay::Firing::kWet) return;
         clay.wetness.resize(pot.liquidity.size());
         std::transform(pot.liquidity.begin(), pot.liquidity.end(), clay.wetness.begin(), darkness_of);
     });
@@ -30,6 +33,7 @@ void extract_clay(ecs::Registry& registry, FrameContext& context) {
             .inner_mm = pot.inner_mm,
             .top_mm = pot.top_mm,
             .centre_mm = pot.centre_mm,
+            .wetness = clay.wetness,
             .load = pot.load_index,
             .dents_mm = pot.dents_mm,
             .element_height_mm = static_cast<float>(pot.height_mm / static_cast<double>(pot.ring_count())),
@@ -38,11 +42,7 @@ void extract_clay(ecs::Registry& registry, FrameContext& context) {
             .material = clay.material,
             .shows_load = clay.shows_load,
             .marks = clay.marks};
-        // Dry clay has neither, whatever it held when it was thrown.
-        if (pot.stage == clay::Firing::kWet) {
-            lathe.wetness = clay.wetness;
-            lathe.film = pot.film;
-        }
+        if (pot.stage == clay::Firing::kWet) lathe.film = pot.film;
         if (clay.is_cut_open) {
             const vec3& eye = context.scene.camera.eye_mm;
             lathe.cut = render::LatheCut{.towards_rad = std::atan2(eye.x, eye.z),

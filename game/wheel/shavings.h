@@ -3,8 +3,6 @@
 // rad.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <random>
 #include <vector>
 

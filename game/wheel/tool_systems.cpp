@@ -42,13 +42,6 @@ double mouth_radius(const pot::Pot& pot) {
     return pot.inner_mm.empty() ? 0.0 : double{pot.inner_mm.back()};
 }
 
-// Leaning on the cup to the right of the wheel.
-mat4 rib_on_bench() {
-    dmat4 place = glm::translate(dmat4(1.0), kRibOnBenchMm);
-    place = glm::rotate(place, -0.35, dvec3(0.0, 1.0, 0.0));
-    return mat4(glm::rotate(place, 0.28, dvec3(0.0, 0.0, 1.0)));
-}
-
 ToolSight sight_of(const pot::Pot& pot, const HandView& hand, bool is_assistant) {
     const bool inside = hand.side == clay::studio::Side::kIn;
     return {
@@ -138,9 +131,10 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     });
     if (!has_tools) return;
     registry.each<OnBench>([&](ecs::Entity, const OnBench& bench) {
-        if (bench.rib) add(ToolModel::kRib, false, rib_on_bench());
+        constexpr double kTurnedRad = -0.35;  // against the cup
+        constexpr double kLeansRad = 0.28;
+        if (bench.rib) add(ToolModel::kRib, false, placed(kRibOnBenchMm, kTurnedRad, kLeansRad));
     });
-    wetness = 0.0F;  // what is trimmed has dried
     registry.each<Shaved>([&](ecs::Entity, const Shaved& shaved) {
         for (const mat4& place : shaved.shavings.places())
             add(ToolModel::kCurl, false, place);

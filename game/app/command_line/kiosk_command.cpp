@@ -126,7 +126,8 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     }
     service.ends();
     if (end_was_asked()) remark("ending, as asked");
-    if (visit.quits()) remark(visit.restarts() ? "beginning anew, as asked" : "ending, as asked here");
+    if (visit.quits())
+        remark(visit.restarts() ? "beginning anew, as asked at the panel" : "ending, as asked at the window");
     return {};
 }
 

@@ -20,12 +20,13 @@ const std::array kLying{Lying{kiosk::Held::kSponge, {300.0, -45.0, 45.0}, {112.0
                         Lying{kiosk::Held::kWire, {-325.0, -50.0, -128.0}, {250.0F, 78.0F}},
                         Lying{kiosk::Held::kRib, wheel::kRibOnBenchMm, {80.0F, 130.0F}}};
 
-}  // namespace
-
+// Whether that room is what visitors see: a museum's own has another bench.
 bool has_bench(const VisitParts& parts) {
     return parts.settings.config.screen.room.empty() &&
            parts.view.project_framed(wheel::View::kThrowing, {}, dvec3(0.0)).has_value();
 }
+
+}  // namespace
 
 bool rib_lies_there(const VisitParts& parts, const kiosk::State& state) {
     return state.throwing.held != kiosk::Held::kRib && has_bench(parts);

@@ -9,8 +9,6 @@
 
 namespace onggi::app {
 
-// Whether that room is what visitors see: a museum's own has another bench.
-[[nodiscard]] bool has_bench(const VisitParts& parts);
 // The rib is drawn there while nobody holds it; the others are in the photographs.
 [[nodiscard]] bool rib_lies_there(const VisitParts& parts, const kiosk::State& state);
 

@@ -73,11 +73,8 @@ void KioskPointer::look_at(const screens::Composition* composition, int screen_k
     if (screen_key == screen_key_) {
         // A button before it may have come or gone: finger and ring stay on theirs.
         pressed_ = place_of(pressed_meaning_, pressed_);
-        if (const int place = place_of(focus_meaning_, focus_); place >= 0 || focus_ < 0) {
-            focus_ = place;
-        } else {
-            focus_ = std::min(focus_, target_count() - 1);
-        }
+        const int ring = place_of(focus_meaning_, focus_);
+        focus_ = ring >= 0 ? ring : std::min(focus_, target_count() - 1);
     } else {
         screen_key_ = screen_key;
         if (focus_ >= 0 || scans_) focus_ = target_count() > 0 ? 0 : -1;

@@ -26,6 +26,13 @@ screens::Composition screen() {
     return composition;
 }
 
+// The same, composed anew.
+screens::Composition screen_without_done() {
+    screens::Composition composition = screen();
+    composition.targets.erase(composition.targets.begin());
+    return composition;
+}
+
 class Finger {
   public:
     Finger() { pointer.look_at(&composition, 1, false); }
@@ -88,10 +95,8 @@ TEST(KioskPointer, DropsAPressThatEndsOnAnotherScreen) {
     EXPECT_TRUE(finger.pressed().empty());
 }
 
-// The same screen, composed anew without its first button, while a finger or the ring is on the second.
 TEST(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
-    screens::Composition fewer = screen();
-    fewer.targets.erase(fewer.targets.begin());
+    screens::Composition fewer = screen_without_done();
     Finger finger;
     finger.moves(320, 630).presses();
     finger.pointer.look_at(&fewer, 1, false);
@@ -108,8 +113,7 @@ TEST(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
 }
 
 TEST(KioskPointer, PressesNothingWhereItsButtonHasGone) {
-    screens::Composition fewer = screen();
-    fewer.targets.erase(fewer.targets.begin());
+    screens::Composition fewer = screen_without_done();
     Finger finger;
     finger.moves(150, 630).presses();
     finger.pointer.look_at(&fewer, 1, false);
