@@ -35,13 +35,10 @@ ONGGI_CONST int kBindDetail = 5;
 ONGGI_CONST int kBindMask = 6;
 ONGGI_CONST int kBindBackgroundKey = 7;
 ONGGI_CONST int kBindBackgroundAmbient = 8;
-ONGGI_CONST int kBindNextKey = 9;
-ONGGI_CONST int kBindNextAmbient = 10;
-ONGGI_CONST int kBindFromDepth = 11;
-ONGGI_CONST int kBindToDepth = 12;
-ONGGI_CONST int kBindVertices = 13;
-ONGGI_CONST int kBindMarks = 14;
-ONGGI_CONST int kBindings = 15;
+ONGGI_CONST int kBindViewBefore = 9;
+ONGGI_CONST int kBindVertices = 10;
+ONGGI_CONST int kBindMarks = 11;
+ONGGI_CONST int kBindings = 12;
 ONGGI_CONST int kBindingsOfLayers = 2;
 
 struct FrameData {
@@ -72,10 +69,8 @@ struct FrameData {
     vec4 backdrop_shape;  // centre of the glow; half width and half height of the picture, the shorter is 1
     vec4 picture;         // width and height in pixels, and one over them
     vec4 background_window;  // pixel * xy + zw is the place in the background
-    mat4 background_from;    // the view and projection of the background, and of the one the camera glides to
-    mat4 background_to;
-    vec4 transition;  // x fraction of the second background
-    vec4 levels;      // of the backgrounds' light: rgb all but the key, w the key
+    vec4 levels;  // of the backgrounds' light: rgb all but the key, w the key
+    vec4 fade;    // x what is left of the view before, 0 to 1
 };
 
 // A row of vertices: all that is the same the whole way round.

@@ -22,13 +22,10 @@
 #include "prop_vert.h"
 #include "screen_vert.h"
 #include "shadow_map_vert.h"
-#include "transition_frag.h"
-#include "transition_surface_frag.h"
-#include "transition_surface_vert.h"
-#include "transition_vert.h"
 #include "ui_frag.h"
 #include "ui_picture_frag.h"
 #include "ui_vert.h"
+#include "view_fade_frag.h"
 
 namespace onggi::shaders {
 
@@ -49,12 +46,9 @@ const Spirv kLatheLoadVert = lathe_load_vert;
 const Spirv kLatheLoadFrag = lathe_load_frag;
 const Spirv kLatheSectionVert = lathe_section_vert;
 const Spirv kLatheSectionFrag = lathe_section_frag;
-const Spirv kTransitionVert = transition_vert;
-const Spirv kTransitionFrag = transition_frag;
-const Spirv kTransitionSurfaceVert = transition_surface_vert;
-const Spirv kTransitionSurfaceFrag = transition_surface_frag;
 const Spirv kBackgroundFrag = background_frag;
 const Spirv kPlacesFrag = places_frag;
+const Spirv kViewFadeFrag = view_fade_frag;
 const Spirv kBackgroundSurfaceVert = background_surface_vert;
 const Spirv kBackgroundSurfaceFrag = background_surface_frag;
 const Spirv kUiVert = ui_vert;

@@ -122,7 +122,6 @@ struct StillLife {
         std::shared_ptr<const Mesh> mesh{};
         Material material{};
         vec3 position_mm{0.0F};
-        bool in_relief = false;    // the background's relief shows it well enough while the camera moves
         bool casts_shadow = true;  // onto other parts; not for ground as wide as the world
     };
     std::vector<Part> parts;
@@ -159,14 +158,6 @@ struct Backdrop {
     float glow_radius = 1.0F;
 };
 
-// How far away what a background shows is, along the camera's view, at the corners of a grid over the
-// background; rows from the top.
-struct Relief {
-    int columns = 0;
-    int rows = 0;
-    std::vector<float> depth_mm;  // columns x rows; empty: not known
-};
-
 // Two photographs of what stands still, with the key light and without it, of one size: values as encode() of
 // shaders/tone.glsl gives them with exact sRGB. They stand in for the still life's colours and the
 // backdrop's; the still life then only says where things are. A picture of another shape shows their middle,
@@ -176,15 +167,6 @@ struct Background {
     int height_px = 0;
     std::shared_ptr<Photographs> photographs;
     Camera camera;  // that took the whole of it
-    Relief relief;
-};
-
-// The camera has left a background's place, perhaps towards another's. Then no background is right as it is:
-// both are bent over the background's relief, and the second is mixed into the first. Where everything is
-// drawn in every frame; a backend that keeps what stands still shows the first background alone, as it is.
-struct CameraTransition {
-    std::shared_ptr<const Background> towards;  // may be the background itself
-    float fraction = 0.0F;                      // of the second, 0 to 1
 };
 
 // Where the camera will be cut to as soon as it may, see FrameStats::next_view_ready.
@@ -218,10 +200,9 @@ struct Scene {
     Backdrop backdrop;
     std::shared_ptr<const StillLife> still_life;
     std::shared_ptr<const Background> background;  // none: the still life in its own colours
-    std::optional<CameraTransition> transition;    // none: the camera stands where the background was taken
-    std::optional<NextView> next_view;             // none: it will stay, or glide
+    std::optional<NextView> next_view;             // none: the camera will stay
     // What there is of this view in the picture, 0 to 1, since the camera was cut to it; the rest is the last
-    // picture of the view before. None: all of it. Of a backend that keeps what stands still.
+    // picture of the view before. None: all of it.
     std::optional<float> fade_in;
     std::vector<std::shared_ptr<const Background>>
         backgrounds_at_hand;  // kept where they are drawn from: another view may begin with any frame

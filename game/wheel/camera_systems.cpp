@@ -7,8 +7,10 @@
 namespace onggi::wheel {
 namespace {
 
-constexpr double kSwayRad = 0.021;     // a little over a degree
-constexpr double kSwayZoom = 0.045;    // nearer by that, so that nothing from outside the background comes in
+// An idle wheel's picture drifts a little: nearer, so that nothing from outside the photograph comes in, and
+// from side to side.
+constexpr double kSwayZoom = 0.045;
+constexpr double kSwayShift = 0.04;    // halves of the picture
 constexpr double kSwayRadPerS = 0.21;  // half a minute there and back
 
 constexpr double kFadeS = 0.25;
@@ -20,15 +22,8 @@ render::Camera framed(const render::Background& background, const Framing& frami
                   framing);
 }
 
-// What the view that is wanted shows in a picture of this size.
-struct Goal {
-    const std::string& camera;
-    CameraPose pose;
-};
-
-void stand_at(PhotographedRoom& room, const Goal& goal) {
-    room.motion.jump_to(goal.pose);
-    room.from = room.to = goal.camera;
+void stand_at(PhotographedRoom& room, const std::string& camera) {
+    room.camera = camera;
     room.framed_so = room.framing;
     room.next.reset();
 }
@@ -41,19 +36,12 @@ void sway(PhotographedRoom& room, double dt_s) {
     room.sway_s = room.sway_fraction.value > 0.0 || room.sways ? room.sway_s + dt_s : 0.0;
 }
 
-void transition(PhotographedRoom& room, const Goal& goal, double dt_s) {
-    room.next.reset();
-    room.fade_left_s = 0.0;
-    if (goal.camera != room.to && goal.camera != room.from) {
-        room.from = room.to;
-        room.to = goal.camera;
-    } else if (room.from == room.to) {
-        room.to = goal.camera;
-    }
-    room.motion.go_to(goal.pose);
-    room.motion.advance(dt_s);
-    room.framed_so = room.framing;
-    if (room.motion.at_rest()) stand_at(room, goal);
+Framing swayed(const PhotographedRoom& room) {
+    const double fraction = room.sway_fraction.value;
+    Framing framing = room.framed_so;
+    framing.zoom *= 1.0 + kSwayZoom * fraction;
+    framing.shift.x += kSwayShift * fraction * std::sin(room.sway_s * kSwayRadPerS);
+    return framing;
 }
 
 // What is left of a fade a frame later; so little that nobody sees it is nothing.
@@ -63,49 +51,38 @@ double fade_left(double left_s, double dt_s) {
 }
 
 // Between two frames it is there, as soon as the picture is: until then it stays.
-void cut(PhotographedRoom& room, const Goal& goal, double dt_s) {
+void cut(PhotographedRoom& room, const std::string& camera, double dt_s) {
     room.fade_left_s = fade_left(room.fade_left_s, dt_s);
-    if (goal.camera == room.from && room.framing == room.framed_so) {
+    if (camera == room.camera && room.framing == room.framed_so) {
         room.next.reset();
         return;
     }
-    const ViewPlace wanted{goal.camera, room.framing};
+    const ViewPlace wanted{camera, room.framing};
     if (room.next != wanted) {
         room.next = wanted;
         return;
     }
     if (!room.next_is_ready) return;
-    stand_at(room, goal);
+    stand_at(room, camera);
     room.fade_left_s = room.moves_less ? 0.0 : fade_left(kFadeS, dt_s);
 }
 
 }  // namespace
 
-render::Camera framed(const render::Camera& camera, const Framing& framing) {
-    render::Camera shown = render::zoomed(camera, framing.zoom);
-    shown.lens_shift = vec2(framing.shift);
-    return shown;
-}
-
 void move_camera(ecs::Registry& registry, FrameContext& context) {
     registry.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
         const ShownBackground background = shown_background(room, context.width_px, context.height_px);
         if (background.camera == nullptr) return;
-        const Goal goal{background.camera->name, pose_of(framed(*background.background, room.framing,
-                                                                context.width_px, context.height_px))};
+        const std::string& camera = background.camera->name;
         const bool is_same_size = context.width_px == room.width_px && context.height_px == room.height_px;
-        const bool is_known = room.backgrounds.contains(room.from) && room.backgrounds.contains(room.to);
-        const bool is_cut = !room.glides || room.moves_less;
-        const bool stops_gliding = is_cut && !(room.motion.at_rest() && room.from == room.to);
-        if (!is_known || !is_same_size || stops_gliding || room.jumps || context.dt_s <= 0.0) {
-            stand_at(room, goal);
+        const bool is_known = room.backgrounds.contains(room.camera);
+        if (!is_known || !is_same_size || room.jumps || context.dt_s <= 0.0) {
+            stand_at(room, camera);
             room.width_px = context.width_px;
             room.height_px = context.height_px;
             room.fade_left_s = 0.0;
-        } else if (is_cut) {
-            cut(room, goal, context.dt_s);
         } else {
-            transition(room, goal, context.dt_s);
+            cut(room, camera, context.dt_s);
         }
         room.next_is_ready = false;
         sway(room, context.dt_s);
@@ -122,7 +99,6 @@ void extract_camera(ecs::Registry& registry, FrameContext& context) {
     registry.each<CameraRig>([&](ecs::Entity, const CameraRig& rig) {
         scene.camera = camera_of(rig, context.width_px, context.height_px);
     });
-    scene.transition.reset();
     scene.next_view.reset();
     scene.fade_in.reset();
     scene.backgrounds_at_hand.clear();
@@ -139,33 +115,18 @@ void extract_camera(ecs::Registry& registry, FrameContext& context) {
         }
         for (const auto& [name, background] : room.backgrounds)
             scene.backgrounds_at_hand.push_back(background);
-        const auto from = room.backgrounds.find(room.from);
-        const auto to = room.backgrounds.find(room.to);
-        if (from == room.backgrounds.end() || to == room.backgrounds.end()) return;
-        scene.background = from->second;
-        if (room.from == room.to && room.motion.at_rest() && room.sway_fraction.value == 0.0) {
-            scene.camera = in_picture(*from->second, room.framed_so);
-            if (room.next) {
-                const auto next = room.backgrounds.find(room.next->camera);
-                if (next != room.backgrounds.end()) {
-                    scene.next_view =
-                        render::NextView{in_picture(*next->second, room.next->framing), next->second};
-                }
+        const auto shown = room.backgrounds.find(room.camera);
+        if (shown == room.backgrounds.end()) return;
+        scene.background = shown->second;
+        scene.camera = in_picture(*shown->second, swayed(room));
+        if (room.next) {
+            const auto next = room.backgrounds.find(room.next->camera);
+            if (next != room.backgrounds.end()) {
+                scene.next_view =
+                    render::NextView{in_picture(*next->second, room.next->framing), next->second};
             }
-            if (room.fade_left_s > 0.0) scene.fade_in = static_cast<float>(1.0 - room.fade_left_s / kFadeS);
-            return;
         }
-        const CameraPose pose = room.motion.pose();
-        const double sway = room.sway_fraction.value * std::sin(room.sway_s * kSwayRadPerS);
-        CameraPose swayed = pose;
-        swayed.azimuth_rad += kSwayRad * sway;
-        swayed.vertical_fov_rad *= 1.0 - kSwayZoom * room.sway_fraction.value;
-        scene.camera = camera_at(swayed);
-        const auto pose_from = pose_of(in_picture(*from->second, room.framing));
-        const auto pose_to = pose_of(in_picture(*to->second, room.framing));
-        scene.transition = render::CameraTransition{
-            .towards = to->second,
-            .fraction = static_cast<float>(fraction_between(pose_from, pose_to, pose))};
+        if (room.fade_left_s > 0.0) scene.fade_in = static_cast<float>(1.0 - room.fade_left_s / kFadeS);
     });
 }
 

@@ -10,7 +10,8 @@
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
 #include "game/pot/pot.h"
-#include "game/wheel/camera_motion.h"
+#include "game/wheel/framing.h"
+#include "game/wheel/settling.h"
 #include "game/wheel/shavings.h"
 #include "game/wheel/tool_pose.h"
 #include "game/wheel/workshop_files.h"
@@ -89,21 +90,17 @@ struct ViewPlace {
 };
 
 // The photographed workshop, beside the rig: while it has a background to show, the camera stands where that
-// was taken, or is on its way from one to another. Where there is no time for a moving camera it is cut to
-// the other as soon as its picture is made, which then fades in.
+// was taken. To another it is cut as soon as its picture is ready, which then fades in.
 struct PhotographedRoom {
     std::shared_ptr<const Workshop> workshop;
     View view = View::kThrowing;
     Framing framing{};
     bool jumps = false;  // with the next frame it is where it is wanted
     std::map<std::string, std::shared_ptr<const render::Background>> backgrounds{};  // by their camera's name
-    bool glides = true;       // there is time for a moving camera
-    bool moves_less = false;  // who looks on asked for less motion: cut, and nothing fades
-    bool sways = false;       // while nobody throws: a few degrees to either side, slowly
-    CameraMotion motion{};
-    std::string from{};  // names of the cameras it is between; the same one at rest
-    std::string to{};
-    Framing framed_so{};              // at rest
+    bool moves_less = false;          // who looks on asked for less motion: nothing fades
+    bool sways = false;               // while nobody throws: a little to either side, slowly
+    std::string camera{};             // whose background is shown
+    Framing framed_so{};              // and how
     std::optional<ViewPlace> next{};  // where it will be cut to
     bool next_is_ready = false;       // the picture there is made; said once a frame
     double fade_left_s = 0.0;         // until the view it was cut to is all that is seen
@@ -133,7 +130,6 @@ struct Surroundings {
 struct StillPart {
     std::shared_ptr<const render::Mesh> mesh{};
     render::Material material{};
-    bool in_relief = false;  // see render::StillLife
     bool casts_shadow = true;
 };
 

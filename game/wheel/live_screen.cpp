@@ -269,7 +269,7 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     // Another view costs a software core more than a picture at rest, for a moment: no reason to change. Nor
     // is it one to do better that a screen is shown which covers the scene.
     const render::FrameStats& stats = renderer_->stats();
-    const bool changes_view = scene.transition || scene.next_view || scene.fade_in;
+    const bool changes_view = scene.next_view || scene.fade_in;
     const bool is_measured = stats.device_ms > 0.0 && stats.device_drew_scene && !changes_view;
     const bool in_view = has_visitor && (overlay == nullptr || !overlay->covers);
     const double drawn_ms = stats.device_ms + host_ms_before;

@@ -77,15 +77,6 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         if (!warmed) return warmed.error();
         if (auto waited = screen->wait(); !waited) return waited;
     }
-    // And those of a moving camera: on its way from one background, and between two.
-    if (render::has_time_for_moving_camera(screen->quality())) {
-        scene->look_at(View::kLookingIn);
-        for (const double dt_s : {1e-3, 0.4, 0.0}) {
-            if (dt_s == 0.0) scene->look_at(View::kThrowing);  // where it began
-            auto warmed = draw({.pot = &lump}, dt_s, nullptr);
-            if (!warmed) return warmed.error();
-        }
-    }
     auto done = screen->wait();
     jobs::give_back_freed_memory();  // 40 MB of the driver's compiler
     jobs::give_back_code();
@@ -115,9 +106,7 @@ void LiveView::Impl::follow_shape() {
 Result<bool> LiveView::Impl::draw(const WheelView& shown, double dt_s, const render::Overlay* overlay) {
     if (width() == 0 || height() == 0) return false;
     follow_shape();
-    const bool moves = render::has_time_for_moving_camera(screen->quality());
-    scene->transition(moves);
-    scene->sway(may_sway && moves);
+    scene->sway(may_sway && render::has_time_for_moving_camera(screen->quality()));
     auto drawn = screen->draw(scene->apply(shown, width(), height(), dt_s), overlay, dt_s, !may_sway);
     if (drawn && *drawn && screen->stats().next_view_ready) scene->next_view_is_ready();
     return drawn;

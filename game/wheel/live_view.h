@@ -17,7 +17,7 @@
 #include "engine/vk/health.h"
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
-#include "game/wheel/camera_motion.h"
+#include "game/wheel/framing.h"
 #include "game/wheel/wheel_view.h"
 #include "game/wheel/workshop_files.h"
 

@@ -42,7 +42,6 @@ void extract_still_life(ecs::Registry& registry, FrameContext& context) {
         still_life->parts.push_back({.mesh = part.mesh,
                                      .material = part.material,
                                      .position_mm = vec3(transform.position_mm),
-                                     .in_relief = part.in_relief,
                                      .casts_shadow = part.casts_shadow});
     });
     still_life->revision = 1;

@@ -51,9 +51,6 @@ struct ShownBackground {
 // wheel.
 [[nodiscard]] render::LightLevels light_levels(double evening);
 
-// A background's camera as the framing asks for it.
-[[nodiscard]] render::Camera framed(const render::Camera& camera, const Framing& framing);
-
 // The rig's camera for a picture of this shape.
 [[nodiscard]] render::Camera camera_of(const CameraRig& rig, int width_px, int height_px);
 

@@ -89,10 +89,6 @@ void WheelScene::set_framing(const Framing& framing) {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.framing = framing; });
 }
 
-void WheelScene::transition(bool glides) {
-    registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.glides = glides; });
-}
-
 void WheelScene::next_view_is_ready() {
     registry_.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) { room.next_is_ready = true; });
 }

@@ -31,13 +31,12 @@ class WheelScene {
     void drop_backgrounds_of_other_shapes(int width_px, int height_px);
     [[nodiscard]] bool has_backgrounds();
     [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null: there is none
-    void look_at(View view);                                   // the camera goes there, in about a second
-    void set_framing(const Framing& framing);                  // likewise
-    // Whether there is time for a moving camera, which there is else: without, it is cut to the next view
-    // when a frame has said that it is ready (see render::FrameStats), and that fades in.
-    void transition(bool glides);
+    // The camera is cut to another view when a frame has said that it is ready (see render::FrameStats), and
+    // that fades in.
+    void look_at(View view);
+    void set_framing(const Framing& framing);
     void next_view_is_ready();
-    void move_less(bool less);  // it is cut, and nothing fades
+    void move_less(bool less);  // nothing fades
     void jump();                // with the next frame the camera is where it is wanted: nobody sees it now
     void sway(bool sways);      // slowly from side to side, while nobody throws
     void set_evening(double evening);  // 0 day to 1 evening, in about a second

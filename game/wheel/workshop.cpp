@@ -182,7 +182,6 @@ void stand_in(ecs::Registry& registry, const Workshop& workshop) {
     registry.add(deck, Transform{});
     registry.add(deck, StillPart{.mesh = std::make_shared<const render::Mesh>(
                                      level_sheet(-600.0F, 600.0F, -700.0F, 360.0F, -58.0F)),
-                                 .in_relief = true,  // with what stands on it
                                  .casts_shadow = kShadowIsInTheBackground});
 
     add_light(registry, workshop);

@@ -145,29 +145,6 @@ Result<std::shared_ptr<render::Photographs>> load_photographs(const std::filesys
         });
 }
 
-// NAME_relief.png, as maker/relief.py writes it. A room may come without: then the background is flat.
-Result<render::Relief> load_relief(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) return render::Relief{};
-    const auto bytes = files::read_file(path, kMostBackgroundBytes);
-    if (!bytes) return bytes.error();
-    const auto image = asset::decode_png(std::as_bytes(std::span(*bytes)), shown(path));
-    if (!image) return image.error();
-    constexpr int kMostCorners = 1024;
-    if (image->width < 2 || image->height < 2 || image->width > kMostCorners ||
-        image->height > kMostCorners) {
-        return bad_input(fmt::format("{}: expected 2 to {} corners each way, found {} x {}", shown(path),
-                                     kMostCorners, image->width, image->height));
-    }
-    render::Relief relief{.columns = image->width, .rows = image->height, .depth_mm = {}};
-    for (std::size_t i = 0; i < image->rgba.size(); i += 4) {
-        const int value = image->rgba[i] * 256 + image->rgba[i + 1];
-        constexpr float kNearestMm = 200.0F;
-        relief.depth_mm.push_back(65535.0F * kNearestMm / static_cast<float>(std::max(value, 1)));
-    }
-    return relief;
-}
-
 }  // namespace
 
 std::string_view name_of(View view) {
@@ -224,10 +201,7 @@ Result<std::shared_ptr<const render::Background>> load_background(const Workshop
     const std::filesystem::path folder = workshop.folder / "plates";
     auto photographs = load_photographs(folder, camera);
     if (!photographs) return photographs.error();
-    auto relief = load_relief(folder / (camera.name + "_relief.png"));
-    if (!relief) return relief.error();
     background->camera = camera.camera;
-    background->relief = std::move(*relief);
     background->width_px = camera.width_px;
     background->height_px = camera.height_px;
     background->photographs = std::move(*photographs);

@@ -70,7 +70,6 @@ Result<void> FrameCase::create() {
     renderer_ = std::move(*renderer);
     opened_ = wheel::open_scene({}, desc_.width, desc_.height);
     if (!opened_.lack.empty()) return system_lacks(opened_.lack);
-    opened_.scene->transition(render::has_time_for_moving_camera(desc_.step));
 
     for (std::size_t i = 0; i < kRings; ++i) {
         pot_.top_mm.push_back(static_cast<float>((static_cast<double>(i) + 1.0) * kHeightMm / kRings));

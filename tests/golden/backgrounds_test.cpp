@@ -1,5 +1,5 @@
-// Photographs that come and go while the camera is on its way: a window that changes its shape drops those of
-// the other shape, and nothing of them may stay behind where they are drawn from.
+// Photographs that come and go: a window that changes its shape drops those of the other shape, and nothing
+// of them may stay behind where they are drawn from. Those that may be seen soon come beside frames.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -20,18 +20,17 @@ render::Camera camera() {
     return {.eye_mm = {0.0F, 285.0F, 805.0F}, .target_mm = {0.0F, 82.0F, 0.0F}, .vertical_fov_rad = 0.471F};
 }
 
-// All of one grey, and as far away everywhere.
-std::shared_ptr<const render::Background> grey_background(std::uint8_t level) {
+// All of one grey.
+std::shared_ptr<const render::Background> grey_background(std::uint8_t level, int height_px = kHeight) {
     render::Background background;
     background.camera = camera();
     background.width_px = kWidth;
-    background.height_px = kHeight;
-    asset::Image grey{.width = kWidth, .height = kHeight, .rgba = {}};
-    grey.rgba.assign(std::size_t{4} * kWidth * kHeight, level);
+    background.height_px = height_px;
+    asset::Image grey{.width = kWidth, .height = height_px, .rgba = {}};
+    grey.rgba.assign(std::size_t{4} * kWidth * static_cast<std::size_t>(height_px), level);
     const render::PhotographPair pair{grey, grey};
     background.photographs =
         std::make_shared<render::Photographs>(pair, [pair] { return Result<render::PhotographPair>(pair); });
-    background.relief = {.columns = 2, .rows = 2, .depth_mm = {900.0F, 900.0F, 900.0F, 900.0F}};
     return std::make_shared<const render::Background>(std::move(background));
 }
 
@@ -48,17 +47,16 @@ class Backgrounds : public DrawingTest {
                                               : render::still_desc(vk::Offscreen::kFormat);
         renderer_ = render::Renderer::create(*device_, desc).value();
     }
-    // The level in the picture's middle of a camera that stands at one background, or is on its way to
-    // another.
+    // The level in the picture's middle, with another background at hand.
     int drawn(const std::shared_ptr<const render::Background>& background,
-              const std::shared_ptr<const render::Background>& towards) {
+              const std::shared_ptr<const render::Background>& next = nullptr) {
         render::Scene scene;
         scene.camera = camera();
         scene.background = background;
         scene.backgrounds_at_hand = {background};
-        if (towards) {
-            scene.backgrounds_at_hand.push_back(towards);
-            scene.transition = render::CameraTransition{.towards = towards, .fraction = 1.0F};
+        if (next) {
+            scene.backgrounds_at_hand.push_back(next);
+            scene.next_view = render::NextView{.camera = camera(), .background = next};
         }
         const auto shown = renderer_->draw(scene, *target_);
         EXPECT_TRUE(shown && *shown) << (shown ? "" : shown.error().message);
@@ -77,28 +75,33 @@ class Backgrounds : public DrawingTest {
 };
 
 TEST_F(Backgrounds, AreShownAgainAfterTheyWereDropped) {
-    make_renderer(render::Backend::kVulkan);
-    const auto here = grey_background(60);
-    const auto there = grey_background(200);
-    const int first = drawn(here, there);
-    const int before = drawn(here, nullptr);
-    EXPECT_GT(first, before + 60);
-    EXPECT_FALSE(here->photographs->are_here()) << "they lie on the device";
-    EXPECT_FALSE(there->photographs->are_here());
-    // What was freed is something else now.
-    const auto other = grey_background(120);
-    const int meanwhile = drawn(other, nullptr);
-    EXPECT_GT(meanwhile, before + 30);
-    EXPECT_LT(meanwhile, first - 30);
-    EXPECT_EQ(drawn(here, there), first);
+    for (const render::Backend backend : {render::Backend::kVulkan, render::Backend::kCpu}) {
+        make_renderer(backend);
+        const auto here = grey_background(60);
+        const int first = drawn(here);
+        EXPECT_FALSE(here->photographs->are_here()) << "they lie where they are drawn from";
+        // What was freed is something else now.
+        EXPECT_GT(drawn(grey_background(120)), first + 30);
+        EXPECT_EQ(drawn(here), first);
+    }
 }
 
-// One frame may come before the camera is told to stand.
-TEST_F(Backgrounds, AreShownAsTheyAreToACameraOnItsWayWhereTheProcessorLaysThem) {
+// A strip a frame: a frame that brings all of a photograph would be late.
+TEST_F(Backgrounds, AreReadyWhenTheirLastRowIsOnTheDevice) {
+    make_renderer(render::Backend::kVulkan);
     const auto here = grey_background(60);
-    const int alone = drawn(here, nullptr);
-    EXPECT_EQ(drawn(here, grey_background(200)), alone);
-    EXPECT_FALSE(here->photographs->are_here()) << "they lie where they are laid from";
+    constexpr int kRows = 4000;  // 2.4 MB a photograph: two strips each
+    const auto there = grey_background(200, kRows);
+    const int alone = drawn(here);
+    int frames = 0;
+    do {
+        ASSERT_LT(frames, 10);
+        EXPECT_EQ(drawn(here, there), alone);
+        ++frames;
+        EXPECT_NE(renderer_->stats().next_view_ready, there->photographs->are_here());
+    } while (!renderer_->stats().next_view_ready);
+    EXPECT_EQ(frames, 4);
+    EXPECT_GT(drawn(there), alone + 60);
 }
 
 // What the processor shaded in a large picture is no part of a small one that looks past the shadow.

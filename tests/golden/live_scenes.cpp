@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -54,7 +55,6 @@ asset::Image draw_live(vk::Device& device, const LiveScene& live, const render::
     EXPECT_FALSE(shown.name.empty()) << live.pot;
     auto opened = wheel::open_scene({}, shown.width, shown.height);
     EXPECT_EQ(opened.lack, "");
-    opened.scene->transition(live.on_its_way_s > 0.0);
     opened.scene->look_at(shown.view == wheel::StillView::kLookingIn ? wheel::View::kLookingIn
                                                                      : wheel::View::kThrowing);
     opened.scene->jump();
@@ -65,17 +65,22 @@ asset::Image draw_live(vk::Device& device, const LiveScene& live, const render::
         device, {static_cast<std::uint32_t>(shown.width), static_cast<std::uint32_t>(shown.height)});
     SampleOverlay overlay;
     constexpr int kFrames = 3;
-    for (int frame = 0; frame < kFrames; ++frame) {
+    constexpr int kMostFrames = 40;
+    float faded = live.fades ? 0.0F : 1.0F;
+    for (int frame = 0; frame < kFrames || (faded < 0.5F && frame < kMostFrames); ++frame) {
         GoldenScene moved = shown;
-        moved.tool_position_mm.y += 2.0 * (kFrames - 1 - frame);
-        if (frame == 1 && live.on_its_way_s > 0.0) opened.scene->look_at(wheel::View::kLookingIn);
-        const double dt_s = frame == 0 ? 0.0 : live.on_its_way_s / (kFrames - 1);
+        moved.tool_position_mm.y += 2.0 * std::max(kFrames - 1 - frame, 0);
+        if (frame == 1 && live.fades) opened.scene->look_at(wheel::View::kLookingIn);
+        const double dt_s = live.fades && frame > 0 ? 1.0 / 60.0 : 0.0;
         render::Scene scene = opened.scene->apply(moved.shown(), shown.width, shown.height, dt_s);
+        faded = scene.fade_in.value_or(faded);
         scene.levels = wheel::light_levels(live.evening);
         const render::Overlay laid = overlay.next();
         const auto drawn = (*renderer)->draw(scene, **target, live.has_overlay ? &laid : nullptr);
         EXPECT_TRUE(drawn && *drawn);
+        if ((*renderer)->stats().next_view_ready) opened.scene->next_view_is_ready();
     }
+    EXPECT_GE(faded, 0.5F);
     return {.width = shown.width, .height = shown.height, .rgba = (*target)->read_back().value()};
 }
 

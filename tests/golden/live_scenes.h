@@ -17,13 +17,14 @@ struct LiveScene {
     std::string name;
     std::string pot;  // one of the golden scenes
     double evening = 0.0;
-    double on_its_way_s = 0.0;  // that the camera has gone to the other view; 0: it stands
+    bool fades = false;  // the other view has half faded in
     bool has_overlay = false;
 
     friend std::ostream& operator<<(std::ostream& out, const LiveScene& scene) { return out << scene.name; }
 };
 
-// The third of three frames: in the first the room is made, in the others what has changed is laid over.
+// The third of three frames: in the first the room is made, in the others what has changed is laid over. One
+// that fades: as many more as it takes.
 [[nodiscard]] asset::Image draw_live(vk::Device& device, const LiveScene& scene,
                                      const render::RendererDesc& desc);
 

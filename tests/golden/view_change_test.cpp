@@ -1,5 +1,6 @@
-// Where the processor keeps what stands still, another view is made beside the frames of the one before, and
-// then fades in: which pictures that gives, and that nothing else is in them.
+// Another view fades in over the last picture of the one before: which pictures that gives with either
+// backend, and that nothing else is in them. Where the processor keeps what stands still, it is made beside
+// frames of the view before.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -34,14 +35,13 @@ int off_the_mix(const Pixels& shown, const Pixels& from, const Pixels& to, float
     return worst;
 }
 
-class ViewChange : public DrawingTest {
+class ViewChangeTest : public DrawingTest {
   protected:
     void SetUp() override {
         DrawingTest::SetUp();
         shown_ = scene_named("pulling");
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
-        opened_.scene->transition(false);
         opened_.scene->look_at(wheel::View::kThrowing);
         opened_.scene->apply(shown_.shown(), kWidth, kHeight);
         fading_ = make();
@@ -58,7 +58,8 @@ class ViewChange : public DrawingTest {
         std::unique_ptr<vk::Offscreen> target;
     };
     [[nodiscard]] Drawn make() const {
-        const render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
+        const bool is_software = backend_ == render::Backend::kCpu;
+        const render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, is_software, kHeight);
         return {render::Renderer::create(*device_, desc).value(),
                 vk::Offscreen::create(*device_, {kWidth, kHeight}).value()};
     }
@@ -93,6 +94,7 @@ class ViewChange : public DrawingTest {
         return draw(fresh, scene);
     }
 
+    render::Backend backend_ = render::Backend::kCpu;
     GoldenScene shown_;
     wheel::OpenedScene opened_;
     Drawn fading_;
@@ -101,7 +103,22 @@ class ViewChange : public DrawingTest {
     Pixels last_;
 };
 
-TEST_F(ViewChange, IsMadeInPartsWhileTheViewBeforeGoesOn) {
+class ViewChange : public ViewChangeTest, public testing::WithParamInterface<render::Backend> {
+  protected:
+    void SetUp() override {
+        backend_ = GetParam();
+        ViewChangeTest::SetUp();
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Of, ViewChange, testing::Values(render::Backend::kCpu, render::Backend::kVulkan),
+                         [](const auto& tested) {
+                             return tested.param == render::Backend::kCpu ? "Cpu" : "Vulkan";
+                         });
+
+// Of the processor's backend.
+class KeptViewChange : public ViewChangeTest {};
+
+TEST_F(KeptViewChange, IsMadeInPartsWhileTheViewBeforeGoesOn) {
     const render::Camera before = scene_.camera;
     opened_.scene->look_at(wheel::View::kLookingIn);
     int frames = 0;
@@ -118,7 +135,7 @@ TEST_F(ViewChange, IsMadeInPartsWhileTheViewBeforeGoesOn) {
     EXPECT_TRUE(scene_.fade_in.has_value());
 }
 
-TEST_F(ViewChange, MixesTheLastPictureOfTheViewBeforeWithEachOfTheNext) {
+TEST_P(ViewChange, MixesTheLastPictureOfTheViewBeforeWithEachOfTheNext) {
     go_to(wheel::View::kLookingIn);
     float before = 0.0F;
     int frames = 0;
@@ -133,7 +150,7 @@ TEST_F(ViewChange, MixesTheLastPictureOfTheViewBeforeWithEachOfTheNext) {
     EXPECT_GT(apart(picture_, last_, 20).beyond, kWidth * kHeight / 4) << "it is another view";
 }
 
-TEST_F(ViewChange, EndsItsFadeBeforeItIsCalledBack) {
+TEST_P(ViewChange, EndsItsFadeBeforeItIsCalledBack) {
     go_to(wheel::View::kLookingIn);
     const render::Camera there = scene_.camera;
     opened_.scene->look_at(wheel::View::kThrowing);
@@ -145,7 +162,7 @@ TEST_F(ViewChange, EndsItsFadeBeforeItIsCalledBack) {
 }
 
 // A picture whose size has changed and changed back is no picture of what was kept before.
-TEST_F(ViewChange, IsMadeAnewAfterOtherSizes) {
+TEST_P(ViewChange, IsMadeAnewAfterOtherSizes) {
     go_to(wheel::View::kLookingIn);
     while (scene_.fade_in)
         next();
@@ -159,7 +176,7 @@ TEST_F(ViewChange, IsMadeAnewAfterOtherSizes) {
 }
 
 // What lay over the last picture is no part of it.
-TEST_F(ViewChange, LeavesNothingOfTheOverlayBehind) {
+TEST_P(ViewChange, LeavesNothingOfTheOverlayBehind) {
     ui::DrawList list;
     list.add_box({.x = 200.0F, .y = 90.0F, .width = 240.0F, .height = 180.0F}, {.r = 1.0F, .a = 0.8F});
     const render::Overlay box{.list = &list, .atlas_side_px = 64};
@@ -176,16 +193,15 @@ TEST_F(ViewChange, LeavesNothingOfTheOverlayBehind) {
     EXPECT_LE(apart(picture_, draw(bare, scene_), 0).worst, kMaskStep);
 }
 
-TEST_F(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
+TEST_P(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
     opened_.scene->move_less(true);
     go_to(wheel::View::kLookingIn);
-    EXPECT_FALSE(fading_.renderer->stats().still_life_drawn);
     EXPECT_FALSE(scene_.fade_in.has_value());
     EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
 }
 
 // A jump leaves no time to make it beside; it is all there at once.
-TEST_F(ViewChange, IsThereAtOnceAfterAJump) {
+TEST_P(ViewChange, IsThereAtOnceAfterAJump) {
     opened_.scene->look_at(wheel::View::kLookingIn);
     opened_.scene->jump();
     next();

@@ -2,6 +2,7 @@
 // loop, the real keeper and the real disk, and a clock for the visits that runs as fast as frames are drawn.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -203,7 +204,10 @@ class UnseenKiosk {
                 if (one.button == button && one.value == value) target = &one;
             return target != nullptr;
         };
-        if (!until(is_there, kSlowly)) return false;
+        if (!until(is_there, kSlowly)) {
+            ADD_FAILURE() << missed(button, value);
+            return false;
+        }
         const float px = visit_->shown()->composition.px_per_u;
         const vec2 middle = px * target->rect.centre();
         point(double{middle.x}, double{middle.y});
@@ -293,6 +297,20 @@ class UnseenKiosk {
     }
 
   private:
+    // What was looked for, and what is there instead.
+    [[nodiscard]] std::string missed(kiosk::Button button, int value) const {
+        std::string words =
+            fmt::format("expected button {} {} on screen {} with panel {}, found", static_cast<int>(button),
+                        value, static_cast<int>(screen()), static_cast<int>(state().panel));
+        const screens::Composed* shown = visit_->shown();
+        if (shown == nullptr) return words + " no screen";
+        words += fmt::format(" on screen {} with panel {}:", static_cast<int>(shown->view->state.screen),
+                             static_cast<int>(shown->view->state.panel));
+        for (const screens::Target& one : shown->composition.targets)
+            words += fmt::format(" {} {}", static_cast<int>(one.button), one.value);
+        return words;
+    }
+
     KioskSettings settings_;
     std::unique_ptr<wheel::LiveView> view_;
     haptic::HapticState start_;

@@ -52,16 +52,16 @@ TEST_P(MovingPictures, EqualTheOnesThatWereLookedAt) {
 }
 
 // Hands at work, a wall that is looked into, one that is cut and shows its load, a glazed one in the evening,
-// all that an overlay draws, and a camera on its way from one view to another.
-INSTANTIATE_TEST_SUITE_P(
-    OfThePot, MovingPictures,
-    testing::Values(LiveScene{.name = "gpu-pulling", .pot = "pulling"},
-                    LiveScene{.name = "gpu-inside", .pot = "inside"},
-                    LiveScene{.name = "gpu-load", .pot = "load"},
-                    LiveScene{.name = "gpu-evening", .pot = "celadon", .evening = 1.0},
-                    LiveScene{.name = "gpu-overlay", .pot = "centring", .has_overlay = true},
-                    LiveScene{.name = "gpu-on-its-way", .pot = "wide", .on_its_way_s = 0.5}),
-    [](const auto& tested) { return test_name({.name = tested.param.name}); });
+// all that an overlay draws, and one view on its way into another.
+INSTANTIATE_TEST_SUITE_P(OfThePot, MovingPictures,
+                         testing::Values(LiveScene{.name = "gpu-pulling", .pot = "pulling"},
+                                         LiveScene{.name = "gpu-inside", .pot = "inside"},
+                                         LiveScene{.name = "gpu-load", .pot = "load"},
+                                         LiveScene{.name = "gpu-evening", .pot = "celadon", .evening = 1.0},
+                                         LiveScene{
+                                             .name = "gpu-overlay", .pot = "centring", .has_overlay = true},
+                                         LiveScene{.name = "gpu-fading", .pot = "wide", .fades = true}),
+                         [](const auto& tested) { return test_name({.name = tested.param.name}); });
 
 class AStormOfSizes : public MovingPictures {};
 

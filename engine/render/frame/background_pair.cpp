@@ -12,12 +12,7 @@ bool is_whole(const Background& background, const PhotographPair& pair) {
                image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
                                         static_cast<std::size_t>(image.height);
     };
-    const Relief& relief = background.relief;
-    const bool has_relief = !relief.depth_mm.empty();
-    return is_whole_picture(pair.key) && is_whole_picture(pair.ambient) &&
-           (!has_relief || (relief.columns >= 2 && relief.rows >= 2 &&
-                            relief.depth_mm.size() == static_cast<std::size_t>(relief.columns) *
-                                                          static_cast<std::size_t>(relief.rows)));
+    return is_whole_picture(pair.key) && is_whole_picture(pair.ambient);
 }
 
 }  // namespace
@@ -27,7 +22,7 @@ Result<const PhotographPair*> whole_pair(const Background& background) {
     const auto pair = background.photographs->pair();
     if (!pair) return pair.error();
     if (!is_whole(background, **pair)) {
-        return failed("plate: expected two whole pictures of one size and a whole relief, found others");
+        return failed("plate: expected two whole pictures of one size, found others");
     }
     return pair;
 }

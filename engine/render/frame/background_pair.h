@@ -6,8 +6,8 @@
 
 namespace onggi::render {
 
-// Both photographs, which stay until the background's let_go(). Errors: they cannot be read, are not of the
-// background's size, or its relief is not whole.
+// Both photographs, which stay until the background's let_go(). Errors: they cannot be read, or are not of
+// the background's size.
 [[nodiscard]] Result<const PhotographPair*> whole_pair(const Background& background);
 
 }  // namespace onggi::render

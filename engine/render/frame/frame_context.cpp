@@ -26,13 +26,10 @@ constexpr std::array kBindings{vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kB
                                kVertexData,
                                kTexels,
                                kImage,
-                               vk::Binding{kSampledImage, kBoth},
                                kImage,
                                kImage,
                                kImage,
                                kImage,
-                               vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
-                               vk::Binding{kSampledImage, VK_SHADER_STAGE_VERTEX_BIT},
                                kVertexData,
                                vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 static_assert(kBindings.size() == shaders::kBindings);

@@ -22,7 +22,6 @@ Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& stil
                           .first_index = static_cast<std::uint32_t>(indices.size()),
                           .index_count = static_cast<std::uint32_t>(part.mesh->indices.size()),
                           .first_vertex = static_cast<std::int32_t>(vertices.size()),
-                          .in_relief = part.in_relief,
                           .casts_shadow = part.casts_shadow});
         vertices.insert(vertices.end(), part.mesh->vertices.begin(), part.mesh->vertices.end());
         indices.insert(indices.end(), part.mesh->indices.begin(), part.mesh->indices.end());
@@ -36,7 +35,6 @@ void StillMeshes::draw(const FrameContext& frame, Which which) const {
     buffers_.bind(frame.commands);
     for (const Part& part : parts_) {
         if (which == Which::kCasters && !part.casts_shadow) continue;
-        if (which == Which::kNotInRelief && part.in_relief) continue;
         frame.push(part.draw);
         vkCmdDrawIndexed(frame.commands, part.index_count, 1, part.first_index, part.first_vertex, 0);
         frame.count_draw(part.index_count);

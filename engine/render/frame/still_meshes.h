@@ -20,7 +20,7 @@ class StillMeshes {
     // Precondition: the device does not read what was uploaded before.
     Result<bool> fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life);
 
-    enum class Which { kAll, kCasters, kNotInRelief };
+    enum class Which { kAll, kCasters };
     // Draws each part with its push constants.
     void draw(const FrameContext& frame, Which which) const;
     [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
@@ -33,7 +33,6 @@ class StillMeshes {
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
         std::int32_t first_vertex = 0;
-        bool in_relief = false;
         bool casts_shadow = true;
     };
     MeshBuffers buffers_;

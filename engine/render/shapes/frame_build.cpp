@@ -60,17 +60,11 @@ void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::Fr
     frame.backdrop_shape =
         vec4(backdrop.glow_centre.x, backdrop.glow_centre.y, width / shorter, height / shorter);
     frame.picture = vec4(width, height, 1.0F / width, 1.0F / height);
+    frame.fade = vec4(1.0F - scene.fade_in.value_or(1.0F), 0.0F, 0.0F, 0.0F);
     if (!scene.background) return;
-    const auto projection_of = [](const Background& background) {
-        return view_projection(background.camera, background.width_px, background.height_px);
-    };
     frame.background_window =
         background_window(scene.background->camera, scene.background->width_px, scene.background->height_px,
                           scene.camera, width_px, height_px);
-    frame.background_from = projection_of(*scene.background);
-    frame.background_to =
-        scene.transition ? projection_of(*scene.transition->towards) : frame.background_from;
-    frame.transition = vec4(scene.transition ? scene.transition->fraction : 0.0F, 0.0F, 0.0F, 0.0F);
 }
 
 // All of it but what moves.

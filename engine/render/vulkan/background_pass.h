@@ -9,53 +9,38 @@
 
 namespace onggi::render {
 
-// Where in the frame's set a background is bound.
-struct BackgroundSlots {
-    int key;
-    int ambient;
-    int depth;
-};
-
 class BackgroundPass {
   public:
     // Binds something to every slot that a shader might read before there is a background.
     static void bind_placeholders(const VulkanFrame& frame);
 
-    // The scene's backgrounds to where they are used, unless they are there. The device is idle.
+    // The scene's background to where it is used, unless it is there, and some rows of what may be seen soon.
+    // The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
-    // The relief of the background that is nearer to the gliding camera, inside the caller's pass.
-    void draw_relief(const VulkanFrame& frame, const CameraTransition& transition) const;
+    // All of it is on the device.
+    [[nodiscard]] bool has(const Background* background) const;
 
   private:
-    // What a background is brought in, so that no frame has to wait for all of it.
-    enum Part { kReliefPart, kDepthPart, kKeyPart, kAmbientPart, kParts };
     struct Resident {
-        int parts = 0;                                 // that are here, in this order
         std::shared_ptr<const Background> background;  // held, so that no other can have its address
         vk::Image key{};
         vk::Image ambient{};
-        vk::Image depth{};  // of the relief's corners, mm
-        vk::Buffer relief_positions{};
-        vk::Buffer relief_indices{};
-        std::uint32_t relief_index_count = 0;
+        int rows = 0;  // that are here: first those of the one, then of the other
 
-        [[nodiscard]] bool is_whole() const { return parts == kParts; }
+        [[nodiscard]] bool is_whole() const { return rows == 2 * background->height_px; }
     };
-    // The next of them; some ms.
-    static Result<void> upload_part(const VulkanFrame& frame, Resident& resident);
-    // The one of that background, perhaps still without a part.
+    // The next strip of it; under a millisecond.
+    Result<void> upload_strip(const VulkanFrame& frame, Resident& resident);
+    // The one of that background, perhaps still without a row.
     Resident& begin(std::shared_ptr<const Background> background);
-    // Whole.
-    Result<const Resident*> resident(const VulkanFrame& frame,
-                                     const std::shared_ptr<const Background>& background);
-    void let_go(const VulkanFrame& frame, const BackgroundSlots& slots,
-                std::shared_ptr<const Background>& bound) const;
-    [[nodiscard]] const Resident* find(const std::shared_ptr<const Background>& background) const;
+    // What the scene does not name goes, and out of every slot before that: lavapipe counts references in
+    // whatever is bound, drawn from or not.
+    void let_go_of_others(const VulkanFrame& frame, const Scene& scene);
 
     std::vector<std::unique_ptr<Resident>> residents_;
-    std::shared_ptr<const Background> from_;  // as bound
-    std::shared_ptr<const Background> to_;
+    std::shared_ptr<const Background> bound_;
+    vk::Buffer strip_{};
 };
 
 }  // namespace onggi::render

@@ -1,8 +1,6 @@
 // The background: what stands still, drawn into every frame. Main thread.
 #pragma once
 
-#include <cstddef>
-
 #include "engine/core/result.h"
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/vulkan/background_pass.h"
@@ -25,9 +23,12 @@ class RoomPass {
 
     [[nodiscard]] const StillBounds& bounds() const { return still_.bounds(); }
 
-  private:
-    void draw_gliding(const VulkanFrame& frame, const Scene& scene) const;
+    // What a view of this background would be drawn from is on the device; null: it needs nothing.
+    [[nodiscard]] bool has(const Background* background) const {
+        return background == nullptr || background_.has(background);
+    }
 
+  private:
     BackgroundPass background_;
     StillMeshes still_;
 };

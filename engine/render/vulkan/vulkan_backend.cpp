@@ -15,6 +15,9 @@ VkExtent2D scaled(VkExtent2D extent, float scale) {
     return {side(extent.width), side(extent.height)};
 }
 
+constexpr vk::ImageState kStretched{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+                                    VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+
 VkOffset3D far_corner(VkExtent2D extent) {
     return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height), 1};
 }
@@ -33,6 +36,7 @@ Result<void> VulkanBackend::create() {
         [&](VkCommandBuffer once) { vk::barrier(once, mask, vk::state::kUndefined, vk::state::kSampled); });
     if (!laid_out) return laid_out;
     RoomPass::create(frame_);
+    ViewFade::bind_placeholder(frame_);
     if (auto created = props_.create(frame_); !created) return created;
     if (auto created = lathe_.create(frame_); !created) return created;
     return overlay_.create(frame_);
@@ -55,6 +59,7 @@ Result<void> VulkanBackend::fit(const Scene& scene, VkExtent2D target) {
         if (auto fitted = fit_shadow_map(frame_); !fitted) return fitted;
     }
     if (auto made = fit_pipelines(frame_, scene, frame_.pipelines); !made) return made;
+    if (auto fitted = fade_.fit(frame_, scene); !fitted) return fitted;
     return room_.fit(frame_, scene);
 }
 
@@ -82,8 +87,8 @@ Result<bool> VulkanBackend::draw(const Scene& scene, const vk::TargetImage& targ
     frame_.enter("overlay");
     overlay_.record(frame_, target, shows_scene);
     if (auto ended = frame_.end(target); !ended) return ended.error();
-    // Any view is drawn as quickly as any other.
-    frame_.stats.next_view_ready = scene.next_view.has_value();
+    frame_.stats.next_view_ready =
+        shows_scene && fade_.keeps() != nullptr && room_.has(scene.next_view->background.get());
     return shows_scene;
 }
 
@@ -94,8 +99,9 @@ void VulkanBackend::record(const Scene& scene, const vk::TargetImage& target) {
     frame_.enter("shadow maps");
     room_.record(frame_, scene);
     shadow_.record(frame_);
-    const VkImage picture = is_smaller() ? images.smaller.handle() : target.image;
-    const VkImageView view = is_smaller() ? images.smaller.view() : target.view;
+    const vk::Image* apart = picture_apart();
+    const VkImage picture = apart != nullptr ? apart->handle() : target.image;
+    const VkImageView view = apart != nullptr ? apart->view() : target.view;
     vk::barrier(commands, picture, VK_IMAGE_ASPECT_COLOR_BIT, vk::state::kDiscard, vk::state::kColour);
     vk::barrier(commands, images.depth, vk::state::kDiscard, vk::state::kDepth);
     PassColour colour{.view = view};
@@ -111,24 +117,28 @@ void VulkanBackend::record(const Scene& scene, const vk::TargetImage& target) {
     props_.draw(frame_, scene);
     frame_.enter("still life");
     room_.draw(frame_, scene);
+    fade_.draw(frame_);
     vkCmdEndRendering(commands);
-    if (is_smaller()) stretch_over(target);
+    if (apart != nullptr) stretch(*apart, target);
+    if (fade_.keeps() != nullptr) fade_.keep(commands, kStretched);
 }
 
-void VulkanBackend::stretch_over(const vk::TargetImage& target) const {
-    constexpr vk::ImageState kRead{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
-                                   VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+const vk::Image* VulkanBackend::picture_apart() const {
+    if (fade_.keeps() != nullptr) return fade_.keeps();
+    return frame_.desc.scale < 1.0F ? &frame_.images.smaller : nullptr;
+}
+
+void VulkanBackend::stretch(const vk::Image& picture, const vk::TargetImage& target) const {
     constexpr vk::ImageState kWritten{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
     const VkCommandBuffer commands = frame_.commands;
-    const vk::Image& smaller = frame_.images.smaller;
-    vk::barrier(commands, smaller, vk::state::kColour, kRead);
+    vk::barrier(commands, picture, vk::state::kColour, kStretched);
     vk::barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, vk::state::kDiscard, kWritten);
     VkImageBlit region{};
     region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.srcOffsets[1] = far_corner(smaller.extent());
+    region.srcOffsets[1] = far_corner(picture.extent());
     region.dstOffsets[1] = far_corner(target.extent);
-    vkCmdBlitImage(commands, smaller.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
+    vkCmdBlitImage(commands, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, VK_FILTER_LINEAR);
     vk::barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, kWritten, vk::state::kColour);
 }

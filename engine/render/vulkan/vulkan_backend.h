@@ -8,6 +8,7 @@
 #include "engine/render/vulkan/prop_pass.h"
 #include "engine/render/vulkan/room_pass.h"
 #include "engine/render/vulkan/shadow_pass.h"
+#include "engine/render/vulkan/view_fade.h"
 
 namespace onggi::render {
 
@@ -24,9 +25,11 @@ class VulkanBackend : public RenderBackend {
     Result<void> fit_size(VkExtent2D target);
     Result<void> upload(const Scene& scene);
     void record(const Scene& scene, const vk::TargetImage& target);
-    // Where the scene's picture is drawn: the target, or the smaller image that is stretched over it.
-    [[nodiscard]] bool is_smaller() const { return frame_.desc.scale < 1.0F; }
-    void stretch_over(const vk::TargetImage& target) const;
+    // Where the scene's picture is drawn if not into the target, over which it is then stretched: it is
+    // smaller, or may be wanted again. Else null.
+    [[nodiscard]] const vk::Image* picture_apart() const;
+    // A picture that was just drawn, over the target.
+    void stretch(const vk::Image& picture, const vk::TargetImage& target) const;
 
     VulkanFrame frame_;
     RoomPass room_;
@@ -34,6 +37,7 @@ class VulkanBackend : public RenderBackend {
     LathePass lathe_;
     PropPass props_;
     OverlayPass overlay_;
+    ViewFade fade_;
 };
 
 }  // namespace onggi::render

@@ -17,41 +17,16 @@ Result<void> create_samplers(const vk::Device& device, VulkanPipelines& pipeline
         vk::SamplerDesc desc;
         const char* name;
     };
-    for (const SamplerRequest& request :
-         {SamplerRequest{pipelines.clamped, {}, "clamped"},
-          SamplerRequest{
-              pipelines.repeated,
-              {.address_u = VK_SAMPLER_ADDRESS_MODE_REPEAT, .address_v = VK_SAMPLER_ADDRESS_MODE_REPEAT},
-              "repeated"},
-          SamplerRequest{pipelines.exact, {.filter = VK_FILTER_NEAREST}, "exact"}}) {
+    for (const SamplerRequest& request : {SamplerRequest{pipelines.clamped, {}, "clamped"},
+                                          SamplerRequest{pipelines.repeated,
+                                                         {.address_u = VK_SAMPLER_ADDRESS_MODE_REPEAT,
+                                                         .address_v = VK_SAMPLER_ADDRESS_MODE_REPEAT},
+                                                         "repeated"}}) {
         auto sampler = vk::create_sampler(device, request.desc, request.name);
         if (!sampler) return sampler.error();
         request.into = std::move(*sampler);
     }
     return {};
-}
-
-// From the one that puts a background on a mesh.
-void make_transition_pipelines(PipelineMaker& maker, const vk::PipelineDesc& background_surface,
-                               std::span<const VkFormat> picture_formats, VulkanPipelines& pipelines) {
-    for (std::size_t need = 0; need < pipelines.transition.size(); ++need) {
-        const std::array constants{need == kTransitionAlone ? 0U : 1U, need == kTransitionDimmed ? 1U : 0U};
-        vk::PipelineDesc surface = background_surface;
-        surface.name = "plates on the still life, moving";
-        surface.vertex_spirv = shaders::kTransitionSurfaceVert;
-        surface.fragment_spirv = shaders::kTransitionSurfaceFrag;
-        surface.constants = constants;
-        surface.colour_formats = picture_formats;
-        maker.make(pipelines.transition_surface[need], surface);
-        vk::PipelineDesc relief = surface;
-        relief.name = "plates on their relief, moving";
-        relief.vertex_spirv = shaders::kTransitionVert;
-        relief.fragment_spirv = shaders::kTransitionFrag;
-        relief.attributes = std::span(kMeshAttributes).first(1);
-        relief.vertex_stride = sizeof(vec3);
-        relief.cull = VK_CULL_MODE_NONE;
-        maker.make(pipelines.transition[need], relief);
-    }
 }
 
 // The lathe. From one that draws into the picture.
@@ -118,7 +93,10 @@ Result<void> make_pipelines(const FrameContext& frame, bool needs_own_colours, V
     background_surface.vertex_spirv = shaders::kBackgroundSurfaceVert;
     background_surface.attributes = std::span(kMeshAttributes).first(2);
     maker.make(pipelines.background_surface, background_surface);
-    make_transition_pipelines(maker, background_surface, picture_formats, pipelines);
+    vk::PipelineDesc fade = into_picture(screen_pipeline(frame, "view fade", shaders::kViewFadeFrag));
+    fade.depth_test = false;
+    fade.blend = true;
+    maker.make(pipelines.view_fade, fade);
     make_lathe_pipelines(maker, desc, still, pipelines);
 
     vk::PipelineDesc mask = screen_pipeline(frame, "shadow mask", shaders::kMaskFrag);

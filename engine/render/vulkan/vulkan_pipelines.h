@@ -1,32 +1,20 @@
 // The pipelines and samplers that the Vulkan backend makes once from its description. Main thread.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "engine/core/result.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/scene.h"
 
 namespace onggi::render {
 
-// What a glide needs: one background, two, or two in the evening.
-constexpr std::size_t kTransitionAlone = 0;
-constexpr std::size_t kTransitionMixed = 1;
-constexpr std::size_t kTransitionDimmed = 2;
-constexpr std::size_t kTransitionNeeds = 3;
-
 struct VulkanPipelines {
     vk::Sampler clamped;
     vk::Sampler repeated;
-    vk::Sampler exact;
     vk::Pipeline backdrop;  // this and the next without a background
     vk::Pipeline still;
     vk::Pipeline background;  // instead of the backdrop, and of the still life's colours
     vk::Pipeline background_surface;
-    // Instead of these two while the camera moves, by what it needs.
-    std::array<vk::Pipeline, kTransitionNeeds> transition;
-    std::array<vk::Pipeline, kTransitionNeeds> transition_surface;
+    vk::Pipeline view_fade;
     vk::Pipeline mask;
     vk::Pipeline lathe;               // where no moving sphere's shadow falls
     vk::Pipeline lathe_near_spheres;  // where one may

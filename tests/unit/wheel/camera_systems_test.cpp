@@ -1,6 +1,8 @@
 // How the camera of the photographed room comes to another view, as the scene says it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "game/wheel/workshop_scene.h"
@@ -33,18 +35,7 @@ class CameraOfARoom : public testing::Test {
     render::Camera place_;  // where it began
 };
 
-TEST_F(CameraOfARoom, TransitionsWhereThereIsTime) {
-    scene().look_at(View::kLookingIn);
-    for (int i = 0; i < 30; ++i) {
-        const render::Scene& seen = frame();
-        EXPECT_TRUE(seen.transition.has_value());
-        EXPECT_FALSE(seen.next_view.has_value());
-        EXPECT_FALSE(seen.fade_in.has_value());
-    }
-}
-
 TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyAndIsThenThereAtOnce) {
-    scene().transition(false);
     scene().look_at(View::kLookingIn);
     render::Camera next;
     for (int i = 0; i < 20; ++i) {
@@ -57,14 +48,12 @@ TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyAndIsThenThereAtOnce) {
     scene().next_view_is_ready();
     const render::Scene& seen = frame();
     EXPECT_EQ(seen.camera, next);
-    EXPECT_FALSE(seen.transition.has_value());
     EXPECT_FALSE(seen.next_view.has_value());
     EXPECT_TRUE(seen.fade_in.has_value());
     EXPECT_EQ(scene().camera_now(kWidth, kHeight), next) << "and so for touches";
 }
 
 TEST_F(CameraOfARoom, FadesForAQuarterOfASecondAtAnyFrameRate) {
-    scene().transition(false);
     View view = View::kThrowing;
     for (const int rate_hz : {20, 60, 144}) {
         view = view == View::kThrowing ? View::kLookingIn : View::kThrowing;
@@ -82,7 +71,6 @@ TEST_F(CameraOfARoom, FadesForAQuarterOfASecondAtAnyFrameRate) {
 }
 
 TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
-    scene().transition(false);
     scene().look_at(View::kLookingIn);
     EXPECT_TRUE(frame().next_view.has_value());
     scene().look_at(View::kThrowing);
@@ -93,7 +81,6 @@ TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
 
 // What is ready is the view that was asked for before.
 TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
-    scene().transition(false);
     scene().look_at(View::kLookingIn);
     frame();
     scene().next_view_is_ready();
@@ -104,27 +91,30 @@ TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
     EXPECT_EQ(frame().camera.lens_shift, vec2(0.0F, 0.1F));
 }
 
-TEST_F(CameraOfARoom, IsCutWithoutAFadeForLessMotionEvenWhereItCouldTransition) {
-    for (const bool glides : {true, false}) {
-        scene().transition(glides);
-        scene().move_less(true);
-        cut_to(glides ? View::kLookingIn : View::kThrowing);
-        const render::Scene& seen = frame();
-        EXPECT_EQ(seen.camera == place_, !glides);
-        EXPECT_FALSE(seen.fade_in.has_value());
-        EXPECT_FALSE(seen.transition.has_value());
-    }
+TEST_F(CameraOfARoom, IsCutWithoutAFadeForLessMotion) {
+    scene().move_less(true);
+    cut_to(View::kLookingIn);
+    const render::Scene& seen = frame();
+    EXPECT_FALSE(seen.camera == place_);
+    EXPECT_FALSE(seen.fade_in.has_value());
 }
 
-TEST_F(CameraOfARoom, StandsWhereItWasGoingWhenThereIsNoMoreTimeToTransition) {
-    scene().look_at(View::kLookingIn);
-    for (int i = 0; i < 10; ++i)
+TEST_F(CameraOfARoom, SwaysALittleAndNeverPastThePhotograph) {
+    scene().sway(true);
+    float most = 0.0F;
+    for (int i = 0; i < 60 * 60; ++i) {
+        const render::Scene& seen = frame();
+        const double nearer = std::tan(0.5 * static_cast<double>(place_.vertical_fov_rad)) /
+                              std::tan(0.5 * static_cast<double>(seen.camera.vertical_fov_rad));
+        const float aside = std::abs(seen.camera.lens_shift.x - place_.lens_shift.x);
+        EXPECT_LE(1.0 + static_cast<double>(aside), nearer + 1e-6) << i;
+        most = std::max(most, aside);
+    }
+    EXPECT_GT(most, 0.03F);
+    scene().sway(false);
+    for (int i = 0; i < 600; ++i)
         frame();
-    scene().transition(false);
-    const render::Scene& seen = frame();
-    EXPECT_FALSE(seen.transition.has_value());
-    EXPECT_FALSE(seen.camera == place_);
-    EXPECT_EQ(frame().camera, frame().camera);
+    EXPECT_EQ(frame().camera, place_);
 }
 
 }  // namespace
