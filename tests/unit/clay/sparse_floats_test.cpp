@@ -1,6 +1,7 @@
 #include "game/clay/sparse_floats.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <bit>
 #include <cstdint>
@@ -23,21 +24,26 @@ std::vector<std::uint32_t> bits(const SparseFloats& floats) {
     return all;
 }
 
-// What the mapping takes that these lie in, by the kernel's own account.
+// What these take, by the kernel's own account. It tells of mappings, and neighbours that are alike are one:
+// so these are made unlike theirs while it is asked.
 long memory_kb(const SparseFloats& floats) {
     const auto place = reinterpret_cast<std::uintptr_t>(floats.data());
+    const std::uintptr_t page = static_cast<std::uintptr_t>(kPageKb) * 1024;
+    const std::uintptr_t begin = place / page * page;
+    const std::uintptr_t end = (place + floats.size() * sizeof(float) + page - 1) / page * page;
+    EXPECT_EQ(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTFORK), 0);
+    long found_kb = -1;
     std::ifstream maps("/proc/self/smaps");
     bool is_there = false;
-    for (std::string line; std::getline(maps, line);) {
+    for (std::string line; found_kb < 0 && std::getline(maps, line);) {
         std::istringstream words(line);
         std::uintptr_t first = 0;
-        std::uintptr_t end = 0;
         char dash = 0;
-        if (words >> std::hex >> first >> dash >> end && dash == '-')
-            is_there = first <= place && place < end;
-        if (is_there && line.starts_with("Anonymous:")) return std::stol(line.substr(10));
+        if (words >> std::hex >> first >> dash && dash == '-') is_there = first == begin;
+        if (is_there && line.starts_with("Anonymous:")) found_kb = std::stol(line.substr(10));
     }
-    return -1;
+    EXPECT_EQ(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DOFORK), 0);
+    return found_kb;
 }
 
 TEST(SparseFloats, AreCopiedByEveryBit) {
@@ -80,7 +86,7 @@ TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
     floats.data()[kCount / 2] = 1.0F;
     EXPECT_LE(memory_kb(floats) - before_kb, 2 * kPageKb);
 
-    const long written_kb = memory_kb(floats);  // of its mapping, which others may have come to share
+    const long written_kb = memory_kb(floats);
     SparseFloats copy(floats);
     // Kernels with large folios give up to 128 kB for each page that is written, and its floats lie in two.
     EXPECT_LE(memory_kb(copy), written_kb + reading_kb + 64 * kPageKb) << "the copy of a page is a page";
