@@ -161,7 +161,7 @@ TEST(Visitors, LeaveMemoryHandlesThreadsAndDiskAsTheyWereAndEveryPotOnTheShelf) 
     std::printf("seed %u: %d visits in %.2f h of theirs, %zu pots kept\n", seed, number,
                 (kiosk.now_s() - begun_s) / 3600.0, to_keep);
     // Caches, pools and the shelf fill up first.
-    const std::size_t warm = std::max<std::size_t>(2, figures.size() / 5);
+    const std::size_t warm = std::min(figures.size(), std::max<std::size_t>(2, figures.size() / 5));
     figures.erase(figures.begin(), figures.begin() + static_cast<std::ptrdiff_t>(warm));
     stress::expect_flat(figures);
     for (const stress::Figures& one : figures)
