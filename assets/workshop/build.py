@@ -2,7 +2,7 @@
 
   blender -b --factory-startup -P assets/workshop/build.py -- [options]
 
-Without options: light.json, room.glb, and the plates of every camera with their relief, in cameras.json. README.md says more.
+Without options: light.json, room.glb, and the plates of every camera in cameras.json. README.md says more.
 """
 import argparse
 import pathlib
@@ -16,7 +16,7 @@ sys.path.insert(0, str(HERE))
 import bpy  # noqa: E402
 
 from maker import (building, cameras, cameras_file, develop, furniture, lights, paint, plates, pots, probe,  # noqa: E402
-                   relief, room_glb, shapes, tools, wheel)
+                   room_glb, shapes, tools, wheel)
 
 ROOM_FINENESS = 0.36  # of the round things in room.glb
 
@@ -25,7 +25,7 @@ def options():
     words = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
     parser = argparse.ArgumentParser(prog="build.py", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", choices=("plates", "relief", "light", "room"), action="append", help="may be repeated")
+    parser.add_argument("--only", choices=("plates", "light", "room"), action="append", help="may be repeated")
     parser.add_argument("--camera", action="append", help="plates of this camera only; may be repeated")
     parser.add_argument("--room", metavar="GLB", help="a room of your own instead of ours (metres, +Y up)")
     parser.add_argument("--out", default=str(HERE), help="where plates/, light.json and room.glb go")
@@ -64,7 +64,7 @@ def build_scene(chosen, fineness):
 
 def main():
     chosen = options()
-    wanted = set(chosen.only or ("light", "room", "relief", "plates"))
+    wanted = set(chosen.only or ("light", "room", "plates"))
     out, work = pathlib.Path(chosen.out), pathlib.Path(chosen.work)
     out.mkdir(parents=True, exist_ok=True)
     work.mkdir(parents=True, exist_ok=True)
@@ -75,10 +75,6 @@ def main():
         colours, _ = build_scene(chosen, ROOM_FINENESS)
         room_glb.export(colours, out / "room.glb")
     chosen_cameras = [pair for pair in cameras_file.load().items() if not chosen.camera or pair[0] in chosen.camera]
-    if "relief" in wanted:
-        build_scene(chosen, 1.0)
-        for name, spec in chosen_cameras:
-            relief.make(name, spec, work, out / "plates", chosen.threads)
     if "plates" in wanted:
         build_scene(chosen, 1.0)
         for name, spec in chosen_cameras:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clay/studio/strength.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/clay/studio/trimming.h"
 
