@@ -5,15 +5,15 @@ option(ONGGI_BATCHES "Compile the files of a target in batches" ON)
 set(ONGGI_BATCH_SIZE 8)
 
 # onggi_batches(NAME RESULT SOURCES ... APART ...): the sources as the target NAME compiles them. Those of them that are
-# APART, or have compile options of their own, stay as they are. A batch names its files from the root of the checkout,
+# APART, or have vector loops, stay as they are, with whichever compiler: so all of them see the same batches. A batch names its files from the root of the checkout,
 # never by absolute paths, so that ccache finds it again in another checkout.
 function(onggi_batches NAME RESULT)
     cmake_parse_arguments(ARG "" "" "SOURCES;APART" ${ARGN})
     set(files)
     set(others)
     foreach(file IN LISTS ARG_SOURCES)
-        get_source_file_property(options ${file} COMPILE_OPTIONS)
-        if(options OR file IN_LIST ARG_APART OR NOT file MATCHES "\\.cpp$")
+        get_source_file_property(stands_apart ${file} ONGGI_STANDS_APART)
+        if(stands_apart OR file IN_LIST ARG_APART OR NOT file MATCHES "\\.cpp$")
             list(APPEND others ${file})
         else()
             list(APPEND files ${file})
@@ -88,6 +88,7 @@ endfunction()
 # so only if it neither splits them into paths nor guards against traps that nobody has set; no result depends on either.
 # Called before the target is made.
 function(onggi_vector_loops)
+    set_source_files_properties(${ARGN} PROPERTIES ONGGI_STANDS_APART ON)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-thread-jumps;-fno-trapping-math")
     endif()

@@ -26,7 +26,7 @@ def options():
     parser = argparse.ArgumentParser(prog="build.py", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", choices=("plates", "light", "room"), action="append", help="may be repeated")
-    parser.add_argument("--camera", action="append", help="plates of this camera only; may be repeated")
+    parser.add_argument("--camera", action="append", help="plates of this camera only, which may be a larger one; may be repeated")
     parser.add_argument("--room", metavar="GLB", help="a room of your own instead of ours (metres, +Y up)")
     parser.add_argument("--out", default=str(HERE), help="where plates/, light.json and room.glb go")
     parser.add_argument("--work", default=str(pathlib.Path(tempfile.gettempdir()) / "onggi-workshop"),
@@ -74,7 +74,8 @@ def main():
     if "room" in wanted and not chosen.room:
         colours, _ = build_scene(chosen, ROOM_FINENESS)
         room_glb.export(colours, out / "room.glb")
-    chosen_cameras = [pair for pair in cameras_file.load().items() if not chosen.camera or pair[0] in chosen.camera]
+    chosen_cameras = [(name, spec) for name, spec in cameras_file.load().items()
+                      if (name in chosen.camera if chosen.camera else "larger_than" not in spec)]
     if "plates" in wanted:
         build_scene(chosen, 1.0)
         for name, spec in chosen_cameras:

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "engine/asset/image.h"
 #include "engine/core/quote.h"
@@ -21,6 +21,15 @@ constexpr std::size_t kMostCameras = 64;
 constexpr Bounds kPlaceMm{-1e5, 1e5};
 constexpr Bounds kLight{0.0, 1e3};
 constexpr Bounds kDirection{-1.0, 1.0};
+
+constexpr const char* kPlates = "plates";
+constexpr const char* kKeyJpeg = "_key.jpg";
+constexpr const char* kAmbientJpeg = "_ambient.jpg";
+
+bool has_photographs(const std::filesystem::path& workshop, const std::string& camera) {
+    std::error_code error;
+    return std::filesystem::exists(workshop / kPlates / (camera + kKeyJpeg), error);
+}
 
 std::string shown(const std::filesystem::path& path) {
     return shown_path(path.native());
@@ -64,6 +73,21 @@ BackgroundCamera read_camera(JsonFields& fields, const std::string& name, const 
     background.camera.near_mm = 0.2F * distance_mm;
     background.camera.far_mm = 6.0F * distance_mm;
     return background;
+}
+
+// A camera whose photographs are larger than another's, and who is that one in all else.
+nlohmann::json enlarged(JsonFields& fields, const nlohmann::json& cameras, const std::string& name) {
+    const nlohmann::json& in = cameras[name];
+    const nlohmann::json& smaller = in["larger_than"];
+    if (!smaller.is_string() || !cameras.contains(smaller) || cameras[smaller].contains("larger_than")) {
+        fields.complain("cameras." + name + ".larger_than",
+                        "the name of a camera that is not larger than another",
+                        smaller.is_string() ? in_quotes(smaller.get<std::string>()) : "no name");
+        return in;
+    }
+    nlohmann::json whole = cameras[smaller];
+    whole.update(in);
+    return whole;
 }
 
 void read_light(JsonFields& fields, const nlohmann::json& in, Workshop& workshop) {
@@ -126,11 +150,11 @@ Result<asset::Image> developed(const Negative& negative, const BackgroundCamera&
 // become of the files.
 Result<std::shared_ptr<render::Photographs>> load_photographs(const std::filesystem::path& folder,
                                                               const BackgroundCamera& camera) {
-    auto key = load_negative(folder / (camera.name + "_key.jpg"));
+    auto key = load_negative(folder / (camera.name + kKeyJpeg));
     if (!key) return key.error();
     auto key_image = developed(*key, camera);
     if (!key_image) return key_image.error();
-    auto ambient = load_negative(folder / (camera.name + "_ambient.jpg"));
+    auto ambient = load_negative(folder / (camera.name + kAmbientJpeg));
     if (!ambient) return ambient.error();
     auto ambient_image = developed(*ambient, camera);
     if (!ambient_image) return ambient_image.error();
@@ -152,14 +176,18 @@ std::string_view name_of(View view) {
 }
 
 const BackgroundCamera* Workshop::camera_for(View view, int width_px, int height_px) const {
-    const double wanted = std::log(static_cast<double>(width_px) / height_px);
+    // By shape, and of those that have the same by size.
+    using Distance = std::pair<double, double>;
+    const auto apart = [](double a, double b) { return std::abs(std::log(a / b)); };
     const BackgroundCamera* nearest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
+    Distance least;
     for (const BackgroundCamera& camera : cameras) {
         if (!camera.name.starts_with(name_of(view))) continue;
-        const double shape = std::log(static_cast<double>(camera.width_px) / camera.height_px);
-        if (std::abs(shape - wanted) < least) {
-            least = std::abs(shape - wanted);
+        const Distance distance{apart(static_cast<double>(camera.width_px) / camera.height_px,
+                                      static_cast<double>(width_px) / height_px),
+                                apart(camera.height_px, height_px)};
+        if (nearest == nullptr || distance < least) {
+            least = distance;
             nearest = &camera;
         }
     }
@@ -174,9 +202,13 @@ Result<Workshop> load_workshop(const std::filesystem::path& folder) {
     JsonFields camera_fields(shown(cameras_file));
     const nlohmann::json cameras = camera_fields.parse(*text);
     if (!camera_fields.error()) {
-        for (const auto& [name, camera] : camera_fields.object(cameras, "", "cameras").items()) {
+        const nlohmann::json& named = camera_fields.object(cameras, "", "cameras");
+        for (const auto& [name, camera] : named.items()) {
             if (workshop.cameras.size() == kMostCameras) break;
-            workshop.cameras.push_back(read_camera(camera_fields, name, camera));
+            const bool is_larger = camera.is_object() && camera.contains("larger_than");
+            if (is_larger && !has_photographs(folder, name)) continue;
+            workshop.cameras.push_back(
+                read_camera(camera_fields, name, is_larger ? enlarged(camera_fields, named, name) : camera));
         }
     }
     if (camera_fields.error()) return *camera_fields.error();
@@ -198,7 +230,7 @@ Result<Workshop> load_workshop(const std::filesystem::path& folder) {
 Result<std::shared_ptr<const render::Background>> load_background(const Workshop& workshop,
                                                                   const BackgroundCamera& camera) {
     auto background = std::make_shared<render::Background>();
-    const std::filesystem::path folder = workshop.folder / "plates";
+    const std::filesystem::path folder = workshop.folder / kPlates;
     auto photographs = load_photographs(folder, camera);
     if (!photographs) return photographs.error();
     background->camera = camera.camera;

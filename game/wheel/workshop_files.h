@@ -33,12 +33,13 @@ struct BackgroundCamera {
 // The light that reaches a pot in this room, without the backgrounds themselves.
 struct Workshop {
     std::filesystem::path folder;
-    std::vector<BackgroundCamera> cameras;
+    std::vector<BackgroundCamera> cameras;  // those that are larger than another only with their photographs
     render::DirectionalLight key;
     std::array<vec3, 9> irradiance{};  // see render::sky_irradiance()
     render::Environment environment;
 
-    // The camera of this view whose shape is nearest to the picture's; null if the view has none.
+    // The camera of this view whose shape is nearest to the picture's, and of those the one whose size is; null
+    // if the view has none.
     [[nodiscard]] const BackgroundCamera* camera_for(View view, int width_px, int height_px) const;
 };
 

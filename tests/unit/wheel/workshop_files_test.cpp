@@ -26,6 +26,11 @@ class WorkshopFiles : public testing::Test {
             fs::copy_file(kOurs / file, folder_ / file, fs::copy_options::overwrite_existing);
     }
 
+    // That a camera has some is all that is looked at at first.
+    void put_photograph(const std::string& camera) {
+        fs::create_directories(folder_ / "plates");
+        std::ofstream(folder_ / "plates" / (camera + "_key.jpg")) << "a photograph";
+    }
     void put(const char* file, const std::string& text) {
         std::ofstream(folder_ / file, std::ios::binary) << text;
     }
@@ -59,7 +64,7 @@ TEST_F(WorkshopFiles, SayWhereTheCamerasStandAndWhatLightThereIs) {
 }
 
 TEST_F(WorkshopFiles, ChooseTheCameraWhoseShapeIsNearest) {
-    const auto workshop = load_workshop(kOurs);
+    const auto workshop = load_workshop(folder_.path());
     ASSERT_TRUE(workshop);
     const auto name = [&](int width, int height) {
         return workshop->camera_for(View::kThrowing, width, height)->name;
@@ -70,6 +75,38 @@ TEST_F(WorkshopFiles, ChooseTheCameraWhoseShapeIsNearest) {
     EXPECT_EQ(name(1280, 1024), "throw_4x3");
     EXPECT_EQ(name(1080, 1920), "throw_9x16");
     EXPECT_EQ(workshop->camera_for(View::kLookingIn, 1080, 1920)->name, "look_in_9x16");
+}
+
+TEST_F(WorkshopFiles, ChooseTheLargerPhotographsForALargePictureWhereTheRoomHasSome) {
+    put_photograph("throw_16x9_large");
+    const auto workshop = load_workshop(folder_.path());
+    ASSERT_TRUE(workshop) << workshop.error().message;
+    const auto camera = [&](int width, int height) {
+        return *workshop->camera_for(View::kThrowing, width, height);
+    };
+    EXPECT_EQ(camera(1280, 720).name, "throw_16x9");
+    EXPECT_EQ(camera(1920, 1080).name, "throw_16x9");
+    EXPECT_EQ(camera(2560, 1440).name, "throw_16x9_large");
+    EXPECT_EQ(camera(3840, 2160).name, "throw_16x9_large");
+    EXPECT_EQ(camera(2160, 3840).name, "throw_9x16") << "of which there are none";
+    EXPECT_EQ(camera(3840, 2160).camera, camera(1280, 720).camera);
+    EXPECT_EQ(camera(3840, 2160).height_px, 2160);
+    EXPECT_EQ(workshop->cameras.size(), 6U);
+}
+
+TEST_F(WorkshopFiles, RejectsACameraThatIsLargerThanNone) {
+    put_photograph("throw_16x9_large");
+    spoil("cameras.json", "\"larger_than\": \"throw_16x9\"", "\"larger_than\": \"throw_1x1\"");
+    expect_refused(
+        "cameras.throw_16x9_large.larger_than: expected the name of a camera that is not larger than "
+        "another, found "
+        "'throw_1x1'");
+    spoil("cameras.json", "\"larger_than\": \"throw_1x1\"", "\"larger_than\": \"throw_16x9_large\"");
+    expect_refused("cameras.throw_16x9_large.larger_than: expected the name");
+    spoil("cameras.json", "\"larger_than\": \"throw_16x9_large\"", "\"larger_than\": 3");
+    expect_refused(
+        "cameras.throw_16x9_large.larger_than: expected the name of a camera that is not larger than "
+        "another, found no name");
 }
 
 TEST_F(WorkshopFiles, BringBothBackgroundsOfACamera) {
