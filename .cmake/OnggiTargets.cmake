@@ -5,8 +5,8 @@ option(ONGGI_BATCHES "Compile the files of a target in batches" ON)
 set(ONGGI_BATCH_SIZE 8)
 
 # onggi_batches(NAME RESULT SOURCES ... APART ...): the sources as the target NAME compiles them. Those of them that are
-# APART, or have vector loops, stay as they are, with whichever compiler: so all of them see the same batches. A batch names its files from the root of the checkout,
-# never by absolute paths, so that ccache finds it again in another checkout.
+# APART, or have vector loops, stay as they are, with whichever compiler: so all of them see the same batches. A batch
+# names its files from the root of the checkout, never by absolute paths, so that ccache finds it again in another one.
 function(onggi_batches NAME RESULT)
     cmake_parse_arguments(ARG "" "" "SOURCES;APART" ${ARGN})
     set(files)
