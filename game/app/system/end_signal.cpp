@@ -18,6 +18,12 @@ void note(int /*signal*/) {
 }  // namespace
 
 void note_end_signals(bool locked) {
+    // Whoever started the program may have blocked them, which it inherits: then it could not be ended.
+    sigset_t heard;
+    sigemptyset(&heard);
+    for (const int signal : {SIGTERM, SIGHUP, SIGINT})
+        sigaddset(&heard, signal);
+    pthread_sigmask(SIG_UNBLOCK, &heard, nullptr);
     struct sigaction action {};
     action.sa_handler = &note;
     action.sa_flags = SA_RESTART;
