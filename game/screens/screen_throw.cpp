@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "game/screens/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {
