@@ -4,8 +4,9 @@
 # picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
 # others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
 # have no buttons for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
-# likewise; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already; MOST_RESIDENT_MB: what the kiosk may hold at any moment;
-# OPENS, ENDS: functions that start the kiosk, putting its process into `kiosk`, and end it, in the place of those here.
+# likewise; BACKEND: who draws; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already;
+# MOST_RESIDENT_MB: what the kiosk may hold at any moment; OPENS, ENDS: functions that start the kiosk, putting its process
+# into `kiosk`, and end it, in the place of those here.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/throwing.sh"
@@ -37,6 +38,7 @@ cat >kiosk.toml <<TOML
 first = "$language"
 [screen]
 full_screen = ${FULL_SCREEN:-false}
+backend = "${BACKEND:-auto}"
 [visit]
 forgiving = ${FORGIVING:-true}
 shows_by_itself = false
