@@ -29,7 +29,7 @@ def light_of(work, name, spec):
               for group in ("key", "rest")]
     focus = math.dist(spec["eye_mm"], (0.0, 60.0, 0.0)) * 1e-3
     ambient = groups[1]
-    return [lens.blur(light, depth, focus) for light in (groups[0] + ambient, ambient)]
+    return lens.blur([groups[0] + ambient, ambient], depth, focus)
 
 
 def middle_of(light, size):

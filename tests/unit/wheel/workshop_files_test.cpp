@@ -78,7 +78,7 @@ TEST_F(WorkshopFiles, ChooseTheCameraWhoseShapeIsNearest) {
 }
 
 TEST_F(WorkshopFiles, ChooseTheLargerPhotographsForALargePictureWhereTheRoomHasSome) {
-    put_photograph("throw_16x9_large");
+    put_photograph("throw_16x9_x3");
     const auto workshop = load_workshop(folder_.path());
     ASSERT_TRUE(workshop) << workshop.error().message;
     const auto camera = [&](int width, int height) {
@@ -86,8 +86,8 @@ TEST_F(WorkshopFiles, ChooseTheLargerPhotographsForALargePictureWhereTheRoomHasS
     };
     EXPECT_EQ(camera(1280, 720).name, "throw_16x9");
     EXPECT_EQ(camera(1920, 1080).name, "throw_16x9");
-    EXPECT_EQ(camera(2560, 1440).name, "throw_16x9_large");
-    EXPECT_EQ(camera(3840, 2160).name, "throw_16x9_large");
+    EXPECT_EQ(camera(2560, 1440).name, "throw_16x9_x3");
+    EXPECT_EQ(camera(3840, 2160).name, "throw_16x9_x3");
     EXPECT_EQ(camera(2160, 3840).name, "throw_9x16") << "of which there are none";
     EXPECT_EQ(camera(3840, 2160).camera, camera(1280, 720).camera);
     EXPECT_EQ(camera(3840, 2160).height_px, 2160);
@@ -95,17 +95,17 @@ TEST_F(WorkshopFiles, ChooseTheLargerPhotographsForALargePictureWhereTheRoomHasS
 }
 
 TEST_F(WorkshopFiles, RejectsACameraThatIsLargerThanNone) {
-    put_photograph("throw_16x9_large");
+    put_photograph("throw_16x9_x2");
     spoil("cameras.json", "\"larger_than\": \"throw_16x9\"", "\"larger_than\": \"throw_1x1\"");
     expect_refused(
-        "cameras.throw_16x9_large.larger_than: expected the name of a camera that is not larger than "
+        "cameras.throw_16x9_x2.larger_than: expected the name of a camera that is not larger than "
         "another, found "
         "'throw_1x1'");
-    spoil("cameras.json", "\"larger_than\": \"throw_1x1\"", "\"larger_than\": \"throw_16x9_large\"");
-    expect_refused("cameras.throw_16x9_large.larger_than: expected the name");
-    spoil("cameras.json", "\"larger_than\": \"throw_16x9_large\"", "\"larger_than\": 3");
+    spoil("cameras.json", "\"larger_than\": \"throw_1x1\"", "\"larger_than\": \"throw_16x9_x2\"");
+    expect_refused("cameras.throw_16x9_x2.larger_than: expected the name");
+    spoil("cameras.json", "\"larger_than\": \"throw_16x9_x2\"", "\"larger_than\": 3");
     expect_refused(
-        "cameras.throw_16x9_large.larger_than: expected the name of a camera that is not larger than "
+        "cameras.throw_16x9_x2.larger_than: expected the name of a camera that is not larger than "
         "another, found no name");
 }
 
