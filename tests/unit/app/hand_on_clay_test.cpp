@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "game/app/kiosk/kiosk_hand.h"
+#include "game/haptic/pot_copy.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::app {

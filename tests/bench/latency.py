@@ -1,0 +1,145 @@
+#!/usr/bin/python3
+"""How long a finger waits for the picture: from a pointer that has moved to a picture in which the hand has.
+
+    tests/bench/latency.py [--moves N] [--backend gpu|cpu] [--size WxH] [PROGRAM]
+
+On a display of its own (Xvfb, whose memory is looked at), in the kiosk, on the screen where pots are thrown: the pointer
+goes up and down beside the clay, at any moment of a frame, and the arm that follows it is waited for. Prints the least,
+the middle and the 99th of a hundred in ms, and the middle in frames of 60 Hz. A real screen adds its own: the wait for
+its next refresh and what its electronics take.
+"""
+
+import argparse
+import ctypes
+import mmap
+import os
+import random
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+
+FRAME_S = 1.0 / 60.0
+# Of a picture of 1280x720: where somebody begins, throws as they like, and moves a hand; and what of it is looked at, where
+# the arm of that hand comes from: nothing else moves there.
+BEGIN = (640, 360)
+FREE = (174, 508)
+ABOVE, BELOW = (900, 250), (900, 330)
+ARM = (1000, 220, 260, 220)
+
+
+class Pointer:
+    """The display's own, by the extension that tests are made with (XTEST)."""
+
+    def __init__(self, display):
+        self.x11 = ctypes.CDLL("libX11.so.6")
+        self.test = ctypes.CDLL("libXtst.so.6")
+        self.x11.XOpenDisplay.restype = ctypes.c_void_p
+        self.display = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+
+    def move(self, place):
+        self.test.XTestFakeMotionEvent(self.display, -1, place[0], place[1], ctypes.c_ulong(0))
+        self.x11.XFlush(self.display)
+
+    def click(self, place):
+        self.move(place)
+        time.sleep(0.2)
+        for pressed in (1, 0):
+            self.test.XTestFakeButtonEvent(self.display, 1, pressed, ctypes.c_ulong(0))
+            self.x11.XFlush(self.display)
+            time.sleep(0.2)
+
+
+class Picture:
+    """What the display shows, as xwd writes it: a head, a table of colours, rows of four bytes a pixel."""
+
+    def __init__(self, path):
+        with open(path, "r+b") as file:
+            self.bytes = mmap.mmap(file.fileno(), 0, mmap.MAP_SHARED, mmap.PROT_READ)
+        word = lambda index: int.from_bytes(self.bytes[4 * index:4 * index + 4], "big")
+        colours, bytes_a_colour = word(19), 12
+        self.first = word(0) + colours * bytes_a_colour
+        self.bytes_a_row = word(12)
+
+    def part(self, x, y, width, height):
+        start = self.first + y * self.bytes_a_row + 4 * x
+        # A row in eight tells of an arm.
+        return b"".join(self.bytes[start + row * self.bytes_a_row:start + row * self.bytes_a_row + 4 * width]
+                        for row in range(0, height, 8))
+
+
+def scaled(places, scale):
+    return tuple(int(place * scale) for place in places)
+
+
+def wait_for_another(picture, part, before, most_s=2.0):
+    """Seconds until the part differs."""
+    began = time.monotonic()
+    while picture.part(*part) == before:
+        if time.monotonic() - began > most_s:
+            raise SystemExit(f"latency: expected the arm to move within {most_s} s, found it still")
+    return time.monotonic() - began
+
+
+def wait_for_rest(picture, part):
+    before, since = picture.part(*part), time.monotonic()
+    while time.monotonic() - since < 0.5:
+        time.sleep(0.01)
+        now = picture.part(*part)
+        if now != before:
+            before, since = now, time.monotonic()
+    return before
+
+
+def measure(pointer, picture, scale, moves):
+    arm = scaled(ARM, scale)
+    waits_s = []
+    for number in range(moves):
+        before = wait_for_rest(picture, arm)
+        time.sleep(random.uniform(0.0, FRAME_S))
+        pointer.move(scaled((ABOVE, BELOW)[number % 2], scale))
+        waits_s.append(wait_for_another(picture, arm, before))
+    return sorted(waits_s)
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("--moves", type=int, default=100, help="of the pointer (100)")
+    words.add_argument("--backend", choices=("gpu", "cpu"), default="cpu", help="who draws (cpu)")
+    words.add_argument("--size", default="1280x720", help="of the picture, 16 to 9 (1280x720)")
+    words.add_argument("program", nargs="?", default="build/release/onggi")
+    wish = words.parse_args()
+    scale = int(wish.size.split("x")[0]) / 1280
+    with tempfile.TemporaryDirectory() as folder:
+        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset", "-fbdir", folder, "-screen", "0", wish.size + "x24"],
+                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        display = ":" + server.stdout.readline().decode().strip()
+        ready = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        ready.bind(folder + "/ready")
+        ready.settimeout(120)
+        environment = dict(os.environ, DISPLAY=display, NOTIFY_SOCKET=folder + "/ready")
+        environment.pop("WAYLAND_DISPLAY", None)
+        kiosk = subprocess.Popen([wish.program, "kiosk", "--volume", "0", "--device", "mouse", "--size", wish.size, "--backend",
+                                  wish.backend, "--gallery", folder + "/pots"],
+                                 env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            while b"READY=1" not in ready.recv(4096):
+                pass
+            pointer, picture = Pointer(display), Picture(folder + "/Xvfb_screen0")
+            for place in (BEGIN, FREE):
+                time.sleep(3.0)
+                pointer.click(scaled(place, scale))
+            time.sleep(3.0)
+            waits_s = measure(pointer, picture, scale, wish.moves)
+        finally:
+            kiosk.send_signal(signal.SIGTERM)
+            kiosk.wait()
+            server.terminate()
+            server.wait()
+    at = lambda fraction: 1000.0 * waits_s[min(int(fraction * len(waits_s)), len(waits_s) - 1)]
+    print(f"{wish.backend} {wish.size}: {at(0.0):.1f} ms at the least, {at(0.5):.1f} in the middle, {at(0.99):.1f} at p99; "
+          f"{at(0.5) / (1000.0 * FRAME_S):.2f} frames")
+
+
+main()
