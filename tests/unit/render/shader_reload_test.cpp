@@ -45,7 +45,7 @@ TEST_F(EditedShaders, AreLeftAloneWhileNobodyEdits) {
 }
 
 TEST_F(EditedShaders, AreCompiledAnewWhereTheyChanged) {
-    edit("mover.frag", "vec4(encode(light), 1.0)", "vec4(encode(light * 2.0), 1.0)");
+    edit("prop.frag", "vec4(encode(light), 1.0)", "vec4(encode(light * 2.0), 1.0)");
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled) << polled.error().message;
     EXPECT_TRUE(*polled);
@@ -57,7 +57,7 @@ TEST_F(EditedShaders, AreCompiledAnewWhereTheyChanged) {
 }
 
 TEST_F(EditedShaders, FollowWhatTheyInclude) {
-    edit("tone.glsl", "c * 0.8 + 0.35", "c * 0.8 + 0.36");
+    edit("curve.h", "kCurveFoot = 0.35F", "kCurveFoot = 0.36F");
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled) << polled.error().message;
     EXPECT_TRUE(*polled);
@@ -65,10 +65,10 @@ TEST_F(EditedShaders, FollowWhatTheyInclude) {
 }
 
 TEST_F(EditedShaders, RejectWhatDoesNotCompileAndNameItsLine) {
-    edit("mover.frag", "void main() {", "void main() { this is no GLSL;");
+    edit("prop.frag", "void main() {", "void main() { this is no GLSL;");
     const auto polled = reload_->poll();
     ASSERT_FALSE(polled);
-    EXPECT_NE(polled.error().message.find("mover.frag"), std::string::npos) << polled.error().message;
+    EXPECT_NE(polled.error().message.find("prop.frag"), std::string::npos) << polled.error().message;
     EXPECT_EQ(polled.error().message.find('\n'), std::string::npos);
     EXPECT_TRUE(reload_->replacements().empty());
 }
