@@ -165,7 +165,7 @@ TEST(Move, ALumpPressedOnTopSpreadsAsAWholeAndStaysALump) {
 
 TEST(Move, AColumnPressedOnTopKeepsItsSidesUpright) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(30.0, 30.0, 200.0, 120.0, 1200);
+    bench.wall(30.0, 30.0, 120.0, 120.0, 1200);
     bench.input.hand.side = WantedSide::kTop;
     bench.at(10.0, 135.0);
     bench.move({10.0, 90.0, 0.0}, 3.0);
