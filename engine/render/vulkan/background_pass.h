@@ -30,7 +30,7 @@ class BackgroundPass {
 
         [[nodiscard]] bool is_whole() const { return rows == 2 * background->height_px; }
     };
-    // The next strip of it; under a millisecond.
+    // The next strip of it, some rows.
     Result<void> upload_strip(const VulkanFrame& frame, Resident& resident);
     // The one of that background, perhaps still without a row.
     Resident& begin(std::shared_ptr<const Background> background);
