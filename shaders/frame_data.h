@@ -69,8 +69,8 @@ struct FrameData {
     vec4 backdrop_shape;  // centre of the glow; half width and half height of the picture, the shorter is 1
     vec4 picture;         // width and height in pixels, and one over them
     vec4 background_window;  // pixel * xy + zw is the place in the background
-    vec4 levels;  // of the backgrounds' light: rgb all but the key, w the key
-    vec4 fade;    // x what is left of the view before, 0 to 1
+    vec4 levels;             // of the backgrounds' light: rgb all but the key, w the key
+    vec4 fade;               // x what is left of the view before, 0 to 1
 };
 
 // A row of vertices: all that is the same the whole way round.

@@ -38,8 +38,8 @@ struct Workshop {
     std::array<vec3, 9> irradiance{};  // see render::sky_irradiance()
     render::Environment environment;
 
-    // The camera of this view whose shape is nearest to the picture's, and of those the one whose size is; null
-    // if the view has none.
+    // The camera of this view whose shape is nearest to the picture's, and of those the one whose size is;
+    // null if the view has none.
     [[nodiscard]] const BackgroundCamera* camera_for(View view, int width_px, int height_px) const;
 };
 
