@@ -211,23 +211,30 @@ std::string keys_under(const std::map<std::string, Setting>& settings, std::stri
 }
 
 // What toml++ 3.2 must not be given: a letter beyond ASCII where TOML allows none. It asks whether each is a
-// space by a table that some of them, U+FCFF for one, lead out of. Strings of several lines are not looked
-// into; no setting has any. The line, counted from 1; none: all is well.
+// space by a table that some of them, U+FCFF for one, lead out of; and it takes a quote in the middle of a
+// word for a part of that, with what follows. Strings of several lines are not looked into; no setting has
+// any. The line, counted from 1; none: all is well.
 std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     int line = 1;
-    char quote = '\0';  // in a string that began so, or after a #
+    constexpr std::string_view kBeforeAString = "=[,{.";
+    char quote = '\0';   // in a string that began so, or after a #
+    char before = '\0';  // of this line, outside of strings, and no space
     for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size(); ++i) {
         const char letter = text[i];
         if (letter == '\n') {
             ++line;
-            quote = '\0';
+            quote = before = '\0';
         } else if (quote == '\0') {
             if (static_cast<unsigned char>(letter) >= 0x80)
                 return std::pair(line, "a letter of another alphabet");
             const std::string_view rest = text.substr(i);
             if (rest.starts_with("\"\"\"") || rest.starts_with("'''")) return std::pair(line, "three quotes");
-            if (letter == '"' || letter == '\'' || letter == '#') quote = letter;
+            const bool is_quote = letter == '"' || letter == '\'';
+            if (is_quote && before != '\0' && kBeforeAString.find(before) == std::string_view::npos)
+                return std::pair(line, "a quote within a word");
+            if (is_quote || letter == '#') quote = letter;
+            if (letter != ' ' && letter != '\t') before = letter;
         } else if (letter == '\\' && quote == '"') {
             ++i;
         } else if (letter == quote && quote != '#') {

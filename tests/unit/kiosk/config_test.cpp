@@ -89,6 +89,10 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[staff]\nname = \"\"\"Wheel\"\"\"\n",
          "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found three "
          "quotes"},
+        {"[sharing]\nport = 8-\"/\xC6\xB3\"\n",
+         "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found a "
+         "quote "
+         "within a word"},
         {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
         {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
         {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
