@@ -217,21 +217,22 @@ std::string keys_under(const std::map<std::string, Setting>& settings, std::stri
 std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     int line = 1;
-    constexpr std::string_view kBeforeAString = "=[,{.";
+    constexpr std::string_view kBeforeAString = "\n=[,{.";
     char quote = '\0';   // in a string that began so, or after a #
-    char before = '\0';  // of this line, outside of strings, and no space
+    char before = '\n';  // outside of strings, and no space
     for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size(); ++i) {
         const char letter = text[i];
         if (letter == '\n') {
             ++line;
-            quote = before = '\0';
+            quote = '\0';
+            before = letter;
         } else if (quote == '\0') {
             if (static_cast<unsigned char>(letter) >= 0x80)
                 return std::pair(line, "a letter of another alphabet");
             const std::string_view rest = text.substr(i);
             if (rest.starts_with("\"\"\"") || rest.starts_with("'''")) return std::pair(line, "three quotes");
             const bool is_quote = letter == '"' || letter == '\'';
-            if (is_quote && before != '\0' && kBeforeAString.find(before) == std::string_view::npos)
+            if (is_quote && kBeforeAString.find(before) == std::string_view::npos)
                 return std::pair(line, "a quote within a word");
             if (is_quote || letter == '#') quote = letter;
             if (letter != ' ' && letter != '\t') before = letter;
