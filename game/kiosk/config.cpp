@@ -210,32 +210,25 @@ std::string keys_under(const std::map<std::string, Setting>& settings, std::stri
     return list;
 }
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 // What toml++ 3.2 must not be given: a letter beyond ASCII where TOML allows none. It asks whether each is a
-// space by a table that some of them, U+FCFF for one, lead out of; and it takes a quote in the middle of a
-// word for a part of that, with what follows. Strings of several lines are not looked into; no setting has
-// any. The line, counted from 1; none: all is well.
+// space by a table that some of them, U+FCFF for one, lead out of. Strings of several lines are not looked
+// into; no setting has any. The line, counted from 1; none: all is well, if this is TOML.
 std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     int line = 1;
-    constexpr std::string_view kBeforeAString = "\n=[,{.";
-    char quote = '\0';   // in a string that began so, or after a #
-    char before = '\n';  // outside of strings, and no space
+    char quote = '\0';  // in a string that began so, or after a #
     for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size(); ++i) {
         const char letter = text[i];
         if (letter == '\n') {
             ++line;
             quote = '\0';
-            before = letter;
         } else if (quote == '\0') {
             if (static_cast<unsigned char>(letter) >= 0x80)
                 return std::pair(line, "a letter of another alphabet");
             const std::string_view rest = text.substr(i);
             if (rest.starts_with("\"\"\"") || rest.starts_with("'''")) return std::pair(line, "three quotes");
-            const bool is_quote = letter == '"' || letter == '\'';
-            if (is_quote && kBeforeAString.find(before) == std::string_view::npos)
-                return std::pair(line, "a quote within a word");
-            if (is_quote || letter == '#') quote = letter;
-            if (letter != ' ' && letter != '\t') before = letter;
+            if (letter == '"' || letter == '\'' || letter == '#') quote = letter;
         } else if (letter == '\\' && quote == '"') {
             ++i;
         } else if (letter == quote && quote != '#') {
@@ -243,6 +236,16 @@ std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view te
         }
     }
     return std::nullopt;
+}
+
+// With a plain letter for each byte of another alphabet. If this is TOML its strings are where out_of_place()
+// took them to be, and there other letters do no harm; a quote in the middle of a word is found out.
+std::string in_plain_letters(std::string_view text) {
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    std::string plain(text);
+    for (char& letter : plain)
+        if (static_cast<unsigned char>(letter) >= 0x80) letter = '?';
+    return plain;
 }
 
 }  // namespace
@@ -253,7 +256,8 @@ Result<Config> read_config(std::string_view toml_text, const std::string& file) 
             "{}, line {}: expected plain letters outside of quotes, each string on one line, found {}", file,
             found->first, found->second));
     }
-    const toml::parse_result parsed = toml::parse(toml_text);
+    toml::parse_result parsed = toml::parse(in_plain_letters(toml_text));
+    if (parsed) parsed = toml::parse(toml_text);
     if (!parsed) {
         const toml::parse_error& error = parsed.error();
         return at(file, error.source(),

@@ -89,10 +89,8 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[staff]\nname = \"\"\"Wheel\"\"\"\n",
          "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found three "
          "quotes"},
-        {"[sharing]\nport = 8-\"/\xC6\xB3\"\n",
-         "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found a "
-         "quote "
-         "within a word"},
+        {"[sharing]\nport = 8-\"/\xC6\xB3\"\n", "kiosk.toml, line 2: expected TOML, found "},
+        {"[visit]\nidle_s = 4.\x01t['i\xEF\xBE\xB7[v\n", "kiosk.toml, line 2: expected TOML, found "},
         {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
         {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
         {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
@@ -206,6 +204,12 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         EXPECT_EQ(message.find('\n'), std::string_view::npos) << message;
         EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
     }
+}
+
+TEST(Config, TakesOtherAlphabetsInStringsAndAMarkOfByteOrder) {
+    const auto config = read_config("\xEF\xBB\xBF# 가마\n[staff]\nname = \"가마 \\\" 窯\"\n", "kiosk.toml");
+    ASSERT_TRUE(config) << config.error().message;
+    EXPECT_EQ(config->staff.name, "가마 \" 窯");
 }
 
 TEST(Config, RejectsWhatIsNoToml) {
