@@ -88,7 +88,8 @@ TEST_F(FailedPot, IsFiredAndKeptAsItIs) {
     ASSERT_TRUE(kiosk.fires_it(false));
     ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
     ASSERT_TRUE(kiosk.press(Button::kKeep));
-    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
+                            kSlowly));
     ASSERT_TRUE(kiosk.press(Button::kAnother));
     ASSERT_TRUE(kiosk.press(Button::kFree));
     EXPECT_TRUE(stays_on_the_wheel(60)) << "the sunken pot was taken for the new clay";
