@@ -12,13 +12,11 @@ its next refresh and what its electronics take.
 import argparse
 import ctypes
 import mmap
-import os
 import random
-import signal
-import socket
-import subprocess
 import tempfile
 import time
+
+import watched_kiosk
 
 FRAME_S = 1.0 / 60.0
 # Of a picture of 1280x720: where somebody begins, throws as they like, and moves a hand; and what of it is looked at, where
@@ -111,35 +109,18 @@ def main():
     words.add_argument("program", nargs="?", default="build/release/onggi")
     wish = words.parse_args()
     scale = int(wish.size.split("x")[0]) / 1280
-    with tempfile.TemporaryDirectory() as folder:
-        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset", "-fbdir", folder, "-screen", "0", wish.size + "x24"],
-                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        display = ":" + server.stdout.readline().decode().strip()
-        ready = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
-        ready.bind(folder + "/ready")
-        ready.settimeout(120)
-        environment = dict(os.environ, DISPLAY=display, NOTIFY_SOCKET=folder + "/ready")
-        environment.pop("WAYLAND_DISPLAY", None)
-        kiosk = subprocess.Popen([wish.program, "kiosk", "--volume", "0", "--device", "mouse", "--size", wish.size, "--backend",
-                                  wish.backend, "--gallery", folder + "/pots"],
-                                 env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            while b"READY=1" not in ready.recv(4096):
-                pass
-            pointer, picture = Pointer(display), Picture(folder + "/Xvfb_screen0")
-            for place in (BEGIN, FREE):
-                time.sleep(3.0)
-                pointer.click(scaled(place, scale))
+    with (tempfile.TemporaryDirectory() as folder, watched_kiosk.display(wish.size, folder) as display,
+          watched_kiosk.kiosk(wish.program, folder, display, ["--size", wish.size, "--backend", wish.backend])):
+        pointer, picture = Pointer(display), Picture(folder + "/Xvfb_screen0")
+        for place in (BEGIN, FREE):
             time.sleep(3.0)
-            waits_s = measure(pointer, picture, scale, wish.moves)
-        finally:
-            kiosk.send_signal(signal.SIGTERM)
-            kiosk.wait()
-            server.terminate()
-            server.wait()
+            pointer.click(scaled(place, scale))
+        time.sleep(3.0)
+        waits_s = measure(pointer, picture, scale, wish.moves)
     at = lambda fraction: 1000.0 * waits_s[min(int(fraction * len(waits_s)), len(waits_s) - 1)]
     print(f"{wish.backend} {wish.size}: {at(0.0):.1f} ms at the least, {at(0.5):.1f} in the middle, {at(0.99):.1f} at p99; "
           f"{at(0.5) / (1000.0 * FRAME_S):.2f} frames")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -3,11 +3,14 @@
 // frames of the view before.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
+#include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
@@ -58,8 +61,7 @@ class ViewChangeTest : public DrawingTest {
         std::unique_ptr<vk::Offscreen> target;
     };
     [[nodiscard]] Drawn make() const {
-        const bool is_software = backend_ == render::Backend::kCpu;
-        const render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, is_software, kHeight);
+        const render::RendererDesc desc = render::quality_desc(step_, vk::Offscreen::kFormat, kHeight);
         return {render::Renderer::create(*device_, desc).value(),
                 vk::Offscreen::create(*device_, {kWidth, kHeight}).value()};
     }
@@ -94,7 +96,7 @@ class ViewChangeTest : public DrawingTest {
         return draw(fresh, scene);
     }
 
-    render::Backend backend_ = render::Backend::kCpu;
+    render::QualityStep step_ = render::QualityStep::kOneCore;
     GoldenScene shown_;
     wheel::OpenedScene opened_;
     Drawn fading_;
@@ -103,16 +105,22 @@ class ViewChangeTest : public DrawingTest {
     Pixels last_;
 };
 
-class ViewChange : public ViewChangeTest, public testing::WithParamInterface<render::Backend> {
+// On the processor's backend, and on the Vulkan one into the target and into a picture of half its size.
+class ViewChange : public ViewChangeTest, public testing::WithParamInterface<render::QualityStep> {
   protected:
     void SetUp() override {
-        backend_ = GetParam();
+        step_ = GetParam();
         ViewChangeTest::SetUp();
     }
+    [[nodiscard]] bool keeps_what_stands_still() const { return step_ == render::QualityStep::kOneCore; }
 };
-INSTANTIATE_TEST_SUITE_P(Of, ViewChange, testing::Values(render::Backend::kCpu, render::Backend::kVulkan),
+INSTANTIATE_TEST_SUITE_P(On, ViewChange,
+                         testing::Values(render::QualityStep::kOneCore, render::QualityStep::kDiscreteGpu,
+                                         render::QualityStep::kSlowestGpu),
                          [](const auto& tested) {
-                             return tested.param == render::Backend::kCpu ? "Cpu" : "Vulkan";
+                             std::string name(render::quality_name(tested.param));
+                             std::replace(name.begin(), name.end(), ' ', '_');
+                             return name;
                          });
 
 // Of the processor's backend.
@@ -196,6 +204,7 @@ TEST_P(ViewChange, LeavesNothingOfTheOverlayBehind) {
 TEST_P(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
     opened_.scene->move_less(true);
     go_to(wheel::View::kLookingIn);
+    EXPECT_NE(fading_.renderer->stats().still_life_drawn, keeps_what_stands_still());
     EXPECT_FALSE(scene_.fade_in.has_value());
     EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
 }

@@ -13,8 +13,8 @@ BLUR_SHARE = 0.0068  # radius of the blur for things infinitely far away, of the
 
 
 def blur(lights, depth, focus_m):
-    """lights: of one camera, each height x width x 3, linear; depth in metres along the view. A gather over a disc: a neighbour
-    counts if its own blur reaches here, and sharp things in front do not bleed outwards."""
+    """lights: of one camera, each height x width x 3, linear; depth in metres along the view. A gather over a disc:
+    a neighbour counts if its own blur reaches here, and sharp things in front do not bleed outwards."""
     height = depth.shape[0]
     beyond = np.maximum(depth - focus_m - SHARP_M, 0.0)
     radius = BLUR_SHARE * height * beyond / np.maximum(depth - SHARP_M, 1e-3) * 2.2

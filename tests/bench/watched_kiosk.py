@@ -1,0 +1,40 @@
+"""A kiosk on a display of its own, for scripts that time what a visitor sees."""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import tempfile
+
+
+@contextlib.contextmanager
+def display(size, folder):
+    """The name of a new display of WxH pixels; what it shows lies in folder/Xvfb_screen0, as xwd writes it."""
+    server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset", "-fbdir", folder, "-screen", "0", size + "x24"],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    try:
+        yield ":" + server.stdout.readline().decode().strip()
+    finally:
+        server.terminate()
+        server.wait()
+
+
+@contextlib.contextmanager
+def kiosk(program, folder, display_name, words=(), **environment):
+    """Its process, from when it tells its service manager that a picture is shown and the hand's loop has ticked."""
+    place = tempfile.mktemp(dir=folder)
+    manager = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    manager.bind(place)
+    manager.settimeout(120)
+    environment = dict(os.environ, DISPLAY=display_name, NOTIFY_SOCKET=place, **environment)
+    environment.pop("WAYLAND_DISPLAY", None)
+    process = subprocess.Popen([program, "kiosk", "--volume", "0", "--device", "mouse", "--gallery", folder + "/pots", *words],
+                               env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        while b"READY=1" not in manager.recv(4096):
+            pass
+        yield process
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.wait()
