@@ -1,10 +1,10 @@
 # A display of a test's own. Sourced, never run.
 
-# open_display FOLDER WxH: starts Xvfb, waits until it listens and sets `server` (its process) and DISPLAY. What it says
-# lies in FOLDER, and in FOLDER/Xvfb_screen0 what it shows, as xwd writes it. The server itself picks a free number and tells it; guessing one would race with other tests. Without
-# -noreset it starts anew whenever its last client leaves, and turns away who comes just then.
-open_display() {
-    Xvfb -displayfd 1 -noreset -fbdir "$1" -screen 0 "${2}x24" -nolisten tcp >"$1/display" 2>"$1/display.log" &
+# serve_display FOLDER SERVER WORD...: starts an X server, waits until it listens and sets `server` (its process) and
+# DISPLAY. What it says lies in FOLDER. The server itself picks a free number and tells it; guessing one would race with
+# other tests. Without -noreset it starts anew whenever its last client leaves, and turns away who comes just then.
+serve_display() {
+    "${@:2}" -displayfd 1 -noreset -nolisten tcp >"$1/display" 2>"$1/display.log" &
     server=$!
     for _ in $(seq 300); do
         [ -s "$1/display" ] && break
@@ -14,4 +14,61 @@ open_display() {
     DISPLAY=:$(cat "$1/display")
     export DISPLAY
     unset WAYLAND_DISPLAY
+}
+
+# open_display FOLDER WxH: Xvfb. In FOLDER/Xvfb_screen0 lies what it shows, as xwd writes it.
+open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24"; }
+
+# open_touch_display FOLDER WxH: the X server of a desk with a touch screen, drawn into memory (xserver-xorg-video-dummy).
+# The screen is touched by `finger`, through the socket FOLDER/touch-screen: a relative path, because a socket's is short.
+# Of a seat with a name the server asks for no terminal.
+open_touch_display() {
+    local folder
+    folder=$(realpath "$1")
+    cat >"$folder/xorg.conf" <<CONF
+Section "ServerFlags"
+    Option "AutoAddDevices" "false"
+    Option "AutoAddGPU" "false"
+EndSection
+Section "Monitor"
+    Identifier "monitor"
+    HorizSync 5-1000
+    VertRefresh 5-200
+EndSection
+Section "Device"
+    Identifier "memory"
+    Driver "dummy"
+    VideoRam 65536
+EndSection
+Section "Screen"
+    Identifier "screen"
+    Device "memory"
+    Monitor "monitor"
+    DefaultDepth 24
+    SubSection "Display"
+        Modes "$2"
+        Virtual ${2/x/ }
+    EndSubSection
+EndSection
+Section "InputDevice"
+    Identifier "finger"
+    Driver "inputtest"
+    Option "SocketPath" "touch-screen"
+    Option "DeviceType" "Touch"
+    Option "TouchCount" "10"
+EndSection
+Section "InputDevice"
+    Identifier "keyboard"
+    Driver "inputtest"
+    Option "SocketPath" "keyboard"
+    Option "DeviceType" "Keyboard"
+EndSection
+Section "ServerLayout"
+    Identifier "desk"
+    Screen "screen"
+    InputDevice "finger" "CorePointer"
+    InputDevice "keyboard" "CoreKeyboard"
+EndSection
+CONF
+    serve_display "$1" env -C "$folder" Xorg -config "$folder/xorg.conf" -seat touch -logfile "$folder/xorg.log"
 }

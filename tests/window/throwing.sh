@@ -70,9 +70,9 @@ stroke() {
                 print "sleep 0.5 mouseup 1"
             }')
     # shellcheck disable=SC2086  # its words are many
-    xdotool $way
+    point $way
 }
-# hands WORDS: what the hands at a device do, as hands_at says it; until they have done it.
+# hands WORDS: what the hands at a device do, as hands_at says it, or finger; until they have done it.
 hands() {
     local answer=
     echo "$*" >&8

@@ -31,7 +31,17 @@ lay_out "$language"
 kiosk=
 server=
 trap 'kill $kiosk $server 2>/dev/null || true' EXIT
-[ -n "${CAGED:-}" ] || open_display . "$size"
+if [ -z "${CAGED:-}" ]; then
+    case $hand in
+    touch) open_touch_display . "$size" ;;
+    *) open_display . "$size" ;;
+    esac
+fi
+if [ "$hand" = touch ]; then
+    mkfifo to_hands from_hands
+    "$programs/finger" "${TOUCH_SCREEN:-touch-screen}" "$width" "$height" <to_hands >from_hands 2>>kiosk.log &
+    exec 8>to_hands 9<from_hands
+fi
 
 cat >kiosk.toml <<TOML
 [languages]
@@ -97,12 +107,19 @@ at() {
     [ -n "$line" ] || fail "expected a button '$2' on '$1', found none"
     read -r place x y <<<"$line"
 }
-# A mouse comes, hovers and clicks; a finger is there at once, as X11 tells of it.
+# point WORD...: moves of a mouse as xdotool says them, or of a finger on a real touch screen.
+point() {
+    case $hand in
+    touch) hands "$@" ;;
+    *) xdotool "$@" ;;
+    esac
+}
+# A mouse comes, hovers and clicks; a finger is there at once.
 click() {
     if [ "$hand" = touch ]; then
-        xdotool mousemove "$1" "$2" mousedown 1 sleep 0.08 mouseup 1
+        point mousemove "$1" "$2" mousedown 1 sleep 0.08 mouseup 1
     else
-        xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
+        point mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
     fi
 }
 # press SCREEN BUTTON [VALUE], with whatever hand the visitor has.
@@ -178,7 +195,7 @@ decorate_the_pot() {
         press $decorating put-brush; sleep 0.5; press $decorating put-brush
         ;;
     *)
-        xdotool mousemove "$middle" "$high" mousedown 1 sleep 0.5 mouseup 1
+        point mousemove "$middle" "$high" mousedown 1 sleep 0.5 mouseup 1
         ;;
     esac
     wait_for "a stroke" has_strokes 1

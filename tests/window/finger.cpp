@@ -1,0 +1,139 @@
+// A finger on a touch screen: finger SOCKET WIDTH HEIGHT is told what it does, a line each, in words that
+// xdotool has, too: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1", "sleep
+// S". It answers each line with a line "done" when it is done. SOCKET is where the X server's input driver
+// for tests listens (inputtest(4), which accepts one finger and no second after it): what it is told goes the
+// way of a real touch screen's events, through the server's touch handling to the pointer that a program
+// without an eye for touches sees.
+#include <X11/X.h>
+#include <X11/extensions/XI2.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+#include <xorg/xf86-input-inputtest-protocol.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace onggi {
+namespace {
+
+// The axes of the driver's touch screens.
+constexpr double kAxisSteps = 65536.0;
+
+class TouchScreen {
+  public:
+    explicit TouchScreen(const std::string& path) {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        if (path.size() >= sizeof address.sun_path) throw std::runtime_error(path + ": too long a path");
+        std::copy(path.begin(), path.end(), address.sun_path);
+        if (::connect(file_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
+            throw std::runtime_error(
+                fmt::format("{}: expected a touch screen, found {}", path, std::strerror(errno)));
+        xf86ITEventClientVersion version{};
+        version.major = XF86IT_PROTOCOL_VERSION_MAJOR;
+        version.minor = XF86IT_PROTOCOL_VERSION_MINOR;
+        tell(version, XF86IT_EVENT_CLIENT_VERSION);
+        xf86ITResponseServerVersion answer{};
+        if (::recv(file_, &answer, sizeof answer, MSG_WAITALL) != static_cast<ssize_t>(sizeof answer))
+            throw std::runtime_error(path + ": expected a driver's version, found none");
+    }
+    ~TouchScreen() { ::close(file_); }
+    TouchScreen(const TouchScreen&) = delete;
+    TouchScreen& operator=(const TouchScreen&) = delete;
+
+    // XI_TouchBegin, XI_TouchUpdate or XI_TouchEnd, at a place in fractions of the screen.
+    void touch(std::uint32_t type, double x, double y) {
+        xf86ITEventTouch event{};
+        event.touchid = 1;
+        event.touch_type = type;
+        event.valuators.mask[0] = 0b11;
+        event.valuators.valuators[0] = x * kAxisSteps;
+        event.valuators.valuators[1] = y * kAxisSteps;
+        tell(event, XF86IT_EVENT_TOUCH);
+    }
+
+  private:
+    template <typename Event>
+    void tell(Event& event, xf86ITEventType type) {
+        event.header.length = sizeof event;
+        event.header.type = type;
+        if (::send(file_, &event, sizeof event, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof event))
+            throw std::runtime_error("the X server no longer listens to its touch screen");
+    }
+
+    int file_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+};
+
+class Finger {
+  public:
+    Finger(const std::string& socket, double width, double height)
+        : screen_(socket),
+          width_(width),
+          height_(height) {}
+
+    // Throws std::runtime_error, which says what of the line is no move.
+    void follow(const std::string& line) {
+        std::istringstream words(line);
+        for (std::string word; words >> word;) {
+            if (word == "mousemove") {
+                x_ = (number(words) + 0.5) / width_;
+                y_ = (number(words) + 0.5) / height_;
+                if (is_down_) screen_.touch(XI_TouchUpdate, x_, y_);
+            } else if (word == "sleep") {
+                std::this_thread::sleep_for(std::chrono::duration<double>(number(words)));
+            } else if (word == "mousedown" || word == "mouseup") {
+                if (number(words) != 1.0) throw std::runtime_error("a finger is button 1");
+                is_down_ = word == "mousedown";
+                screen_.touch(is_down_ ? XI_TouchBegin : XI_TouchEnd, x_, y_);
+            } else {
+                throw std::runtime_error(fmt::format("expected a move of a finger, found '{}'", word));
+            }
+        }
+    }
+
+  private:
+    static double number(std::istringstream& words) {
+        double value = 0.0;
+        if (!(words >> value)) throw std::runtime_error("expected a number, found none: " + words.str());
+        return value;
+    }
+
+    TouchScreen screen_;
+    double width_;
+    double height_;
+    double x_ = 0.0;  // in fractions of the screen
+    double y_ = 0.0;
+    bool is_down_ = false;
+};
+
+}  // namespace
+}  // namespace onggi
+
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        std::fputs("finger: expected SOCKET WIDTH HEIGHT\n", stderr);
+        return 2;
+    }
+    try {
+        onggi::Finger finger(argv[1], std::atof(argv[2]), std::atof(argv[3]));
+        for (std::string line; std::getline(std::cin, line);) {
+            finger.follow(line);
+            std::puts("done");
+            std::fflush(stdout);
+        }
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "finger: {}\n", error.what());
+        return 2;
+    }
+}
