@@ -3,8 +3,9 @@
 # [LANGUAGE [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a
 # picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
 # others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
-# have no buttons for screens: there the mouse helps). FORGIVING, if set before: whether the clay bears more than clay does; FULL_SCREEN
-# likewise; BACKEND: who draws; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already;
+# have no buttons for screens: there the mouse helps). If set before: FORGIVING: whether the clay bears more than clay
+# does; BACKEND: who draws; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already, where
+# the kiosk is full screen and ends when it is asked to; TOUCH_SCREEN: the socket of that display's touch screen;
 # MOST_RESIDENT_MB: what the kiosk may hold at any moment; OPENS, ENDS: functions that start the kiosk, putting its process
 # into `kiosk`, and end it, in the place of those here.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
@@ -47,7 +48,7 @@ cat >kiosk.toml <<TOML
 [languages]
 first = "$language"
 [screen]
-full_screen = ${FULL_SCREEN:-false}
+full_screen = $([ -n "${CAGED:-}" ] && echo true || echo false)
 backend = "${BACKEND:-auto}"
 [visit]
 forgiving = ${FORGIVING:-true}
@@ -72,8 +73,9 @@ open_kiosk() {
 }
 # Whoever else knows how to, and how it ends, names his own functions for it.
 [ -z "${OPENS:-}" ] || open_kiosk() { "$OPENS"; }
-end_kiosk() { "${ENDS:-press_escape}"; }
+end_kiosk() { "${ENDS:-$([ -n "${CAGED:-}" ] && echo ask_to_end || echo press_escape)}"; }
 press_escape() { xdotool key Escape; }
+ask_to_end() { kill -TERM "$kiosk"; }
 open_kiosk
 # look_at_memory SCREEN: the most that was held at any moment from the start to there, in MB of a million bytes.
 look_at_memory() {
@@ -165,9 +167,15 @@ take() {
 # Of a title: "Onggi - throw" of "Onggi - throw - 1 of 3, 56 mm [4]".
 screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ - [0-9]+ g//; s/ .[0-9]+.$//' <<<"$1"; }
 has_come_to() { [[ "$(title)" = "Onggi - $1"* ]]; }
+fills_the_screen() {
+    local geometry
+    geometry=$(xdotool search --name '^Onggi' getwindowgeometry --shell | grep -E '^(X|Y|WIDTH|HEIGHT)=' | tr '\n' ' ')
+    [ "$geometry" = "X=0 Y=0 WIDTH=$width HEIGHT=$height " ] || fail "expected the whole screen, found $geometry"
+}
 # To the choice of pots, with the visitor's own hand.
 begin_visit() {
     wait_for "window" xdotool search --name '^Onggi'
+    [ -z "${CAGED:-}" ] || fills_the_screen
     on_screen attract
     case $hand in
     mouse | touch) click $((width / 2)) $((height / 2)) ;;
