@@ -11,6 +11,12 @@ for program in cage Xwayland setpriv; do
 done
 source "$here/../support/display.sh"
 size=1024x768
+turned=
+seen=$size
+if [ -n "${TURNED:-}" ]; then
+    turned=-r
+    seen=768x1024
+fi
 mkdir -p "$4"
 results=$(realpath "$4")
 # Where any user may read, and the compositor's may write.
@@ -31,8 +37,8 @@ fi
 status=0
 timeout 1000 "${as_visitor[@]}" env HOME="$folder" XDG_RUNTIME_DIR="$folder/run" ONGGI_ASSETS="$folder/assets" \
     LSAN_OPTIONS="suppressions=$folder/support/lsan.supp:print_suppressions=0" \
-    WLR_BACKENDS=x11 WLR_RENDERER=pixman CAGED=1 TOUCH_SCREEN="$folder/desk/touch-screen" \
-    cage -- bash "$folder/window/$1" "$folder/$(basename "$2")" "$folder/programs" "$folder/visit" touch "${5:-en}" "$size" \
+    WLR_BACKENDS=x11 WLR_RENDERER=pixman CAGED=1 TURNED="${TURNED:-}" TOUCH_SCREEN="$folder/desk/touch-screen" \
+    cage $turned -- bash "$folder/window/$1" "$folder/$(basename "$2")" "$folder/programs" "$folder/visit" touch "${5:-en}" "$seen" \
     >"$folder/cage.log" 2>&1 || status=$?
 rm -rf "$results"
 cp -r "$folder/visit" "$results"

@@ -77,10 +77,11 @@ class TouchScreen {
 
 class Finger {
   public:
-    Finger(const std::string& socket, double width, double height)
+    Finger(const std::string& socket, double width, double height, bool is_turned)
         : screen_(socket),
           width_(width),
-          height_(height) {}
+          height_(height),
+          is_turned_(is_turned) {}
 
     // Throws std::runtime_error, which says what of the line is no move.
     void follow(const std::string& line) {
@@ -89,13 +90,13 @@ class Finger {
             if (word == "mousemove") {
                 x_ = (number(words) + 0.5) / width_;
                 y_ = (number(words) + 0.5) / height_;
-                if (is_down_) screen_.touch(XI_TouchUpdate, x_, y_);
+                if (is_down_) touch(XI_TouchUpdate);
             } else if (word == "sleep") {
                 std::this_thread::sleep_for(std::chrono::duration<double>(number(words)));
             } else if (word == "mousedown" || word == "mouseup") {
                 if (number(words) != 1.0) throw std::runtime_error("a finger is button 1");
                 is_down_ = word == "mousedown";
-                screen_.touch(is_down_ ? XI_TouchBegin : XI_TouchEnd, x_, y_);
+                touch(is_down_ ? XI_TouchBegin : XI_TouchEnd);
             } else {
                 throw std::runtime_error(fmt::format("expected a move of a finger, found '{}'", word));
             }
@@ -103,6 +104,12 @@ class Finger {
     }
 
   private:
+    void touch(std::uint32_t type) {
+        if (is_turned_)
+            screen_.touch(type, 1.0 - y_, x_);
+        else
+            screen_.touch(type, x_, y_);
+    }
     static double number(std::istringstream& words) {
         double value = 0.0;
         if (!(words >> value)) throw std::runtime_error("expected a number, found none: " + words.str());
@@ -112,6 +119,7 @@ class Finger {
     TouchScreen screen_;
     double width_;
     double height_;
+    bool is_turned_;
     double x_ = 0.0;  // in fractions of the screen
     double y_ = 0.0;
     bool is_down_ = false;
@@ -121,12 +129,12 @@ class Finger {
 }  // namespace onggi
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
+    if (argc != 4 && argc != 5) {
         std::fputs("finger: expected SOCKET WIDTH HEIGHT\n", stderr);
         return 2;
     }
     try {
-        onggi::Finger finger(argv[1], std::atof(argv[2]), std::atof(argv[3]));
+        onggi::Finger finger(argv[1], std::atof(argv[2]), std::atof(argv[3]), argc == 5);
         for (std::string line; std::getline(std::cin, line);) {
             finger.follow(line);
             std::puts("done");

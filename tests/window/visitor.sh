@@ -40,7 +40,7 @@ if [ -z "${CAGED:-}" ]; then
 fi
 if [ "$hand" = touch ]; then
     mkfifo to_hands from_hands
-    "$programs/finger" "${TOUCH_SCREEN:-touch-screen}" "$width" "$height" <to_hands >from_hands 2>>kiosk.log &
+    "$programs/finger" "${TOUCH_SCREEN:-touch-screen}" "$width" "$height" ${TURNED:+turned} <to_hands >from_hands 2>>kiosk.log &
     exec 8>to_hands 9<from_hands
 fi
 
