@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/math/math.h"
 #include "game/kiosk/state.h"
 
 namespace onggi::screens {
@@ -16,11 +17,18 @@ enum class Shape { kWide, kTall, kSquare };  // 16:9, 9:16, 4:3
     return aspect < 1.5F ? Shape::kSquare : Shape::kWide;
 }
 
-// The designs are 720 u high, 720 wide when tall, and 768 high at 4:3.
+// What the designs of the shapes are drawn on: 1280 x 720 u, 720 x 1280, 1024 x 768. A picture of another
+// shape has at least so much room each way, so that what is laid out from one edge never meets what is laid
+// out from the other.
+[[nodiscard]] inline vec2 design_size(Shape shape) {
+    return shape == Shape::kTall     ? vec2(720.0F, 1280.0F)
+           : shape == Shape::kSquare ? vec2(1024.0F, 768.0F)
+                                     : vec2(1280.0F, 720.0F);
+}
+
 [[nodiscard]] inline float px_per_u_of(int width_px, int height_px) {
-    const Shape shape = shape_of(width_px, height_px);
-    const float short_side = shape == Shape::kSquare ? 768.0F : 720.0F;
-    return static_cast<float>(shape == Shape::kTall ? width_px : height_px) / short_side;
+    const vec2 design = design_size(shape_of(width_px, height_px));
+    return std::min(static_cast<float>(width_px) / design.x, static_cast<float>(height_px) / design.y);
 }
 
 // How much further the ledge reaches up for larger text; 1 to 3: 100, 150, 200 %. Not where everything has to

@@ -24,6 +24,11 @@ float label_height(const Page& page) {
     return 36.0F + growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
 }
 
+ui::Rect low_languages(const Page& page, float tall_x) {
+    const bool tall = page.shape() == Shape::kTall;
+    return {tall ? tall_x : design::kMargin, page.lower_by() + (tall ? 648.0F : 478.0F), 150.0F, 60.0F};
+}
+
 float ledge_top(const Page& page) {
     return ledge_y(page.shape(), page.height(), page.view().state.comfort);
 }

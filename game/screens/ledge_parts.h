@@ -63,6 +63,8 @@ void add_tool_tray(Page& page);
 // What the step that is being done is called: below the steps and that wide, or from `beside` on to their
 // right.
 void add_step_caption(Page& page, const std::string& text, float wide, float beside);
+// Above the ledge, where the token of languages is brought low; `tall_x`: its left edge on a tall picture.
+[[nodiscard]] ui::Rect low_languages(const Page& page, float tall_x = design::kMargin);
 // The four keys that move the hand.
 void add_hand_pad(Page& page);
 // A card as high as its words, or where that is too high, words as small as it takes; gives where it is.

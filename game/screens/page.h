@@ -78,6 +78,10 @@ class Page {
     [[nodiscard]] float smaller(float size, float base) const;
     // All that can be pressed stands in the lower half, for who sits or is small.
     [[nodiscard]] bool is_low() const { return view_.state.comfort.reach; }
+    // So much further down the lower half begins than in the design; 0 where nothing is brought low.
+    [[nodiscard]] float lower_by() const {
+        return is_low() ? 0.5F * (height() - design_size(shape_).y) : 0.0F;
+    }
     [[nodiscard]] float px_per_u() const { return composition_.px_per_u; }
 
     // Words of the visitor's language, or of another.

@@ -291,7 +291,9 @@ void draw_choose(Page& page) {
                   choice_at(i), first + i);
         }
     } else {
-        const float shelf_y = tall ? 606.0F : square ? (page.is_low() ? 346.0F : 306.0F) : 340.0F;
+        const float shelf_y = page.lower_by() + (tall     ? 606.0F
+                                                 : square ? (page.is_low() ? 346.0F : 306.0F)
+                                                          : 340.0F);
         const float card_top = shelf_y + 40.0F;
         const float card_height = height - card_top - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
         const float gap = 10.0F;

@@ -223,9 +223,7 @@ void draw_decorate(Page& page) {
     page.token(page.on_ledge(places.done), Look::kPrimary, Button::kDone,
                page.t(is_plain ? "dec.plain" : "dec.done"));
     // Brought low, across from the brush's keys.
-    static_cast<void>(page.languages_token(page.shape() == Shape::kTall
-                                               ? Rect{32.0F, 648.0F, 150.0F, 60.0F}
-                                               : Rect{32.0F, 478.0F, 150.0F, 60.0F}));
+    static_cast<void>(page.languages_token(low_languages(page)));
 }
 
 }  // namespace onggi::screens

@@ -104,30 +104,31 @@ struct GlazePlaces {
 
 GlazePlaces glaze_places(const Page& page, float shelf_y) {
     const float right = page.width() - 32.0F;
+    const float down = page.lower_by();
     switch (page.shape()) {
         case Shape::kTall: {
             // Brought low, the languages stand in the row too.
             const float wide = right - 318.0F - (page.is_low() ? 166.0F : 0.0F);
-            return {.line = {40.0F, shelf_y + 40.0F, right - 48.0F, 44.0F},
-                    .hides = {40.0F, shelf_y + 86.0F, right - 48.0F, 44.0F},
-                    .decorate = {32.0F, shelf_y + 140.0F, 270.0F, 80.0F},
-                    .take = {318.0F, shelf_y + 140.0F, wide, 80.0F},
-                    .languages = {right - 150.0F, shelf_y + 150.0F, 150.0F, 60.0F}};
+            return {.line = {40.0F, down + shelf_y + 40.0F, right - 48.0F, 44.0F},
+                    .hides = {40.0F, down + shelf_y + 86.0F, right - 48.0F, 44.0F},
+                    .decorate = {32.0F, down + shelf_y + 140.0F, 270.0F, 80.0F},
+                    .take = {318.0F, down + shelf_y + 140.0F, wide, 80.0F},
+                    .languages = {right - 150.0F, down + shelf_y + 150.0F, 150.0F, 60.0F}};
         }
         case Shape::kSquare:
-            return {.line = {right - 300.0F, 104.0F, 300.0F, 174.0F},
-                    .hides = {right - 300.0F, 282.0F, 300.0F, 96.0F},
-                    .decorate = {right - 236.0F, 384.0F, 236.0F, 60.0F},
-                    .take = {right - 236.0F, 454.0F, 236.0F, 66.0F},
-                    .languages = {32.0F, 397.0F, 150.0F, 60.0F}};
+            return {.line = {right - 300.0F, down + 104.0F, 300.0F, 174.0F},
+                    .hides = {right - 300.0F, down + 282.0F, 300.0F, 96.0F},
+                    .decorate = {right - 236.0F, down + 384.0F, 236.0F, 60.0F},
+                    .take = {right - 236.0F, down + 454.0F, 236.0F, 66.0F},
+                    .languages = {32.0F, down + 397.0F, 150.0F, 60.0F}};
         case Shape::kWide:
             break;
     }
-    return {.line = {right - 340.0F, 176.0F, 340.0F, 118.0F},
-            .hides = {right - 340.0F, 296.0F, 340.0F, 76.0F},
-            .decorate = {page.is_low() ? 198.0F : 32.0F, 376.0F, 236.0F, 74.0F},
-            .take = {right - 220.0F, 376.0F, 220.0F, 74.0F},
-            .languages = {32.0F, 383.0F, 150.0F, 60.0F}};
+    return {.line = {right - 340.0F, down + 176.0F, 340.0F, 118.0F},
+            .hides = {right - 340.0F, down + 296.0F, 340.0F, 76.0F},
+            .decorate = {page.is_low() ? 198.0F : 32.0F, down + 376.0F, 236.0F, 74.0F},
+            .take = {right - 220.0F, down + 376.0F, 220.0F, 74.0F},
+            .languages = {32.0F, down + 383.0F, 150.0F, 60.0F}};
 }
 
 // What the glaze is; and to who drew on the pot, what it does to that.

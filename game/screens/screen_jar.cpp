@@ -144,8 +144,7 @@ void draw_join(Page& page) {
     page.scene_ends();
     page.ledge(top);
     add_jar_card(page);
-    const Rect languages =
-        page.languages_token(tall ? Rect{32.0F, 648.0F, 150.0F, 60.0F} : Rect{32.0F, 478.0F, 150.0F, 60.0F});
+    const Rect languages = page.languages_token(low_languages(page));
     const float wide = tall ? 320.0F : square ? 270.0F : 320.0F;
     const std::string apart = std::to_string(view.state.throwing.jar.rims_mm);
     const float y = tall ? std::max(languages.bottom(), 92.0F) + 20.0F : 112.0F;

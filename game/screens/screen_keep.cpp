@@ -154,11 +154,9 @@ void draw_your_pot(Page& page) {
                 .line = 62.0F,
                 .title = true,
                 .least_size = 40.0F});
-    const Rect languages = page.languages_token({width - 182.0F,
-                                                 tall     ? height - 182.0F
-                                                 : square ? 480.0F
-                                                          : 474.0F,
-                                                 150.0F, 60.0F});
+    const Rect languages = page.languages_token(
+        {width - 182.0F, tall ? height - 182.0F : page.lower_by() + (square ? 480.0F : 474.0F), 150.0F,
+         60.0F});
     if (!view.pot) return;
 
     const Exhibit* const relative = view.pot->relative.get();
@@ -278,16 +276,18 @@ void draw_keep(Page& page) {
     // A code is only looked at and may stand high; what can be pressed may not.
     const kiosk::Phone phone = view.state.keeping.phone;
     const bool asks = phone == kiosk::Phone::kResting || phone == kiosk::Phone::kOver;
-    const float card_y = !page.is_low() ? 104.0F : asks ? 0.5F * height - 232.0F : 28.0F;
-    const Rect phone_card = tall ? Rect{110.0F, 600.0F, 500.0F, 416.0F}
+    const float down = page.lower_by();
+    const float card_y = !page.is_low() ? 104.0F : asks ? 0.5F * height - 232.0F : 28.0F + down;
+    const Rect phone_card = tall ? Rect{110.0F, 600.0F + down, 500.0F, 416.0F}
                                  : page.mirrored({width - 484.0F, card_y, 452.0F, asks ? 330.0F : 416.0F});
     const float finish_width = tall ? width - 120.0F - (page.is_low() ? 168.0F : 0.0F) : 190.0F;
     page.languages_token({tall ? 60.0F + finish_width + 18.0F : width - 182.0F,
-                          tall        ? 1194.0F
+                          tall        ? 1194.0F + down
                           : has_phone ? phone_card.bottom() + 18.0F
-                                      : 432.0F,
+                                      : 432.0F + down,
                           150.0F, 60.0F});
-    const float words_y = tall ? has_phone ? 1028.0F : 930.0F : shelf_y + (view.has_wall ? 36.0F : 54.0F);
+    const float words_y =
+        tall ? (has_phone ? 1028.0F : 930.0F) + down : shelf_y + (view.has_wall ? 36.0F : 54.0F);
     if (kept) {
         const Rect rect = page.mirrored({36.0F, words_y,
                                          tall     ? width - 72.0F
@@ -315,10 +315,10 @@ void draw_keep(Page& page) {
     };
     if (tall) {
         const float wall_width = offers_wall ? 0.62F * (width - 120.0F) : 0.0F;
-        if (offers_wall) wall_token({60.0F, 1090.0F, wall_width - 18.0F, 84.0F});
-        page.token(page.mirrored({60.0F + wall_width, 1090.0F, width - 120.0F - wall_width, 84.0F}),
+        if (offers_wall) wall_token({60.0F, 1090.0F + down, wall_width - 18.0F, 84.0F});
+        page.token(page.mirrored({60.0F + wall_width, 1090.0F + down, width - 120.0F - wall_width, 84.0F}),
                    Look::kPrimary, next, next_name);
-        page.token(page.mirrored({60.0F, 1190.0F, finish_width, 68.0F}), Look::kOutline,
+        page.token(page.mirrored({60.0F, 1190.0F + down, finish_width, 68.0F}), Look::kOutline,
                    kiosk::Button::kFinish, page.t("keep.end"));
         return;
     }

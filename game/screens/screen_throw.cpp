@@ -193,9 +193,7 @@ void draw_throw(Page& page) {
     if (has_hand_pad(view) && works_clay) add_hand_pad(page);
     add_throw_ledge(page);
     // Brought low, they stand over the hand's keys, or across from them.
-    const Rect languages =
-        page.languages_token(page.shape() == Shape::kTall ? Rect{page.width() - 182.0F, 648.0F, 150.0F, 60.0F}
-                                                          : Rect{32.0F, 478.0F, 150.0F, 60.0F});
+    const Rect languages = page.languages_token(low_languages(page, page.width() - 182.0F));
     add_forces(page);
     add_guards(page);
     if (view.can_look_in) page.look_in_token(languages);

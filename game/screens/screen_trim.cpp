@@ -114,9 +114,7 @@ void draw_trim(Page& page) {
             break;
         }
     }
-    static_cast<void>(page.languages_token(page.shape() == Shape::kTall
-                                               ? Rect{32.0F, 648.0F, 150.0F, 60.0F}
-                                               : Rect{32.0F, 478.0F, 150.0F, 60.0F}));
+    static_cast<void>(page.languages_token(low_languages(page)));
 }
 
 }  // namespace onggi::screens

@@ -106,7 +106,7 @@ class Finger {
   private:
     void touch(std::uint32_t type) {
         if (is_turned_)
-            screen_.touch(type, 1.0 - y_, x_);
+            screen_.touch(type, y_, 1.0 - x_);
         else
             screen_.touch(type, x_, y_);
     }

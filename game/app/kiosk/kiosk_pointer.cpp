@@ -10,6 +10,8 @@ namespace {
 using Kind = PointerNews::Kind;
 
 constexpr float kLifePx = 24.0F;  // a mouse that a passing lorry shakes is nobody
+// And so is one that leaps once: display servers put the pointer of a new window where the last finger was.
+constexpr double kOnItsWayS = 2.0;
 // A finger that lands is told first as a leap of the mouse: where it lands on a target, only that counts.
 constexpr double kLandingS = 0.08;
 constexpr double kRepeatAfterS = 0.5;
@@ -193,7 +195,8 @@ void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double no
     pointer_came_ = true;
     if (glm::length(at_px_ - still_px_) > kLifePx) {
         still_px_ = at_px_;
-        if (!life_s_) life_s_ = now_s + kLandingS;
+        if (now_s - leapt_s_ < kOnItsWayS && !life_s_) life_s_ = now_s + kLandingS;
+        leapt_s_ = now_s;
     }
     if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
     if (hand_down_ && !in_window(at_px_)) lift_hand(news);

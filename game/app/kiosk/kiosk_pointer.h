@@ -85,6 +85,7 @@ class KioskPointer {
     bool right_to_left_ = false;
     vec2 at_px_{0.0F};
     vec2 still_px_{0.0F};           // where a mouse that only jitters counts as resting
+    double leapt_s_ = -1e9;         // when it last left that place
     std::optional<double> life_s_;  // when it is told that it has moved
     bool pointer_came_ = false;
     unsigned buttons_down_ = 0;  // a bit each

@@ -240,6 +240,10 @@ TEST(KioskPointer, TakesAShakenMouseForNobody) {
         finger.moves(640 + i % 2, 360 + i % 3);
     EXPECT_FALSE(finger.said(Kind::kLife));
     finger.moves(700, 360).waits(0.2);
+    EXPECT_FALSE(finger.said(Kind::kLife)) << "it was put there";
+    finger.waits(5.0).moves(640, 360).waits(0.2);
+    EXPECT_FALSE(finger.said(Kind::kLife)) << "and there";
+    finger.moves(670, 360).moves(700, 360).waits(0.2);
     EXPECT_TRUE(finger.said(Kind::kLife));
 }
 
@@ -253,7 +257,7 @@ TEST(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
     EXPECT_FALSE(finger.said(Kind::kLife));
     EXPECT_EQ(finger.pressed(), std::vector<Button>{Button::kDone});
     finger.news.clear();
-    finger.moves(640, 300).waits(0.2);
+    finger.moves(400, 500).moves(640, 300).waits(0.2);
     EXPECT_TRUE(finger.said(Kind::kLife)) << "a mouse that goes its way";
 }
 
