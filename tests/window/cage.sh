@@ -2,7 +2,8 @@
 # A visitor at the kiosk as a museum starts it: full screen in the compositor cage, through Xwayland, as a user who is not
 # root, by a finger on a touch screen. cage.sh SCRIPT ONGGI PROGRAMS FOLDER [LANGUAGE]: SCRIPT is a visitor's, as visit.sh.
 # cage's screen is a window of the display of a desk that has a touch screen (1024x768: what wlroots opens there); a touch
-# goes through that server, cage and Xwayland to the kiosk. When the kiosk is asked to end, the compositor ends with it.
+# goes through that server, cage and Xwayland to the kiosk. TURNED: it hangs on its side, and the picture is turned by a
+# quarter. When the kiosk is asked to end, the compositor ends with it.
 # 77: there is no cage, or no Xwayland.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

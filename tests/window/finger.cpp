@@ -1,9 +1,9 @@
-// A finger on a touch screen: finger SOCKET WIDTH HEIGHT is told what it does, a line each, in words that
-// xdotool has, too: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1", "sleep
-// S". It answers each line with a line "done" when it is done. SOCKET is where the X server's input driver
-// for tests listens (inputtest(4), which accepts one finger and no second after it): what it is told goes the
-// way of a real touch screen's events, through the server's touch handling to the pointer that a program
-// without an eye for touches sees.
+// A finger on a touch screen: finger SOCKET WIDTH HEIGHT [turned] is told what it does, a line each, in words
+// that xdotool has, too: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1",
+// "sleep S". It answers each line with a line "done" when it is done. SOCKET is where the X server's input
+// driver for tests listens (inputtest(4), which accepts one finger and no second after it): what it is told
+// goes the way of a real touch screen's events, through the server's touch handling to the pointer that a
+// program without an eye for touches sees.
 #include <X11/X.h>
 #include <X11/extensions/XI2.h>
 #include <fmt/format.h>
@@ -104,6 +104,7 @@ class Finger {
     }
 
   private:
+    // On a panel that hangs on its side the picture is turned clockwise by a quarter, and its sensor is not.
     void touch(std::uint32_t type) {
         if (is_turned_)
             screen_.touch(type, y_, 1.0 - x_);
@@ -129,12 +130,13 @@ class Finger {
 }  // namespace onggi
 
 int main(int argc, char** argv) {
-    if (argc != 4 && argc != 5) {
-        std::fputs("finger: expected SOCKET WIDTH HEIGHT\n", stderr);
+    const bool is_turned = argc == 5 && std::string(argv[4]) == "turned";
+    if (argc != 4 && !is_turned) {
+        std::fputs("finger: expected SOCKET WIDTH HEIGHT [turned]\n", stderr);
         return 2;
     }
     try {
-        onggi::Finger finger(argv[1], std::atof(argv[2]), std::atof(argv[3]), argc == 5);
+        onggi::Finger finger(argv[1], std::atof(argv[2]), std::atof(argv[3]), is_turned);
         for (std::string line; std::getline(std::cin, line);) {
             finger.follow(line);
             std::puts("done");
