@@ -1,17 +1,19 @@
 #!/usr/bin/python3
 """How long a finger waits for the picture: from a pointer that has moved to a picture in which the hand has.
 
-    tests/bench/latency.py [--moves N] [--backend gpu|cpu] [--size WxH] [PROGRAM]
+    tests/bench/latency.py [--moves N] [--backend gpu|cpu] [--size WxH] [--caged] [PROGRAM]
 
 On a display of its own (Xvfb, whose memory is looked at), in the kiosk, on the screen where pots are thrown: the pointer
 goes up and down beside the clay, at any moment of a frame, and the arm that follows it is waited for. Prints the least,
 the middle and the 99th of a hundred in ms, and the middle in frames of 60 Hz. A real screen adds its own: the wait for
-its next refresh and what its electronics take.
+its next refresh and what its electronics take. With --caged it is measured through the compositor that a museum has, and
+Xwayland.
 """
 
 import argparse
 import ctypes
 import mmap
+import os
 import random
 import tempfile
 import time
@@ -35,6 +37,16 @@ class Pointer:
         self.test = ctypes.CDLL("libXtst.so.6")
         self.x11.XOpenDisplay.restype = ctypes.c_void_p
         self.display = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+        self.x11.XDefaultRootWindow.restype = ctypes.c_ulong
+
+    def fill_screen(self, width, height):
+        """The only window of the display, which has no manager of windows."""
+        root, parent, children, count = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.POINTER(ctypes.c_ulong)(), ctypes.c_uint()
+        self.x11.XQueryTree(self.display, ctypes.c_ulong(self.x11.XDefaultRootWindow(self.display)), ctypes.byref(root),
+                            ctypes.byref(parent), ctypes.byref(children), ctypes.byref(count))
+        for number in range(count.value):
+            self.x11.XMoveResizeWindow(self.display, ctypes.c_ulong(children[number]), 0, 0, width, height)
+        self.x11.XFlush(self.display)
 
     def move(self, place):
         self.test.XTestFakeMotionEvent(self.display, -1, place[0], place[1], ctypes.c_ulong(0))
@@ -106,19 +118,24 @@ def main():
     words.add_argument("--moves", type=int, default=100, help="of the pointer (100)")
     words.add_argument("--backend", choices=("gpu", "cpu"), default="cpu", help="who draws (cpu)")
     words.add_argument("--size", default="1280x720", help="of the picture, 16 to 9 (1280x720)")
+    words.add_argument("--caged", action="store_true", help="in the compositor cage, full screen")
     words.add_argument("program", nargs="?", default="build/release/onggi")
     wish = words.parse_args()
     scale = int(wish.size.split("x")[0]) / 1280
     with (tempfile.TemporaryDirectory() as folder, watched_kiosk.display(wish.size, folder) as display,
-          watched_kiosk.kiosk(wish.program, folder, display, ["--size", wish.size, "--backend", wish.backend])):
+          watched_kiosk.kiosk(os.path.abspath(wish.program), folder, display,
+                              ["--size", wish.size, "--backend", wish.backend, *(["--full-screen"] if wish.caged else [])],
+                              watched_kiosk.under_cage(folder) if wish.caged else ())):
         pointer, picture = Pointer(display), Picture(folder + "/Xvfb_screen0")
+        if wish.caged:
+            pointer.fill_screen(*map(int, wish.size.split("x")))
         for place in (BEGIN, FREE):
             time.sleep(3.0)
             pointer.click(scaled(place, scale))
         time.sleep(3.0)
         waits_s = measure(pointer, picture, scale, wish.moves)
     at = lambda fraction: 1000.0 * waits_s[min(int(fraction * len(waits_s)), len(waits_s) - 1)]
-    print(f"{wish.backend} {wish.size}: {at(0.0):.1f} ms at the least, {at(0.5):.1f} in the middle, {at(0.99):.1f} at p99; "
+    print(f"{wish.backend} {wish.size}{' caged' if wish.caged else ''}: {at(0.0):.1f} ms at the least, {at(0.5):.1f} in the middle, {at(0.99):.1f} at p99; "
           f"{at(0.5) / (1000.0 * FRAME_S):.2f} frames")
 
 

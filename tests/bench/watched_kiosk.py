@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -20,16 +21,28 @@ def display(size, folder):
         server.wait()
 
 
+def under_cage(folder):
+    """What starts a program in the compositor that a museum has, in a window of the display. It refuses root."""
+    compositor = ["env", "WLR_BACKENDS=x11", "WLR_RENDERER=pixman", "XDG_RUNTIME_DIR=" + folder, "HOME=" + folder, "cage", "--"]
+    if os.geteuid() != 0:
+        return compositor
+    os.chmod(folder, 0o700)
+    shutil.chown(folder, "nobody")
+    return ["setpriv", "--reuid=nobody", "--regid=nogroup", "--clear-groups", *compositor]
+
+
 @contextlib.contextmanager
-def kiosk(program, folder, display_name, words=(), **environment):
-    """Its process, from when it tells its service manager that a picture is shown and the hand's loop has ticked."""
+def kiosk(program, folder, display_name, words=(), starter=(), **environment):
+    """Its process, or that of what starts it, from when it tells its service manager that a picture is shown and the hand's
+    loop has ticked."""
     place = tempfile.mktemp(dir=folder)
     manager = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
     manager.bind(place)
     manager.settimeout(120)
     environment = dict(os.environ, DISPLAY=display_name, NOTIFY_SOCKET=place, **environment)
     environment.pop("WAYLAND_DISPLAY", None)
-    process = subprocess.Popen([program, "kiosk", "--volume", "0", "--device", "mouse", "--gallery", folder + "/pots", *words],
+    os.chmod(place, 0o777)
+    process = subprocess.Popen([*starter, program, "kiosk", "--volume", "0", "--device", "mouse", "--gallery", folder + "/pots", *words],
                                env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         while b"READY=1" not in manager.recv(4096):
