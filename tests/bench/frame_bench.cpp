@@ -7,7 +7,8 @@
 //   frame/1280x720/trimmed          shavings fly, the rib lies on the bench
 //   frame_by/...                    against what is in the picture, and how fine it is
 //   frame_cost/BACKEND/WxH          what a frame asks of the device, as the processor draws and on a GPU's
-//   steps frame_parts/1280x720            its parts, by the device's clock and by the host's
+//                                   steps; with a room that was modelled and not photographed, too
+//   frame_parts/1280x720            its parts, by the device's clock and by the host's
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -142,6 +143,8 @@ const bool added = [] {
             add(fmt::format("frame_cost/{}/{}x{}", backend, width, height),
                 {.width = width, .height = height, .step = step});
         }
+        add(fmt::format("frame_cost/{}/1280x720/modelled_room", backend),
+            {.is_modelled = true, .step = step});
     }
     add("frame_by/no_hands", {.with_hands = false});
     add("frame_by/no_text", {.with_text = false});

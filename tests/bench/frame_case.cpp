@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/files/asset_folder.h"
 #include "engine/jobs/clock.h"
 #include "engine/ui/painter.h"
 #include "game/finish/glaze.h"
@@ -68,7 +69,13 @@ Result<void> FrameCase::create() {
     auto renderer = render::Renderer::create(*device_, desc);
     if (!renderer) return renderer.error();
     renderer_ = std::move(*renderer);
-    opened_ = wheel::open_scene({}, desc_.width, desc_.height);
+    std::filesystem::path room;
+    if (desc_.is_modelled) {
+        auto found = files::find_asset("workshop");
+        if (!found) return found.error();
+        room = *found / "room.glb";
+    }
+    opened_ = wheel::open_scene(room, desc_.width, desc_.height);
     if (!opened_.lack.empty()) return system_lacks(opened_.lack);
 
     for (std::size_t i = 0; i < kRings; ++i) {

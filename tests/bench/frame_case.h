@@ -26,6 +26,7 @@ struct FrameCaseDesc {
     bool with_hands = true;
     bool with_text = true;
     bool is_drawn_on = false;  // by a finger through the wet coat, a point a frame
+    bool is_modelled = false;  // the room, as a museum's own that has no photographs
     bool is_trimmed = false;   // shavings fly and lie about, and the rib is on the bench
     bool measures_parts = false;
     render::QualityStep step = render::QualityStep::kOneCore;

@@ -4,6 +4,17 @@
 
 namespace onggi::render {
 
+namespace {
+
+vec3 centre_of(const Mesh& mesh) {
+    vec3 sum(0.0F);
+    for (const Mesh::Vertex& vertex : mesh.vertices)
+        sum += vertex.position_mm;
+    return sum / std::max(1.0F, static_cast<float>(mesh.vertices.size()));
+}
+
+}  // namespace
+
 Result<bool> StillMeshes::fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life) {
     const std::uint64_t revision = still_life ? still_life->revision : 0;
     if (still_life == uploaded_ && revision == revision_) return false;
@@ -22,12 +33,17 @@ Result<void> StillMeshes::upload(const vk::Device& device, const StillLife& stil
                           .first_index = static_cast<std::uint32_t>(indices.size()),
                           .index_count = static_cast<std::uint32_t>(part.mesh->indices.size()),
                           .first_vertex = static_cast<std::int32_t>(vertices.size()),
+                          .centre_mm = part.position_mm + centre_of(*part.mesh),
                           .casts_shadow = part.casts_shadow});
         vertices.insert(vertices.end(), part.mesh->vertices.begin(), part.mesh->vertices.end());
         indices.insert(indices.end(), part.mesh->indices.begin(), part.mesh->indices.end());
     }
     bounds_ = bounds_of(still_life);
     return buffers_.upload(device, "still life", std::as_bytes(std::span(vertices)), indices);
+}
+
+void StillMeshes::look_from(const vec3& eye_mm) {
+    std::ranges::sort(parts_, {}, [&](const Part& part) { return glm::distance(eye_mm, part.centre_mm); });
 }
 
 void StillMeshes::draw(const FrameContext& frame, Which which) const {

@@ -20,6 +20,10 @@ class StillMeshes {
     // Precondition: the device does not read what was uploaded before.
     Result<bool> fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life);
 
+    // From now on what is nearer to the eye is drawn before what is farther, so that little is shaded and
+    // then hidden.
+    void look_from(const vec3& eye_mm);
+
     enum class Which { kAll, kCasters };
     // Draws each part with its push constants.
     void draw(const FrameContext& frame, Which which) const;
@@ -33,6 +37,7 @@ class StillMeshes {
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
         std::int32_t first_vertex = 0;
+        vec3 centre_mm{0.0F};
         bool casts_shadow = true;
     };
     MeshBuffers buffers_;

@@ -6,12 +6,18 @@ namespace onggi::render {
 
 Result<void> RoomPass::fit(const VulkanFrame& frame, const Scene& scene) {
     if (auto fitted = background_.fit(frame, scene); !fitted) return fitted;
-    if (auto fitted = still_.fit(frame.device, scene.still_life); !fitted) return fitted.error();
+    const auto is_other = still_.fit(frame.device, scene.still_life);
+    if (!is_other) return is_other.error();
+    if (*is_other) mapped_.reset();
     return {};
 }
 
-void RoomPass::record(const VulkanFrame& frame, const Scene& scene) const {
-    if (!scene.background) record_shadow_map(frame, still_);
+void RoomPass::record(const VulkanFrame& frame, const Scene& scene) {
+    still_.look_from(vec3(frame.built.frame.eye));
+    const mat4& light = frame.built.frame.key_view_projection;
+    if (scene.background || mapped_ == light) return;
+    record_shadow_map(frame, still_);
+    mapped_ = light;
 }
 
 void RoomPass::draw(const VulkanFrame& frame, const Scene& scene) const {

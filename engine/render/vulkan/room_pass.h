@@ -1,6 +1,8 @@
 // The background: what stands still, drawn into every frame. Main thread.
 #pragma once
 
+#include <optional>
+
 #include "engine/core/result.h"
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/vulkan/background_pass.h"
@@ -16,8 +18,8 @@ class RoomPass {
     // idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
-    // The still life's shadow map.
-    void record(const VulkanFrame& frame, const Scene& scene) const;
+    // The still life's shadow map, where it is another than the one that is there.
+    void record(const VulkanFrame& frame, const Scene& scene);
     // Meshes and backdrop inside the caller's pass; front to back, so after what stands before them.
     void draw(const VulkanFrame& frame, const Scene& scene) const;
 
@@ -31,6 +33,7 @@ class RoomPass {
   private:
     BackgroundPass background_;
     StillMeshes still_;
+    std::optional<mat4> mapped_;  // as the key light saw the still life when its map was drawn
 };
 
 }  // namespace onggi::render
