@@ -23,8 +23,11 @@ open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24"; }
 # The screen is touched by `finger`, through the socket FOLDER/touch-screen: a relative path, because a socket's is short.
 # Of a seat with a name the server asks for no terminal.
 open_touch_display() {
-    local folder
+    local folder wide=${2%x*} high=${2#*x}
     folder=$(realpath "$1")
+    # A mode of any size, at 60 Hz: the blanks are what no screen minds.
+    local across=$((wide + 200)) down=$((high + 40))
+    local mode="$((across * down * 60 / 1000000)) $wide $((wide + 50)) $((wide + 100)) $across $high $((high + 3)) $((high + 8)) $down"
     cat >"$folder/xorg.conf" <<CONF
 Section "ServerFlags"
     Option "AutoAddDevices" "false"
@@ -34,6 +37,7 @@ Section "Monitor"
     Identifier "monitor"
     HorizSync 5-1000
     VertRefresh 5-200
+    Modeline "$2" $mode
 EndSection
 Section "Device"
     Identifier "memory"
@@ -47,7 +51,7 @@ Section "Screen"
     DefaultDepth 24
     SubSection "Display"
         Modes "$2"
-        Virtual ${2/x/ }
+        Virtual $wide $high
     EndSubSection
 EndSection
 Section "InputDevice"
