@@ -30,9 +30,12 @@ take_it_home() {
         curl -sSf --max-time 20 "$address/$file" | cmp - "$pot/$file" ||
             fail "expected the gallery's $file at $address, found another"
     done
-    grep -q 'href="film.webp"' page.html || fail "expected a film on the page, found none: $(tail -n 3 kiosk.log 2>/dev/null)"
-    curl -sSf --max-time 20 "$address/film.webp" -o film.webp
-    [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
+    if grep -q 'href="film.webp"' page.html; then
+        curl -sSf --max-time 20 "$address/film.webp" -o film.webp
+        [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
+    elif [ -z "${FILM_MAY_BE_LATE:-}" ]; then
+        fail "expected a film on the page, found none: $(tail -n 3 kiosk.log 2>/dev/null)"
+    fi
     printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
 }
 # Up, down again, and up: as who changes their mind twice.
