@@ -62,6 +62,14 @@ function(onggi_library NAME)
     endif()
 endfunction()
 
+# Unoptimised, or under sanitizers, whatever a test does takes several times as long.
+set(ONGGI_UNOPTIMISED OFF)
+set(ONGGI_PATIENCE 1)
+if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR ONGGI_SANITIZE)
+    set(ONGGI_UNOPTIMISED ON)
+    set(ONGGI_PATIENCE 4)
+endif()
+
 # onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ... SERIAL): one GoogleTest
 # program, one ctest entry. APART: as in onggi_library. SERIAL: it talks to a device or a service in real time, and wants
 # the machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install,
@@ -79,8 +87,9 @@ function(onggi_test NAME)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 120)
     endif()
+    math(EXPR limit_s "${ARG_TIMEOUT} * ${ONGGI_PATIENCE}")
     add_test(NAME ${NAME} COMMAND ${NAME})
-    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
+    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${limit_s} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
         ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0;${ARG_ENVIRONMENT}")
 endfunction()
 

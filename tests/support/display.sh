@@ -25,7 +25,7 @@ open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24"; }
 open_touch_display() {
     local folder wide=${2%x*} high=${2#*x}
     folder=$(realpath "$1")
-    # A mode of any size, at 60 Hz: the blanks are what no screen minds.
+    # A mode of any size, at 60 Hz; a blank of 160 would count as reduced, which the monitor would have to say it bears.
     local across=$((wide + 200)) down=$((high + 40))
     local mode="$((across * down * 60 / 1000000)) $wide $((wide + 50)) $((wide + 100)) $across $high $((high + 3)) $((high + 8)) $down"
     cat >"$folder/xorg.conf" <<CONF
