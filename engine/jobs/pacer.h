@@ -60,14 +60,14 @@ class Pacer {
 
     // Waits for the next deadline (not at all if it is past) and says which period has begun.
     Period wait_for_next() noexcept {
-        const std::uint64_t awaited = stats_.ticks == 0 ? 0 : last_index_ + 1;
-        const std::int64_t awaited_ns = deadline_ns(awaited);
+        const std::uint64_t index = awaited();
+        const std::int64_t awaited_ns = deadline_ns(index);
         const std::int64_t start_ns = wait_until(awaited_ns);
 
         Period period;
-        period.index = std::max(awaited, index_at(start_ns));
+        period.index = std::max(index, index_at(start_ns));
         period.tick = stats_.ticks;
-        period.skipped = period.index - awaited;
+        period.skipped = period.index - index;
         period.deadline_ns = deadline_ns(period.index);
         period.start_ns = start_ns;
         constexpr double kMostPeriods = 2.0;
@@ -88,12 +88,18 @@ class Pacer {
         if (end_ns > deadline_ns(period.index + 1)) ++stats_.overrun_periods;
     }
 
+    // Moves every deadline so that the next is at this time: for who goes by another's beat.
+    void align_next(std::int64_t time_ns) noexcept { origin_ns_ += time_ns - deadline_ns(awaited()); }
+
+    [[nodiscard]] double period_ns() const noexcept { return period_ns_; }
     [[nodiscard]] const TickStats& stats() const noexcept { return stats_; }
     [[nodiscard]] std::int64_t deadline_ns(std::uint64_t index) const noexcept {
         return origin_ns_ + static_cast<std::int64_t>(static_cast<double>(index) * period_ns_);
     }
 
   private:
+    [[nodiscard]] std::uint64_t awaited() const noexcept { return stats_.ticks == 0 ? 0 : last_index_ + 1; }
+
     // The last period whose deadline is not after the time.
     [[nodiscard]] std::uint64_t index_at(std::int64_t time_ns) const noexcept {
         if (time_ns <= origin_ns_) return 0;

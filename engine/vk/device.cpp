@@ -36,6 +36,19 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
                                         .pQueuePriorities = &priority};
     std::vector<const char*> extensions;
     if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    VkPhysicalDevicePresentIdFeaturesKHR present_id{};
+    present_id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR;
+    present_id.presentId = VK_TRUE;
+    VkPhysicalDevicePresentWaitFeaturesKHR present_wait{};
+    present_wait.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR;
+    present_wait.pNext = &present_id;
+    present_wait.presentWait = VK_TRUE;
+    const bool tells = presents && tells_when_shown(chosen.handle);
+    if (tells) {
+        extensions.push_back(VK_KHR_PRESENT_ID_EXTENSION_NAME);
+        extensions.push_back(VK_KHR_PRESENT_WAIT_EXTENSION_NAME);
+        features13.pNext = &present_wait;
+    }
     const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                   .pNext = &features12,
                                   .flags = 0,
@@ -48,6 +61,10 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
                                   .pEnabledFeatures = nullptr};
     ONGGI_VK_TRY(vkCreateDevice(chosen.handle, &info, nullptr, &self->device_));
     vkGetDeviceQueue(self->device_, chosen.queue_family, 0, &self->queue_);
+    if (tells) {
+        self->wait_for_present_ = reinterpret_cast<PFN_vkWaitForPresentKHR>(
+            vkGetDeviceProcAddr(self->device_, "vkWaitForPresentKHR"));
+    }
     if (instance.names_objects()) {
         self->set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
             vkGetInstanceProcAddr(instance.handle(), "vkSetDebugUtilsObjectNameEXT"));

@@ -20,7 +20,8 @@ using SpirvReplacements = std::map<const std::uint32_t*, std::vector<std::uint32
 
 class Device {
   public:
-    // presents: with VK_KHR_swapchain. The instance must outlive the device.
+    // presents: with VK_KHR_swapchain, and VK_KHR_present_wait where there is one. The instance must outlive
+    // the device.
     static Result<std::unique_ptr<Device>> create(const Instance& instance, const ChosenDevice& chosen,
                                                   bool presents);
     ~Device();
@@ -35,6 +36,9 @@ class Device {
     [[nodiscard]] bool is_cpu() const { return description_.is_cpu(); }
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
+
+    // Null where the driver does not say when an image is on the screen.
+    [[nodiscard]] PFN_vkWaitForPresentKHR wait_for_present() const { return wait_for_present_; }
 
     // Shown by the validation layer and by frame debuggers instead of a number.
     void name(VkObjectType type, std::uint64_t object, std::string_view name) const;
@@ -82,6 +86,7 @@ class Device {
     VkPhysicalDeviceLimits limits_{};
     SpirvReplacements replacements_;
     std::unique_ptr<Health> health_ = std::make_unique<Health>();
+    PFN_vkWaitForPresentKHR wait_for_present_ = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;

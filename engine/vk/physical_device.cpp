@@ -38,13 +38,13 @@ int rank_of(VkPhysicalDeviceType type) {
     }
 }
 
-bool has_swapchain(VkPhysicalDevice device) {
+bool has_extension(VkPhysicalDevice device, const char* name) {
     std::uint32_t count = 0;
     vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
     std::vector<VkExtensionProperties> extensions(count);
     vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
-    return std::any_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& extension) {
-        return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+    return std::any_of(extensions.begin(), extensions.end(), [&](const VkExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
     });
 }
 
@@ -81,7 +81,8 @@ std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version, Vk
         return surface == VK_NULL_HANDLE ? "a graphics queue"
                                          : "a graphics queue that presents to the window";
     }
-    if (surface != VK_NULL_HANDLE && !has_swapchain(device)) return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    if (surface != VK_NULL_HANDLE && !has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME))
+        return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     return {};
 }
 
@@ -141,6 +142,22 @@ std::string names_of(const std::vector<DeviceDescription>& devices) {
 }
 
 }  // namespace
+
+bool tells_when_shown(VkPhysicalDevice device) {
+    if (!has_extension(device, VK_KHR_PRESENT_ID_EXTENSION_NAME) ||
+        !has_extension(device, VK_KHR_PRESENT_WAIT_EXTENSION_NAME))
+        return false;
+    VkPhysicalDevicePresentIdFeaturesKHR id{};
+    id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR;
+    VkPhysicalDevicePresentWaitFeaturesKHR wait{};
+    wait.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR;
+    wait.pNext = &id;
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &wait;
+    vkGetPhysicalDeviceFeatures2(device, &features);
+    return id.presentId == VK_TRUE && wait.presentWait == VK_TRUE;
+}
 
 std::string_view type_name(VkPhysicalDeviceType type) {
     switch (type) {

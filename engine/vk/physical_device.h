@@ -28,6 +28,9 @@ struct DeviceDescription {
 [[nodiscard]] std::string_view type_name(VkPhysicalDeviceType type);  // "discrete GPU", "CPU", ...
 [[nodiscard]] std::string version_name(std::uint32_t api_version);    // "1.3.230"
 
+// Whether the driver says when an image is on the screen: VK_KHR_present_id and VK_KHR_present_wait.
+[[nodiscard]] bool tells_when_shown(VkPhysicalDevice device);
+
 // What counts beside the request.
 struct DevicePreference {
     bool cpu_first = false;  // of those that fit the request, the processor before any GPU

@@ -11,14 +11,16 @@
 namespace onggi::vk {
 namespace {
 
-// The caller paces; where the screen can take the newest image and drop the rest, nothing blocks. A processor
+// Where the driver says when an image is on the screen, the display paces, and each image is shown. Else the
+// caller does; where the screen can take the newest image and drop the rest, nothing blocks. A processor
 // copies its picture to the screen in any case and has it back at once: there the mode says only how many
 // images the driver keeps, and Mesa's keeps five for a mailbox, three for an immediate one.
-VkPresentModeKHR best_of(std::span<const VkPresentModeKHR> modes, bool is_cpu) {
+VkPresentModeKHR best_of(std::span<const VkPresentModeKHR> modes, const Device& device) {
     const auto has = [&](VkPresentModeKHR mode) {
         return std::find(modes.begin(), modes.end(), mode) != modes.end();
     };
-    if (is_cpu && has(VK_PRESENT_MODE_IMMEDIATE_KHR)) return VK_PRESENT_MODE_IMMEDIATE_KHR;
+    if (device.wait_for_present() != nullptr) return VK_PRESENT_MODE_FIFO_KHR;
+    if (device.is_cpu() && has(VK_PRESENT_MODE_IMMEDIATE_KHR)) return VK_PRESENT_MODE_IMMEDIATE_KHR;
     return has(VK_PRESENT_MODE_MAILBOX_KHR) ? VK_PRESENT_MODE_MAILBOX_KHR : VK_PRESENT_MODE_FIFO_KHR;
 }
 
@@ -102,7 +104,10 @@ Result<bool> Swapchain::rebuild() {
     std::vector<VkPresentModeKHR> modes(mode_count);
     ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_,
                                                                         &mode_count, modes.data()));
-    std::uint32_t image_count = std::max(can.minImageCount, 3U);
+    const VkPresentModeKHR mode = best_of(modes, *device_);
+    // In a queue that nobody looks after, a third image is one more frame from finger to picture.
+    const bool may_queue = mode == VK_PRESENT_MODE_FIFO_KHR && device_->wait_for_present() == nullptr;
+    std::uint32_t image_count = std::max(can.minImageCount, may_queue ? 2U : 3U);
     if (can.maxImageCount > 0) image_count = std::min(image_count, can.maxImageCount);
 
     VkSwapchainCreateInfoKHR info{};
@@ -124,7 +129,7 @@ Result<bool> Swapchain::rebuild() {
     info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
                               ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                               : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-    info.presentMode = best_of(modes, device_->description().is_cpu());
+    info.presentMode = mode;
     // What was drawn into an image must still be there when it comes back, hidden by another window or not.
     info.clipped = VK_FALSE;
     info.oldSwapchain = swapchain_;
@@ -133,6 +138,7 @@ Result<bool> Swapchain::rebuild() {
     drop_frames();
     if (swapchain_ != VK_NULL_HANDLE) vkDestroySwapchainKHR(device_->handle(), swapchain_, nullptr);
     swapchain_ = fresh;
+    presented_ = shown_ = 0;
     extent_ = extent;
     device_->name(VK_OBJECT_TYPE_SWAPCHAIN_KHR, swapchain_, "window");
     if (auto made = make_frames(); !made) return made.error();
@@ -213,19 +219,43 @@ Result<void> Swapchain::end(VkCommandBuffer commands) {
     info.swapchainCount = 1;
     info.pSwapchains = &swapchain_;
     info.pImageIndices = &frame_;
+    const std::uint64_t number = presented_ + 1;
+    VkPresentIdKHR id{};
+    id.sType = VK_STRUCTURE_TYPE_PRESENT_ID_KHR;
+    id.swapchainCount = 1;
+    id.pPresentIds = &number;
+    if (device_->wait_for_present() != nullptr) info.pNext = &id;
     Health& health = device_->health();
     VkResult result = health.before("vkQueuePresentKHR");
     if (result == VK_SUCCESS) result = vkQueuePresentKHR(device_->queue(), &info);
     health.note(result);
     const auto presented = check_swapchain(result, "vkQueuePresentKHR");
     if (!presented) return presented.error();
-    if (*presented == SwapchainState::kOutOfDate) is_current_ = false;
+    if (*presented == SwapchainState::kOutOfDate)
+        is_current_ = false;
+    else
+        presented_ = number;
     if (result != VK_SUBOPTIMAL_KHR) return {};
     // One as large as this would be as suboptimal: on a display that is turned, each is.
     const auto is_another = is_of_another_size();
     if (!is_another) return is_another.error();
     is_current_ = !*is_another;
     return {};
+}
+
+Result<bool> Swapchain::wait_until_shown(std::uint64_t most_ns) {
+    Health& health = device_->health();
+    VkResult result = health.before("vkWaitForPresentKHR");
+    if (result == VK_SUCCESS)
+        result = device_->wait_for_present()(device_->handle(), swapchain_, presented_, most_ns);
+    if (result == VK_TIMEOUT) return false;
+    health.note(result);
+    const auto waited = check_swapchain(result, "vkWaitForPresentKHR");
+    if (!waited) return waited.error();
+    shown_ = presented_;
+    if (*waited == SwapchainState::kGood) return true;
+    is_current_ = false;
+    return false;
 }
 
 }  // namespace onggi::vk

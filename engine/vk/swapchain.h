@@ -45,6 +45,13 @@ class Swapchain final : public FrameTarget {
     Result<void> end(VkCommandBuffer commands) override;
     Result<void> wait() override { return timeline_.wait(*device_); }
 
+    // Whether the driver will say when the last image is on the screen; once for each.
+    [[nodiscard]] bool awaits_showing() const {
+        return device_->wait_for_present() != nullptr && presented_ > shown_;
+    }
+    // Until it is, or this long. Precondition: awaits_showing().
+    Result<bool> wait_until_shown(std::uint64_t most_ns);
+
   private:
     struct Frame {
         VkImage image = VK_NULL_HANDLE;
@@ -71,8 +78,10 @@ class Swapchain final : public FrameTarget {
     VkExtent2D wanted_{};
     bool is_current_ = false;
     std::vector<Frame> frames_;
-    std::uint32_t frame_ = 0;  // the image that begin() gave
-    Semaphore acquired_;       // one is enough for one frame in flight
+    std::uint32_t frame_ = 0;      // the image that begin() gave
+    std::uint64_t presented_ = 0;  // how many images of this swapchain; the last one's number
+    std::uint64_t shown_ = 0;      // the last one that was waited for
+    Semaphore acquired_;           // one is enough for one frame in flight
     Timeline timeline_;
 };
 

@@ -292,6 +292,21 @@ Result<void> LiveScreen::wait() {
     return {};
 }
 
+bool LiveScreen::wait_for_display() {
+    if (!swapchain_ || trouble_ || !swapchain_->awaits_showing()) return false;
+    // A display of more frames than are drawn has another beat.
+    if (window_->refresh_hz() > frame_rate_hz()) return false;
+    if (!beat_.is_asked(jobs::MonotonicClock::now_ns())) return false;
+    constexpr std::uint64_t kMostNs = 100'000'000;  // some frames of the slowest display
+    const auto shown = swapchain_->wait_until_shown(kMostNs);
+    if (!shown && device_->health().trouble() != vk::Trouble::kNone) trouble_ = shown.error();
+    if (shown && *shown)
+        beat_.was_told();
+    else
+        beat_.was_not_told(jobs::MonotonicClock::now_ns());
+    return shown && *shown;
+}
+
 void LiveScreen::resize(window::Size size) {
     if (swapchain_) swapchain_->resize(extent_of(size));
 }

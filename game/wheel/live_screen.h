@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/jobs/display_beat.h"
 #include "engine/render/quality.h"
 #ifdef ONGGI_SHADER_RELOAD
 #include "engine/render/shader_reload.h"
@@ -49,6 +50,9 @@ class LiveScreen {
     Result<bool> draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s,
                       bool has_visitor = true);
     Result<void> wait();
+    // Until the display has shown the last frame, where it says so and shows as many frames as are drawn: its
+    // beat is the clock to go by. False where it is not, or has not come.
+    bool wait_for_display();
 
     void resize(window::Size size);
     [[nodiscard]] VkExtent2D extent() const { return target().extent(); }
@@ -103,7 +107,8 @@ class LiveScreen {
     int good_frames_ = 0;  // since the last time something was mended
     int in_a_row_ = 0;
     unsigned frames_of_renderer_ = 0;
-    double host_ms_ = 0.0;          // of the last frame: what the processor did for it
+    double host_ms_ = 0.0;  // of the last frame: what the processor did for it
+    jobs::DisplayBeat beat_;
     render::UploadLedger uploads_;  // of the overlay: a new renderer has an empty texture
     std::optional<Error> trouble_;  // found while waiting; the next draw mends it
 #ifdef ONGGI_SHADER_RELOAD

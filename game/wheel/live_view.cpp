@@ -238,6 +238,9 @@ std::string LiveView::quality_note() const {
 double LiveView::frame_rate_hz() const {
     return impl_->screen->frame_rate_hz();
 }
+bool LiveView::wait_for_display() {
+    return impl_->screen->wait_for_display();
+}
 std::string_view LiveView::quality() const {
     return render::quality_name(impl_->screen->quality());
 }

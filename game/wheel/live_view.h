@@ -1,5 +1,5 @@
 // The moving picture: a window (or an unseen target of the same size) that shows a pot on its wheel, as fast
-// as it is asked to. It neither waits nor paces: the caller owns the 60 Hz. Main thread only.
+// as it is asked to. It does not pace: the caller owns the clock. Main thread only.
 #pragma once
 
 #include <filesystem>
@@ -82,6 +82,10 @@ class LiveView {
 
     // Until the last frame has left the device: what a frame took is known only then.
     Result<void> wait();
+
+    // Until the display has shown the last frame; false where it does not say so, and frames go by a clock of
+    // frame_rate_hz().
+    bool wait_for_display();
 
     // Where a pointer at this pixel puts the tool: on the upright plane through the wheel's axis that faces
     // the camera, mm. Nothing when the pixel looks past that plane.

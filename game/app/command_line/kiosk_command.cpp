@@ -73,7 +73,7 @@ render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Confi
 struct Beside {
     KioskKeeper& keeper;
     KioskSound& sound;
-    const wheel::LiveView& view;
+    wheel::LiveView& view;
     PictureNote* picture;  // null: what this run comes to is no rule
 };
 
@@ -101,7 +101,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
         // Another display, or another device that draws.
         if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
             pacer.emplace(clock, frame_rate_hz = rate_hz);
-        pacer->wait();
+        pacer->wait(beside.view.wait_for_display());
         const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
         // The first as soon as there is a picture to tell of.

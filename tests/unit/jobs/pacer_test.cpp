@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/jobs/display_beat.h"
 #include "engine/jobs/frame_pacer.h"
 #include "tests/support/virtual_clock.h"
 
@@ -192,6 +193,51 @@ TEST(FramePacer, DrawsOneFrameAfterTheOtherWhenTheyTakeTooLong) {
     }
     EXPECT_EQ(pacer.interval_ns().max(), static_cast<std::uint64_t>(30 * kMs));
     EXPECT_EQ(clock.sleeps, 1);
+}
+
+TEST(FramePacer, GoesByTheBeatOfADisplayThatIsSlowerOrFaster) {
+    for (const std::int64_t beat_ns : {20 * kMs, 14 * kMs}) {
+        VirtualClock clock;
+        FramePacer pacer(clock, 60.0);
+        const std::int64_t start_ns = clock.now_ns();
+        for (int frame = 1; frame <= 100; ++frame) {
+            clock.sleep_until_ns(start_ns + frame * beat_ns);  // the driver's own wait
+            pacer.wait(true);
+            EXPECT_EQ(clock.now_ns(), start_ns + frame * beat_ns);
+            clock.pass(5 * kMs);
+            pacer.finish();
+        }
+        // On by itself from the last beat, when the display says no more.
+        pacer.wait();
+        EXPECT_NEAR(static_cast<double>(clock.now_ns() - start_ns),
+                    static_cast<double>(100 * beat_ns) + 1e9 / 60.0, 10.0);
+    }
+}
+
+TEST(FramePacer, DoesNotBelieveADriverThatHasShownEverythingAtOnce) {
+    VirtualClock clock;
+    FramePacer pacer(clock, 60.0);
+    for (int frame = 0; frame < 100; ++frame) {
+        pacer.wait(true);
+        clock.pass(kMs);
+        pacer.finish();
+    }
+    EXPECT_NEAR(static_cast<double>(pacer.interval_ns().max()), 0.75e9 / 60.0, 10.0);
+}
+
+TEST(DisplayBeat, AsksAfterLongerAndLongerPausesWhomNothingWasHeardOf) {
+    DisplayBeat beat;
+    std::int64_t now_ns = 0;
+    ASSERT_TRUE(beat.is_asked(now_ns));
+    for (const int pause_s : {1, 2, 4, 8, 16, 32, 64, 128, 256, 256}) {
+        beat.was_not_told(now_ns);
+        EXPECT_FALSE(beat.is_asked(now_ns + pause_s * kNsPerSecond - 1)) << pause_s;
+        now_ns += pause_s * kNsPerSecond;
+        EXPECT_TRUE(beat.is_asked(now_ns)) << pause_s;
+    }
+    beat.was_told();
+    beat.was_not_told(now_ns);
+    EXPECT_TRUE(beat.is_asked(now_ns + kNsPerSecond)) << "from the beginning";
 }
 
 }  // namespace
