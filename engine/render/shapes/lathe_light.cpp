@@ -128,21 +128,11 @@ float past_lathe(const KeySteps& steps, LatheFace face, float radius_mm, float c
     return smooth_step(-key.tangent, key.tangent, least);
 }
 
-float across(const KeyRay& key) {
-    return std::hypot(key.towards_light.x, key.towards_light.z);
-}
-
 }  // namespace
-
-float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float angle_rad,
-                     const KeyRay& key) {
-    return past_lathe(key_steps(samples, face, place.y, key), face, place.x, std::cos(angle_rad), across(key),
-                      key);
-}
 
 void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 normal, const KeyRay& key,
                  KeyColumns& columns) {
-    const float flat = across(key);
+    const float flat = std::hypot(key.towards_light.x, key.towards_light.z);
     const KeyColumns& cosines = column_cosines();
     // From a little off the wall, or it would hide itself.
     const vec2 from = place + 0.5F * normal;

@@ -22,16 +22,13 @@ enum class LatheFace { kOuter, kInner };
 // rays, always the same ones.
 [[nodiscard]] float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2 normal);
 
-// The fraction of the key light that gets past the shape to a place at an angle from the light's azimuth:
-// between none and all over the width of the light.
 struct KeyRay {
     vec3 towards_light{0.0F, 1.0F, 0.0F};  // unit; only its height counts here
     float tangent = 0.05F;                 // of half the light's width
 };
-[[nodiscard]] float key_past_lathe(const LatheSamples& samples, LatheFace face, vec2 place, float angle_rad,
-                                   const KeyRay& key);
 
-// The same for a whole ring: one entry a column, evenly from the light's azimuth to the far side. A ring is
+// The fraction of the key light that gets past the shape to the places of a ring: between none and all over
+// the width of the light. One entry a column, evenly from the light's azimuth to the far side; a ring is
 // symmetrical about the light.
 constexpr int kKeyColumns = 25;
 using KeyColumns = std::array<float, kKeyColumns>;

@@ -89,23 +89,4 @@ std::vector<RingChoice> choose_face_rings(std::span<const LodFace> faces, const 
     return choices;
 }
 
-RingChoice choose_rings(std::span<const float> radii_mm, const RingBudget& budget) {
-    const LodFace face{.radii_mm = radii_mm};
-    return choose_face_rings(std::span(&face, 1), budget).front();
-}
-
-float ring_error_mm(std::span<const float> radii_mm, std::span<const std::uint32_t> elements) {
-    float worst = 0.0F;
-    for (std::size_t ring = 1; ring < elements.size(); ++ring) {
-        const std::uint32_t below = elements[ring - 1];
-        const std::uint32_t above = elements[ring];
-        for (std::uint32_t i = below; i <= above; ++i) {
-            const float fraction = static_cast<float>(i - below) / static_cast<float>(above - below);
-            const float chord = radii_mm[below] + fraction * (radii_mm[above] - radii_mm[below]);
-            worst = std::max(worst, std::abs(radii_mm[i] - chord));
-        }
-    }
-    return worst;
-}
-
 }  // namespace onggi::render

@@ -30,14 +30,9 @@ struct RingChoice {
 // radius under it. Where that gives more rings than the cap allows (a rough one has no end of detail), the
 // tolerance is relaxed until it does not, and max_step with it if it alone asks for too many.
 // Linear in the number of elements for each of at most some twenty tolerances, most of which stop early.
-[[nodiscard]] RingChoice choose_rings(std::span<const float> radii_mm, const RingBudget& budget);
-
-// Several faces under one cap: the same tolerance for all of them. One entry a face; an empty face has none
-// of the rings.
+// Several faces are under one cap, with the same tolerance for all of them. One entry a face; an empty face
+// has none of the rings.
 [[nodiscard]] std::vector<RingChoice> choose_face_rings(std::span<const LodFace> faces,
                                                         const RingBudget& budget);
-
-// The largest |radius - chord| over all elements, mm; the bound that choose_rings keeps.
-[[nodiscard]] float ring_error_mm(std::span<const float> radii_mm, std::span<const std::uint32_t> elements);
 
 }  // namespace onggi::render

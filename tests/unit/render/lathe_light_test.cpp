@@ -9,9 +9,19 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kHalfTurn = 3.14159265F;
 // 45 degrees up, from +X; a light of two degrees.
 const KeyRay kKey{.towards_light = glm::normalize(vec3(1.0F, 1.0F, 0.0F)), .tangent = 0.0175F};
+
+KeyColumns columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 normal) {
+    KeyColumns ring{};
+    key_columns(samples, face, place, normal, kKey, ring);
+    return ring;
+}
+
+// Of a wall whose inside lies at 45 mm.
+KeyColumns inside(const LatheSamples& samples, float y_mm) {
+    return columns(samples, LatheFace::kInner, {45.0F, y_mm}, {-1.0F, 0.0F});
+}
 
 TEST(LatheLight, SeesTheWholeSkyFromAStraightWallAndHalfFromUnderALedge) {
     const LatheSamples straight = samples_of(Cylinder().profile());
@@ -38,32 +48,31 @@ TEST(LatheLight, SeesOfTheSkyInsideWhatTheMouthLeaves) {
 TEST(LatheLight, ShadesTheNearInsideAndLightsTheFarWallDownToTheRimsShadow) {
     const LatheSamples samples = samples_of(Cylinder(50.0F, 5.0F, 10.0F, 200.0F).profile(0.0F));
     // At 45 degrees the rim at the light's side throws its shadow 90 mm down the far wall.
-    const auto far_wall = [&](float y) {
-        return key_past_lathe(samples, LatheFace::kInner, {44.5F, y}, kHalfTurn, kKey);
-    };
+    const auto far_wall = [&](float y) { return inside(samples, y).back(); };
     EXPECT_GT(far_wall(195.0F), 0.99F);
     EXPECT_GT(far_wall(120.0F), 0.99F);
     EXPECT_LT(far_wall(95.0F), 0.01F);
-    EXPECT_EQ(key_past_lathe(samples, LatheFace::kInner, {44.5F, 150.0F}, 0.0F, kKey), 0.0F)
-        << "under the rim at the light's side";
+    EXPECT_EQ(inside(samples, 150.0F).front(), 0.0F) << "under the rim at the light's side";
 }
 
 TEST(LatheLight, ShadesANeckUnderAWiderRim) {
     Cylinder pot(30.0F);
     std::fill(pot.outer.begin() + 900, pot.outer.end(), 60.0F);
     const LatheSamples samples = samples_of(pot.profile());
-    EXPECT_LT(key_past_lathe(samples, LatheFace::kOuter, {30.5F, 80.0F}, 0.0F, kKey), 0.01F);
-    EXPECT_GT(key_past_lathe(samples, LatheFace::kOuter, {30.5F, 20.0F}, 0.0F, kKey), 0.99F);
+    const auto lit_side = [&](float y) {
+        return columns(samples, LatheFace::kOuter, {30.0F, y}, {1.0F, 0.0F}).front();
+    };
+    EXPECT_LT(lit_side(80.0F), 0.01F);
+    EXPECT_GT(lit_side(20.0F), 0.99F);
 }
 
 TEST(LatheLight, GivesAWholeRingItsColumnsFromTheLightsSideToTheFarOne) {
     const LatheSamples samples = samples_of(Cylinder(50.0F, 5.0F, 10.0F, 200.0F).profile(0.0F));
-    KeyColumns columns{};
-    key_columns(samples, LatheFace::kInner, {45.0F, 170.0F}, {-1.0F, 0.0F}, kKey, columns);
-    EXPECT_EQ(columns.front(), 0.0F);
-    EXPECT_GT(columns.back(), 0.99F);
-    for (std::size_t i = 1; i < columns.size(); ++i)
-        EXPECT_GE(columns[i], columns[i - 1] - 1e-6F);
+    const KeyColumns ring = inside(samples, 170.0F);
+    EXPECT_EQ(ring.front(), 0.0F);
+    EXPECT_GT(ring.back(), 0.99F);
+    for (std::size_t i = 1; i < ring.size(); ++i)
+        EXPECT_GE(ring[i], ring[i - 1] - 1e-6F);
 }
 
 }  // namespace
