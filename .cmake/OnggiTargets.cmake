@@ -90,7 +90,7 @@ function(onggi_test NAME)
     math(EXPR limit_s "${ARG_TIMEOUT} * ${ONGGI_PATIENCE}")
     add_test(NAME ${NAME} COMMAND ${NAME})
     set_tests_properties(${NAME} PROPERTIES TIMEOUT ${limit_s} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
-        ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0;${ARG_ENVIRONMENT}")
+        ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
 
 # onggi_vector_loops(FILE...): the loops of these are written to be worked on several elements at once. GCC takes them
