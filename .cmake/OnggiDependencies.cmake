@@ -22,6 +22,7 @@ pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 
 if(NOT ONGGI_FUZZ)
     find_package(glfw3 3.3 REQUIRED)
+    pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb xcb-xinput)
     find_package(Vulkan REQUIRED)
     find_package(CLI11 REQUIRED)
     pkg_check_modules(WEBSOCKETS REQUIRED IMPORTED_TARGET libwebsockets)

@@ -2,14 +2,19 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 
+#include "engine/window/touch_screen.h"
 #include "engine/window/window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+
+// GLFW's own, of <GLFW/glfw3native.h>, without Xlib's macros. Weak: its build for Wayland has none.
+extern "C" [[gnu::weak]] unsigned long glfwGetX11Window(GLFWwindow* window);
 
 namespace onggi::window {
 namespace {
@@ -186,6 +191,8 @@ class GlfwWindow final : public Window {
             window_, [](GLFWwindow* w, int focused) { self(w).push(FocusEvent{focused == GLFW_TRUE}); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).push(CloseEvent{}); });
         glfwSetWindowPosCallback(window_, [](GLFWwindow* w, int, int) { self(w).moved_ = true; });
+        if (glfwGetX11Window != nullptr)
+            fingers_ = TouchScreen::of(static_cast<std::uint32_t>(glfwGetX11Window(window_)));
     }
     ~GlfwWindow() override { glfwDestroyWindow(window_); }
     GlfwWindow(const GlfwWindow&) = delete;
@@ -210,6 +217,7 @@ class GlfwWindow final : public Window {
 
     [[nodiscard]] std::vector<Event> poll_events() override {
         glfwPollEvents();
+        if (fingers_) follow_fingers();
         // A screen that is unplugged leaves a window; one that is plugged in again shall be filled.
         if (wants_full_screen_ && glfwGetWindowMonitor(window_) == nullptr) fill_screen();
         if (std::exchange(moved_, false)) refresh_hz_ = refresh_now_hz();
@@ -280,18 +288,32 @@ class GlfwWindow final : public Window {
         return glfwGetPrimaryMonitor();
     }
     void push(Event event) { events_.push_back(event); }
-    void push_pointer(double x, double y) {
-        // The pointer comes in the desktop's units, which on a scaled screen are not pixels.
+    // Pointer and touches come in the desktop's units, which on a scaled screen are not pixels. Nothing while
+    // the window has none.
+    [[nodiscard]] std::optional<PointerEvent> in_pixels(double x, double y) const {
         Size units;
         glfwGetWindowSize(window_, &units.width, &units.height);
         const Size pixels = size();
-        if (units.width <= 0 || units.height <= 0) return;
-        push(PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height});
+        if (units.width <= 0 || units.height <= 0) return std::nullopt;
+        return PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height};
+    }
+    void push_pointer(double x, double y) {
+        if (const auto pointer = in_pixels(x, y)) push(*pointer);
+    }
+    void follow_fingers() {
+        for (Touch touch : fingers_->poll()) {
+            const auto place = in_pixels(touch.x_px, touch.y_px).value_or(PointerEvent{});
+            touch.x_px = place.x_px;
+            touch.y_px = place.y_px;
+            leading_.follow(touch, events_);
+        }
     }
 
     std::unique_ptr<GlfwLibrary> library_;
     GLFWwindow* window_;
     std::vector<Event> events_;
+    std::unique_ptr<TouchScreen> fingers_;  // null: a touch is the pointer's
+    LeadingFinger leading_;
     double refresh_hz_ = refresh_now_hz();
     bool moved_ = false;  // perhaps to another display
     Size windowed_;

@@ -1,6 +1,7 @@
 // A finger on a touch screen: finger SOCKET WIDTH HEIGHT [turned] is told what it does, a line each, in words
 // that xdotool has, too: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1",
-// "sleep S". It answers each line with a line "done" when it is done. SOCKET is where the X server's input
+// "sleep S"; and "palm X Y", a hand that is laid on the screen there and stays. It answers each line with a
+// line "done" when it is done. SOCKET is where the X server's input
 // driver for tests listens (inputtest(4), which accepts one finger and no second after it): what it is told
 // goes the way of a real touch screen's events, through the server's touch handling to the pointer that a
 // program without an eye for touches sees.
@@ -52,10 +53,10 @@ class TouchScreen {
     TouchScreen(const TouchScreen&) = delete;
     TouchScreen& operator=(const TouchScreen&) = delete;
 
-    // XI_TouchBegin, XI_TouchUpdate or XI_TouchEnd, at a place in fractions of the screen.
-    void touch(std::uint32_t type, double x, double y) {
+    // XI_TouchBegin, XI_TouchUpdate or XI_TouchEnd of a finger, at a place in fractions of the screen.
+    void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
         xf86ITEventTouch event{};
-        event.touchid = 1;
+        event.touchid = finger;
         event.touch_type = type;
         event.valuators.mask[0] = 0b11;
         event.valuators.valuators[0] = x * kAxisSteps;
@@ -90,13 +91,16 @@ class Finger {
             if (word == "mousemove") {
                 x_ = (number(words) + 0.5) / width_;
                 y_ = (number(words) + 0.5) / height_;
-                if (is_down_) touch(XI_TouchUpdate);
+                if (is_down_) touch(kFinger, XI_TouchUpdate, x_, y_);
             } else if (word == "sleep") {
                 std::this_thread::sleep_for(std::chrono::duration<double>(number(words)));
             } else if (word == "mousedown" || word == "mouseup") {
                 if (number(words) != 1.0) throw std::runtime_error("a finger is button 1");
                 is_down_ = word == "mousedown";
-                touch(is_down_ ? XI_TouchBegin : XI_TouchEnd);
+                touch(kFinger, is_down_ ? XI_TouchBegin : XI_TouchEnd, x_, y_);
+            } else if (word == "palm") {
+                const double x = (number(words) + 0.5) / width_;
+                touch(kPalm, XI_TouchBegin, x, (number(words) + 0.5) / height_);
             } else {
                 throw std::runtime_error(fmt::format("expected a move of a finger, found '{}'", word));
             }
@@ -104,12 +108,15 @@ class Finger {
     }
 
   private:
+    static constexpr std::uint32_t kFinger = 1;
+    static constexpr std::uint32_t kPalm = 2;
+
     // On a panel that hangs on its side the picture is turned clockwise by a quarter, and its sensor is not.
-    void touch(std::uint32_t type) {
+    void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
         if (is_turned_)
-            screen_.touch(type, y_, 1.0 - x_);
+            screen_.touch(finger, type, y, 1.0 - x);
         else
-            screen_.touch(type, x_, y_);
+            screen_.touch(finger, type, x, y);
     }
     static double number(std::istringstream& words) {
         double value = 0.0;

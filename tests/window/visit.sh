@@ -83,6 +83,8 @@ keys) press choose target 1 ;;
 *) press choose free ;;
 esac
 on_screen throw
+# Somebody leans on the panel's edge, and will till the end.
+[ "$hand" = touch ] && point palm 3 $((height * 6 / 10)) sleep 4
 press_it
 on_screen throw
 if [ "$hand" = mouse ]; then  # all of it is taken back

@@ -1,0 +1,82 @@
+// By a connection to the server of its own: GLFW passes over events that it does not know. XI 2.2 protocol:
+// https://www.x.org/releases/X11R7.7/doc/inputproto/XI2proto.txt
+#include "engine/window/touch_screen.h"
+
+#include <xcb/xcb.h>
+#include <xcb/xinput.h>
+
+#include <cstdlib>
+
+namespace onggi::window {
+namespace {
+
+struct Freed {
+    void operator()(void* answer) const { std::free(answer); }
+};
+template <typename T>
+using Answer = std::unique_ptr<T, Freed>;
+
+// 16 bits before the point, 16 after it.
+double number(xcb_input_fp1616_t fixed) {
+    return static_cast<double>(fixed) / 65536.0;
+}
+
+}  // namespace
+
+std::unique_ptr<TouchScreen> TouchScreen::of(std::uint32_t window) {
+    std::unique_ptr<TouchScreen> self(new TouchScreen(xcb_connect(nullptr, nullptr)));
+    return self->take(window) ? std::move(self) : nullptr;
+}
+
+TouchScreen::~TouchScreen() {
+    xcb_disconnect(server_);
+}
+
+bool TouchScreen::take(std::uint32_t window) {
+    if (xcb_connection_has_error(server_) != 0) return false;
+    const xcb_query_extension_reply_t* extension = xcb_get_extension_data(server_, &xcb_input_id);
+    if (extension == nullptr || extension->present == 0) return false;
+    xinput_ = extension->major_opcode;
+    const Answer<xcb_input_xi_query_version_reply_t> version(
+        xcb_input_xi_query_version_reply(server_, xcb_input_xi_query_version(server_, 2, 2), nullptr));
+    if (!version || version->major_version < 2) return false;
+    if (version->major_version == 2 && version->minor_version < 2) return false;
+
+    struct {
+        xcb_input_event_mask_t head{.deviceid = XCB_INPUT_DEVICE_ALL_MASTER, .mask_len = 1};
+        std::uint32_t events = XCB_INPUT_XI_EVENT_MASK_TOUCH_BEGIN | XCB_INPUT_XI_EVENT_MASK_TOUCH_UPDATE |
+                               XCB_INPUT_XI_EVENT_MASK_TOUCH_END;
+    } const wanted;
+    const auto asked = xcb_input_xi_select_events_checked(server_, window, 1, &wanted.head);
+    const Answer<xcb_generic_error_t> refused(xcb_request_check(server_, asked));
+    return refused == nullptr;
+}
+
+std::vector<Touch> TouchScreen::poll() {
+    std::vector<Touch> touches;
+    while (const Answer<xcb_generic_event_t> event{xcb_poll_for_event(server_)}) {
+        const auto* generic = reinterpret_cast<const xcb_ge_generic_event_t*>(event.get());
+        if (generic->response_type != XCB_GE_GENERIC || generic->extension != xinput_) continue;
+        // One form for all three.
+        const auto* touch = reinterpret_cast<const xcb_input_touch_begin_event_t*>(event.get());
+        Touch::Phase phase{};
+        switch (generic->event_type) {
+            case XCB_INPUT_TOUCH_BEGIN:
+                phase = Touch::Phase::kBegin;
+                break;
+            case XCB_INPUT_TOUCH_UPDATE:
+                phase = Touch::Phase::kMove;
+                break;
+            case XCB_INPUT_TOUCH_END:
+                phase = Touch::Phase::kEnd;
+                break;
+            default:
+                continue;
+        }
+        touches.push_back(
+            {phase, touch->detail, number(touch->event_x), number(touch->event_y), touch->time});
+    }
+    return touches;
+}
+
+}  // namespace onggi::window

@@ -1,0 +1,85 @@
+#include "engine/window/leading_finger.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace onggi::window {
+namespace {
+
+using Phase = Touch::Phase;
+
+// Fingers on a screen, and what a pointer would have done, in words: "at 10,20 down at 11,20 up".
+class AScreen : public testing::Test {
+  protected:
+    void touch(Phase phase, std::uint32_t finger, double x, double y, std::uint32_t time_ms) {
+        std::vector<Event> events;
+        leading_.follow({phase, finger, x, y, time_ms}, events);
+        for (const Event& event : events) {
+            if (!seen_.empty()) seen_ += ' ';
+            if (const auto* pointer = std::get_if<PointerEvent>(&event))
+                seen_ += fmt::format("at {:.0f},{:.0f}", pointer->x_px, pointer->y_px);
+            else
+                seen_ += std::get<ButtonEvent>(event).pressed ? "down" : "up";
+        }
+    }
+    std::string seen() { return std::exchange(seen_, {}); }
+
+    LeadingFinger leading_;
+    std::string seen_;
+};
+
+TEST_F(AScreen, IsAPointerToOneFinger) {
+    touch(Phase::kBegin, 7, 10, 20, 1000);
+    touch(Phase::kMove, 7, 11, 20, 1010);
+    touch(Phase::kEnd, 7, 12, 20, 1020);
+    EXPECT_EQ(seen(), "at 10,20 down at 11,20 at 12,20 up");
+    touch(Phase::kBegin, 8, 50, 60, 1030);
+    EXPECT_EQ(seen(), "at 50,60 down");
+}
+
+TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
+    touch(Phase::kBegin, 1, 100, 100, 0);
+    for (std::uint32_t step = 1; step <= 10; ++step)
+        touch(Phase::kMove, 1, 100, 100 + 30.0 * step, 1000 * step);
+    static_cast<void>(seen());
+    touch(Phase::kBegin, 2, 600, 600, 12000);
+    touch(Phase::kMove, 2, 610, 600, 12010);
+    touch(Phase::kEnd, 2, 610, 600, 12020);
+    EXPECT_EQ(seen(), "");
+    touch(Phase::kEnd, 1, 100, 400, 12030);
+    EXPECT_EQ(seen(), "at 100,400 up");
+}
+
+TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
+    touch(Phase::kBegin, 1, 3, 500, 0);
+    for (std::uint32_t wander = 0; wander < 100; ++wander)
+        touch(Phase::kMove, 1, 3.0 + wander % 5, 500, 100 * wander);
+    static_cast<void>(seen());
+    touch(Phase::kBegin, 2, 600, 300, 10000);
+    EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down") << "nothing is pressed where it lies";
+    touch(Phase::kMove, 1, 300, 500, 10010);
+    EXPECT_EQ(seen(), "") << "it is nobody now";
+    touch(Phase::kEnd, 2, 600, 300, 10020);
+    EXPECT_EQ(seen(), "at 600,300 up");
+    touch(Phase::kMove, 1, 310, 500, 10030);
+    touch(Phase::kEnd, 1, 310, 500, 10040);
+    EXPECT_EQ(seen(), "") << "and stays so until it is lifted";
+    touch(Phase::kBegin, 1, 310, 500, 10050);
+    EXPECT_EQ(seen(), "at 310,500 down");
+}
+
+TEST_F(AScreen, WaitsBeforeItTakesAFingerForAHandThatLies) {
+    touch(Phase::kBegin, 1, 640, 300, std::numeric_limits<std::uint32_t>::max() - 500);
+    static_cast<void>(seen());
+    touch(Phase::kBegin, 2, 600, 300, 2000);  // two seconds and a half later, over the end of the count
+    EXPECT_EQ(seen(), "");
+    touch(Phase::kBegin, 3, 600, 300, 2600);
+    EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down");
+}
+
+}  // namespace
+}  // namespace onggi::window
