@@ -20,15 +20,16 @@ struct Figures {
     double resident_kb = 0.0;
     double handles = 0.0;
     double threads = 0.0;
-    double disk_kb = 0.0;  // of the kiosk's folder, files without a name left out
+    double disk_kb = 0.0;  // of the kiosk's folder beside its pots, which are counted; named files only
 };
 
-inline double bytes_below(const std::filesystem::path& folder) {
+inline double bytes_beside_pots(const std::filesystem::path& folder) {
     double sum = 0.0;
     for (const std::filesystem::path& entry : list_folder(folder).entries) {
+        if (entry.filename().string().starts_with("pot-")) continue;
         std::error_code gone;  // the keeper works beside us
         if (std::filesystem::is_directory(std::filesystem::symlink_status(entry, gone))) {
-            sum += bytes_below(entry);
+            sum += bytes_beside_pots(entry);
         } else if (const auto size = std::filesystem::file_size(entry, gone); !gone) {
             sum += static_cast<double>(size);
         }
@@ -41,7 +42,7 @@ inline Figures figures_of_this_process(const std::filesystem::path& folder) {
     return {.resident_kb = test::resident_kb(),
             .handles = static_cast<double>(test::open_handles()),
             .threads = static_cast<double>(list_folder("/proc/self/task").entries.size()),
-            .disk_kb = bytes_below(folder) / kKb};
+            .disk_kb = bytes_beside_pots(folder) / kKb};
 }
 
 // Least squares, of the value against the number of the visit.
