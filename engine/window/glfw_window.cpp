@@ -298,13 +298,20 @@ class GlfwWindow final : public Window {
         return PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height};
     }
     void push_pointer(double x, double y) {
+        show_cursor(true);
         if (const auto pointer = in_pixels(x, y)) push(*pointer);
+    }
+    // No arrow is left standing over the clay while fingers are at work.
+    void show_cursor(bool shows) {
+        if (std::exchange(shows_cursor_, shows) != shows)
+            glfwSetInputMode(window_, GLFW_CURSOR, shows ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
     }
     void follow_fingers() {
         for (Touch touch : fingers_->poll()) {
             const auto place = in_pixels(touch.x_px, touch.y_px).value_or(PointerEvent{});
             touch.x_px = place.x_px;
             touch.y_px = place.y_px;
+            show_cursor(false);
             leading_.follow(touch, events_);
         }
     }
@@ -314,6 +321,7 @@ class GlfwWindow final : public Window {
     std::vector<Event> events_;
     std::unique_ptr<TouchScreen> fingers_;  // null: a touch is the pointer's
     LeadingFinger leading_;
+    bool shows_cursor_ = true;
     double refresh_hz_ = refresh_now_hz();
     bool moved_ = false;  // perhaps to another display
     Size windowed_;
