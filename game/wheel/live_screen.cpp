@@ -293,7 +293,7 @@ Result<void> LiveScreen::wait() {
 }
 
 bool LiveScreen::wait_for_display() {
-    if (!swapchain_ || trouble_ || !swapchain_->awaits_showing()) return false;
+    if (!swapchain_ || trouble_ || options_.is_safe || !swapchain_->awaits_showing()) return false;
     // A display of more frames than are drawn has another beat.
     if (window_->refresh_hz() > frame_rate_hz()) return false;
     if (!beat_.is_asked(jobs::MonotonicClock::now_ns())) return false;
