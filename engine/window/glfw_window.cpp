@@ -301,7 +301,7 @@ class GlfwWindow final : public Window {
         show_cursor(true);
         if (const auto pointer = in_pixels(x, y)) push(*pointer);
     }
-    // No arrow is left standing over the clay while fingers are at work.
+    // No arrow is left standing in the picture while fingers are at work.
     void show_cursor(bool shows) {
         if (std::exchange(shows_cursor_, shows) != shows)
             glfwSetInputMode(window_, GLFW_CURSOR, shows ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
