@@ -41,7 +41,8 @@ stands_still() {
 
 begin_visit
 press choose free; on_screen throw
-hands hold wheel  # under a SpaceMouse it rests until that button is pressed
+hands hold wheel  # under a SpaceMouse it rests until that button is pressed, for as long as a thumb takes
+hands rest 0.2
 hands let-go wheel
 press_through
 press failure before-collapse; on_screen throw
