@@ -8,7 +8,7 @@
 namespace onggi::vk {
 
 Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const ChosenDevice& chosen,
-                                               bool presents) {
+                                               Presenting presenting) {
     std::unique_ptr<Device> self(new Device);
     self->physical_ = chosen.handle;
     self->description_ = chosen.description;
@@ -35,7 +35,7 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
                                         .queueCount = 1,
                                         .pQueuePriorities = &priority};
     std::vector<const char*> extensions;
-    if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (presenting != Presenting::kNone) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     VkPhysicalDevicePresentIdFeaturesKHR present_id{};
     present_id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR;
     present_id.presentId = VK_TRUE;
@@ -43,7 +43,7 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
     present_wait.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR;
     present_wait.pNext = &present_id;
     present_wait.presentWait = VK_TRUE;
-    const bool tells = presents && tells_when_shown(chosen.handle);
+    const bool tells = presenting == Presenting::kImagesInStep && tells_when_shown(chosen.handle);
     if (tells) {
         extensions.push_back(VK_KHR_PRESENT_ID_EXTENSION_NAME);
         extensions.push_back(VK_KHR_PRESENT_WAIT_EXTENSION_NAME);

@@ -18,12 +18,18 @@ namespace onggi::vk {
 // Shaders that stand in for others, found by where the others' first word lies.
 using SpirvReplacements = std::map<const std::uint32_t*, std::vector<std::uint32_t>>;
 
+// What a device is to do with a window.
+enum class Presenting {
+    kNone,
+    kImages,        // VK_KHR_swapchain
+    kImagesInStep,  // and says when an image is on the screen, where its driver can: VK_KHR_present_wait
+};
+
 class Device {
   public:
-    // presents: with VK_KHR_swapchain, and VK_KHR_present_wait where there is one. The instance must outlive
-    // the device.
+    // The instance must outlive the device.
     static Result<std::unique_ptr<Device>> create(const Instance& instance, const ChosenDevice& chosen,
-                                                  bool presents);
+                                                  Presenting presenting);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -37,7 +43,7 @@ class Device {
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
 
-    // Null where the driver does not say when an image is on the screen.
+    // Null where nobody asked for it, or the driver does not say when an image is on the screen.
     [[nodiscard]] PFN_vkWaitForPresentKHR wait_for_present() const { return wait_for_present_; }
 
     // Shown by the validation layer and by frame debuggers instead of a number.

@@ -75,7 +75,9 @@ Result<void> LiveScreen::open_device() {
     }
     if (!chosen) return chosen.error();
     device_index_ = chosen->description.index;
-    auto made = vk::Device::create(*instance_, *chosen, surface_ != nullptr);
+    // What keeps falling may fall over its driver: of that it asks no more than it must.
+    const auto with_window = options_.is_safe ? vk::Presenting::kImages : vk::Presenting::kImagesInStep;
+    auto made = vk::Device::create(*instance_, *chosen, surface_ ? with_window : vk::Presenting::kNone);
     if (!made) return made.error();
     device_ = std::move(*made);
 #ifdef ONGGI_SHADER_RELOAD
@@ -293,7 +295,7 @@ Result<void> LiveScreen::wait() {
 }
 
 bool LiveScreen::wait_for_display() {
-    if (!swapchain_ || trouble_ || options_.is_safe || !swapchain_->awaits_showing()) return false;
+    if (!swapchain_ || trouble_ || !swapchain_->awaits_showing()) return false;
     // A display of more frames than are drawn has another beat.
     if (window_->refresh_hz() > frame_rate_hz()) return false;
     if (!beat_.is_asked(jobs::MonotonicClock::now_ns())) return false;

@@ -69,7 +69,7 @@ Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, 
     parts.instance = std::move(*instance);
     auto chosen = vk::choose_device(*parts.instance, VK_NULL_HANDLE);
     if (!chosen) return chosen.error();
-    auto device = vk::Device::create(*parts.instance, *chosen, false);
+    auto device = vk::Device::create(*parts.instance, *chosen, vk::Presenting::kNone);
     if (!device) return device.error();
     parts.device = std::move(*device);
     auto target = vk::Offscreen::create(

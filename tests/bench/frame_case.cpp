@@ -54,7 +54,7 @@ Result<void> FrameCase::create() {
     instance_ = std::move(*instance);
     auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
     if (!chosen) return chosen.error();
-    auto device = vk::Device::create(*instance_, *chosen, false);
+    auto device = vk::Device::create(*instance_, *chosen, vk::Presenting::kNone);
     if (!device) return device.error();
     device_ = std::move(*device);
     auto target = vk::Offscreen::create(

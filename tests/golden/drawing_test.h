@@ -67,7 +67,7 @@ class DrawingTest : public testing::Test {
         instance_ = std::move(*instance);
         auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
         ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = vk::Device::create(*instance_, *chosen, false);
+        auto device = vk::Device::create(*instance_, *chosen, vk::Presenting::kNone);
         ASSERT_TRUE(device) << device.error().message;
         device_ = std::move(*device);
     }

@@ -28,7 +28,7 @@ TEST(LivePicture, OfEveryScenePleasesTheValidationLayerThroughAStormOfSizes) {
     {
         auto chosen = vk::choose_device(*instance, VK_NULL_HANDLE);
         ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = vk::Device::create(*instance, *chosen, false).value();
+        auto device = vk::Device::create(*instance, *chosen, vk::Presenting::kNone).value();
         auto renderer =
             render::Renderer::create(*device, render::live_desc(vk::Offscreen::kFormat, true, 240)).value();
         wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);

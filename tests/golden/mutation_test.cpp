@@ -22,7 +22,8 @@ class Gate : public testing::Test {
   protected:
     void SetUp() override {
         instance_ = vk::Instance::create({}).value();
-        device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(), false)
+        device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(),
+                                     vk::Presenting::kNone)
                       .value();
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         options_.golden_folder = folder_ / "golden";

@@ -18,7 +18,7 @@ TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
     auto chosen = vk::choose_device(**instance, VK_NULL_HANDLE);
     ASSERT_TRUE(chosen) << chosen.error().message;
     ASSERT_FALSE(chosen->description.is_cpu());
-    auto device = vk::Device::create(**instance, *chosen, false);
+    auto device = vk::Device::create(**instance, *chosen, vk::Presenting::kNone);
     ASSERT_TRUE(device) << device.error().message;
     const auto expect = [](const Result<void>& made, const char* what) {
         EXPECT_TRUE(made) << what << ": " << (made ? "" : made.error().message);

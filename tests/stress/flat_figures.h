@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,29 +21,40 @@ struct Figures {
     double resident_kb = 0.0;
     double handles = 0.0;
     double threads = 0.0;
-    double disk_kb = 0.0;  // of the kiosk's folder beside its pots, which are counted; named files only
+    double disk_kb = 0.0;  // of the kiosk's folder beside its whole pots; files without a name left out
+    double pot_kb = 0.0;   // of a whole pot, in the mean
 };
 
-inline double bytes_beside_pots(const std::filesystem::path& folder) {
-    double sum = 0.0;
+struct DiskUse {
+    double beside_pots = 0.0;  // bytes
+    double in_pots = 0.0;
+    int pots = 0;
+};
+
+// Of a folder and all below it. A pot that is not whole yet has an ending to its name.
+inline void add_disk_use(const std::filesystem::path& folder, bool is_pot, DiskUse& use) {
     for (const std::filesystem::path& entry : list_folder(folder).entries) {
-        if (entry.filename().string().starts_with("pot-")) continue;
         std::error_code gone;  // the keeper works beside us
         if (std::filesystem::is_directory(std::filesystem::symlink_status(entry, gone))) {
-            sum += bytes_beside_pots(entry);
+            const bool begins_pot =
+                !is_pot && !entry.has_extension() && entry.filename().string().starts_with("pot-");
+            use.pots += begins_pot ? 1 : 0;
+            add_disk_use(entry, is_pot || begins_pot, use);
         } else if (const auto size = std::filesystem::file_size(entry, gone); !gone) {
-            sum += static_cast<double>(size);
+            (is_pot ? use.in_pots : use.beside_pots) += static_cast<double>(size);
         }
     }
-    return sum;
 }
 
 inline Figures figures_of_this_process(const std::filesystem::path& folder) {
     constexpr double kKb = 1e3;
+    DiskUse disk;
+    add_disk_use(folder, false, disk);
     return {.resident_kb = test::resident_kb(),
             .handles = static_cast<double>(test::open_handles()),
             .threads = static_cast<double>(list_folder("/proc/self/task").entries.size()),
-            .disk_kb = bytes_beside_pots(folder) / kKb};
+            .disk_kb = disk.beside_pots / kKb,
+            .pot_kb = disk.in_pots / std::max(disk.pots, 1) / kKb};
 }
 
 // Least squares, of the value against the number of the visit.
@@ -69,6 +81,7 @@ inline void expect_flat(const std::vector<Figures>& all) {
     constexpr std::size_t kEnough = 50;
     constexpr double kMostMemoryKb = 40.0;  // a visit
     constexpr double kMostDiskKb = 40.0;    // likewise; a line in each table of visits is a hundredth of that
+    constexpr double kMostPotKb = 5.0;  // likewise; eight times that is what a whole shelf of a day may grow
     constexpr double kMostOthers = 0.02;
     ASSERT_FALSE(all.empty());
     const auto judge = [&](const char* name, double Figures::*value, double most) {
@@ -83,6 +96,7 @@ inline void expect_flat(const std::vector<Figures>& all) {
     judge("handles", &Figures::handles, kMostOthers);
     judge("threads", &Figures::threads, kMostOthers);
     judge("disk kB", &Figures::disk_kb, kMostDiskKb);
+    judge("kB a pot", &Figures::pot_kb, kMostPotKb);
 }
 
 }  // namespace onggi::stress

@@ -23,9 +23,14 @@ class ADisplay : public testing::Test {
     void SetUp() override {
         unsetenv("ONGGI_DISPLAY_IS_OFF");
         ASSERT_NE(std::getenv("DISPLAY"), nullptr) << "run by with_display.sh, which brings a display";
+        open(false);
+    }
+    void open(bool is_safe) {
+        view_.reset();
         auto view = LiveView::open({.width = 320,
                                     .height = 240,
                                     .validation = true,
+                                    .plain = is_safe,
                                     .backend = test::backend_of_environment(),
                                     .title = "Onggi on a display"});
         ASSERT_TRUE(view) << view.error().message;
@@ -110,6 +115,12 @@ TEST_F(ADisplay, ThatIsLostWhileItIsWaitedForIsMended) {
     EXPECT_EQ(view_->mended(), 1);
     draw(120);  // after the second in which it is not asked
     expect_followed(45);
+}
+
+TEST_F(ADisplay, IsAskedNothingByWhatKeepsFalling) {
+    ASSERT_GT(draw(30).on_beat, 0.9);
+    open(true);
+    EXPECT_EQ(draw(30).on_beat, 0.0);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // words that xdotool has, too: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup
 // 1", "sleep S"; and "palm X Y", a hand that is laid on the screen there and stays. It answers each line
 // with a line "done" when it is done. SOCKET is where the X server's input driver for tests listens
-// (inputtest(4), which accepts one finger and no second after it): what it is told goes the way of a real
+// (inputtest(4), which accepts one program and none after it): what it is told goes the way of a real
 // touch screen's events, through the server's touch handling to the program.
 #include <X11/X.h>
 #include <X11/extensions/XI2.h>

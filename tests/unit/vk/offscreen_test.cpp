@@ -17,7 +17,7 @@ class OnADevice : public testing::Test {
         instance_ = std::move(*instance);
         auto chosen = choose_device(*instance_, VK_NULL_HANDLE);
         ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = Device::create(*instance_, *chosen, false);
+        auto device = Device::create(*instance_, *chosen, Presenting::kNone);
         ASSERT_TRUE(device) << device.error().message;
         device_ = std::move(*device);
     }
