@@ -43,6 +43,26 @@ bool has_extension(const char* name) {
     });
 }
 
+// With an instance that stays, so do the drivers. Else the loader loads them for each instance anew, and each
+// time the libraries that want thread-local storage at a fixed place take some of the little that glibc keeps
+// for those that come late (rtld.optional_static_tls): of NVIDIA's 580 the thirtieth instance is refused.
+void keep_drivers_loaded(const VkApplicationInfo& application) {
+    static const VkInstance kept = [&] {
+        const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                        .pNext = nullptr,
+                                        .flags = 0,
+                                        .pApplicationInfo = &application,
+                                        .enabledLayerCount = 0,
+                                        .ppEnabledLayerNames = nullptr,
+                                        .enabledExtensionCount = 0,
+                                        .ppEnabledExtensionNames = nullptr};
+        VkInstance made = VK_NULL_HANDLE;
+        static_cast<void>(vkCreateInstance(&info, nullptr, &made));
+        return made;
+    }();
+    static_cast<void>(kept);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
@@ -111,6 +131,7 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
             fmt::format("Vulkan: expected an instance, found {}; install a driver (mesa-vulkan-drivers)",
                         result_name(result)));
     }
+    keep_drivers_loaded(application);
     if (desc.validation) {
         const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
             vkGetInstanceProcAddr(self->instance_, "vkCreateDebugUtilsMessengerEXT"));

@@ -63,7 +63,7 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice device, VkSurfac
     return std::nullopt;
 }
 
-std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version, VkSurfaceKHR surface) {
+std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version) {
     if (api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
     VkPhysicalDeviceVulkan13Features features13{};
     features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
@@ -77,16 +77,17 @@ std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version, Vk
     if (features13.dynamicRendering == VK_FALSE) return "dynamicRendering";
     if (features13.synchronization2 == VK_FALSE) return "synchronization2";
     if (features12.timelineSemaphore == VK_FALSE) return "timelineSemaphore";
-    if (!find_queue_family(device, surface)) {
-        return surface == VK_NULL_HANDLE ? "a graphics queue"
-                                         : "a graphics queue that presents to the window";
-    }
-    if (surface != VK_NULL_HANDLE && !has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME))
-        return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    if (!find_queue_family(device, VK_NULL_HANDLE)) return "a graphics queue";
     return {};
 }
 
-DeviceDescription describe(VkPhysicalDevice device, int index, VkSurfaceKHR surface) {
+std::string what_it_lacks_for(VkPhysicalDevice device, VkSurfaceKHR surface) {
+    if (!find_queue_family(device, surface)) return "a graphics queue that presents to the window";
+    if (!has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    return {};
+}
+
+DeviceDescription describe(VkPhysicalDevice device, int index) {
     VkPhysicalDeviceDriverProperties driver{};
     driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
     VkPhysicalDeviceProperties2 properties{};
@@ -104,7 +105,7 @@ DeviceDescription describe(VkPhysicalDevice device, int index, VkSurfaceKHR surf
             .driver = driver.driverName,
             .driver_info = driver.driverInfo,
             .api_version = plain.apiVersion,
-            .lacks = what_it_lacks(device, plain.apiVersion, surface),
+            .lacks = what_it_lacks(device, plain.apiVersion),
             .chosen = false};
 }
 
@@ -117,11 +118,10 @@ std::vector<VkPhysicalDevice> enumerate(VkInstance instance) {
     return handles;
 }
 
-std::vector<DeviceDescription> describe_all(const std::vector<VkPhysicalDevice>& handles,
-                                            VkSurfaceKHR surface) {
+std::vector<DeviceDescription> describe_all(const std::vector<VkPhysicalDevice>& handles) {
     std::vector<DeviceDescription> descriptions;
     for (VkPhysicalDevice handle : handles)
-        descriptions.push_back(describe(handle, static_cast<int>(descriptions.size()), surface));
+        descriptions.push_back(describe(handle, static_cast<int>(descriptions.size())));
     return descriptions;
 }
 
@@ -235,7 +235,7 @@ Result<std::vector<DeviceDescription>> describe_devices(std::string_view request
                                                         const DevicePreference& preference) {
     auto instance = Instance::create({});
     if (!instance) return instance.error();
-    std::vector<DeviceDescription> devices = describe_all(enumerate((*instance)->handle()), VK_NULL_HANDLE);
+    std::vector<DeviceDescription> devices = describe_all(enumerate((*instance)->handle()));
     if (const auto chosen = choose(devices, request, preference)) devices[*chosen].chosen = true;
     return devices;
 }
@@ -243,8 +243,15 @@ Result<std::vector<DeviceDescription>> describe_devices(std::string_view request
 Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface, std::string_view request,
                                    const DevicePreference& preference) {
     const std::vector<VkPhysicalDevice> handles = enumerate(instance.handle());
-    const std::vector<DeviceDescription> devices = describe_all(handles, surface);
-    const auto chosen = choose(devices, request, preference);
+    std::vector<DeviceDescription> devices = describe_all(handles);
+    auto chosen = choose(devices, request, preference);
+    // Of the window only who would draw in it is asked: a driver may fall over the question, and what keeps
+    // falling avoids it. NVIDIA's 580 does, where the X server knows no GLX.
+    while (chosen && surface != VK_NULL_HANDLE) {
+        devices[*chosen].lacks = what_it_lacks_for(handles[*chosen], surface);
+        if (devices[*chosen].lacks.empty()) break;
+        chosen = choose(devices, request, preference);
+    }
     if (!chosen) return chosen.error();
     ChosenDevice device{.handle = handles[*chosen],
                         .description = devices[*chosen],

@@ -60,7 +60,8 @@ struct ChosenDevice {
     std::uint32_t queue_family = 0;  // graphics, compute, transfer, and presenting where it must
 };
 
-// surface: VK_NULL_HANDLE when nothing is presented.
+// surface: VK_NULL_HANDLE when nothing is presented. Nothing of it is asked of a device that would not be
+// chosen.
 Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surface,
                                    std::string_view request = device_request_of_environment(),
                                    const DevicePreference& preference = {});

@@ -6,6 +6,7 @@
 #include <signal.h>  // NOLINT: sigaction is POSIX
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <ucontext.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -91,7 +92,21 @@ const char* words_for(int signal) {
 
 bool for_journal = false;
 
-void report_and_die(int signal, siginfo_t* info, void* /*context*/) {
+// Who called what is not there: a function pointer that was null, of a driver say, has no frame that could be
+// unwound, and the address to return to is the last thing on the stack (System V ABI, AMD64, 3.2.2).
+void tell_who_called_nothing(const void* context) {
+#ifdef __x86_64__
+    const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+    if (registers[REG_RIP] != 0) return;
+    void* const caller = *reinterpret_cast<void* const*>(registers[REG_RSP]);
+    (Line(for_journal) << "a function that is not there was called from").write();
+    ::backtrace_symbols_fd(&caller, 1, STDERR_FILENO);
+#else
+    static_cast<void>(context);
+#endif
+}
+
+void report_and_die(int signal, siginfo_t* info, void* context) {
     // The thread that fell first tells of it; another that falls meanwhile waits for the end.
     while (is_reporting.test_and_set())
         ::pause();
@@ -108,6 +123,7 @@ void report_and_die(int signal, siginfo_t* info, void* /*context*/) {
         line << " from process " << static_cast<unsigned>(info->si_pid);
     }
     (line << " in thread " << thread.data() << " of " << program.data()).write();
+    if (signal == SIGSEGV) tell_who_called_nothing(context);
     constexpr int kMostFrames = 48;
     std::array<void*, kMostFrames> frames{};
     ::backtrace_symbols_fd(frames.data(), ::backtrace(frames.data(), kMostFrames), STDERR_FILENO);

@@ -117,8 +117,10 @@ class EveryEvent : public testing::Test {
 
     template <typename Look>
     void for_each_event(Look&& look) {
-        for (const auto& [key, visitor] : visitors) {
-            const auto meets = [&](const Event& event) { look(visitor, event, After{key, event}); };
+        for (const auto& each : visitors) {
+            const auto meets = [&](const Event& event) {
+                look(each.second, event, After{each.first, event});
+            };
             for (const int value : kValues) {
                 for (int kind = 0; kind < kEventKindCount; ++kind)
                     meets({static_cast<Event::Kind>(kind), Button::kNone, value});
