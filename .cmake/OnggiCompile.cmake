@@ -30,6 +30,8 @@ target_compile_options(onggi_options INTERFACE
     -ffp-contract=off
     # std::sqrt is one exact instruction; nobody reads errno after it.
     -fno-math-errno)
+# A package depends on what the program calls, whatever a library's own list of libraries names beside.
+target_link_options(onggi_options INTERFACE LINKER:--as-needed)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 sees an overlap in std::string's operator+ where there is none (GCC bug 105651).
     target_compile_options(onggi_options INTERFACE -Wduplicated-cond -Wlogical-op -Wno-restrict)

@@ -137,7 +137,8 @@ const bool added = [] {
     add("frame/1920x1080/rough", {.width = 1920, .height = 1080, .grooves = kGrooves});
     for (const auto& [backend, step] : {std::pair{"cpu", render::QualityStep::kOneCore},
                                         {"gpu_half", render::QualityStep::kSlowestGpu},
-                                        {"gpu", render::QualityStep::kIntegratedGpu}}) {
+                                        {"gpu", render::QualityStep::kIntegratedGpu},
+                                        {"gpu_finest", render::QualityStep::kDiscreteGpu}}) {
         for (const int height : {720, 1080, 2160}) {
             const int width = height * 16 / 9;
             add(fmt::format("frame_cost/{}/{}x{}", backend, width, height),

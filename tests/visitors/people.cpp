@@ -28,10 +28,18 @@ class Person {
     [[nodiscard]] double seconds() const { return seconds_; }
     [[nodiscard]] double released_s() const { return released_s_; }
 
+    // Off the mark by so much each way. One draw after the other: in what order a call works out its
+    // arguments is the compiler's choice, and a seed is to be the same person with each.
+    [[nodiscard]] dvec2 miss_mm(double deviation_mm) {
+        const double up = normal(deviation_mm);
+        const double out = normal(deviation_mm);
+        return {out, up};
+    }
+
     // Looks, thinks, moves the pointer about.
     void wait(double seconds) {
         for (double t = 0.0; t < seconds; t += kFrameS)
-            frame(at_ + dvec2(normal(0.3), normal(0.3)), false);
+            frame(at_ + miss_mm(0.3), false);
     }
 
     // Moves there without pressing.
@@ -46,8 +54,8 @@ class Person {
     void stroke(std::vector<dvec2> way, double seconds) {
         for (dvec2& place : way)
             place.x *= side_;
-        const dvec2 miss_first(normal(skill_.aim_mm), normal(skill_.aim_mm));
-        const dvec2 miss_last(normal(skill_.aim_mm), normal(skill_.aim_mm));
+        const dvec2 miss_first = miss_mm(skill_.aim_mm);
+        const dvec2 miss_last = miss_mm(skill_.aim_mm);
         const double phase_x = uniform(0.0, 6.3);
         const double phase_y = uniform(0.0, 6.3);
         const double turns = uniform(1.0, 3.0);
@@ -163,7 +171,8 @@ void press_top_first(Person& person) {
     for (int i = 0; i < presses; ++i) {
         const double top = wheel.height_mm();
         const double r = person.uniform(0.0, 0.5) * wheel.outer_mm(0.5 * top);
-        person.stroke({{r, top + 2.0}, {r, top - person.uniform(10.0, 30.0)}}, person.uniform(1.0, 3.0));
+        const double seconds = person.uniform(1.0, 3.0);
+        person.stroke({{r, top + 2.0}, {r, top - person.uniform(10.0, 30.0)}}, seconds);
     }
     for (int i = 0; i < 8 && wheel.depth_mm() < 18.0; ++i)
         press_middle(person, person.uniform(1.0, 3.0));
@@ -269,9 +278,10 @@ void scribble(Person& person) {
     while (person.seconds() < 30.0) {
         std::vector<dvec2> way;
         const int corners = 2 + static_cast<int>(person.uniform(0.0, 5.0));
-        for (int i = 0; i < corners; ++i)
-            way.emplace_back(person.uniform(-110.0, 110.0),
-                             person.uniform(0.0, 1.5 * std::max(wheel.height_mm(), 60.0)));
+        for (int i = 0; i < corners; ++i) {
+            const double y = person.uniform(0.0, 1.5 * std::max(wheel.height_mm(), 60.0));
+            way.emplace_back(person.uniform(-110.0, 110.0), y);
+        }
         person.stroke(way, person.uniform(0.4, 3.0));
         person.note_progress();
     }
