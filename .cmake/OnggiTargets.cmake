@@ -73,7 +73,7 @@ endif()
 # onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ... SERIAL): one GoogleTest
 # program, one ctest entry. APART: as in onggi_library. SERIAL: it talks to a device or a service in real time, and wants
 # the machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install,
-# window, tools, swiftshader, nightly; and picture for what draws with Vulkan outside golden.
+# window, tools, swiftshader, gpu, nightly; and picture for what draws with Vulkan outside golden.
 function(onggi_test NAME)
     cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
     onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})

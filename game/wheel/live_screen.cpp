@@ -43,7 +43,8 @@ Result<std::unique_ptr<LiveScreen>> LiveScreen::open(window::Window& window,
     if (!made) return made.error();
     self->instance_ = std::move(*made);
     auto opened = self->make_anew();
-    while (!opened && opened.error().kind == ErrorKind::kSystemLacks && self->avoid_device()) {
+    // Whatever a driver finds fault with at the start, another may not.
+    while (!opened && opened.error().kind != ErrorKind::kBadInput && self->avoid_device()) {
         self->remarks_.push_back(fmt::format("{}; trying another device", opened.error().message));
         opened = self->make_anew();
     }

@@ -1,6 +1,7 @@
 // A real window through bad weather: sizes that change faster than frames, a window that is taken off the
 // screen and put back, a surface and a device that are lost. The validation layer, with synchronization
 // validation, hears no complaint. Runs under with_display.sh, which brings a display; xdotool is the weather.
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,6 +19,24 @@
 #include "game/wheel/live_view.h"
 #include "tests/support/process_hold.h"
 #include "tests/support/test_backend.h"
+#include "tests/support/two_drivers.h"
+
+namespace {
+// Of a machine with two devices the better one, which says that it presents to the window and then does not
+// know how: NVIDIA's 580 on an X server that draws by software.
+bool first_asked_fails = false;
+VkPhysicalDevice first_asked = VK_NULL_HANDLE;
+}  // namespace
+
+// In the place of the loader's, for this program alone.
+extern "C" VkResult vkGetPhysicalDeviceSurfacePresentModesKHR(VkPhysicalDevice device, VkSurfaceKHR surface,
+                                                              std::uint32_t* count, VkPresentModeKHR* modes) {
+    if (first_asked == VK_NULL_HANDLE) first_asked = device;
+    if (first_asked_fails && device == first_asked) return VK_ERROR_UNKNOWN;
+    static const auto ask = reinterpret_cast<PFN_vkGetPhysicalDeviceSurfacePresentModesKHR>(
+        dlsym(RTLD_NEXT, "vkGetPhysicalDeviceSurfacePresentModesKHR"));
+    return ask(device, surface, count, modes);
+}
 
 namespace onggi::wheel {
 namespace {
@@ -216,6 +235,28 @@ TEST_F(AWindow, GoesOnAfterItsDeviceIsLostInTheMiddleOfAStorm) {
     }
     EXPECT_EQ(view_->mended(), 1);
     EXPECT_GT(draw(5), 0);
+}
+
+TEST(AWindowOfTwoDevices, IsDrawnByTheOneThatCan) {
+    const test::TwoDrivers drivers;
+    for (const char* name : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
+        ASSERT_EQ(setenv(name, drivers.manifests().c_str(), 1), 0);
+    first_asked = VK_NULL_HANDLE;
+    first_asked_fails = true;
+    auto view = LiveView::open({.width = 320, .height = 240, .title = kTitle});
+    first_asked_fails = false;
+    for (const char* name : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
+        unsetenv(name);
+    ASSERT_TRUE(view) << view.error().message;
+    EXPECT_EQ((*view)->device_index(), 1);
+    const std::vector<std::string> remarks = (*view)->take_remarks();
+    ASSERT_FALSE(remarks.empty());
+    EXPECT_NE(remarks[0].find("found VK_ERROR_UNKNOWN (-13); trying another device"), std::string::npos)
+        << remarks[0];
+    const pot::Pot pot{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
+    const auto drawn = (*view)->draw({.pot = &pot});
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_TRUE(*drawn);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The moving picture as a GPU is asked for it, four samples a pixel, on SwiftShader: against those that were
-// looked at, and through changes of view, size and hour; under the validation layer with synchronization
-// validation, of which not a word is heard.
+// The moving picture as a GPU is asked for it, four samples a pixel, on a driver that is not Mesa's software:
+// against those that SwiftShader drew and that were looked at, and through changes of view, size and hour;
+// under the validation layer with synchronization validation, of which not a word is heard.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,6 @@
 #include "tests/golden/live_scenes.h"
 #include "tests/support/image_gate.h"
 #include "tests/support/places.h"
-#include "tests/swiftshader/swiftshader_test.h"
 
 namespace onggi::golden {
 namespace {
@@ -26,16 +25,7 @@ render::RendererDesc gpu_desc(render::QualityStep step, int height_px) {
     return render::quality_desc(step, vk::Offscreen::kFormat, height_px);
 }
 
-class MovingPictures : public DrawingTest, public testing::WithParamInterface<LiveScene> {
-  protected:
-    void SetUp() override {
-        ONGGI_NEEDS_SWIFTSHADER();
-        DrawingTest::SetUp();
-    }
-    void TearDown() override {
-        if (device_) DrawingTest::TearDown();
-    }
-};
+class MovingPictures : public DrawingTest, public testing::WithParamInterface<LiveScene> {};
 
 TEST_P(MovingPictures, EqualTheOnesThatWereLookedAt) {
     const GoldenScene shown = scene_named(GetParam().pot);
