@@ -1,73 +1,197 @@
-// Which contact kernel runs: asked of the processor once, never inside the tick.
+// Written once, for as many elements side by side as a register takes: four on any processor, eight with
+// AVX2.
+//
+// It works in two passes over a few blocks at a time. The first is one long chain through a root and a
+// division; the processor overlaps these chains from block to block, but only as long as nothing else stands
+// in its queues. Measured: a fifth faster than one pass, with 2000 elements as with 200000.
 #include "game/clay/contact_kernel.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 
-#include "game/clay/contact_kernel_variants.h"
+#include "engine/math/wide_vectors.h"
+
+// No vector leaves this file by value, see engine/math/float8.h.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace onggi::clay {
+namespace {
+
+template <std::size_t kWide>
+struct Register {
+    using Reals [[gnu::vector_size(kWide * sizeof(float))]] = float;
+    using Ints [[gnu::vector_size(kWide * sizeof(int))]] = int;  // of a comparison: all bits or none
+
+    // The tool's sphere at the height of these elements.
+    struct Sphere {
+        Reals dy;   // y_i - h1
+        Reals rc;   // r1 cos(theta); not a number off the sphere
+        Reals sag;  // r1 - rc, without the cancellation
+    };
+    // What Eq. (1) finds and Eq. (2) makes of them.
+    struct Elements {
+        Reals radius;  // R
+        Reals carry;   // what rounding R left over, exactly
+        Reals depth;   // d1
+    };
+};
+
+template <typename Reals>
+[[gnu::always_inline]] inline void load(const float* from, Reals& numbers) {
+    std::memcpy(&numbers, from, sizeof numbers);
+}
+template <typename Reals>
+[[gnu::always_inline]] inline void store(float* into, const Reals& numbers) {
+    std::memcpy(into, &numbers, sizeof numbers);
+}
+
+// k: the elements, numbered from the nearest one: small numbers, exact as floats.
+template <typename Ints, typename Sphere>
+[[gnu::always_inline]] inline void find_sphere(const ContactQuery& query, const Ints& k, Sphere& found) {
+    const float r1 = query.tool_radius_mm;
+    found.dy =
+        __builtin_convertvector(k, decltype(found.dy)) * query.element_height_mm + query.nearest_offset_mm;
+    found.rc = (r1 - found.dy) * (r1 + found.dy);
+    for (std::size_t i = 0; i < sizeof found.rc / sizeof(float); ++i)
+        found.rc[i] = std::sqrt(found.rc[i]);
+    found.sag = found.dy * found.dy / (r1 + found.rc);
+}
+
+// Eq. (1), the proximity with its sign turned. Written as there, r3 - (rc + R), it would lose five digits:
+// three numbers near 60 to tell a depth of 0.01.
+template <typename Reals, typename Elements>
+[[gnu::always_inline]] inline void find_depth(const ContactQuery& query, const Reals& sag, Elements& found) {
+    found.depth = ((found.radius - query.reach_mm) + (found.carry - query.reach_rest_mm)) - sag;
+}
+
+// Eq. (2), with the rounding error carried on to the next tick. An element that comes down to R_min stays
+// there.
+template <bool kFloorInReach, typename Elements>
+[[gnu::always_inline]] inline void deform(const ContactQuery& query, const Elements& before,
+                                          Elements& after) {
+    const auto taken = query.fraction * before.depth;
+    const auto step = before.carry - taken;
+    after.radius = before.radius + step;
+    after.carry = step - (after.radius - before.radius);
+    after.depth = before.depth - taken;
+    if constexpr (kFloorInReach) {
+        const auto r_min = decltype(before.radius){} + query.minimum_radius_mm;
+        const auto is_at_floor = after.radius <= r_min;
+        const auto floor = before.radius < r_min ? before.radius : r_min;
+        const auto room = (before.radius - floor) + before.carry;
+        after.radius = is_at_floor ? floor : after.radius;
+        after.carry = is_at_floor ? decltype(room){} : after.carry;
+        after.depth = is_at_floor ? before.depth - room : after.depth;
+    }
+}
+
+// Whether any element may come down to R_min in this tick. One in contact is left with R' >= R - depth =
+// r3 - rc >= r3 - r1, so a tool further out than that needs no look at the floor.
+bool is_floor_in_reach(const ContactQuery& query) {
+    constexpr float kSlackMm = 1e-3F;  // far more than all rounding
+    return query.reach_mm < query.minimum_radius_mm + kSlackMm;
+}
+
+template <std::size_t kWide, bool kFloorInReach>
+[[gnu::always_inline]] inline void visit_elements(const ContactQuery& asked, ContactSums& sums) {
+    using Reals = typename Register<kWide>::Reals;
+    using Ints = typename Register<kWide>::Ints;
+    using Sphere = typename Register<kWide>::Sphere;
+    using Elements = typename Register<kWide>::Elements;
+    constexpr std::size_t kParts = kLanes / kWide;  // that a block of all lanes is made of
+    static_assert(kLanes % kWide == 0);
+    constexpr int kStep = kWide;
+    constexpr int kChunk = 16 * kLanes;
+    const ContactQuery query = asked;  // which no store into the clay can change
+    Ints own{};
+    for (int i = 0; i < kStep; ++i)
+        own[i] = i;
+
+    std::array<Sphere, 16 * kParts> spheres;  // what the first pass leaves to the second
+    Reals widths[kParts]{};                   // NOLINT: std::array drops their alignment
+    Reals heights[kParts]{};                  // NOLINT
+    Ints contacts{};
+    Ints first = Ints{} + query.end;
+    Ints last = Ints{} - 1;
+    const int start = query.first - query.first % kLanes;  // of the block in which that is
+    Ints element = own + start;
+    Ints from_nearest = element - query.nearest;
+    for (int chunk = start; chunk < query.end; chunk += kChunk) {
+        const int end = std::min(chunk + kChunk, query.end);
+        Sphere* sphere = spheres.data();
+        for (int block = chunk; block < end; block += kLanes) {
+            for (std::size_t part = 0; part < kParts; ++part, from_nearest += kStep)
+                find_sphere(query, from_nearest, *sphere++);
+        }
+
+        sphere = spheres.data();
+        for (int block = chunk; block < end; block += kLanes) {
+            for (std::size_t part = 0; part < kParts; ++part, element += kStep, ++sphere) {
+                float* const radii_mm = query.radii_mm + block + part * kWide;
+                float* const carry_mm = query.carry_mm + block + part * kWide;
+                Elements found;
+                load(radii_mm, found.radius);
+                load(carry_mm, found.carry);
+                find_depth(query, sphere->sag, found);
+                const Ints touching =
+                    (found.depth > 0.0F) & (element > query.first - 1) & (element < query.end);
+                contacts -= touching;  // one that touches is -1
+                const Ints here = touching ? element : Ints{} + query.end;
+                first = here < first ? here : first;
+                last = touching ? element : last;  // elements only rise
+
+                if (query.deform) {
+                    Elements left;
+                    deform<kFloorInReach>(query, found, left);
+                    store(radii_mm, touching ? left.radius : found.radius);
+                    store(carry_mm, touching ? left.carry : found.carry);
+                    found.depth = left.depth;
+                }
+
+                // Eq. (4) and the sum of Eq. (5), both before its common factors.
+                widths[part] += touching ? found.depth * sphere->rc : Reals{};
+                heights[part] += touching ? found.depth * sphere->dy : Reals{};
+            }
+        }
+    }
+    for (std::size_t part = 0; part < kParts; ++part) {
+        store(sums.depth_times_half_width.data() + part * kWide, widths[part]);
+        store(sums.depth_times_height.data() + part * kWide, heights[part]);
+    }
+    int lowest = query.end;
+    for (int i = 0; i < kStep; ++i) {
+        sums.contacts += contacts[i];
+        lowest = std::min(lowest, first[i]);
+        sums.last_contact = std::max(sums.last_contact, last[i]);
+    }
+    if (sums.contacts > 0) sums.first_contact = lowest;
+}
+
+void find_contacts_plain(const ContactQuery& query, ContactSums& sums) {
+    is_floor_in_reach(query) ? visit_elements<4, true>(query, sums) : visit_elements<4, false>(query, sums);
+}
+ONGGI_WIDE_VECTORS void find_contacts_wide(const ContactQuery& query, ContactSums& sums) {
+    is_floor_in_reach(query) ? visit_elements<8, true>(query, sums) : visit_elements<8, false>(query, sums);
+}
+
+}  // namespace
 
 bool is_supported(KernelVariant variant) {
-#if ONGGI_X86_KERNELS
-    // The compiler's CPUID query, which also asks whether the system saves the wide registers.
-    switch (variant) {
-        case KernelVariant::kPlain:
-            return true;
-        case KernelVariant::kSse:
-            return __builtin_cpu_supports("sse4.1") != 0;
-        case KernelVariant::kAvx2:
-            return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("popcnt") != 0;
-    }
-    return false;
-#else
-    return variant == KernelVariant::kPlain;
-#endif
+    return variant == KernelVariant::kPlain || has_wide_vectors();
 }
 
 KernelVariant best_kernel() {
-    if (is_supported(KernelVariant::kAvx2)) return KernelVariant::kAvx2;
-    if (is_supported(KernelVariant::kSse)) return KernelVariant::kSse;
-    return KernelVariant::kPlain;
+    return has_wide_vectors() ? KernelVariant::kWide : KernelVariant::kPlain;
 }
 
 const char* name(KernelVariant variant) {
-    switch (variant) {
-        case KernelVariant::kPlain:
-            return "plain";
-        case KernelVariant::kSse:
-            return "sse4.1";
-        case KernelVariant::kAvx2:
-            return "avx2";
-    }
-    return "unknown";
-}
-
-void stop_at_floor(FloorBlock& block, float minimum_radius_mm, unsigned lanes) noexcept {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const bool in_contact = (lanes >> lane & 1U) != 0;
-        if (!in_contact || block.new_radius_mm[lane] > minimum_radius_mm) continue;
-        const Deformed deformed = stopped_at_floor(block.radius_mm[lane], block.carry_mm[lane],
-                                                   block.depth_mm[lane], minimum_radius_mm);
-        block.new_radius_mm[lane] = deformed.radius_mm;
-        block.new_carry_mm[lane] = deformed.carry_mm;
-        block.new_depth_mm[lane] = deformed.depth_mm;
-    }
+    return variant == KernelVariant::kWide ? "wide" : "plain";
 }
 
 void find_contacts(KernelVariant variant, const ContactQuery& query, ContactSums& sums) noexcept {
-#if ONGGI_X86_KERNELS
-    switch (variant) {
-        case KernelVariant::kAvx2:
-            return find_contacts_avx2(query, sums);
-        case KernelVariant::kSse:
-            return find_contacts_sse(query, sums);
-        case KernelVariant::kPlain:
-            break;
-    }
-#else
-    static_cast<void>(variant);
-#endif
-    find_contacts_plain(query, sums);
+    variant == KernelVariant::kWide ? find_contacts_wide(query, sums) : find_contacts_plain(query, sums);
 }
 
 }  // namespace onggi::clay

@@ -1,6 +1,6 @@
 // The part of the paper clay's tick that visits elements: collision, deformation and the sums of the
-// stiffness force, eight elements at a time. Three variants that agree to the bit; the haptic thread calls
-// one of them. No allocation, no failure. Units: mm.
+// stiffness force, eight elements at a time. Two variants of one text that agree to the bit; the haptic thread
+// calls one of them. No allocation, no failure. Units: mm.
 #pragma once
 
 #include <array>
@@ -11,9 +11,8 @@ namespace onggi::clay {
 constexpr int kLanes = 8;
 
 enum class KernelVariant {
-    kPlain,  // C++, any processor
-    kSse,    // SSE4.1, two registers of four
-    kAvx2,   // AVX2, one register of eight (without fused multiply-add, which would round differently)
+    kPlain,  // for any processor
+    kWide,   // AVX2, one register of eight (without fused multiply-add, which would round differently)
 };
 
 // Where the tool is and which elements it may reach. Heights are relative to the element nearest the tool, so

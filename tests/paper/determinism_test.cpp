@@ -8,7 +8,7 @@
 namespace onggi::clay {
 namespace {
 
-constexpr KernelVariant kVariants[] = {KernelVariant::kPlain, KernelVariant::kSse, KernelVariant::kAvx2};
+constexpr KernelVariant kVariants[] = {KernelVariant::kPlain, KernelVariant::kWide};
 
 // The state after a gesture, and every force on the way there.
 struct Outcome {

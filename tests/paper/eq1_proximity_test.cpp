@@ -74,8 +74,7 @@ TEST(Eq1Proximity, FindsWhatVisitingEveryElementFinds) {
 // The storage is filled up to a whole block of eight. Whatever the count, what fills it is no clay.
 TEST(Eq1Proximity, NeverCountsTheFillingOfTheLastBlock) {
     for (int count = 100; count <= 117; ++count) {
-        for (const KernelVariant variant :
-             {KernelVariant::kPlain, KernelVariant::kSse, KernelVariant::kAvx2}) {
+        for (const KernelVariant variant : {KernelVariant::kPlain, KernelVariant::kWide}) {
             if (!is_supported(variant)) continue;
             PaperClay clay({.element_count = count});
             clay.use_kernel(variant);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/render/pixels/corners8.h"
-#include "engine/render/pixels/wide_vectors.h"
+#include "engine/math/wide_vectors.h"
 #include "shaders/lathe.h"
 
 // No vector leaves this file by value, see float8.h.

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "engine/render/pixels/lathe_shade.h"
-#include "engine/render/pixels/wide_vectors.h"
+#include "engine/math/wide_vectors.h"
 
 // No vector leaves this file by value, see float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"

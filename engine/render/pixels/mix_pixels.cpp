@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "engine/render/pixels/mix_words.h"
-#include "engine/render/pixels/wide_vectors.h"
+#include "engine/math/wide_vectors.h"
 
 namespace onggi::render {
 namespace {

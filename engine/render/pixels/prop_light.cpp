@@ -6,7 +6,7 @@
 #include <span>
 
 #include "engine/render/pixels/corners8.h"
-#include "engine/render/pixels/wide_vectors.h"
+#include "engine/math/wide_vectors.h"
 #include "shaders/curve.h"
 #include "shaders/hand.h"
 #include "shaders/shadow.h"

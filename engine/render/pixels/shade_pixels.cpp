@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/render/pixels/wide_vectors.h"
+#include "engine/math/wide_vectors.h"
 #include "shaders/curve.h"
 #include "shaders/transfer.h"
 

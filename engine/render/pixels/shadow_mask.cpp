@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "engine/math/float8.h"
-#include "engine/render/pixels/wide_vectors.h"
+#include "engine/math/wide_vectors.h"
 #include "shaders/shadow.h"
 #include "shaders/surface.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/clay/studio/lanes.h"
+#include "engine/math/wide_vectors.h"
 #include "game/clay/studio/volume_grid.h"
 
 namespace onggi::clay::studio {
@@ -49,12 +49,13 @@ struct PushFractions {
 
 // Straight through, without a branch on a ring, so that several are worked on at once.
 template <bool kInside>
-ONGGI_LANES void push_each(double* __restrict__ outer, double* __restrict__ inner,
-                           double* __restrict__ height, double* __restrict__ field,
-                           const double* __restrict__ volume, const double* __restrict__ offset,
-                           const double* __restrict__ push, const double* __restrict__ met,
-                           const double* __restrict__ held, int n, const PushFractions& with,
-                           const Gate& gate) {
+[[gnu::always_inline]] inline void push_each(double* __restrict__ outer, double* __restrict__ inner,
+                                             double* __restrict__ height, double* __restrict__ field,
+                                             const double* __restrict__ volume,
+                                             const double* __restrict__ offset,
+                                             const double* __restrict__ push, const double* __restrict__ met,
+                                             const double* __restrict__ held, int n,
+                                             const PushFractions& with, const Gate& gate) {
     const auto [fraction, above_floor, strain, k0, per_thin_wall, per_carried_wall] = with;
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
@@ -128,7 +129,8 @@ struct PushedRings {
     bool inside;
 };
 
-ONGGI_LANES void push_all(const PushedRings& rings, const PushFractions& with, const Gate& gate) {
+[[gnu::always_inline]] inline void push_all(const PushedRings& rings, const PushFractions& with,
+                                            const Gate& gate) {
     if (rings.inside)
         push_each<true>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
                         rings.push, rings.met, rings.held, rings.count, with, gate);
@@ -141,12 +143,9 @@ void push_plain(const PushedRings& rings, const PushFractions& with, const Gate&
     push_all(rings, with, gate);
 }
 
-#if ONGGI_X86_KERNELS
-__attribute__((target("avx2"))) void push_avx2(const PushedRings& rings, const PushFractions& with,
-                                               const Gate& gate) {
+ONGGI_WIDE_VECTORS void push_wide(const PushedRings& rings, const PushFractions& with, const Gate& gate) {
     push_all(rings, with, gate);
 }
-#endif
 
 }  // namespace
 
@@ -194,14 +193,7 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
                              held,
                              n,
                              inside};
-#if ONGGI_X86_KERNELS
-    if (has_wide_lanes())
-        push_avx2(pushed, fractions, gate);
-    else
-        push_plain(pushed, fractions, gate);
-#else
-    push_plain(pushed, fractions, gate);
-#endif
+    best_of(push_plain, push_wide)(pushed, fractions, gate);
     if (inside) {
         for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
             if (rings.is_hollow(i)) rings.first_hollow = i;

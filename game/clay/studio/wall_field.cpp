@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/clay/studio/lanes.h"
+#include "engine/math/wide_vectors.h"
 
 namespace onggi::clay::studio {
 namespace {
@@ -22,10 +22,10 @@ struct FieldFractions {
 };
 
 // How the two faces of each ring move. place and mean start kSlopeRings before the first ring.
-ONGGI_LANES void field_steps_each(const double* __restrict__ outer, const double* __restrict__ inner,
-                                  const float* __restrict__ place, const float* __restrict__ mean,
-                                  float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
-                                  const FieldFractions& with) {
+[[gnu::always_inline]] inline void field_steps_each(
+    const double* __restrict__ outer, const double* __restrict__ inner, const float* __restrict__ place,
+    const float* __restrict__ mean, float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
+    const FieldFractions& with) {
     const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside] = with;
     for (int k = 0; k < n; ++k) {
         const auto ri = static_cast<float>(inner[k]);
@@ -64,10 +64,12 @@ ONGGI_LANES void field_steps_each(const double* __restrict__ outer, const double
     }
 }
 
-ONGGI_LANES void take_steps_each(double* __restrict__ outer, double* __restrict__ inner,
-                                 double* __restrict__ height, const double* __restrict__ volume,
-                                 const float* __restrict__ outer_step, const float* __restrict__ inner_step,
-                                 int n, const Gate& gate) {
+[[gnu::always_inline]] inline void take_steps_each(double* __restrict__ outer, double* __restrict__ inner,
+                                                   double* __restrict__ height,
+                                                   const double* __restrict__ volume,
+                                                   const float* __restrict__ outer_step,
+                                                   const float* __restrict__ inner_step, int n,
+                                                   const Gate& gate) {
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
         const double ro = outer[k];
@@ -96,7 +98,8 @@ struct FieldColumns {
     int count;
 };
 
-ONGGI_LANES void move_each(const FieldColumns& rings, const FieldFractions& with, const Gate& gate) {
+[[gnu::always_inline]] inline void move_each(const FieldColumns& rings, const FieldFractions& with,
+                                             const Gate& gate) {
     field_steps_each(rings.outer, rings.inner, rings.place, rings.mean, rings.outer_step, rings.inner_step,
                      rings.count, with);
     take_steps_each(rings.outer, rings.inner, rings.height, rings.volume, rings.outer_step, rings.inner_step,
@@ -107,12 +110,9 @@ void move_plain(const FieldColumns& rings, const FieldFractions& with, const Gat
     move_each(rings, with, gate);
 }
 
-#if ONGGI_X86_KERNELS
-__attribute__((target("avx2"))) void move_avx2(const FieldColumns& rings, const FieldFractions& with,
-                                               const Gate& gate) {
+ONGGI_WIDE_VECTORS void move_wide(const FieldColumns& rings, const FieldFractions& with, const Gate& gate) {
     move_each(rings, with, gate);
 }
-#endif
 
 }  // namespace
 
@@ -205,13 +205,7 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fract
         place,       mean,  contact.outer_step_mm.data(),         contact.inner_step_mm.data(),
         range.size()};
     const Gate gate(rings, parameters.largest_strain_rate * dt_s);
-#if ONGGI_X86_KERNELS
-    if (has_wide_lanes()) {
-        move_avx2(columns, fractions, gate);
-        return range;
-    }
-#endif
-    move_plain(columns, fractions, gate);
+    best_of(move_plain, move_wide)(columns, fractions, gate);
     return range;
 }
 

@@ -8,7 +8,7 @@
 #define ONGGI_WIDE_VECTORS
 #endif
 
-namespace onggi::render {
+namespace onggi {
 
 // Whether this processor can run what is marked ONGGI_WIDE_VECTORS.
 inline bool has_wide_vectors() {
@@ -24,4 +24,4 @@ template <typename Function>
     return has_wide_vectors() ? wide : plain;
 }
 
-}  // namespace onggi::render
+}  // namespace onggi
