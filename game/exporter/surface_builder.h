@@ -1,5 +1,5 @@
 // Rows of corners become one closed surface: vertices, normals, triangles, and where they lie in the pictures
-// that a pot wears. Inside game/share only. Any thread but the haptic one. mm, wet size.
+// that a pot wears. Inside game/exporter only. Any thread but the haptic one. mm, wet size.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
+#include <set>
 #include <sstream>
+#include <string_view>
 
 namespace onggi::house {
 namespace {
@@ -81,6 +84,32 @@ TEST(House, EveryRoomHasAReadme) {
     }
     for (const char* folder : {"engine", "game", "shaders", "assets", "tests"}) {
         EXPECT_TRUE(fs::exists(root / folder / "README.md")) << folder;
+    }
+}
+
+// A file that was renamed lives on in what is written of it.
+TEST(House, EveryFileThatIsNamedExists) {
+    const fs::path root = test::in_checkout();
+    std::map<std::string, std::string> texts = sources();
+    std::set<std::string> names;
+    for (const char* wing : {".", "engine", "game", "shaders", "assets", "tests"}) {
+        const bool is_root = wing == std::string_view(".");
+        for (fs::recursive_directory_iterator at(root / wing), end; at != end; ++at) {
+            const std::string name = at->path().filename().string();
+            if (at->is_directory() && (is_root || name == "node_modules")) at.disable_recursion_pending();
+            names.insert(name);
+            if (name.ends_with(".md")) texts[fs::relative(at->path(), root).string()] = read_text(at->path());
+        }
+    }
+    const std::regex path(
+        R"(\b(engine|game|shaders|assets|tests)/[\w./-]*\w\.(h|cpp|glsl|vert|frag|md|sh|py|mjs|txt))");
+    const std::regex name(R"(`([\w-]+\.(h|cpp|glsl|vert|frag|sh|py|mjs))`)");
+    for (const auto& [file, text] : texts) {
+        if (file.starts_with("tests/house/")) continue;  // which names some that there are not
+        for (std::sregex_iterator at(text.begin(), text.end(), path), end; at != end; ++at)
+            EXPECT_TRUE(fs::exists(root / at->str())) << file << ": expected " << at->str() << ", found none";
+        for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at)
+            EXPECT_TRUE(names.contains((*at)[1])) << file << ": expected " << (*at)[1] << ", found none";
     }
 }
 

@@ -12,7 +12,7 @@ namespace {
 // The corners of a face: below, the next one below, above, the next one above.
 using Corners = std::array<const shaders::VertexData*, 4>;
 
-// Whether the shadow of a sphere may fall within margin_mm of a point; past_sphere() of shaders/surface.glsl.
+// Whether the shadow of a sphere may fall within margin_mm of a point; past_sphere() of shaders/surface.h.
 bool may_be_in_shadow(const shaders::FrameData& frame, vec3 point, float margin_mm) {
     const vec3 light(frame.key_direction);
     return std::any_of(std::begin(frame.spheres), std::end(frame.spheres), [&](const vec4& sphere) {
