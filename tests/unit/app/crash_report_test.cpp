@@ -1,0 +1,30 @@
+// What a crash says of itself. Of one in the middle of a visit: tests/window/looked_after.sh.
+#include "game/app/system/crash_report.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>  // NOLINT: SIGSEGV's handler is set by POSIX's own
+
+namespace onggi::app {
+namespace {
+
+[[gnu::noinline]] void call_what_is_not_there() {
+    void (*volatile nothing)() = nullptr;
+    nothing();
+}
+
+TEST(CrashReport, SaysWhoCalledAFunctionThatIsNotThere) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto crash = [] {
+        ::signal(SIGSEGV, SIG_DFL);  // a sanitizer's would go first
+        report_crashes();
+        call_what_is_not_there();
+    };
+    // The caller is named by its program, and by its own name where that is exported.
+    EXPECT_EXIT(crash(), testing::KilledBySignal(SIGSEGV),
+                "crash: SIGSEGV at 0x0 in thread .*\n"
+                ".*crash: a function that is not there was called from\n"
+                ".*unit_app\\(.*\\) ?\\[0x[0-9a-f]+\\]\n");
+}
+
+}  // namespace
+}  // namespace onggi::app
