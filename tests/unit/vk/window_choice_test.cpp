@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -72,8 +74,6 @@ class ForAWindow : public testing::Test {
         static int some_window = 0;
         return choose_device(*instance_, reinterpret_cast<VkSurfaceKHR>(&some_window), "", preference);
     }
-    using Devices = std::vector<VkPhysicalDevice>;
-
     test::TwoDrivers drivers_;
     std::unique_ptr<Instance> instance_;
     std::array<VkPhysicalDevice, 2> devices_{};
