@@ -18,6 +18,7 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/wheel/workshop_files.h"
+#include "game/wheel/workshop_scene.h"
 
 namespace onggi::app {
 namespace {
@@ -119,6 +120,19 @@ std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     return findings;
 }
 
+// The room that the settings name, opened as the kiosk opens it.
+Finding probe_room(const std::string& room) {
+    constexpr int kWidthPx = 1280;
+    constexpr int kHeightPx = 720;
+    const wheel::OpenedScene opened = wheel::open_scene(room, kWidthPx, kHeightPx);
+    if (opened.lack.empty()) return {.subject = "room", .found = fmt::format("the house's own, {}", room)};
+    return {.subject = "room",
+            .verdict = Verdict::kLacking,
+            .found = opened.lack,
+            .cost = "the wheel stands in the room that comes with the program",
+            .remedy = "mend what the line names, or take room out of [screen]"};
+}
+
 }  // namespace
 
 std::vector<Finding> probe_settings(const std::string& file, const std::string& usual) {
@@ -144,6 +158,7 @@ std::vector<Finding> probe_settings(const std::string& file, const std::string& 
         {.subject = "settings", .found = fmt::format("{}: {}", read, words_of(settings->config))}};
     for (const std::string& remark : settings->remarks)
         findings.push_back({.subject = "settings", .verdict = Verdict::kNote, .found = remark});
+    if (!settings->config.screen.room.empty()) findings.push_back(probe_room(settings->config.screen.room));
     findings.push_back(probe_gallery(settings->config));
     for (Finding& finding : probe_sharing(settings->config))
         findings.push_back(std::move(finding));

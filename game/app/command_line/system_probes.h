@@ -28,8 +28,8 @@ std::vector<std::filesystem::path> font_folders();
 constexpr const char* kUsualSettings = "/etc/onggi/kiosk.toml";
 
 // The kiosk's settings, read as `onggi kiosk` reads them and, where they are wrong, in its words; what they
-// leave out; and whether the disk has the room that they ask for pots. `file` empty: those at `usual`, if
-// there are any.
+// leave out; the room of their own; and whether the disk has the space that they ask for pots. `file` empty:
+// those at `usual`, if there are any.
 std::vector<Finding> probe_settings(const std::string& file, const std::string& usual = kUsualSettings);
 
 }  // namespace onggi::app

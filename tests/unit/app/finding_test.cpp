@@ -12,6 +12,7 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/listen_place.h"
 #include "tests/support/hostile_system.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -50,6 +51,24 @@ TEST(SystemProbes, FindTheWorkshopOfThisSourceTreeOrSayWhatIsLost) {
     EXPECT_EQ(none.verdict, Verdict::kLacking);
     EXPECT_NE(none.found.find("/no/such/folder"), std::string::npos);
     EXPECT_FALSE(none.cost.empty() || none.remedy.empty());
+}
+
+TEST(SystemProbes, OpenTheRoomThatTheSettingsName) {
+    const test::TemporaryFolder folder;
+    const std::string settings = (folder / "kiosk.toml").string();
+    const auto room = [&](const std::string& named) {
+        test::put_file(settings, "[screen]\nroom = \"" + named + "\"\n");
+        for (Finding& finding : probe_settings(settings)) {
+            if (finding.subject == "room") return finding;
+        }
+        return Finding{.found = "nothing of a room"};
+    };
+    EXPECT_EQ(room("").found, "nothing of a room");
+    const Finding found = room(test::in_checkout("assets/workshop"));
+    EXPECT_EQ(found.verdict, Finding::Verdict::kGood) << found.found;
+    const Finding lost = room("nowhere");
+    EXPECT_EQ(lost.verdict, Finding::Verdict::kLacking);
+    EXPECT_NE(lost.found.find("nowhere/cameras.json: no such file"), std::string::npos) << lost.found;
 }
 
 TEST(SystemProbes, NameTheFontsThatAreMissing) {
