@@ -1,6 +1,6 @@
 // The part of the paper clay's tick that visits elements: collision, deformation and the sums of the
-// stiffness force, eight elements at a time. Two variants of one text that agree to the bit; the haptic thread
-// calls one of them. No allocation, no failure. Units: mm.
+// stiffness force, eight elements at a time. Two variants of one text that agree to the bit; the haptic
+// thread calls one of them. No allocation, no failure. Units: mm.
 #pragma once
 
 #include <array>

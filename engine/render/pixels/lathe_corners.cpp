@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/render/pixels/corners8.h"
 #include "engine/math/wide_vectors.h"
+#include "engine/render/pixels/corners8.h"
 #include "shaders/lathe.h"
 
 // No vector leaves this file by value, see float8.h.

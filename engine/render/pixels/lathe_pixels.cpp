@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/render/pixels/lathe_shade.h"
 #include "engine/math/wide_vectors.h"
+#include "engine/render/pixels/lathe_shade.h"
 
 // No vector leaves this file by value, see float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"

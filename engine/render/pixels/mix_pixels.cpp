@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/render/pixels/mix_words.h"
 #include "engine/math/wide_vectors.h"
+#include "engine/render/pixels/mix_words.h"
 
 namespace onggi::render {
 namespace {

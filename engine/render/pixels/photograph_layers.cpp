@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/math/wide_vectors.h"
 #include "engine/render/pixels/mix_words.h"
 #include "engine/render/pixels/picture_shapes.h"
-#include "engine/math/wide_vectors.h"
 #include "shaders/background_edge.h"
 
 namespace onggi::render {

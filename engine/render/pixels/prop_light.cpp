@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/render/pixels/corners8.h"
 #include "engine/math/wide_vectors.h"
+#include "engine/render/pixels/corners8.h"
 #include "shaders/curve.h"
 #include "shaders/hand.h"
 #include "shaders/shadow.h"

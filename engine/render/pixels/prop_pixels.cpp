@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
-#include "engine/render/pixels/encode8.h"
 #include "engine/math/wide_vectors.h"
+#include "engine/render/pixels/encode8.h"
 
 // No vector leaves this file by value, see float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"
