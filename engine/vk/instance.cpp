@@ -127,9 +127,13 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
                                     .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
                                     .ppEnabledExtensionNames = extensions.data()};
     if (const VkResult result = vkCreateInstance(&info, nullptr, &self->instance_); result != VK_SUCCESS) {
+        // Of a layer only its description was looked for until now.
+        const char* remedy =
+            result == VK_ERROR_LAYER_NOT_PRESENT
+                ? "a layer that is asked for does not load; install it anew (vulkan-validationlayers)"
+                : "install a driver (mesa-vulkan-drivers)";
         return system_lacks(
-            fmt::format("Vulkan: expected an instance, found {}; install a driver (mesa-vulkan-drivers)",
-                        result_name(result)));
+            fmt::format("Vulkan: expected an instance, found {}; {}", result_name(result), remedy));
     }
     keep_drivers_loaded(application);
     if (desc.validation) {
