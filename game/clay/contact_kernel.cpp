@@ -3,7 +3,7 @@
 //
 // It works in two passes over a few blocks at a time. The first is one long chain through a root and a
 // division; the processor overlaps these chains from block to block, but only as long as nothing else stands
-// in its queues. Measured: a fifth faster than one pass, with 2000 elements as with 200000.
+// in its queues. Measured: a tenth less time than one pass with 2000 elements, a quarter less with 200000.
 #include "game/clay/contact_kernel.h"
 
 #include <algorithm>
