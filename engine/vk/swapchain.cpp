@@ -193,7 +193,8 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
         result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kPatienceNs, acquired_.get(),
                                        VK_NULL_HANDLE, &frame_);
     }
-    if (result == VK_TIMEOUT) return std::optional<TargetImage>();
+    // Some drivers say after that time what they should say at once.
+    if (result == VK_TIMEOUT || result == VK_NOT_READY) return std::optional<TargetImage>();
     health.note(result);
     const auto acquired = check_swapchain(result, "vkAcquireNextImageKHR");
     if (!acquired) return acquired.error();

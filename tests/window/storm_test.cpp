@@ -215,6 +215,11 @@ TEST_F(AWindow, GoesOnAfterItsSurfaceIsOutOfDateOrLost) {
     view_->device_health().inject({.call = "vkAcquireNextImageKHR", .result = VK_ERROR_OUT_OF_DATE_KHR});
     draw(3);
     EXPECT_EQ(view_->mended(), 0) << "a swapchain that is out of date is made anew, and nothing else";
+    for (const VkResult no_image : {VK_TIMEOUT, VK_NOT_READY}) {
+        view_->device_health().inject({.call = "vkAcquireNextImageKHR", .result = no_image});
+        EXPECT_EQ(draw(3), 2) << no_image;
+    }
+    EXPECT_EQ(view_->mended(), 0) << "a screen that is off is no trouble";
     view_->device_health().inject({.call = "vkAcquireNextImageKHR", .result = VK_ERROR_SURFACE_LOST_KHR});
     draw(3);
     EXPECT_EQ(view_->mended(), 1);
