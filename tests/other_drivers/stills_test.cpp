@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/asset/image.h"
 #include "engine/files/read_file.h"
+#include "engine/vk/physical_device.h"
 #include "game/wheel/still.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/image_compare.h"
@@ -18,12 +21,20 @@ constexpr double kMostApart = 0.003;    // of the pixels may be farther apart
 constexpr double kMostInTheMean = 0.4;  // of 255
 
 // Named: seen from above, nearly all of these is the photographed room, filtered from its photograph by other
-// rounding; and grooves as fine as a pixel.
+// rounding; and grooves as fine as a pixel. On a GPU one more: 0.411 on an NVIDIA H100.
 constexpr double kMostInTheMeanOfNamed = 0.45;
-double most_in_the_mean(const GoldenScene& scene) {
-    for (const char* name : {"inside", "opening", "rough-grooves", "wide", "wide-plate", "widening"})
+double most_in_the_mean(const GoldenScene& scene, bool is_gpu) {
+    for (const char* name : {"inside", "opening", "rough-grooves", "wide-plate", "widening"})
         if (scene.name == name) return kMostInTheMeanOfNamed;
-    return kMostInTheMean;
+    return is_gpu && scene.name == "wide" ? kMostInTheMeanOfNamed : kMostInTheMean;
+}
+
+bool drawn_by_a_gpu() {
+    const auto devices = vk::describe_devices();
+    EXPECT_TRUE(devices);
+    return devices && std::any_of(devices->begin(), devices->end(), [](const vk::DeviceDescription& device) {
+               return device.chosen && !device.is_cpu();
+           });
 }
 
 class Stills : public testing::TestWithParam<GoldenScene> {};
@@ -44,7 +55,7 @@ TEST_P(Stills, AreThoseOfTheOtherDriver) {
     fmt::print("{}: {:.4f} % of pixels differ by more than {}/255, mean {:.4f}\n", scene.name,
                100.0 * found.bad_fraction, kMostLevels, found.mean_delta);
     EXPECT_LE(found.bad_fraction, kMostApart);
-    EXPECT_LE(found.mean_delta, most_in_the_mean(scene));
+    EXPECT_LE(found.mean_delta, most_in_the_mean(scene, drawn_by_a_gpu()));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThePot, Stills, testing::ValuesIn(golden_scenes()),
