@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "game/app/kiosk/house_status.h"
-#include "game/app/kiosk/kiosk_heartbeat.h"
+#include "game/app/kiosk/health/house_status.h"
+#include "game/app/kiosk/health/kiosk_heartbeat.h"
 #include "game/app/system/wall_clock.h"
 #include "tests/cli/cli_expectations.h"
 

@@ -6,14 +6,14 @@
 #include <memory>
 #include <set>
 
-#include "game/app/kiosk/house_status.h"
-#include "game/app/kiosk/interrupted_session.h"
-#include "game/app/kiosk/kiosk_gallery.h"
-#include "game/app/kiosk/kiosk_heartbeat.h"
+#include "game/app/kiosk/gallery/interrupted_session.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/visit_journal.h"
+#include "game/app/kiosk/gallery/wall_of_the_day.h"
+#include "game/app/kiosk/health/house_status.h"
+#include "game/app/kiosk/health/kiosk_heartbeat.h"
+#include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
-#include "game/app/kiosk/kiosk_statistics.h"
-#include "game/app/kiosk/visit_journal.h"
-#include "game/app/kiosk/wall_of_the_day.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/fault_report.h"
 #include "game/sharing/outbox.h"

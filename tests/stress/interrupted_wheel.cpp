@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "engine/haptics/simulated_device.h"
-#include "game/app/kiosk/kiosk_keeper.h"
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/keeping/kiosk_keeper.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/system/start_log.h"
 #include "tests/stress/interrupted_wheel.h"
 

@@ -19,10 +19,10 @@
 
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
-#include "game/app/kiosk/demonstrations.h"
-#include "game/app/kiosk/kiosk_sound.h"
-#include "game/app/kiosk/kiosk_staff.h"
-#include "game/app/kiosk/kiosk_visit.h"
+#include "game/app/kiosk/presentation/demonstrations.h"
+#include "game/app/kiosk/presentation/kiosk_sound.h"
+#include "game/app/kiosk/staff/kiosk_staff.h"
+#include "game/app/kiosk/visit/kiosk_visit.h"
 
 namespace onggi::app {
 

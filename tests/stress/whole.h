@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/record/session.h"
-#include "game/app/kiosk/interrupted_session.h"
+#include "game/app/kiosk/gallery/interrupted_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::stress {

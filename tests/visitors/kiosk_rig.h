@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/haptics/simulated_device.h"
-#include "game/app/kiosk/kiosk_hand.h"
-#include "game/app/kiosk/kiosk_pointer.h"
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/haptic/tick.h"
 #include "tests/visitors/wheel_rig.h"
 

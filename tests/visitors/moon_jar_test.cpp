@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "game/app/kiosk/exhibits.h"
+#include "game/app/kiosk/presentation/exhibits.h"
 #include "game/clay/studio/joining.h"
 #include "tests/support/places.h"
 #include "tests/visitors/kiosk_rig.h"

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "game/app/kiosk/exhibits.h"
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/presentation/exhibits.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/heritage/target.h"
 #include "tests/support/places.h"
 #include "tests/visitors/population.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "engine/files/asset_folder.h"
-#include "game/app/kiosk/kiosk_camera.h"
+#include "game/app/kiosk/presentation/kiosk_camera.h"
 #include "game/wheel/wheel_scene.h"
 
 int main(int argc, char** argv) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/render/overlay.h"
-#include "game/app/kiosk/force_view.h"
+#include "game/app/kiosk/presentation/force_view.h"
 #include "game/screens/stage.h"
 
 namespace onggi::app {

@@ -11,7 +11,7 @@
 #include "engine/core/result.h"
 #include "engine/files/read_file.h"
 #include "game/app/command_line/system_probes.h"
-#include "game/app/kiosk/house_status.h"
+#include "game/app/kiosk/health/house_status.h"
 #include "game/app/system/report.h"
 #include "game/app/system/wall_clock.h"
 #include "game/kiosk/config.h"

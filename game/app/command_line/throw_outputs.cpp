@@ -13,7 +13,7 @@
 #include "game/app/command_line/stats.h"
 #include "game/app/command_line/tables.h"
 #include "game/app/command_line/target_score.h"
-#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/exporter/studio_export.h"
 #include "game/look/pot_pictures.h"
 #include "game/wheel/clay_look.h"

@@ -9,7 +9,7 @@
 #include "engine/files/asset_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
-#include "game/app/kiosk/exhibits.h"
+#include "game/app/kiosk/presentation/exhibits.h"
 #include "game/screens/legibility.h"
 
 namespace onggi::app {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/asset/webp_film.h"
-#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/replay/film_plan.h"
 #include "game/app/replay/replay.h"
 #include "game/app/replay/session_marks.h"

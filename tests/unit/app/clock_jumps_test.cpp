@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <set>
 
-#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/wall_of_the_day.h"
+#include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
-#include "game/app/kiosk/kiosk_staff.h"
-#include "game/app/kiosk/kiosk_statistics.h"
-#include "game/app/kiosk/wall_of_the_day.h"
+#include "game/app/kiosk/staff/kiosk_staff.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {

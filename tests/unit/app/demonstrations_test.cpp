@@ -1,6 +1,6 @@
 // What the wheel shows by itself: which recordings, what where one is missing, and that the kiosk's loop
 // makes of them the pots that they made when they were recorded.
-#include "game/app/kiosk/demonstrations.h"
+#include "game/app/kiosk/presentation/demonstrations.h"
 
 #include <gtest/gtest.h>
 

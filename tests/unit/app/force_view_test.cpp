@@ -1,5 +1,5 @@
 // What of a snapshot is shown as forces: where arrows begin and end, and which rings are lit.
-#include "game/app/kiosk/force_view.h"
+#include "game/app/kiosk/presentation/force_view.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/haptic/job.h"
 #include "tests/support/scripted_device.h"
 #include "tests/unit/haptic/studio_hand.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/app/kiosk/kiosk_pointer.h"
+#include "game/app/kiosk/hand/kiosk_pointer.h"
 
 namespace onggi::app {
 namespace {

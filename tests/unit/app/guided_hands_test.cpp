@@ -1,12 +1,12 @@
 // Where the hands of a finger are seen: at the work, or off the clay in the pose of what a touch would begin.
-#include "game/app/kiosk/guided_hands.h"
+#include "game/app/kiosk/presentation/guided_hands.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "game/app/kiosk/kiosk_touch.h"
-#include "game/app/kiosk/snapshot_view.h"
+#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {

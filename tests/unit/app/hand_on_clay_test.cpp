@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "game/app/kiosk/kiosk_hand.h"
+#include "game/app/kiosk/hand/kiosk_hand.h"
 #include "game/haptic/pot_copy.h"
 #include "game/haptic/tick.h"
 

@@ -1,6 +1,6 @@
 // What the house's monitoring is told, by what lies on a disk and a clock that is given: well, silent, ended,
 // fallen; and that no file, however damaged, and no clock makes it say what is not so.
-#include "game/app/kiosk/house_status.h"
+#include "game/app/kiosk/health/house_status.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,8 +9,8 @@
 #include <regex>
 #include <sstream>
 
-#include "game/app/kiosk/kiosk_gallery.h"
-#include "game/app/kiosk/kiosk_heartbeat.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/kiosk/health/kiosk_heartbeat.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/start_log.h"
 #include "tests/support/temporary_folder.h"

@@ -8,9 +8,9 @@
 
 #include "engine/core/list_folder.h"
 #include "engine/record/session.h"
-#include "game/app/kiosk/interrupted_session.h"
-#include "game/app/kiosk/kiosk_keeper.h"
-#include "game/app/kiosk/visit_journal.h"
+#include "game/app/kiosk/gallery/interrupted_session.h"
+#include "game/app/kiosk/gallery/visit_journal.h"
+#include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/haptic/studio_hand.h"

@@ -1,5 +1,5 @@
 // What is on the disk of a jar in the making: damaged, half written, forgotten.
-#include "game/app/kiosk/jar_keeping.h"
+#include "game/app/kiosk/gallery/jar_keeping.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The kiosk's camera against the design's boxes, with the real workshop's cameras.
-#include "game/app/kiosk/kiosk_camera.h"
+#include "game/app/kiosk/presentation/kiosk_camera.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

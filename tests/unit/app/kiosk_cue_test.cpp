@@ -1,5 +1,5 @@
 // Where the calm cue lies and when it is to be seen, on a clock of its own.
-#include "game/app/kiosk/kiosk_cue.h"
+#include "game/app/kiosk/presentation/kiosk_cue.h"
 #include "tests/support/millimetre_pot.h"
 
 #include <gtest/gtest.h>

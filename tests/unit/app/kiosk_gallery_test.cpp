@@ -1,5 +1,5 @@
 // The shelf on the disk: what is kept, what leaves, what the staff deletes.
-#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "engine/record/session.h"
-#include "game/app/kiosk/kiosk_hand.h"
-#include "game/app/kiosk/kiosk_keeper.h"
+#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/haptic/start_state.h"
 #include "tests/support/hostile_system.h"

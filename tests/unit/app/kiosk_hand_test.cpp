@@ -1,5 +1,5 @@
 // The visitor's hand, before it reaches the haptic loop.
-#include "game/app/kiosk/kiosk_hand.h"
+#include "game/app/kiosk/hand/kiosk_hand.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/haptic/tools.h"
 #include "tests/support/millimetre_pot.h"
 

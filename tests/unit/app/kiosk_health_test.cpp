@@ -1,5 +1,5 @@
 // What is measured of a kiosk, on a virtual clock and a machine made of files.
-#include "game/app/kiosk/kiosk_health.h"
+#include "game/app/kiosk/health/kiosk_health.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {

@@ -1,5 +1,5 @@
 // The marker that keys move along the clay, and what they ask for there.
-#include "game/app/kiosk/kiosk_marker.h"
+#include "game/app/kiosk/hand/kiosk_marker.h"
 #include "tests/support/millimetre_pot.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // A kept pot handed to the outbox, on its own thread and a real disk.
-#include "game/app/kiosk/kiosk_phone.h"
+#include "game/app/kiosk/keeping/kiosk_phone.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Fingers, keys and a single switch on a screen of three targets.
-#include "game/app/kiosk/kiosk_pointer.h"
+#include "game/app/kiosk/hand/kiosk_pointer.h"
 
 #include <gtest/gtest.h>
 

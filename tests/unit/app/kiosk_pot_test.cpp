@@ -1,13 +1,13 @@
 // The pot as it comes out of the kiln, beside the museum's pot that it resembles.
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "game/app/kiosk/exhibits.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/presentation/exhibits.h"
 
 namespace onggi::app {
 namespace {

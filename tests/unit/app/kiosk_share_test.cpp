@@ -1,4 +1,4 @@
-#include "game/app/kiosk/kiosk_share.h"
+#include "game/app/kiosk/keeping/kiosk_share.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "game/app/kiosk/kiosk_pot.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/finish/glaze.h"
 #include "game/screens/pot_picture.h"
 

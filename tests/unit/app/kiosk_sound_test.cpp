@@ -1,5 +1,5 @@
 // What of a snapshot is heard.
-#include "game/app/kiosk/kiosk_sound.h"
+#include "game/app/kiosk/presentation/kiosk_sound.h"
 
 #include <gtest/gtest.h>
 

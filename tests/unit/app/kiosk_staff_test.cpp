@@ -1,5 +1,5 @@
 // What the staff reads: what is well, what is not, and what a test came to.
-#include "game/app/kiosk/kiosk_staff.h"
+#include "game/app/kiosk/staff/kiosk_staff.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is kept of visits, that it is no more than that, and what the staff is told of it.
-#include "game/app/kiosk/kiosk_statistics.h"
+#include "game/app/kiosk/health/kiosk_statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <regex>
 #include <string>
 
-#include "game/app/kiosk/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {

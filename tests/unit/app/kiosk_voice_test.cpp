@@ -1,5 +1,5 @@
 // Recordings of lines: read where they are, silence where they are not.
-#include "game/app/kiosk/kiosk_voice.h"
+#include "game/app/kiosk/presentation/kiosk_voice.h"
 
 #include <gtest/gtest.h>
 

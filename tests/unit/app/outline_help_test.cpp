@@ -1,5 +1,5 @@
 // Help along a drawn outline: felt near it, never seen.
-#include "game/app/kiosk/outline_help.h"
+#include "game/app/kiosk/hand/outline_help.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The wall of the day on a real disk.
-#include "game/app/kiosk/wall_of_the_day.h"
+#include "game/app/kiosk/gallery/wall_of_the_day.h"
 
 #include <gtest/gtest.h>
 

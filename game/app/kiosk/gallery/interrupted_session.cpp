@@ -1,0 +1,134 @@
+#include "game/app/kiosk/gallery/interrupted_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "engine/core/list_folder.h"
+#include "engine/files/read_file.h"
+#include "game/app/kiosk/gallery/visit_journal.h"
+#include "game/haptic/start_state.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kJournalPrefix = "visit-";
+constexpr const char* kSpillFile = "left-over.onggi";
+
+struct Found {
+    fs::path file;
+    std::optional<record::Session> session;  // none: it could not be read, or is not for this kiosk
+    [[nodiscard]] std::uint64_t ticks() const { return session ? session->tick_count() : 0; }
+};
+
+std::vector<fs::path> journals_among(std::vector<fs::path> files) {
+    std::erase_if(files, [](const fs::path& file) {
+        const std::string name = file.filename().string();
+        return !name.starts_with(kJournalPrefix) && name != kSpillFile;
+    });
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Result<record::Session> session_of(const fs::path& file, const haptic::HapticState& start,
+                                   const haptic::HapticParameters& parameters,
+                                   const std::vector<std::byte>& expected) {
+    auto bytes = files::read_file(file, kMostSessionBytes);
+    if (!bytes) return bytes.error();
+    auto session = record::parse_session(std::move(*bytes), file.string(), record::Damage::kCutThere);
+    if (!session) return session;
+    const auto found = session->start_state();
+    if (session->header() != haptic::session_header({start, parameters}) ||
+        !std::equal(found.begin(), found.end(), expected.begin(), expected.end())) {
+        return bad_input(
+            fmt::format("{}: expected the clay and the rate of {} Hz of this kiosk, found others at {} Hz",
+                        file.string(), parameters.rate_hz(), session->header().rate_hz));
+    }
+    return session;
+}
+
+}  // namespace
+
+std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& folder,
+                                                             const haptic::HapticState& start,
+                                                             const haptic::HapticParameters& parameters,
+                                                             std::vector<std::string>& remarks) {
+    // More than one where it happened while one was being written anew: the longest has all of it.
+    Found longest;
+    const FolderListing listing = list_folder(folder);
+    if (!listing.is_whole()) remarks.push_back("interrupted visit: " + listing_trouble(folder, listing));
+    std::vector<fs::path> others = journals_among(listing.entries);
+    const std::vector<std::byte> start_bytes = haptic::start_state_bytes(start, parameters);
+    std::error_code ignored;
+    for (const fs::path& file : others) {
+        // Killed before its first block: nothing had been thrown.
+        if (fs::file_size(file, ignored) < start_bytes.size()) continue;
+        auto session = session_of(file, start, parameters, start_bytes);
+        if (!session) {
+            remarks.push_back("interrupted visit: dropped: " + session.error().message);
+            continue;
+        }
+        if (!session->damage().empty()) {
+            remarks.push_back(fmt::format("interrupted visit: whole for {:.1f} s, then damaged: {}",
+                                          static_cast<double>(session->tick_count()) / parameters.rate_hz(),
+                                          session->damage()));
+        }
+        if (session->tick_count() > longest.ticks()) longest = {file, std::move(*session)};
+    }
+    std::erase(others, longest.file);
+    // Where the disk does not tell of all, nothing leaves: what is hidden now may be the longest.
+    if (listing.is_whole()) {
+        for (const fs::path& file : others)
+            fs::remove(file, ignored);
+    }
+    if (!longest.session) return nullptr;
+    if (listing.is_whole() || !fs::exists(folder / kSpillFile, ignored))
+        fs::rename(longest.file, folder / kSpillFile, ignored);
+    return std::unique_ptr<InterruptedSession>(
+        new InterruptedSession(std::move(*longest.session), start, parameters, folder));
+}
+
+Result<std::unique_ptr<InterruptedSession>> InterruptedSession::read(
+    const fs::path& file, const haptic::HapticState& start, const haptic::HapticParameters& parameters,
+    const fs::path& folder) {
+    auto session = session_of(file, start, parameters, haptic::start_state_bytes(start, parameters));
+    if (!session) return session.error();
+    return std::unique_ptr<InterruptedSession>(
+        new InterruptedSession(std::move(*session), start, parameters, folder));
+}
+
+std::unique_ptr<InterruptedSession> InterruptedSession::of_nothing(const haptic::HapticState& start,
+                                                                   const haptic::HapticParameters& parameters,
+                                                                   const fs::path& folder) {
+    return std::unique_ptr<InterruptedSession>(
+        new InterruptedSession(std::nullopt, start, parameters, folder));
+}
+
+Result<bool> InterruptedSession::work(int ticks) {
+    if (!session_) return false;
+    for (int i = 0; i < ticks && played_ < session_->tick_count(); ++i) {
+        history_.add_played(cursor_->at(played_++));
+        const record::Session::Block& block = session_->blocks()[(played_ - 1) / record::kHashInterval];
+        const bool ends_block = played_ == block.first_tick + block.tick_count;
+        if (ends_block && history_.state().hash() != block.state_hash) {
+            return failed(
+                fmt::format("interrupted visit: dropped: at tick {} expected the clay it tells of, "
+                            "found another, as of another version of the program",
+                            played_));
+        }
+    }
+    if (played_ == session_->tick_count()) session_.reset();
+    return session_.has_value();
+}
+
+void InterruptedSession::remove(const fs::path& folder) noexcept {
+    std::error_code ignored;
+    fs::remove(folder / kSpillFile, ignored);
+}
+
+}  // namespace onggi::app

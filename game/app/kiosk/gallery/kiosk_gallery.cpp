@@ -1,0 +1,190 @@
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <ctime>
+#include <utility>
+
+#include "engine/asset/image.h"
+#include "engine/core/list_folder.h"
+#include "engine/files/atomic_file.h"
+#include "engine/files/atomic_folder.h"
+#include "engine/files/read_file.h"
+#include "game/app/kiosk/gallery/visit_journal.h"
+#include "game/app/system/wall_clock.h"
+#include "game/exporter/studio_export.h"
+#include "game/look/pot_pictures.h"
+
+namespace onggi::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBytesPerMb = 1e6;
+
+// The number in "pot-014"; 0 for any other name.
+int number_of(const std::string& name) {
+    constexpr std::string_view kPrefix = "pot-";
+    int number = 0;
+    if (!name.starts_with(kPrefix)) return 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + kPrefix.size(), end, number);
+    return read.ec == std::errc() && read.ptr == end ? number : 0;
+}
+
+}  // namespace
+
+asset::Image straight_picture(ui::Painting painting) {
+    asset::Image image{.width = painting.width, .height = painting.height, .rgba = std::move(painting.rgba)};
+    for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+        const unsigned alpha = image.rgba[at + 3];
+        for (std::size_t channel = 0; alpha > 0 && channel < 3; ++channel) {
+            const unsigned value = image.rgba[at + channel] * 255U / alpha;
+            image.rgba[at + channel] = static_cast<std::uint8_t>(std::min(255U, value));
+        }
+    }
+    return image;
+}
+
+Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
+                                            const decoration::Marks* marks) {
+    const double scale = clay::shrunk_scale(clay.lump().body, clay::Firing::kGlaze);
+    const auto height_mm = static_cast<float>(clay.height_mm() * scale);
+    look::PotLook worn = look::glaze_look(glaze, height_mm);
+    if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
+    return look::dressed_glb(
+        exporter::rings_of(clay.rings()), worn,
+        {.extras = exporter::pot_extras(clay, clay::Firing::kGlaze), .shrinkage = scale});
+}
+
+std::string today() {
+    return day_of(wall_clock_s());
+}
+
+std::string day_of(std::int64_t s) {
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(static_cast<std::time_t>(s)));
+}
+
+Gallery::Gallery(const kiosk::Config& config)
+    : folder_(config.gallery.folder),
+      most_pots_(config.gallery.most_pots),
+      least_free_mb_(config.gallery.least_free_mb) {}
+
+void Gallery::clear_parts() const {
+    constexpr bool kInDays = true;
+    files::clear_parts(folder_, kInDays);
+}
+
+double free_mb_at(const fs::path& folder) {
+    std::error_code error;
+    const fs::space_info space = fs::space(fs::exists(folder, error) ? folder : fs::path("."), error);
+    return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
+}
+
+std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
+    struct Aged {
+        std::pair<std::string, int> age;  // day, and number of the day
+        fs::path folder;
+    };
+    std::vector<Aged> found;
+    const auto entries_of = [&](const fs::path& around) {
+        FolderListing listing = list_folder(around);
+        if (!listing.is_whole() && trouble != nullptr) *trouble = listing_trouble(around, listing);
+        return std::move(listing.entries);
+    };
+    std::error_code ignored;
+    for (const fs::path& day : entries_of(folder)) {
+        if (!fs::is_directory(day, ignored)) continue;
+        for (const fs::path& pot : entries_of(day)) {
+            if (const int number = number_of(pot.filename().string()); number != 0)
+                found.push_back({{day.filename().string(), number}, pot});
+        }
+    }
+    // By day, then by number: the thousandth pot of a day comes after the last with three digits.
+    std::sort(found.begin(), found.end(), [](const Aged& a, const Aged& b) { return a.age > b.age; });
+    std::vector<KeptPot> pots;
+    pots.reserve(found.size());
+    for (Aged& pot : found)
+        pots.push_back({pot.folder, pot.age.first + "/" + pot.folder.filename().string()});
+    return pots;
+}
+
+Result<void> Gallery::remove(const KeptPot& pot) {
+    return files::take_away_folder(pot.folder);
+}
+
+// The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
+void Gallery::make_room(const fs::path& newcomer) {
+    std::string trouble;
+    std::vector<KeptPot> all = pots(&trouble);
+    if (!trouble.empty()) return;  // nobody knows which are the oldest
+    std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
+    while (all.size() >= static_cast<std::size_t>(most_pots_)) {
+        static_cast<void>(remove(all.back()));
+        all.pop_back();
+    }
+}
+
+Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
+    std::error_code error;
+    fs::create_directories(folder_ / today, error);
+    if (error)
+        return system_lacks(fmt::format("{}: expected a folder to save in, found none: {}",
+                                        (folder_ / today).string(), error.message()));
+    if (const double free = free_mb(); free < least_free_mb_) {
+        return system_lacks(
+            fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
+    }
+    int number = 1;
+    for (const fs::path& entry : list_folder(folder_ / today).entries)
+        number = std::max(number, number_of(entry.filename().string()) + 1);
+    const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
+    // A disk that fails may not have told of them all.
+    while (fs::exists(place_of(), error))
+        ++number;
+
+    const fs::path place = place_of();
+    auto folder = files::AtomicFolder::create(place);
+    if (!folder) return folder.error();
+    const fs::path session = folder->inside() / "pot.onggi";
+    const std::vector<std::byte> drawn =
+        pot.marks ? decoration::bytes_of(pot.marks->recorded) : std::vector<std::byte>();
+    const auto saved = pot.history->is_whole() ? pot.history->save(session, drawn)
+                                               : pot.history->save_outcome(session, drawn);
+    if (!saved) return saved.error();
+    const auto write = [&](const char* name, const Result<std::vector<std::byte>>& bytes) -> Result<void> {
+        if (!bytes) return bytes.error();
+        return files::write_file_atomically(folder->inside() / name, *bytes);
+    };
+    for (std::size_t i = 0; i < pot.bowls.size(); ++i) {
+        const auto bowl = files::read_file(pot.bowls[i], kMostSessionBytes);
+        if (!bowl) return bowl.error();
+        const std::string name = fmt::format("bowl-{}.onggi", i + 1);
+        if (auto written = files::write_file_atomically(folder->inside() / name, *bowl); !written)
+            return written.error();
+    }
+    {
+        // First, so that its pixels are gone before the other solids are made.
+        const asset::Image portrait = straight_picture(std::move(pot.portrait));
+        if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
+        if (auto written =
+                write("pot.3mf", exporter::export_pot(*pot.clay, clay::Firing::kGlaze,
+                                                      exporter::ExportKind::k3mf, nullptr, &portrait));
+            !written)
+            return written.error();
+    }
+    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get())); !written)
+        return written.error();
+    if (auto written = write(
+            "pot.stl", exporter::export_pot(*pot.clay, clay::Firing::kGlaze, exporter::ExportKind::kStl));
+        !written)
+        return written.error();
+    if (auto done = folder->commit(); !done) return done.error();
+    make_room(place);  // not before: a pot that cannot be kept costs no other its place
+    return number;
+}
+
+}  // namespace onggi::app

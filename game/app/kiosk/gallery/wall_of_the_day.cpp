@@ -1,0 +1,123 @@
+#include "game/app/kiosk/gallery/wall_of_the_day.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "engine/files/atomic_file.h"
+#include "engine/files/read_file.h"
+#include "game/finish/glaze.h"
+
+namespace onggi::app {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFormat = 1;
+constexpr std::size_t kMostBytes = 4'000'000;
+constexpr std::size_t kMostPoints = 4096;  // of a wall's side
+constexpr double kMostMm = 1000.0;
+
+json json_of(const std::vector<vec2>& points) {
+    json list = json::array();
+    for (const vec2& point : points)
+        list.push_back({point.x, point.y});
+    return list;
+}
+
+// Throws json::exception, or out_of_range by at(), where it is none.
+std::vector<vec2> points_of(const json& list) {
+    std::vector<vec2> points;
+    for (const json& pair : list) {
+        const auto radius = pair.at(0).get<double>();
+        const auto height = pair.at(1).get<double>();
+        const bool is_sound = radius >= 0.0 && radius <= kMostMm && height >= -kMostMm && height <= kMostMm;
+        if (!is_sound || points.size() == kMostPoints)
+            throw json::other_error::create(501, "expected a pot's outline", nullptr);
+        points.emplace_back(static_cast<float>(radius), static_cast<float>(height));
+    }
+    return points;
+}
+
+std::vector<WallPot> pots_of(const json& list) {
+    std::vector<WallPot> pots;
+    for (const json& one : list) {
+        if (pots.size() == WallOfTheDay::kMostPots) break;
+        WallPot pot{.gallery_name = one.at("pot").get<std::string>(),
+                    .glaze = std::clamp(one.at("glaze").get<int>(), 0, finish::kGlazeCount - 1),
+                    .shape = {points_of(one.at("outside")), points_of(one.at("inside"))}};
+        if (pot.shape.outside.size() > 1) pots.push_back(std::move(pot));
+    }
+    return pots;
+}
+
+}  // namespace
+
+Result<void> WallOfTheDay::turn_to(const std::string& today) {
+    if (auto opened = open(today); !opened) return opened;
+    return day_on_disk_ < today && !day_on_disk_.empty() ? write() : Result<void>{};
+}
+
+Result<void> WallOfTheDay::open(const std::string& today) {
+    day_ = today;
+    day_on_disk_.clear();
+    pots_.clear();
+    std::error_code ignored;
+    if (!std::filesystem::exists(file_, ignored)) return {};
+    const auto text = files::read_file(file_, kMostBytes);
+    if (!text) return text.error();
+    try {
+        const json wall = json::parse(*text);
+        // The first walls said no format.
+        if (const int format = wall.value("format", kFormat); format != kFormat) {
+            return bad_input(
+                fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
+        }
+        day_on_disk_ = wall.at("day").get<std::string>();
+        if (day_on_disk_ == today) pots_ = pots_of(wall.at("pots"));
+    } catch (const json::exception& error) {
+        return bad_input(
+            fmt::format("{}: expected the pots of a wall, found: {}", file_.string(), error.what()));
+    }
+    return {};
+}
+
+Result<void> WallOfTheDay::put(WallPot pot, const std::string& today) {
+    if (day_ != today) static_cast<void>(open(today));
+    std::erase_if(pots_, [&](const WallPot& other) { return other.gallery_name == pot.gallery_name; });
+    pots_.push_back(std::move(pot));
+    if (pots_.size() > kMostPots) pots_.erase(pots_.begin());
+    return write();
+}
+
+Result<void> WallOfTheDay::take(const std::string& gallery_name) {
+    const auto gone =
+        std::erase_if(pots_, [&](const WallPot& pot) { return pot.gallery_name == gallery_name; });
+    return gone == 0 ? Result<void>{} : write();
+}
+
+Result<void> WallOfTheDay::clear() {
+    if (pots_.empty()) return {};
+    pots_.clear();
+    return write();
+}
+
+Result<void> WallOfTheDay::write() const {
+    json pots = json::array();
+    for (const WallPot& pot : pots_) {
+        pots.push_back({{"pot", pot.gallery_name},
+                        {"glaze", pot.glaze},
+                        {"outside", json_of(pot.shape.outside)},
+                        {"inside", json_of(pot.shape.inside)}});
+    }
+    const std::string text = json{{"format", kFormat}, {"day", day_}, {"pots", std::move(pots)}}.dump();
+    std::error_code ignored;  // write_file_atomically() says what is wrong
+    std::filesystem::create_directories(file_.parent_path(), ignored);
+    return files::write_file_atomically(file_, std::as_bytes(std::span(text)));
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,220 @@
+#include "game/app/kiosk/hand/kiosk_hand.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "game/haptic/tools.h"
+
+namespace onggi::app {
+namespace {
+
+// The finger may go where the pot is and around it, not behind the picture.
+constexpr double kReachMm = 260.0;
+// Farther than any hand goes in a frame: another finger, or a screen that is wrong.
+constexpr double kLeapMm = 120.0;
+constexpr double kRestsAfterS = 4.0;
+constexpr dvec2 kRestingMm{230.0, 45.0};  // over the pan's edge, out of reach of any clay
+constexpr double kBesideMm = 15.0;
+// Of who types faster than hands work.
+constexpr std::size_t kMostWaiting = 3;
+constexpr std::array kToolRadiiMm{7.0, 12.0, 20.0};
+constexpr std::array kLoopRadiiMm{4.0, 7.0, 11.0};
+constexpr std::array kWater{0.0, 0.25, 0.5, 0.75, 1.0};
+constexpr std::array kSpeedsRevMin{50.0, 80.0, 110.0, 145.0, 180.0};
+
+constexpr double kWireBelowRimMm = 6.0;  // where it is held at first
+constexpr double kWireStepMm = 1.0;      // of a key
+constexpr double kLowestCut = 0.5;       // of the height
+
+haptics::ToolKind kind_of(kiosk::Held held) {
+    switch (held) {
+        case kiosk::Held::kRib:
+            return haptic::kRib;
+        case kiosk::Held::kSponge:
+            return haptic::kSponge;
+        case kiosk::Held::kHand:
+        case kiosk::Held::kWire:
+            break;
+    }
+    return haptics::ToolKind::kHand;
+}
+
+template <std::size_t count>
+double step_of(const std::array<double, count>& steps, int step) {
+    return steps[static_cast<std::size_t>(std::clamp(step - 1, 0, static_cast<int>(count) - 1))];
+}
+
+bool is_place(const dvec2& place_mm) {
+    return std::isfinite(place_mm.x) && std::isfinite(place_mm.y);
+}
+
+dvec2 within_reach(const dvec2& place_mm) {
+    return glm::clamp(place_mm, dvec2(-kReachMm, 0.0), dvec2(kReachMm, 2.0 * kReachMm));
+}
+
+}  // namespace
+
+haptics::ToolState resting_hand() {
+    return {.position_mm = dvec3(kRestingMm, 0.0), .guided = true, .pressing = false};
+}
+
+void KioskHand::take_over() {
+    release();
+    idle_s_ = 0.0;
+}
+
+void KioskHand::press(const dvec2& place_mm) {
+    take_over();
+    marker_.hide();
+    if (!is_place(place_mm)) return;
+    presser_ = Presser::kFinger;
+    ++touches_;
+    finger_mm_ = shown_before_mm_ = within_reach(place_mm);
+}
+
+void KioskHand::drag(const dvec2& place_mm) {
+    if (presser_ != Presser::kFinger) return;
+    if (!is_place(place_mm) || glm::length(within_reach(place_mm) - shown_before_mm_) > kLeapMm) {
+        release();
+        return;
+    }
+    finger_mm_ = within_reach(place_mm);
+    idle_s_ = 0.0;
+}
+
+void KioskHand::release() {
+    presser_ = Presser::kNobody;
+    touch_.stop();
+    waiting_.clear();
+    shows_ = false;
+}
+
+void KioskHand::hover(const dvec2& place_mm) {
+    if (works() || !is_place(place_mm)) return;
+    finger_mm_ = within_reach(place_mm);
+    idle_s_ = 0.0;
+}
+
+void KioskHand::steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side) {
+    const bool begins = presses && !pad_held_;
+    pad_held_ = presses;
+    const bool is_moved = is_place(step_mm) && step_mm != dvec2(0.0);
+    if (presser_ == Presser::kFinger) return;
+    if (presser_ == Presser::kGamepad && !presses) release();
+    if (!is_moved && !begins) return;
+    if (touch_.runs()) take_over();
+    if (!pad_has_come_) {
+        const double low_mm = kLowFraction * shape.height_mm;
+        finger_mm_ = {side * (wall_at(shape, low_mm).outer_mm + kBesideMm), low_mm};
+        pad_has_come_ = true;
+    }
+    marker_.hide();
+    idle_s_ = 0.0;
+    if (is_moved) finger_mm_ = within_reach(finger_mm_ + step_mm);
+    if (!begins) return;
+    presser_ = Presser::kGamepad;
+    ++touches_;
+}
+
+void KioskHand::ask_for(const WaitingKey& key) {
+    if (presser_ != Presser::kNobody) return;
+    stop_showing();
+    idle_s_ = 0.0;
+    if (waiting_.size() < kMostWaiting) waiting_.push_back(key);
+}
+
+void KioskHand::show(ShownStep step, const pot::Pot& shape, double side) {
+    take_over();
+    shows_ = true;
+    ++touches_;
+    touch_.begin(path_of_step(step, shape, side));
+}
+
+void KioskHand::stop_showing() {
+    if (!shows_) return;
+    touch_.stop();
+    shows_ = false;
+}
+
+void KioskHand::leave_clay() {
+    release();
+    marker_.hide();
+    pad_has_come_ = false;
+}
+
+void KioskHand::work_off_keys(const pot::Pot& shape) {
+    while (!waiting_.empty() && !touch_.runs()) {
+        const WaitingKey key = waiting_.front();
+        waiting_.pop_front();
+        std::optional<TouchPath> path =
+            key.is_button ? marker_.button(key.key, shape, key.side) : marker_.key(key.key, shape, key.side);
+        if (path) {
+            touch_.begin(std::move(*path));
+            ++touches_;
+        }
+        finger_mm_ = path ? touch_.place_mm() : marker_.place_mm(shape).value_or(finger_mm_);
+        idle_s_ = 0.0;
+    }
+}
+
+// By its own touches, by whoever presses, or aside.
+dvec2 KioskHand::finger_now(const pot::Pot& shape, double dt_s) {
+    if (touch_.runs()) {
+        touch_.pass_time(dt_s);
+        finger_mm_ = touch_.place_mm();
+        idle_s_ = 0.0;
+        return finger_mm_;
+    }
+    shows_ = false;
+    work_off_keys(shape);
+    if (touch_.runs()) return finger_mm_;
+    if (presser_ == Presser::kNobody) idle_s_ += dt_s;
+    if (idle_s_ >= kRestsAfterS) return kRestingMm;
+    return help_.drawn(finger_mm_);
+}
+
+// Between one touch and the next lies a frame without, or the clay would take them for one.
+bool KioskHand::presses_now() {
+    const bool presses = presser_ != Presser::kNobody || touch_.presses();
+    const bool is_another = pressing_ && *pressing_ != touches_;
+    pressing_ = presses && !is_another ? std::optional(touches_) : std::nullopt;
+    return pressing_.has_value();
+}
+
+// A finger takes the line along, a key moves it; nothing presses the clay.
+void KioskHand::hold_wire(const pot::Pot& shape) {
+    if (!wire_mm_) wire_mm_ = shape.height_mm - kWireBelowRimMm;
+    if (presser_ != Presser::kNobody) wire_mm_ = finger_mm_.y;
+    for (const WaitingKey& key : waiting_) {
+        if (key.key == HandKey::kUp) *wire_mm_ += kWireStepMm;
+        if (key.key == HandKey::kDown) *wire_mm_ -= kWireStepMm;
+    }
+    waiting_.clear();
+    wire_mm_ = std::clamp(*wire_mm_, kLowestCut * shape.height_mm, shape.height_mm);
+}
+
+haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
+    help_.pass_time(dt_s);
+    haptics::ToolState tool;
+    tool.guided = true;
+    if (settings.held == kiosk::Held::kWire) hold_wire(shape);
+    tool.position_mm = dvec3(finger_now(shape, dt_s), 0.0);
+    tool.pressing = presses_now() && settings.held != kiosk::Held::kWire;
+    shown_before_mm_ = finger_mm_;
+    marker_mm_ = settings.held == kiosk::Held::kWire ? std::nullopt : marker_.place_mm(shape);
+    tool.tool = settings.trims ? haptic::kTrimmer : kind_of(settings.held);
+    if (std::exchange(cuts_, false)) {
+        tool.command = haptic::kCutRim;
+        tool.command_height_mm = *wire_mm_;
+    }
+    if (settings.held != kiosk::Held::kWire) wire_mm_.reset();
+    tool.radius_mm = step_of(settings.trims ? kLoopRadiiMm : kToolRadiiMm, settings.tool);
+    tool.water = settings.trims ? 0.0 : step_of(kWater, settings.water);
+    tool.wheel_speed_rev_min = step_of(kSpeedsRevMin, settings.speed);
+    tool.wheel_button = true;
+    return tool;
+}
+
+}  // namespace onggi::app

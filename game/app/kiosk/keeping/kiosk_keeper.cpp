@@ -1,0 +1,395 @@
+#include "game/app/kiosk/keeping/kiosk_keeper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/files/atomic_file.h"
+#include "engine/files/atomic_folder.h"
+#include "engine/jobs/thread_setup.h"
+#include "game/app/kiosk/health/house_status.h"
+#include "game/app/kiosk/health/kiosk_health.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/app/system/crash_report.h"
+#include "game/app/system/wall_clock.h"
+#include "game/haptic/pot_copy.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr std::int64_t kLookEveryNs = 4'000'000;
+constexpr double kBeforeCollapseS = 2.0;
+constexpr int kMostRecordsARound = 4000;
+constexpr int kPortraitPx = 1024;
+
+// A visit goes from one thing to another, and what the one took is not needed for the other.
+void give_back_memory() {
+    jobs::give_back_freed_memory();
+    jobs::give_back_code();
+}
+
+}  // namespace
+
+KioskKeeper::KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
+                         const haptic::HapticParameters& parameters, Gallery gallery,
+                         std::filesystem::path statistics, std::optional<KioskHeartbeat> heartbeat)
+    : job_(job),
+      history_(start, parameters, {.aside = state_folder(gallery.folder())}),
+      faults_(faults_folder(gallery.folder())),
+      start_(start),
+      parameters_(parameters),
+      visits_(state_folder(gallery.folder())),
+      journal_(visits_),
+      jar_(visits_, start, parameters),
+      gallery_(std::move(gallery)),
+      statistics_(std::move(statistics)),
+      heartbeat_(std::move(heartbeat)),
+      wall_(visits_ / "wall.json") {}
+
+Result<void> KioskKeeper::start() {
+    return thread_.start(*this, "keeper");
+}
+
+void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
+    ask({.kind = Request::Kind::kSave, .glaze = glaze, .shape = std::move(shape)});
+}
+
+std::shared_ptr<const KeeperAnswer> KioskKeeper::next_answer() {
+    std::shared_ptr<const KeeperAnswer> next;
+    return answers_.try_pop(next) ? next : nullptr;
+}
+
+void KioskKeeper::answer(KeeperAnswer answer) {
+    static_cast<void>(answers_.try_push(std::make_shared<const KeeperAnswer>(std::move(answer))));
+}
+
+std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
+    const bool more = follow();
+    Request request;
+    while (requests_.try_pop(request))
+        apply(request);
+    const bool works = work_out_interrupted_session();
+    write_journal(now_ns);
+    crash_leads_to(journal_.file(), faults_folder(gallery_.folder()));
+    look_at_the_wall(now_ns);
+    return more || works ? 0 : kLookEveryNs;
+}
+
+void KioskKeeper::finish() noexcept {
+    // What the visitor did last is still in the ring.
+    while (follow()) {
+    }
+    write_journal(0);
+    if (const auto left = journal_.leave(); !left) complain(left);
+    if (heartbeat_) complain(heartbeat_->end(wall_clock_s()));
+}
+
+// True when more records wait.
+bool KioskKeeper::follow() {
+    haptic::BlockHash hash;
+    while (job_.take_hash(hash)) {
+    }
+    haptic::TickRecord record;
+    for (int count = 0; count < kMostRecordsARound; ++count) {
+        if (!job_.take_record(record)) return false;
+        run_ = record.run;
+        const bool is_resumed = is_put_ && (record.flags & haptic::TickRecord::kStatePut) != 0 &&
+                                record.tick == interrupted_session_->history().ticks();
+        if (is_resumed) {
+            history_ = std::move(interrupted_session_->history());
+            interrupted_session_.reset();
+            is_put_ = false;
+        }
+        take_arriving(record);
+        history_.add(record);
+        // What cannot be kept is no reason to stop the wheel.
+        const auto report = faults_.look(record, history_);
+        if (report && *report)
+            answer({.kind = KeeperAnswer::Kind::kRemark,
+                    .words = fmt::format("fault: kept as {}, which onggi replay works out again",
+                                         (*report)->string()),
+                    .is_trouble = true});
+    }
+    return true;
+}
+
+// True while there is more of it.
+bool KioskKeeper::work_out_interrupted_session() {
+    if (!has_looked_) {
+        has_looked_ = true;
+        gallery_.clear_parts();
+        files::clear_parts(statistics_);  // which may lie elsewhere
+        std::vector<std::string> remarks;
+        jar_.look(remarks);
+        tell_all(std::move(remarks));
+    }
+    if (!has_found_ && find_interrupted_session()) return true;
+    if (!interrupted_session_ || is_worked_out_) return false;
+    const auto more = interrupted_session_->work(kInterruptedSessionTicksARound);
+    if (more && *more) return true;
+    is_worked_out_ = true;
+    if (more && (interrupted_session_->is_worth_it() || jar_.has_bowl())) {
+        answer(
+            {.kind = KeeperAnswer::Kind::kInterruptedSession,
+             .pot = jar_.has_bowl() ? std::make_shared<const pot::Pot>(haptic::pot_of(jar_.bowl())) : nullptr,
+             .jar = jar_.stage(),
+             .drawn = interrupted_drawing(),
+             .jar_target = jar_.target(),
+             .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                                  interrupted_session_->seconds())});
+        return false;
+    }
+    if (!more)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message, .is_trouble = true});
+    interrupted_session_.reset();
+    InterruptedSession::remove(visits_);
+    remove_drawing();
+    jar_.forget();
+    return false;
+}
+
+void KioskKeeper::write_journal(std::int64_t now_ns) {
+    if (!journalled_run_ || run_ != *journalled_run_ || is_put_) return;
+    if (const auto written = journal_.follow(history_, now_ns); !written) complain(written);
+    // Its visit goes on in the journal now.
+    if (was_resumed_ && journal_.has_caught_up()) {
+        was_resumed_ = false;
+        InterruptedSession::remove(visits_);
+    }
+}
+
+// The pot is on the shelf, or its visitor has gone.
+void KioskKeeper::end_journal() {
+    journalled_run_.reset();
+    journal_.drop();
+    remove_drawing();
+    if (!std::exchange(was_resumed_, false)) return;
+    is_put_ = false;
+    interrupted_session_.reset();
+    InterruptedSession::remove(visits_);
+}
+
+void KioskKeeper::resume_now(std::uint64_t run) {
+    if (!interrupted_session_ || !is_worked_out_ ||
+        !job_.put(std::make_unique<haptic::HapticState>(interrupted_session_->history().state()), run)) {
+        answer({.kind = KeeperAnswer::Kind::kNotPut});
+        return;
+    }
+    is_put_ = true;
+    was_resumed_ = true;
+    is_jar_ = !jar_.sessions().empty();
+    journal_.drop();
+    journalled_run_ = run;
+}
+
+void KioskKeeper::put_state_at(std::uint64_t tick) {
+    if (!history_.is_whole()) {
+        answer({.kind = KeeperAnswer::Kind::kNotPut,
+                .words = "undo: a tick's record was lost; new clay is needed"});
+        return;
+    }
+    auto state = history_.state_at(tick);
+    if (!state || !job_.put(std::make_unique<haptic::HapticState>(std::move(*state)), run_))
+        answer({.kind = KeeperAnswer::Kind::kNotPut, .words = state ? "" : state.error().message});
+}
+
+void KioskKeeper::apply(const Request& request) {
+    // What was done up to now has to be known before it is taken back.
+    while (follow()) {
+    }
+    switch (request.kind) {
+        case Request::Kind::kUndo:
+            undo_now();
+            break;
+        case Request::Kind::kBefore: {
+            const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
+            const std::uint64_t until = std::min(request.number, history_.ticks());
+            put_state_at(until > back ? until - back : 0);
+            break;
+        }
+        case Request::Kind::kBeginJar:
+            complain(jar_.begin(*request.pot));
+            break;
+        case Request::Kind::kSetAside:
+            set_aside_now();
+            break;
+        case Request::Kind::kHoldTogether:
+            hold_together_now(request.join.mouth_mm);
+            break;
+        case Request::Kind::kJoinBowls:
+            join_now(request.join);
+            break;
+        case Request::Kind::kTakeBack:
+            take_back_now(request.number == 2);
+            break;
+        case Request::Kind::kCutOff:
+            give_back_memory();  // of throwing, and of a look into the pot
+            if (const clay::StudioClay* clay = history_.state().studio()) {
+                cut_ = std::make_shared<const clay::StudioClay>(*clay);
+                answer({.kind = KeeperAnswer::Kind::kCutOff,
+                        .clay = cut_,
+                        .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
+            }
+            break;
+        case Request::Kind::kKeepDrawing:
+            // Of a visit that is over, or saved, nothing stays.
+            if (journalled_run_) complain(files::write_file_atomically(drawing_place(), *request.drawn));
+            break;
+        case Request::Kind::kBeginTrim:
+            trimmed_from_ = history_.ticks();
+            break;
+        case Request::Kind::kWriteSession:
+            write_session_now(*request.place);
+            break;
+        case Request::Kind::kSave:
+            save_now(request);
+            give_back_memory();  // of what was made for the files
+            break;
+        case Request::Kind::kPutOnWall:
+            show_wall(wall_.put(*request.hung, today()));
+            break;
+        case Request::Kind::kTakeOffWall:
+            show_wall(wall_.take(*request.pot));
+            break;
+        case Request::Kind::kClearWall:
+            show_wall(wall_.clear());
+            break;
+        case Request::Kind::kForget:
+            cut_.reset();
+            end_journal();
+            arriving_.reset();
+            jar_.forget();
+            give_back_memory();  // of a visit
+            break;
+        case Request::Kind::kJournal:
+            is_put_ = false;  // if it still is on its way, the new lump was before it
+            journalled_run_ = request.number;
+            give_back_memory();  // of the screens before
+            break;
+        case Request::Kind::kResume:
+            resume_now(request.number);
+            break;
+        case Request::Kind::kDropInterrupted:
+            is_put_ = false;
+            interrupted_session_.reset();
+            InterruptedSession::remove(visits_);
+            remove_drawing();
+            jar_.forget();
+            break;
+        case Request::Kind::kSurvey:
+            survey_now();
+            break;
+        case Request::Kind::kRemove:
+            remove_now(*request.pot);
+            break;
+        case Request::Kind::kNote:
+            complain(note_visit(statistics_, request.visit));
+            break;
+        case Request::Kind::kNoteBreak:
+            complain(app::note_attract_break(statistics_));
+            break;
+        case Request::Kind::kNoteStart:
+            complain(app::note_start(statistics_));
+            break;
+        case Request::Kind::kBeat:
+            if (heartbeat_) complain(heartbeat_->beat(*request.pulse, wall_clock_s()));
+            break;
+        case Request::Kind::kKeepHouse:
+            complain(keep_house(statistics_, *request.house));
+            break;
+    }
+}
+
+// What could not be written down is said, and no more.
+void KioskKeeper::complain(const Result<void>& done) {
+    if (!done)
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = done.error().message, .is_trouble = true});
+}
+
+void KioskKeeper::survey_now() {
+    KeeperAnswer found{.kind = KeeperAnswer::Kind::kSurvey,
+                       .free_mb = gallery_.free_mb(),
+                       .celsius = hottest_celsius(),
+                       .use = use_of(statistics_, today())};
+    std::string trouble;
+    std::vector<KeptPot> pots = gallery_.pots(&trouble);
+    if (pots.size() > KeeperAnswer::kMostPots) {
+        found.pots_beyond = pots.size() - KeeperAnswer::kMostPots;
+        pots.resize(KeeperAnswer::kMostPots);
+    }
+    for (KeptPot& pot : pots)
+        found.pots.push_back(std::move(pot.name));
+    // Once, not with every look at the panel.
+    if (trouble != gallery_trouble_ && !trouble.empty())
+        answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble, .is_trouble = true});
+    gallery_trouble_ = std::move(trouble);
+    answer(std::move(found));
+}
+
+void KioskKeeper::remove_now(const std::string& name) {
+    show_wall(wall_.take(name));
+    for (const KeptPot& pot : gallery_.pots()) {
+        if (pot.name != name) continue;
+        const auto removed = gallery_.remove(pot);
+        answer({.kind = KeeperAnswer::Kind::kRemark,
+                .words = removed ? "removed " + name : removed.error().message});
+    }
+    survey_now();
+}
+
+// At the start for what an earlier one left; then for midnight.
+void KioskKeeper::look_at_the_wall(std::int64_t now_ns) {
+    constexpr std::int64_t kEveryNs = 60'000'000'000;
+    if (looked_at_wall_ns_ && now_ns - *looked_at_wall_ns_ < kEveryNs) return;
+    const bool is_first = !looked_at_wall_ns_;
+    looked_at_wall_ns_ = now_ns;
+    if (is_first) {
+        show_wall(wall_.open(today()));
+    } else if (wall_.day() != today()) {
+        show_wall(wall_.turn_to(today()));
+    }
+}
+
+// What was changed is seen, whether or not the disk took it.
+void KioskKeeper::show_wall(const Result<void>& changed) {
+    complain(changed);
+    auto seen = std::make_shared<std::vector<screens::ShelfPot>>();
+    for (const WallPot& pot : wall_.pots())
+        seen->push_back({pot.shape, pot.glaze});
+    answer({.kind = KeeperAnswer::Kind::kWall, .wall = std::move(seen)});
+}
+
+void KioskKeeper::write_session_now(const std::filesystem::path& place) {
+    if (!cut_ || !history_.is_whole()) return;
+    if (const auto saved = history_.save(place); !saved) return complain(saved);
+    answer({.kind = KeeperAnswer::Kind::kSessionWritten, .session = place});
+}
+
+void KioskKeeper::save_now(const Request& request) {
+    if (!cut_ || !request.shape) return;
+    history_.let_go_of_states();  // a pot that is fired is no clay again
+    give_back_memory();
+    PotToKeep pot{.history = &history_,
+                  .clay = cut_.get(),
+                  .glaze = &finish::glaze_at(request.glaze),
+                  .portrait = portrait(*request.shape, request.glaze, kPortraitPx),
+                  .marks = request.shape->marks,
+                  .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
+    const std::string day = today();
+    const auto number = gallery_.keep(std::move(pot), day);
+    if (number) {
+        end_journal();
+        jar_.forget();
+        const std::string name = fmt::format("{}/pot-{:03}", day, *number);
+        answer({.kind = KeeperAnswer::Kind::kSaved,
+                .number = *number,
+                .gallery_name = name,
+                .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
+    } else {
+        answer(
+            {.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message, .is_trouble = true});
+    }
+}
+
+}  // namespace onggi::app

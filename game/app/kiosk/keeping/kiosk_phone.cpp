@@ -1,0 +1,215 @@
+#include "game/app/kiosk/keeping/kiosk_phone.h"
+
+#include <qrcodegen/qrcodegen.hpp>
+
+#include <map>
+#include <utility>
+
+#include "engine/asset/image.h"
+#include "game/app/kiosk/keeping/kiosk_share.h"
+#include "game/finish/glaze.h"
+#include "game/kiosk/config.h"
+#include "game/sharing/page_folder.h"
+#include "game/sharing/share_link.h"
+
+namespace onggi::app {
+namespace {
+
+constexpr std::int64_t kAsksEveryNs = 30'000'000;
+constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
+// The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
+// second of them that shows it.
+constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
+constexpr int kPosterPx = 720;
+constexpr int kPosterQuality = 85;
+constexpr int kSurfaceQuality = 80;
+
+// Error correction M: a seventh of it may be in the shade of a lamp.
+screens::PhoneCode code_of(const std::string& text) {
+    const auto qr = qrcodegen::QrCode::encodeText(text.c_str(), qrcodegen::QrCode::Ecc::MEDIUM);
+    screens::PhoneCode code{.side = qr.getSize(), .dark = {}};
+    for (int row = 0; row < code.side; ++row) {
+        for (int column = 0; column < code.side; ++column)
+            code.dark.push_back(qr.getModule(column, row));
+    }
+    return code;
+}
+
+}  // namespace
+
+Result<void> KioskPhone::start() {
+    if (!kiosk::shares(settings_.config)) return {};
+    return thread_.start(*this, "phone");
+}
+
+std::shared_ptr<const PhoneAnswer> KioskPhone::next_answer() {
+    std::shared_ptr<const PhoneAnswer> next;
+    return answers_.try_pop(next) ? next : nullptr;
+}
+
+void KioskPhone::answer(PhoneAnswer answer) {
+    static_cast<void>(answers_.try_push(std::make_shared<const PhoneAnswer>(std::move(answer))));
+}
+
+std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
+    std::shared_ptr<const PhoneRequest> request;
+    while (requests_.try_pop(request)) {
+        take(*request, now_ns);
+    }
+    share_when_filmed(now_ns);
+    look_after(now_ns);
+    return kAsksEveryNs;
+}
+
+void KioskPhone::take(const PhoneRequest& request, std::int64_t now_ns) {
+    switch (request.kind) {
+        case PhoneRequest::Kind::kFilm:
+            begin_film(request);
+            break;
+        case PhoneRequest::Kind::kShare:
+            film_.finish_in(finish::glaze_at(request.glaze).id,
+                            request.pot ? request.pot->shape.marks.get() : nullptr);
+            waiting_ = request;
+            waits_until_ns_ = now_ns + kFilmWaitNs;
+            break;
+        case PhoneRequest::Kind::kForget:
+            waiting_.reset();
+            film_.drop();
+            break;
+        case PhoneRequest::Kind::kWithdraw:
+            withdraw_now(request.gallery_name);
+            break;
+        case PhoneRequest::Kind::kSurvey:
+            survey_now();
+            break;
+    }
+}
+
+// A pot without a film is a pot all the same.
+void KioskPhone::begin_film(const PhoneRequest& request) {
+    if (const auto begun = film_.begin(request.session); !begun) answer({.words = begun.error().message});
+}
+
+void KioskPhone::share_when_filmed(std::int64_t now_ns) {
+    if (!waiting_ || (film_.is_in_the_making() && now_ns < waits_until_ns_)) return;
+    const PhoneRequest request = *std::exchange(waiting_, std::nullopt);
+    share_now(request);
+}
+
+// Not at the start alone: a folder that comes later, on a disk that is plugged in, is as good.
+Result<void> KioskPhone::open() {
+    if (outbox_) return {};
+    auto opened = sharing::Outbox::open(outbox_options(settings_));
+    if (!opened) return opened.error();
+    outbox_.emplace(std::move(*opened));
+    return {};
+}
+
+Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
+    const kiosk::Config& config = settings_.config;
+    if (auto opened = open(); !opened) return opened.error();
+    // Before anything is put there: without an address nobody would find it.
+    const auto base = share_base_url(config);
+    if (!base) return base.error();
+    const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / request.gallery_name;
+    sharing::SharedPot pot = shared_pot(*request.pot, request.glaze, settings_, request.language);
+    pot.gallery_name = request.gallery_name;
+    pot.picture.path = folder / "pot.png";
+    pot.model_glb.path = folder / "pot.glb";
+    pot.print_stl.path = folder / "pot.stl";
+    pot.print_3mf.path = folder / "pot.3mf";
+    auto poster =
+        asset::encode_webp(share_poster(request.pot->shape, request.glaze, kPosterPx), kPosterQuality);
+    if (!poster) return poster.error();
+    pot.poster.bytes = std::move(*poster);
+    if (const asset::Image wrapped = share_surface(request.pot->shape, request.glaze); wrapped.width > 0) {
+        auto surface = asset::encode_jpeg(wrapped, kSurfaceQuality);
+        if (!surface) return surface.error();
+        pot.surface.bytes = std::move(*surface);
+    }
+    if (const auto film = film_.files()) {
+        pot.film.path = film->film;
+        pot.film_still.path = film->still;
+        pot.film_s = KioskFilm::kSeconds;
+    }
+    const auto code = outbox_->put(pot, share_time_now(config));
+    if (!code) return code.error();
+    screens::PhoneWay way{.page = code_of(sharing::page_url(*base, *code)), .code = code->shown()};
+    if (const std::string wifi = sharing::wifi_text(config); !wifi.empty()) {
+        way.wifi = code_of(wifi);
+        way.wifi_name = config.sharing.wifi_name;
+    }
+    return way;
+}
+
+void KioskPhone::share_now(const PhoneRequest& request) {
+    PhoneAnswer made{.number = request.number, .gallery_name = request.gallery_name};
+    auto way = shared(request);
+    if (way) {
+        made.kind = PhoneAnswer::Kind::kShared;
+        made.way = std::make_shared<const screens::PhoneWay>(std::move(*way));
+        note({.codes = 1});
+    } else {
+        made.kind = PhoneAnswer::Kind::kFailed;
+        made.words = "sharing: " + way.error().message;
+    }
+    answer(std::move(made));
+}
+
+void KioskPhone::withdraw_now(const std::string& gallery_name) {
+    if (auto opened = open(); !opened) return;
+    const auto gone = outbox_->withdraw_named(gallery_name);
+    if (!gone) return answer({.words = "sharing: " + gone.error().message});
+    if (*gone) answer({.kind = PhoneAnswer::Kind::kOver, .gallery_name = gallery_name});
+}
+
+void KioskPhone::survey_now() {
+    if (auto opened = open(); !opened) return;  // said when somebody wants it
+    const auto entries = outbox_->list();
+    if (!entries) return answer({.words = "sharing: " + entries.error().message});
+    PhoneAnswer found{.kind = PhoneAnswer::Kind::kSurvey};
+    sharing::ShareTime time = share_time_now(settings_.config);
+    for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
+        time.expires_s = entry->expires_s;
+        found.shared.push_back({.gallery_name = entry->gallery_name, .until = sharing::gone_at(time).text});
+    }
+    answer(std::move(found));
+}
+
+void KioskPhone::look_after(std::int64_t now_ns) {
+    if (now_ns - looked_after_ns_ < kLooksEveryNs) return;
+    looked_after_ns_ = now_ns;
+    expire();
+    count_opened();
+}
+
+void KioskPhone::expire() {
+    if (auto opened = open(); !opened) return;  // said when somebody wants it
+    const auto gone = outbox_->expire(share_time_now(settings_.config).now_s);
+    if (!gone) answer({.words = "sharing: " + gone.error().message});
+}
+
+void KioskPhone::count_opened() {
+    using sharing::ShareEvent;
+    const std::string& pipe = settings_.config.sharing.counter;
+    if (pipe.empty()) return;
+    if (!counter_) {
+        auto opened = sharing::CounterReader::open(pipe);
+        if (!opened) return;
+        counter_.emplace(std::move(*opened));
+    }
+    std::map<ShareEvent, int> counts = counter_->take();
+    if (counts.empty()) return;
+    note({.pages = counts[ShareEvent::kPageOpened],
+          .models = counts[ShareEvent::kModelTaken],
+          .prints = counts[ShareEvent::kPrintTaken],
+          .films = counts[ShareEvent::kFilmTaken]});
+}
+
+// What could not be written down is said, and no more.
+void KioskPhone::note(const PhoneNote& phones) {
+    if (const auto noted = note_phones(statistics_folder(settings_.config), phones); !noted)
+        answer({.words = noted.error().message});
+}
+
+}  // namespace onggi::app

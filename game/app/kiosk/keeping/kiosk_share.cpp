@@ -1,0 +1,160 @@
+#include "game/app/kiosk/keeping/kiosk_share.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "engine/render/beauty.h"
+#include "engine/ui/painter.h"
+#include "engine/ui/sketch.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/sharing/listen_place.h"
+#include "game/finish/glaze.h"
+#include "game/finish/glaze_surface.h"
+#include "game/finish/mark_colour.h"
+#include "game/screens/pot_picture.h"
+#include "game/screens/pot_shading.h"
+#include "game/sharing/share_link.h"
+
+namespace onggi::app {
+namespace {
+
+std::vector<sharing::OutlinePoint> outline_of(const std::vector<vec2>& points) {
+    std::vector<sharing::OutlinePoint> outline;
+    for (const vec2& point : points)
+        outline.push_back({double{point.x}, double{point.y}});
+    return outline;
+}
+
+sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeMaterial& glaze,
+                           const screens::Exhibit* relative, bool own_digits) {
+    sharing::PotWords words{.glaze = language.shown(glaze.name_key)};
+    if (relative == nullptr) return words;
+    const std::string height = fmt::format("{:.0f}", relative->height_mm);
+    words.nearest_name = language.shown(relative->name_key);
+    for (const std::string& part :
+         {language.shown(relative->date_key), language.shown(relative->museum_key),
+          (own_digits && language.is_arabic() ? kiosk::in_arabic_digits(height) : height) + "\u00a0" +
+              language.shown("unit.mm")}) {
+        if (!part.empty()) words.nearest_line += (words.nearest_line.empty() ? "" : "\n") + part;
+    }
+    return words;
+}
+
+}  // namespace
+
+sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const KioskSettings& settings,
+                              int language) {
+    constexpr double kMlPerLitre = 1000.0;
+    const finish::GlazeMaterial& material = finish::glaze_at(glaze);
+    sharing::SharedPot shared;
+    shared.outside = outline_of(pot.shape.outside);
+    shared.inside = outline_of(pot.shape.inside);
+    shared.colour_linear = {double{material.colour.x}, double{material.colour.y}, double{material.colour.z}};
+    shared.gloss = double{material.clear_coat} * (1.0 - double{material.coat_roughness});
+    shared.height_mm = pot.height_mm;
+    shared.width_mm = pot.width_mm;
+    shared.mass_g = pot.weight_g;
+    shared.capacity_ml = pot.capacity_l * kMlPerLitre;
+    if (pot.relative) shared.nearest_outside = outline_of(pot.relative->shape.outside);
+    for (const kiosk::Language& one : *settings.languages) {
+        shared.words.push_back(
+            words_of(one, material, pot.relative.get(), settings.config.languages.own_digits));
+    }
+    shared.first_language = static_cast<std::size_t>(language < 0 ? 0 : language);
+    return shared;
+}
+
+asset::Image share_poster(const pot::Section& shape, int glaze, int side_px) {
+    // As in assets/sharing/pot.js: the eye's height, room above the pot and beside it, the board below.
+    constexpr float kElevationRad = 0.16F;
+    constexpr float kAbove = 1.06F;
+    constexpr float kBeside = 1.16F;
+    constexpr float kBoard = 0.039F;
+    const auto side = static_cast<float>(side_px);
+    const float across = shape.radius_mm() * std::sin(kElevationRad);
+    const float tall_mm = 0.5F * shape.height_mm() * std::cos(kElevationRad) + across;
+    const float half_mm = std::max({tall_mm * kAbove / (1.0F - kBoard), shape.radius_mm() * kBeside, 1.0F});
+    const float scale = 0.5F * side / half_mm;
+    screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, kElevationRad);
+    const vec2 foot(0.5F * side, side * (1.0F - kBoard) - across * scale);
+    ui::Picture picture;
+    picture.hash = shape.hash();
+    picture.rect = {foot.x - pot.foot_px.x, foot.y - pot.foot_px.y, static_cast<float>(pot.painting.width),
+                    static_cast<float>(pot.painting.height)};
+    picture.painting = std::make_shared<const ui::Painting>(std::move(pot.painting));
+    ui::Sketch sketch;
+    sketch.size = vec2(side);
+    sketch.add(picture);
+    return straight_picture(ui::Painter().paint(sketch));
+}
+
+asset::Image share_surface(const pot::Section& shape, int glaze) {
+    constexpr int kColumns = 512;
+    constexpr int kRows = 256;
+    // The page counts from the right, where it first shows the pot; both counter-clockwise seen from above.
+    constexpr float kRight = 0.5F * std::numbers::pi_v<float>;
+    const finish::GlazeMaterial& material = finish::glaze_at(glaze);
+    const std::vector<vec2>& wall = shape.outside;
+    if (wall.size() < 2) return {};
+    std::vector<float> along{0.0F};
+    for (std::size_t i = 1; i < wall.size(); ++i)
+        along.push_back(along.back() + glm::distance(wall[i - 1], wall[i]));
+    const screens::DrawnOn drawn_on(shape);
+    asset::Image image{.width = kColumns, .height = kRows, .rgba = {}};
+    image.rgba.reserve(std::size_t{4} * kColumns * kRows);
+    for (int row = 0; row < kRows; ++row) {
+        const float wanted = along.back() * (1.0F - (static_cast<float>(row) + 0.5F) / kRows);
+        const auto next = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(std::upper_bound(along.begin(), along.end(), wanted) - along.begin(),
+                                       1, static_cast<std::ptrdiff_t>(wall.size()) - 1));
+        const float part = (wanted - along[next - 1]) / std::max(along[next] - along[next - 1], 1e-6F);
+        finish::GlazePlace at{.height_mm = glm::mix(wall[next - 1].y, wall[next].y, part)};
+        for (int column = 0; column < kColumns; ++column) {
+            at.angle =
+                kRight + 2.0F * std::numbers::pi_v<float> * (static_cast<float>(column) + 0.5F) / kColumns;
+            vec3 colour = finish::glaze_colour(material, shape.height_mm(), at);
+            if (drawn_on.texture() != nullptr) {
+                const auto& texel = drawn_on.at(at.angle, at.height_mm / shape.height_mm());
+                colour = finish::marked(colour, finish::mark_colour(material.marks, texel));
+            }
+            for (int channel = 0; channel < 3; ++channel)
+                image.rgba.push_back(render::srgb_byte(colour[channel]));
+            image.rgba.push_back(255);
+        }
+    }
+    return image;
+}
+
+sharing::OutboxOptions outbox_options(const KioskSettings& settings) {
+    constexpr double kBytesPerMb = 1e6;
+    const auto& wanted = settings.config.sharing;
+    return {.folder = wanted.outbox,
+            .most_pots = static_cast<std::size_t>(wanted.most_pots),
+            .most_bytes = static_cast<std::uint64_t>(wanted.most_mb * kBytesPerMb),
+            .languages = settings.languages,
+            .own_digits = settings.config.languages.own_digits,
+            .public_url = wanted.public_url};
+}
+
+Result<std::string> share_base_url(const kiosk::Config& config) {
+    if (!config.sharing.public_url.empty()) return config.sharing.public_url;
+    const auto address = address_of(config.sharing.listen);
+    if (!address) return address.error();
+    return sharing::base_url(*address, config.sharing.port);
+}
+
+sharing::ShareTime share_time_now(const kiosk::Config& config) {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm local{};
+    localtime_r(&now, &local);
+    return sharing::share_time(config, now, local.tm_gmtoff);
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,57 @@
+// What the staff's panel says of a kiosk, in lines with ok, warn or fault as words. Pure; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/render/pass_clock.h"
+#include "game/app/devices/hand_devices.h"
+#include "game/app/kiosk/health/kiosk_statistics.h"
+#include "game/app/kiosk/keeping/kiosk_phone.h"
+#include "game/haptic/force_test.h"
+#include "game/screens/view.h"
+
+namespace onggi::app {
+
+struct Health {
+    double asked_hz = 0.0;
+    double achieved_hz = 0.0;           // 0: not known yet
+    std::uint64_t skipped_periods = 0;  // since the start
+    std::uint64_t late_periods = 0;
+    std::string_view fault = {};  // in words; empty: none
+    double frame_ms = 0.0;        // between two frames, of the last seconds
+    double worst_frame_ms = 0.0;
+    double device_ms = 0.0;  // of the last one; 0: not measured
+    std::vector<render::PassTime> parts = {};
+    std::string_view quality = {};
+    std::optional<double> celsius = {};
+    double free_mb = 0.0;
+    double least_free_mb = 0.0;
+    int falls = 0;  // of the program, within ten minutes before its start
+    bool is_safe_mode = false;
+    double running_s = 0.0;
+    double text_degrees = 0.0;  // of the smallest capitals at the configured distance
+    double distance_mm = 0.0;
+    std::string sound = {};  // through what it is heard; empty: it is not
+    std::string sound_lack = {};
+    std::vector<HandDevices::Seen> devices = {};
+    std::string holder = {};  // of the tool; empty: touch and mouse
+    UseOfDay use = {};
+    std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first
+    std::size_t pots_beyond = 0;                         // older ones, which are not among them
+    std::vector<std::pair<int, SharedPotNote>> shared = {};  // likewise, for the key that withdraws
+};
+
+[[nodiscard]] std::vector<screens::StaffLine> staff_lines(const Health& health, kiosk::StaffPage page);
+
+// What a test of the force came to. `hand`: who had the tool, by name.
+[[nodiscard]] std::string force_test_words(const haptic::ForceTestReport& report, std::string_view hand);
+
+// Where the machine stands, minutes after midnight: now by its clock, and at that second since 1970.
+[[nodiscard]] int minute_of_day();
+[[nodiscard]] int minute_of_day_at(std::int64_t now_s);
+
+}  // namespace onggi::app

@@ -1,0 +1,174 @@
+#include "game/app/kiosk/visit/kiosk_visit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "game/app/kiosk/presentation/snapshot_view.h"
+#include "game/app/kiosk/visit/bench_tools.h"
+#include "game/app/system/report.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Event;
+using kiosk::Panel;
+using kiosk::Screen;
+
+int screen_key(const kiosk::ScreenState& state) {
+    return static_cast<int>(state.screen) * kiosk::kPanelCount + static_cast<int>(state.panel);
+}
+
+}  // namespace
+
+KioskVisit::KioskVisit(const VisitParts& parts)
+    : parts_(parts),
+      state_(kiosk::first_state(parts.settings.rules, 0.0)),
+      desk_({.view = parts.view,
+             .job = parts.job,
+             .devices = parts.devices,
+             .keeper = parts.keeper,
+             .phone = parts.phone,
+             .sound = parts.sound,
+             .config = parts.settings.config,
+             .start = parts.start,
+             .rate_hz = parts.rate_hz}),
+      wheel_(parts_, *this),
+      drawing_(parts_.view, *this),
+      jar_(parts_, *this),
+      trim_(*this),
+      input_(parts_, wheel_.hand(), drawing_, jar_, trim_, *this),
+      effects_(parts_, wheel_, input_, drawing_, jar_, trim_, desk_, *this),
+      scene_(parts_, wheel_, input_, drawing_, trim_),
+      screens_(parts_, effects_, jar_, input_.pointer(), desk_) {}
+
+KioskVisit::~KioskVisit() {
+    screens_.stop();
+}
+
+void KioskVisit::say(const std::string& line) {
+    if (const auto words = log_.say(line, now_s_)) remark(*words);
+}
+
+void KioskVisit::warn(const std::string& line) {
+    if (const auto words = log_.say(line, now_s_)) app::warn(*words);
+}
+
+void KioskVisit::dispatch(const Event& event) {
+    const Screen before = state_.screen;
+    for (const kiosk::Effect& effect : kiosk::step(state_, event, now_s_, parts_.settings.rules))
+        effects_.apply(effect, *moment_, before);
+    const bool is_idle = state_.screen == Screen::kAttract;
+    if (is_idle == (before == Screen::kAttract)) return;
+    static_cast<void>(parts_.job.send(is_idle ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
+    if (is_idle) input_.pointer().forget();
+}
+
+Result<void> KioskVisit::frame(double now_s) {
+    constexpr double kMsPerS = 1e3;
+    constexpr double kLongestFrameS = 0.1;
+    const double since_last_s = std::exchange(now_s_, now_s);
+    const double frame_s = now_s - since_last_s;
+    if (!std::exchange(has_begun_, true)) state_ = kiosk::first_state(parts_.settings.rules, now_s);
+    const VisitMoment moment{.now_s = now_s,
+                             .dt_s = std::clamp(frame_s, 0.0, kLongestFrameS),
+                             .snapshot = parts_.job.newest_snapshot()};
+    moment_ = &moment;
+    desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
+    dispatch({Event::Kind::kTick});
+    input_.take(moment);
+    wheel_.take_clay(moment.snapshot);
+    trim_.look(moment.snapshot);
+    if (wheel_.clay_is_there()) jar_.look(moment.snapshot);
+    wheel_.take_fault(moment);
+    effects_.take_answers();
+    wheel_.move_hand(moment);
+    drawing_.pass(moment.dt_s);
+    parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
+    scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
+    screens_.update(state_, moment, scene_.edges(), wheel_.hand().wire_mm());
+    const Result<void> drawn = draw(moment);
+    moment_ = nullptr;
+    return drawn;
+}
+
+KioskPulse KioskVisit::pulse() const {
+    KioskPulse pulse = desk_.pulse(parts_.job.newest_snapshot());
+    pulse.screen = kiosk::name_of(state_.screen);
+    pulse.is_closed = is_closed();
+    pulse.frames_shown = frames_shown_;
+    return pulse;
+}
+
+Result<void> KioskVisit::draw(const VisitMoment& moment) {
+    screens::Composer& composer = screens_.composer();
+    stage_.take(composer.latest(), now_s_);
+    composer.hold(input_.pointer().rests_on_scene());
+    stage_.turn(composer.turned());
+    wheel::WheelView shown = wheel_view(moment.snapshot);
+    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+        shown.wire_shown = true;
+        shown.wire_height_mm = *wire_mm;
+        shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends
+    }
+    drawing_.show(shown);
+    jar_.show(shown, moment.snapshot);
+    trim_.show(shown, moment.snapshot);
+    shown.rib_on_bench = rib_lies_there(parts_, state_);
+    const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
+    const screens::StageFrame stage_frame{.now_s = now_s_,
+                                          .pressed = input_.pointer().pressed(),
+                                          .band = marks.band ? &*marks.band : nullptr,
+                                          .cue = marks.cue ? &*marks.cue : nullptr,
+                                          .forces = marks.forces ? &*marks.forces : nullptr};
+    const ui::DrawList& list = stage_.draw(stage_frame);
+    const render::Overlay overlay{.list = &list,
+                                  .uploads = stage_.uploads(),
+                                  .atlas_side_px = stage_.atlas_side_px(),
+                                  .scene_rests = stage_.scene_rests(),
+                                  .covers = stage_.covers()};
+    if (!wheel_.shows() && !clay_is_open(state_) && !trimming_is_open(state_))
+        shown.hand.shown = shown.second_hand.shown = false;
+    auto drawn = parts_.view.draw(shown, moment.dt_s, &overlay);
+    if (!drawn) return drawn.error();
+    if (*drawn) ++frames_shown_;
+    for (const std::string& line : parts_.view.take_remarks())
+        say(line);
+    look_at_shown(moment.snapshot);
+    return {};
+}
+
+// What a finger or a key means from here on is what it means on the screen that is seen.
+void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
+    const screens::Composed* shown = stage_.shown();
+    if (shown == nullptr) return;
+    const kiosk::ScreenState& state = shown->view->state;
+    name_window(state, snapshot.pot->height_mm);
+    const auto language = static_cast<std::size_t>(state.comfort.language);
+    const bool right_to_left = (*shown->view->languages)[language].right_to_left();
+    input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left);
+}
+
+// Nobody sees the title of a full screen; scripts that play a visitor read it, who have no eyes for the clay.
+void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
+    std::string title = "Onggi - " + std::string(kiosk::name_of(shown.screen));
+    if (shown.panel != Panel::kNone) title += " - " + std::string(kiosk::name_of(shown.panel));
+    if (shown.panel == Panel::kLanguage) {
+        title += " " + (*parts_.settings.languages)[static_cast<std::size_t>(shown.comfort.language)].code();
+        if (shown.comfort.reach) title += " low";
+    }
+    if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} of {}, {:.0f} mm{}", shown.throwing.steps_done, kiosk::kTeachingSteps,
+                             clay_mm, shown.throwing.shown ? ", shown" : "");
+    if (shown.screen == Screen::kTrim && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} g", state_.trimming.taken_g);
+    if (shown.screen == Screen::kDecorate && shown.panel == Panel::kNone)
+        title += fmt::format(" - {} strokes", state_.decorating.strokes);
+    if (input_.pointer().focus() >= 0) title += " [" + std::to_string(input_.pointer().focus()) + "]";
+    if (title == title_) return;
+    title_ = title;
+    parts_.view.set_title(title);
+}
+
+}  // namespace onggi::app

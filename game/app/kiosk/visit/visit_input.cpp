@@ -1,0 +1,242 @@
+#include "game/app/kiosk/visit/visit_input.h"
+
+#include <cmath>
+#include <vector>
+
+#include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/app/kiosk/visit/bench_tools.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Event;
+using kiosk::Panel;
+using kiosk::Screen;
+
+// What works on the clay is the hand, whichever way the clay stands.
+bool hand_is_open(const kiosk::State& state) {
+    return clay_is_open(state) || trimming_is_open(state);
+}
+
+// Of a pot that stands on its rim, up is down.
+Button upright(Button button, const kiosk::State& state) {
+    if (state.screen != Screen::kTrim) return button;
+    if (button == Button::kHandUp) return Button::kHandDown;
+    return button == Button::kHandDown ? Button::kHandUp : button;
+}
+
+HandKey hand_key(Button button) {
+    switch (button) {
+        case Button::kHandUp:
+            return HandKey::kUp;
+        case Button::kHandDown:
+            return HandKey::kDown;
+        case Button::kHandLeft:
+            return HandKey::kLeft;
+        default:
+            return HandKey::kRight;
+    }
+}
+
+}  // namespace
+
+std::optional<dvec2> place_at(const wheel::LiveView& view, vec2 px) {
+    const auto place = view.tool_target_mm(double{px.x}, double{px.y});
+    if (!place) return std::nullopt;
+    return dvec2(std::copysign(std::hypot(place->x, place->z), place->x), place->y);
+}
+
+bool VisitInput::hovers(double now_s) const {
+    constexpr double kHoversS = 4.0;  // a mouse at rest for longer wants nothing
+    return now_s - hovered_s_ < kHoversS;
+}
+
+void VisitInput::nudge(Button button) {
+    keys_lead_ = true;
+    const HandKey key = hand_key(upright(button, flow_.state()));
+    if (flow_.state().screen == Screen::kTrim) {
+        hand_.key(key, side_of(flow_.state()));  // a trimmer walks along the wall, and draws none up
+    } else {
+        hand_.button(key, side_of(flow_.state()));
+    }
+}
+
+std::optional<dvec2> VisitInput::hand_place(vec2 px) const {
+    const auto place = place_at(parts_.view, px);
+    return place && flow_.state().screen == Screen::kTrim ? trim_.turned(*place) : place;
+}
+
+void VisitInput::help_along() {
+    const std::optional<int> target =
+        parts_.settings.config.visit.forgiving && flow_.state().screen == Screen::kThrow
+            ? flow_.state().throwing.target
+            : std::nullopt;
+    const int steps_done = flow_.state().throwing.steps_done;
+    const kiosk::JarStep jar = flow_.state().throwing.jar.step;
+    if (target == helped_ && steps_done == helped_steps_ && jar == helped_jar_) return;
+    helped_ = target;
+    helped_steps_ = steps_done;
+    helped_jar_ = jar;
+    if (!target) {
+        hand_.set_outline({}, 0.0);
+        return;
+    }
+    hand_.set_outline(jar_.outline(), outline_help_after(steps_done));
+}
+
+bool VisitInput::take_drawing(const PointerNews& news) {
+    switch (news.kind) {
+        case PointerNews::Kind::kHandDown:
+            keys_lead_ = false;
+            flow_.dispatch({Event::Kind::kInput});
+            drawing_.press(news.at_px);
+            return true;
+        case PointerNews::Kind::kHandMoved:
+            flow_.dispatch({Event::Kind::kInput});
+            drawing_.drag(news.at_px);
+            return true;
+        case PointerNews::Kind::kHandUp:
+            drawing_.release();
+            return true;
+        case PointerNews::Kind::kHovered:
+            keys_lead_ = false;
+            drawing_.hover(news.at_px);
+            return true;
+        case PointerNews::Kind::kNudged:
+            pointer_.leave_ring();
+            flow_.dispatch(Event::pressed(news.button));
+            return true;
+        case PointerNews::Kind::kPutDown:
+            flow_.dispatch(Event::pressed(Button::kPutBrush));
+            return true;
+        default:
+            return false;
+    }
+}
+
+// What lies on the bench is taken by touching it.
+bool VisitInput::pick_up(vec2 px) {
+    if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
+    const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
+    if (held) flow_.dispatch(Event::pressed(Button::kTakeTool, static_cast<int>(*held)));
+    return held.has_value();
+}
+
+void VisitInput::take_news(const PointerNews& news, double now_s) {
+    if (drawing_is_open(flow_.state()) && take_drawing(news)) return;
+    const bool scene_is_open =
+        flow_.state().panel == Panel::kNone &&
+        (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kTrim ||
+         flow_.state().screen == Screen::kChoose);
+    switch (news.kind) {
+        case PointerNews::Kind::kNone:
+            break;
+        case PointerNews::Kind::kLife:
+            flow_.dispatch({Event::Kind::kInput, Button::kNone, news.value});
+            break;
+        case PointerNews::Kind::kPressed:
+            flow_.dispatch(Event::pressed(news.button, news.value));
+            break;
+        case PointerNews::Kind::kHandDown:
+            if (pick_up(news.at_px)) break;
+            if (hand_is_open(flow_.state())) {
+                keys_lead_ = false;
+                flow_.dispatch({Event::Kind::kClayTouched});
+                if (const auto place = hand_place(news.at_px)) hand_.press(*place);
+            } else {
+                flow_.dispatch({Event::Kind::kInput});
+            }
+            break;
+        case PointerNews::Kind::kHandMoved:
+            if (!scene_is_open) break;
+            flow_.dispatch({Event::Kind::kInput});
+            if (const auto place = hand_place(news.at_px)) hand_.drag(*place);
+            break;
+        case PointerNews::Kind::kHandUp:
+            hand_.release();
+            break;
+        case PointerNews::Kind::kHovered:
+            hovered_s_ = now_s;
+            keys_lead_ = false;
+            if (const auto place = hand_place(news.at_px)) hand_.hover(*place);
+            break;
+        case PointerNews::Kind::kPutDown:
+            break;
+        case PointerNews::Kind::kNudged:
+            if (flow_.state().screen == Screen::kJoin && flow_.state().panel == Panel::kNone)
+                flow_.dispatch(Event::pressed(news.button));
+            if (!hand_is_open(flow_.state())) break;
+            flow_.dispatch({Event::Kind::kClayTouched});
+            keys_lead_ = true;
+            hand_.key(hand_key(upright(news.button, flow_.state())), side_of(flow_.state()));
+            break;
+        case PointerNews::Kind::kCornerHeld:
+            flow_.dispatch({Event::Kind::kCornerHeld});
+            break;
+        case PointerNews::Kind::kCloseAsked:
+            flow_.dispatch({Event::Kind::kCloseAsked});
+            break;
+        case PointerNews::Kind::kStopForce:
+            parts_.job.stop_force();
+            break;
+        case PointerNews::Kind::kFullScreen:
+            if (parts_.settings.rules.locked) break;
+            full_screen_ = !full_screen_;
+            parts_.view.set_full_screen(full_screen_);
+            break;
+    }
+}
+
+void VisitInput::take(const VisitMoment& moment) {
+    std::vector<PointerNews> all;
+    for (const window::Event& event : parts_.view.poll_events())
+        pointer_.handle(event, moment.now_s, all);
+    pointer_.pass_time(moment.now_s, all);
+    for (const PointerNews& news : all)
+        take_news(news, moment.now_s);
+    take_devices();
+    take_gamepads(moment);
+    help_along();
+    if (!hand_is_open(flow_.state())) hand_.release();
+}
+
+void VisitInput::take_devices() {
+    for (const std::string& line : parts_.devices.news())
+        flow_.say(line);
+    const bool has_device = parts_.devices.has_hand();
+    if (has_device != had_device_)
+        flow_.dispatch({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
+    had_device_ = has_device;
+    // Another hand has the tool now: what the finger does from here on is another touch.
+    const std::string holder = parts_.devices.holder();
+    if (!holder.empty() && holder != holder_) hand_.release();
+    holder_ = holder;
+    if (parts_.devices.somebody_moved()) flow_.dispatch({Event::Kind::kInput});
+}
+
+void VisitInput::take_gamepads(const VisitMoment& moment) {
+    std::vector<window::Gamepad> pads = parts_.view.gamepads();
+    std::erase_if(pads,
+                  [&](const auto& pad) { return parts_.devices.drives(pad.vendor_id, pad.product_id); });
+    const GamepadRequest request = gamepads_.request(pads, moment.dt_s);
+    const std::vector<window::KeyEvent> keys = keys_of(request);
+    std::vector<PointerNews> all;
+    for (const window::KeyEvent& key : keys)
+        pointer_.handle(key, moment.now_s, all);
+    for (const PointerNews& news : all)
+        take_news(news, moment.now_s);
+    if (request.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
+    if (!hand_is_open(flow_.state())) return;
+    if (request.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
+    const double up = flow_.state().screen == Screen::kTrim ? -1.0 : 1.0;
+    hand_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
+                side_of(flow_.state()));
+    if (request.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
+    if (request.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
+    if (request.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));
+    if (request.speed_steps < -0.5) flow_.dispatch(Event::pressed(Button::kSpeedLess));
+    if (request.fresh_lump) flow_.dispatch(Event::pressed(Button::kNewClay));
+}
+
+}  // namespace onggi::app

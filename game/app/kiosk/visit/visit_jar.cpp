@@ -1,0 +1,101 @@
+#include "game/app/kiosk/visit/visit_jar.h"
+
+#include <utility>
+
+#include "game/app/kiosk/presentation/exhibits.h"
+#include "game/clay/studio/hand.h"
+#include "game/heritage/jar.h"
+#include "game/pot/set_aside.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::JarStep;
+
+JarStep step_of(const VisitFlow& flow) {
+    return flow.state().throwing.jar.step;
+}
+
+}  // namespace
+
+const heritage::Target* VisitJar::target() const {
+    const std::optional<int> chosen = flow_.state().throwing.target;
+    if (!chosen) return nullptr;
+    return &parts_.settings.targets[parts_.settings.exhibit_places[static_cast<std::size_t>(*chosen)]];
+}
+
+void VisitJar::set_aside(std::shared_ptr<const pot::Pot> bowl) {
+    bowl_ = std::move(bowl);
+    bowl_section_ = std::make_shared<const pot::Section>(pot::section_of(*bowl_));
+}
+
+void VisitJar::forget() {
+    bowl_.reset();
+    bowl_section_.reset();
+    both_ = {};
+}
+
+void VisitJar::look(const haptic::Snapshot& snapshot) {
+    constexpr double kLeastOfBowl = 2.0 / 3.0;  // of its height
+    const kiosk::JarMaking& jar = flow_.state().throwing.jar;
+    const bool throws_bowl = jar.step == JarStep::kFirstBowl || jar.step == JarStep::kSecondBowl;
+    const heritage::Target* const after = target();
+    if (flow_.state().screen != kiosk::Screen::kThrow || !throws_bowl || after == nullptr) return;
+    const double least_mm = kLeastOfBowl * double{jar_of(*after).bowl_mm.back().y};
+    const pot::Pot& shape = *snapshot.pot;
+    const bool is_open = shape.can_be_hollow() && !shape.inner_mm.empty() && shape.inner_mm.back() > 0.0F;
+    const bool is_bowl = is_open && shape.height_mm >= least_mm;
+    if (is_bowl == jar.is_bowl) return;
+    flow_.dispatch({kiosk::Event::Kind::kBowl, kiosk::Button::kNone, is_bowl ? 1 : 0});
+}
+
+std::string VisitJar::target_id() const {
+    const heritage::Target* const after = target();
+    return after != nullptr ? after->id : std::string();
+}
+
+std::vector<vec2> VisitJar::outline() const {
+    const heritage::Target* const after = target();
+    if (after == nullptr || flow_.state().screen != kiosk::Screen::kThrow) return {};
+    switch (step_of(flow_)) {
+        case JarStep::kNone:
+            return wet_outline(*after);
+        case JarStep::kFirstBowl:
+            return jar_of(*after).bowl_mm;
+        case JarStep::kAside:
+        case JarStep::kSecondBowl:
+            return bowl_section_ ? bowl_section_->outside : jar_of(*after).bowl_mm;
+        case JarStep::kJoin:
+        case JarStep::kSeam:
+            break;
+    }
+    return {};
+}
+
+std::shared_ptr<const pot::Section> VisitJar::aside() const {
+    const bool is_aside = flow_.state().screen == kiosk::Screen::kThrow &&
+                          (step_of(flow_) == JarStep::kAside || step_of(flow_) == JarStep::kSecondBowl);
+    return is_aside ? bowl_section_ : nullptr;
+}
+
+JarJoin VisitJar::join(const dvec2& heading) const {
+    const heritage::Target* const after = target();
+    const double right_mm = flow_.state().throwing.jar.shift_mm;
+    return {.shift_mm = right_mm * clay::studio::into_clay({1.0, 0.0}, {heading.x, heading.y}),
+            .mouth_mm = after != nullptr ? jar_of(*after).mouth_mm : 0.0};
+}
+
+double VisitJar::height_mm(const haptic::Snapshot& snapshot) const {
+    const bool is_both = flow_.state().screen == kiosk::Screen::kJoin && bowl_;
+    return snapshot.pot->height_mm + (is_both ? bowl_->height_mm : 0.0);
+}
+
+void VisitJar::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
+    if (flow_.state().screen != kiosk::Screen::kJoin || !bowl_) return;
+    both_ = pot::stacked(*snapshot.pot, *bowl_, vec2(join(snapshot.wheel_direction).shift_mm));
+    shown.pot = &both_;
+    shown.contacts = 0;
+    shown.peak_load = 0.0;
+}
+
+}  // namespace onggi::app

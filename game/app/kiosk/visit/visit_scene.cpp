@@ -1,0 +1,191 @@
+#include "game/app/kiosk/visit/visit_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "game/screens/layout.h"
+
+namespace onggi::app {
+
+// Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
+void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown,
+                            bool covered) {
+    const bool will_cover = state.screen != kiosk::Screen::kAttract &&
+                            state.screen != kiosk::Screen::kThrow && state.screen != kiosk::Screen::kJoin &&
+                            state.screen != kiosk::Screen::kTrim &&
+                            state.screen != kiosk::Screen::kDecorate &&
+                            state.screen != kiosk::Screen::kFailure && state.screen != kiosk::Screen::kResume;
+    if (shown == nullptr || covered) parts_.view.jump();
+    parts_.view.move_less(state.comfort.still);
+    if (will_cover && !covered) return;
+    const BackgroundSight sight{
+        .width_px = parts_.view.width(),
+        .height_px = parts_.view.height(),
+        .project = [&](wheel::View view, const wheel::Framing& framing, const dvec3& place_mm) {
+            return parts_.view.project_framed(view, framing, place_mm);
+        }};
+    if (sight.width_px <= 0 || sight.height_px <= 0) return;
+    const bool shows_room =
+        shown != nullptr && shown->attract_exhibit < 0 && !shown->wall && state.panel == kiosk::Panel::kNone;
+    CameraRequest request = camera_.request(state, shows_room, clay_mm, sight);
+    request.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
+    if (request == aimed_) return;
+    aimed_ = request;
+    parts_.view.look_at(request.view);
+    parts_.view.set_framing(request.framing);
+    parts_.view.sway(request.sways);
+    parts_.view.set_evening(request.evening);
+}
+
+SceneEdges VisitScene::edges() const {
+    return scene_edges(aimed_.framing, parts_.view.width(), parts_.view.height());
+}
+
+SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& moment,
+                             const wheel::WheelView& shown, const screens::Stage& stage) {
+    if (const std::uint64_t lump = wheel_.lumps_asked(); lump != cued_lump_) {
+        cued_lump_ = lump;
+        cue_.begin();
+    }
+    forces_.look(moment.snapshot, moment.now_s);
+    return {.band = warning_band(state, moment.snapshot),
+            .cue = cue(state, moment, stage),
+            .forces = forces(state, moment.snapshot, shown)};
+}
+
+// While the first moves are learnt, what the hand feels is shown at the clay; numbers and plots only to who
+// asks.
+std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
+                                                      const haptic::Snapshot& snapshot,
+                                                      const wheel::WheelView& shown) const {
+    if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
+    const bool asked = state.comfort.forces;
+    if (!asked && state.throwing.steps_done >= kiosk::kTeachingSteps) return std::nullopt;
+    return forces_.frame(snapshot, shown, sight_of(parts_.view), asked);
+}
+
+// The clay where it carries most.
+std::optional<screens::Band> VisitScene::warning_band(const kiosk::State& state,
+                                                      const haptic::Snapshot& snapshot) const {
+    if (state.screen != kiosk::Screen::kThrow || state.throwing.warning == kiosk::Warning::kNone)
+        return std::nullopt;
+    constexpr double kHalfHeightMm = 11.0;
+    const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
+                                        std::max(kHalfHeightMm, snapshot.pot->height_mm - kHalfHeightMm));
+    return band_round(*snapshot.pot, middle_mm - kHalfHeightMm, middle_mm + kHalfHeightMm);
+}
+
+std::optional<screens::Band> VisitScene::band_round(const pot::Pot& shape, double low_mm,
+                                                    double high_mm) const {
+    constexpr int kPoints = 24;
+    screens::Band band;
+    for (const auto& [edge, y_mm] : {std::pair(&band.upper, high_mm), std::pair(&band.lower, low_mm)}) {
+        const double radius_mm = wall_at(shape, std::min(y_mm, shape.height_mm - 0.5)).outer_mm;
+        if (radius_mm <= 0.0) return std::nullopt;
+        for (int i = 0; i <= kPoints; ++i) {
+            const double angle = std::numbers::pi * (1.0 - static_cast<double>(i) / kPoints);
+            const auto px =
+                parts_.view.project({radius_mm * std::cos(angle), y_mm, radius_mm * std::sin(angle)});
+            if (!px) return std::nullopt;
+            edge->push_back(vec2(*px));
+        }
+    }
+    return band;
+}
+
+std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const VisitMoment& moment,
+                                            const screens::Stage& stage) {
+    if (drawing_is_open(state)) {
+        if (!input_.keys_lead() && stage.target_at(input_.pointer().at_px()) >= 0) return std::nullopt;
+        screens::Cue dot{.ring = drawing_.ring(input_.keys_lead())};
+        return dot.ring.empty() ? std::nullopt : std::optional(dot);
+    }
+    if (const auto foot = trim_.wanted()) {
+        auto belt = band_round(trim_.pot(), foot->low_mm, foot->high_mm);
+        return belt ? std::optional(screens::Cue{.belt = std::move(*belt)}) : std::nullopt;
+    }
+    if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
+    const pot::Pot& shape = *moment.snapshot.pot;
+    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+        // Where it would cut: a line, and not a belt.
+        constexpr double kHalfMm = 0.5;
+        auto line = band_round(shape, *wire_mm - kHalfMm, *wire_mm + kHalfMm);
+        return line ? std::optional(screens::Cue{.belt = std::move(*line)}) : std::nullopt;
+    }
+    const vec2 at_px = input_.pointer().at_px();
+    std::optional<dvec2> hovers_mm;
+    if (input_.hovers(moment.now_s) && stage.target_at(at_px) < 0) {
+        hovers_mm = place_at(parts_.view, at_px);
+    }
+    std::optional<dvec2> marker_mm;
+    if (input_.keys_lead()) marker_mm = wheel_.hand().marker_mm();
+    std::optional<int> wanted;
+    const bool holds_tool = state.throwing.held != kiosk::Held::kHand;
+    if (kiosk::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
+        wanted = state.throwing.steps_done;
+    const auto place = cue_.look({.now_s = moment.now_s,
+                                  .shape = shape,
+                                  .grip = moment.snapshot.result.grip,
+                                  .is_shown = state.throwing.shown.has_value(),
+                                  .wanted_step = wanted,
+                                  .hovers_mm = hovers_mm,
+                                  .marker_mm = marker_mm,
+                                  .with_tool = holds_tool,
+                                  .still = state.comfort.still});
+    if (!place) return std::nullopt;
+    screens::Cue cue{.guard = place->guard, .words_on_left = place->hand_side > 0.0};
+    if (place->thread) {
+        const auto finger_px =
+            parts_.view.project({place->thread->finger_mm.x, place->thread->finger_mm.y, 0.0});
+        const auto hand_px = parts_.view.project({place->thread->hand_mm.x, place->thread->hand_mm.y, 0.0});
+        if (finger_px && hand_px)
+            cue.thread = {vec2(*finger_px), vec2(*hand_px), static_cast<float>(place->thread->strength)};
+    }
+    if (place->hold && place->hold->opening_mm > 0.0) {
+        constexpr int kPoints = 40;
+        const CueHold& hold = *place->hold;
+        for (int i = 0; i <= kPoints; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / kPoints;
+            const auto px = parts_.view.project(
+                {hold.opening_mm * std::cos(angle), hold.high_mm, hold.opening_mm * std::sin(angle)});
+            if (!px) return std::nullopt;
+            cue.ring.push_back(vec2(*px));
+        }
+    } else if (place->hold) {
+        auto belt = band_round(shape, place->hold->low_mm, place->hold->high_mm);
+        if (!belt) return std::nullopt;
+        cue.belt = std::move(*belt);
+    }
+    if (place->step) add_way(cue, shape, *place->step, side_of(state));
+    return cue;
+}
+
+// The arrow of a step: towards the wall, down into the middle, or up beside the wall.
+void VisitScene::add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const {
+    constexpr float kTowardsU = 150.0F;
+    constexpr float kBesideU = 50.0F;
+    constexpr float kAboveU = 122.0F;
+    const CueHold hold = hold_of_step(shape, step);
+    const double middle_mm = 0.5 * (hold.low_mm + hold.high_mm);
+    const double edge_mm = hold.opening_mm > 0.0 ? 0.0 : side * wall_at(shape, middle_mm).outer_mm;
+    const auto edge_px =
+        parts_.view.project({edge_mm, hold.opening_mm > 0.0 ? hold.high_mm : middle_mm, 0.0});
+    if (!edge_px) return;
+    const float u = screens::px_per_u_of(parts_.view.width(), parts_.view.height());
+    const float out = static_cast<float>(side);
+    constexpr int kPresses = 0;
+    if (hold.opening_mm > 0.0) {
+        cue.way = screens::CueWay::kDown;
+        cue.way_px = vec2(*edge_px) - vec2(0.0F, kAboveU * u);
+    } else if (step == kPresses) {
+        cue.way = out > 0.0F ? screens::CueWay::kLeft : screens::CueWay::kRight;
+        cue.way_px = vec2(*edge_px) + vec2(out * kTowardsU * u, 0.0F);
+    } else {
+        cue.way = screens::CueWay::kUp;
+        cue.way_px = vec2(*edge_px) + vec2(out * kBesideU * u, 0.0F);
+    }
+}
+
+}  // namespace onggi::app

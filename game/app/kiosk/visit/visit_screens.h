@@ -1,0 +1,68 @@
+// What the screens are told of a moment: a View, handed on where it differs from the one before. Main thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/presentation/kiosk_camera.h"
+#include "game/app/kiosk/staff/staff_desk.h"
+#include "game/app/kiosk/visit/visit_effects.h"
+#include "game/app/kiosk/visit/visit_parts.h"
+#include "game/screens/composer.h"
+
+namespace onggi::app {
+
+// The glaze kiln is burning before the visitor's eyes.
+[[nodiscard]] bool kiln_burns(const kiosk::State& state);
+
+class VisitScreens {
+  public:
+    // All outlive it.
+    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const VisitJar& jar,
+                 const KioskPointer& pointer, StaffDesk& desk)
+        : parts_(parts),
+          effects_(effects),
+          jar_(jar),
+          pointer_(pointer),
+          desk_(desk) {}
+
+    Result<void> start() { return composer_.start(); }
+    void stop() noexcept { composer_.stop(); }
+
+    // Nobody is there and the museum is closed.
+    [[nodiscard]] bool is_closed(const kiosk::State& state) const;
+    // Once a frame. edges: of the photographed room. wire_mm: how high the wire is held that the hand has.
+    void update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges,
+                const std::optional<double>& wire_mm);
+    // What was asked for last; null before the first.
+    [[nodiscard]] const screens::View* asked() const { return asked_.get(); }
+    [[nodiscard]] screens::Composer& composer() { return composer_; }
+
+  private:
+    void add_attract(screens::View& view, const kiosk::State& state, double now_s) const;
+    void add_scene(screens::View& view, const kiosk::State& state, const haptic::Snapshot& snapshot) const;
+    void add_aside(screens::View& view) const;
+    void add_wire(screens::View& view, const haptic::Snapshot& snapshot,
+                  const std::optional<double>& wire_mm) const;
+    void add_shelf(screens::View& view, const kiosk::State& state);
+    // Whether it is what was asked for last, but for what has moved by less than anybody sees.
+    [[nodiscard]] bool is_asked(screens::View& view) const;
+    const std::string& caption(const VisitMoment& moment);  // key of what is heard
+
+    const VisitParts& parts_;
+    const VisitEffects& effects_;
+    const VisitJar& jar_;
+    const KioskPointer& pointer_;
+    StaffDesk& desk_;
+    screens::Composer composer_;
+    std::shared_ptr<const screens::View> asked_;
+    std::shared_ptr<const std::vector<screens::ShelfPot>> shelf_;
+    std::uint64_t shelf_kept_ = 0;  // pots_kept(), and whether the newest was left out, when it was made
+    bool shelf_without_newest_ = false;
+    std::string caption_;
+    double caption_s_ = 0.0;  // since when
+};
+
+}  // namespace onggi::app

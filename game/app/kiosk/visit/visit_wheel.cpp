@@ -1,0 +1,141 @@
+#include "game/app/kiosk/visit/visit_wheel.h"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "game/haptic/tools.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Event;
+using kiosk::Panel;
+using kiosk::Screen;
+
+}  // namespace
+
+void VisitWheel::put_fresh_clay() {
+    // A full ring means that the haptic thread stands still; then the window says nothing new either.
+    if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
+    clay_.expect_lump(run_);
+    hand_.leave_clay();
+    ++lumps_asked_;
+    shown_.reset();
+}
+
+void VisitWheel::begin_show(double now_s) {
+    demo_runs_ = true;
+    put_fresh_clay();
+    demo_since_s_ = now_s;
+    const std::vector<Recording>& recordings = parts_.show.recordings;
+    shown_ = recordings.empty() ? 0 : shows_begun_++ % recordings.size();
+    // Refused where many states are on their way: then it is tried again when this one should be over.
+    if (!recordings.empty())
+        static_cast<void>(parts_.job.put(first_state_of(recordings[*shown_], *shown_), run_));
+}
+
+bool VisitWheel::play_show(const VisitMoment& moment) {
+    constexpr double kRestS = 3.0;
+    const Show& show = parts_.show;
+    if (show.recordings.empty() && !show.gesture) return false;
+    const double length_s =
+        show.recordings.empty() ? show.gesture->duration_s() : show.recordings[shown_.value_or(0)].seconds();
+    // A recording goes by the ticks of its clay, which may be late.
+    const double since_s = moment.now_s - demo_since_s_;
+    const auto played = moment.snapshot.run == run_
+                            ? played_s(moment.snapshot.tick, shown_.value_or(0), parts_.rate_hz)
+                            : std::nullopt;
+    if (!shown_ || played.value_or(since_s) > length_s + kRestS) begin_show(moment.now_s);
+    if (show.gesture)
+        parts_.hand.set_target(show.gesture->at(std::min(moment.now_s - demo_since_s_, length_s)));
+    return true;
+}
+
+void VisitWheel::rearm_force() {
+    static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
+}
+
+void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
+    const bool touches = snapshot.result.forces.contacts > 0;
+    // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
+    if (flow_.state().screen == Screen::kChoose && flow_.state().panel == Panel::kNone && touches &&
+        !parts_.devices.holder().empty()) {
+        flow_.dispatch({Event::Kind::kClayTouched});
+        return;
+    }
+    if (flow_.state().screen != Screen::kThrow) return;
+    // What the wheel's own hands do is not the visitor's touch.
+    const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
+    if (touches && holds) flow_.dispatch({Event::Kind::kClayTouched});
+    if (holds != flow_.state().pace.held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
+    if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch({Event::Kind::kShowOver});
+    const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
+    clay_is_there_ = news.has_value();
+    if (!news) return;
+    flow_.dispatch({Event::Kind::kProgress, Button::kNone, news->steps_done});
+    flow_.dispatch({Event::Kind::kWarned, Button::kNone, static_cast<int>(news->warning)});
+    if (!news->gave_way) return;
+    hand_.release();
+    flow_.dispatch({Event::Kind::kCollapsed, Button::kNone, static_cast<int>(*news->gave_way)});
+}
+
+void VisitWheel::take_fault(const VisitMoment& moment) {
+    const KioskFault::Advice advice = fault_.look(moment.snapshot.fault, moment.now_s);
+    if (advice.force_rests != flow_.state().force_rests) {
+        if (advice.force_rests) {
+            flow_.warn("kiosk: no force for the hand (" +
+                       std::string(haptics::words_for(moment.snapshot.fault)) + "); the clay goes on");
+        } else {
+            flow_.say("kiosk: the hand has its force again");
+        }
+        flow_.dispatch({advice.force_rests ? Event::Kind::kForceRests : Event::Kind::kForceBack});
+    }
+    if (advice.wheel_rests && flow_.state().screen != Screen::kFault) {
+        flow_.warn("kiosk: the clay's force is no number; the wheel rests");
+        flow_.dispatch({Event::Kind::kFault});
+    }
+    if (advice.take_back && advice.wheel_rests) put_fresh_clay();
+    if (advice.take_back) rearm_force();
+    // Not under the staff's eyes.
+    if (!advice.wheel_rests && flow_.state().screen == Screen::kFault && flow_.state().panel == Panel::kNone)
+        flow_.dispatch({Event::Kind::kFaultOver});
+}
+
+void VisitWheel::move_hand(const VisitMoment& moment) {
+    // Under the staff's panel nothing moves by itself, so that a hand can be tested.
+    if (flow_.state().panel == Panel::kPin || flow_.state().panel == Panel::kStaff) {
+        parts_.hand.set_target(resting_hand());
+        if (demo_runs_ && shown_) put_fresh_clay();
+        return;
+    }
+    if (demo_runs_ && play_show(moment)) return;
+    const kiosk::Throwing& throwing = flow_.state().throwing;
+    const bool trims = flow_.state().screen == Screen::kTrim;
+    haptics::ToolState tool = hand_.request({.held = throwing.held,
+                                             .tool = trims ? flow_.state().trimming.loop : throwing.tool,
+                                             .water = throwing.water,
+                                             .speed = throwing.speed,
+                                             .trims = trims},
+                                            *moment.snapshot.pot, moment.dt_s);
+    const bool throws = trims || flow_.state().screen == Screen::kThrow ||
+                        flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
+                        flow_.state().screen == Screen::kAttract;
+    tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;
+    parts_.hand.set_target(tool);
+    soak(moment);
+}
+
+// Each time that the wall has gone round under a sponge, the hands are less wet.
+void VisitWheel::soak(const VisitMoment& moment) {
+    const haptic::Snapshot& snapshot = moment.snapshot;
+    const bool soaks = snapshot.tool.tool == haptic::kSponge && snapshot.tool.guided &&
+                       snapshot.result.grip.grip != clay::studio::Grip::kNone && !hand_.shows();
+    soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
+    if (soaked_rad_ < 2.0 * std::numbers::pi) return;
+    soaked_rad_ = 0.0;
+    flow_.dispatch({Event::Kind::kSoaked});
+}
+
+}  // namespace onggi::app
