@@ -31,7 +31,7 @@ class KioskPhoneTest : public testing::Test {
         for (const char* file : {"pot.glb", "pot.stl", "pot.3mf"})
             std::ofstream(pot / file) << file;
     }
-    [[nodiscard]] PhoneRequest request() const {
+    [[nodiscard]] PotToShare kept() const {
         auto pot = std::make_shared<screens::FiredPot>();
         pot->shape = pot::hollowed({{40, 0}, {50, 50}, {45, 100}}, 5.0F, 8.0F);
         pot->height_mm = 100.0;
@@ -60,7 +60,7 @@ TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
     settings_.config.sharing.wifi_name = "Museum-Guest";
     KioskPhone phone(settings_);
     ASSERT_TRUE(phone.start());
-    phone.share(request());
+    phone.share(kept());
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
     ASSERT_EQ(answer->kind, PhoneAnswer::Kind::kShared) << answer->words;
@@ -86,7 +86,7 @@ TEST_F(KioskPhoneTest, CountsTheCodesItShowsAndThePagesThatAreOpened) {
     server.count(sharing::ShareEvent::kPageOpened);
     KioskPhone phone(settings_);
     ASSERT_TRUE(phone.start());
-    phone.share(request());
+    phone.share(kept());
     ASSERT_TRUE(answer_of(phone));
     std::string noted;
     for (int i = 0; i < 3000 && noted.find(",0,2,0,0,0\n") == std::string::npos; ++i) {
@@ -102,7 +102,7 @@ TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
     fs::remove(folder_.path() / "gallery" / kName / "pot.stl");
     KioskPhone phone(settings_);
     ASSERT_TRUE(phone.start());
-    phone.share(request());
+    phone.share(kept());
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->kind, PhoneAnswer::Kind::kFailed);
@@ -113,7 +113,7 @@ TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
 TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
     KioskPhone phone(settings_);
     ASSERT_TRUE(phone.start());
-    phone.share(request());
+    phone.share(kept());
     ASSERT_TRUE(answer_of(phone));
     phone.withdraw("2026-11-22/pot-002");
     phone.withdraw(kName);
@@ -132,7 +132,7 @@ TEST_F(KioskPhoneTest, TellsTheStaffWhatIsSharedUntilItIsWithdrawn) {
     ASSERT_TRUE(none);
     ASSERT_EQ(none->kind, PhoneAnswer::Kind::kSurvey);
     EXPECT_TRUE(none->shared.empty());
-    phone.share(request());
+    phone.share(kept());
     ASSERT_TRUE(answer_of(phone));
     phone.survey();
     const auto one = answer_of(phone);

@@ -5,9 +5,11 @@
 #include <deque>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "engine/jobs/mailbox.h"
+#include "engine/jobs/message_queue.h"
 #include "engine/jobs/spsc_ring.h"
 #include "engine/jobs/triple_buffer.h"
 
@@ -121,6 +123,31 @@ TEST(SpscRing, BehavesLikeAQueueOfBoundedLength) {
             model.pop_front();
         }
     }
+}
+
+TEST(MessageQueue, DoesTasksInTheOrderInWhichTheyWereAskedAndLetsGoOfThem) {
+    TaskQueue tasks(4);
+    EXPECT_EQ(tasks.next(), nullptr);
+    const auto held = std::make_shared<int>(7);
+    std::string done;
+    for (const char letter : {'a', 'b', 'c'})
+        tasks.post([&done, letter, held] { done += letter; });
+    EXPECT_EQ(held.use_count(), 4);
+    while (const auto task = tasks.next())
+        (*task)();
+    EXPECT_EQ(done, "abc");
+    EXPECT_EQ(held.use_count(), 1) << "what was done holds nothing";
+}
+
+TEST(MessageQueue, DropsWhatComesWhileTooManyWait) {
+    MessageQueue<int> messages(2);
+    for (int message = 1; message <= 3; ++message)
+        messages.post(message);
+    EXPECT_EQ(*messages.next(), 1);
+    messages.post(4);
+    EXPECT_EQ(*messages.next(), 2);
+    EXPECT_EQ(*messages.next(), 4);
+    EXPECT_EQ(messages.next(), nullptr);
 }
 
 }  // namespace

@@ -51,24 +51,14 @@ Result<void> KioskKeeper::start() {
     return thread_.start(*this, "keeper");
 }
 
-void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
-    ask({.kind = Request::Kind::kSave, .glaze = glaze, .shape = std::move(shape)});
-}
-
-std::shared_ptr<const KeeperAnswer> KioskKeeper::next_answer() {
-    std::shared_ptr<const KeeperAnswer> next;
-    return answers_.try_pop(next) ? next : nullptr;
-}
-
-void KioskKeeper::answer(KeeperAnswer answer) {
-    static_cast<void>(answers_.try_push(std::make_shared<const KeeperAnswer>(std::move(answer))));
-}
-
 std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
     const bool more = follow();
-    Request request;
-    while (requests_.try_pop(request))
-        apply(request);
+    while (const auto task = tasks_.next()) {
+        // What was done up to now has to be known before it is taken back.
+        while (follow()) {
+        }
+        (*task)();
+    }
     const bool works = work_out_interrupted_session();
     write_journal(now_ns);
     crash_leads_to(journal_.file(), faults_folder(gallery_.folder()));
@@ -106,10 +96,8 @@ bool KioskKeeper::follow() {
         // What cannot be kept is no reason to stop the wheel.
         const auto report = faults_.look(record, history_);
         if (report && *report)
-            answer({.kind = KeeperAnswer::Kind::kRemark,
-                    .words = fmt::format("fault: kept as {}, which onggi replay works out again",
-                                         (*report)->string()),
-                    .is_trouble = true});
+            complain(
+                fmt::format("fault: kept as {}, which onggi replay works out again", (*report)->string()));
     }
     return true;
 }
@@ -140,13 +128,16 @@ bool KioskKeeper::work_out_interrupted_session() {
                                   interrupted_session_->seconds())});
         return false;
     }
-    if (!more)
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = more.error().message, .is_trouble = true});
+    if (!more) complain(more.error().message);
+    remove_interrupted_session();
+    return false;
+}
+
+void KioskKeeper::remove_interrupted_session() {
     interrupted_session_.reset();
     InterruptedSession::remove(visits_);
     remove_drawing();
     jar_.forget();
-    return false;
 }
 
 void KioskKeeper::write_journal(std::int64_t now_ns) {
@@ -194,117 +185,57 @@ void KioskKeeper::put_state_at(std::uint64_t tick) {
         answer({.kind = KeeperAnswer::Kind::kNotPut, .words = state ? "" : state.error().message});
 }
 
-void KioskKeeper::apply(const Request& request) {
-    // What was done up to now has to be known before it is taken back.
-    while (follow()) {
-    }
-    switch (request.kind) {
-        case Request::Kind::kUndo:
-            undo_now();
-            break;
-        case Request::Kind::kBefore: {
-            const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
-            const std::uint64_t until = std::min(request.number, history_.ticks());
-            put_state_at(until > back ? until - back : 0);
-            break;
-        }
-        case Request::Kind::kBeginJar:
-            complain(jar_.begin(*request.pot));
-            break;
-        case Request::Kind::kSetAside:
-            set_aside_now();
-            break;
-        case Request::Kind::kHoldTogether:
-            hold_together_now(request.join.mouth_mm);
-            break;
-        case Request::Kind::kJoinBowls:
-            join_now(request.join);
-            break;
-        case Request::Kind::kTakeBack:
-            take_back_now(request.number == 2);
-            break;
-        case Request::Kind::kCutOff:
-            give_back_memory();  // of throwing, and of a look into the pot
-            if (const clay::StudioClay* clay = history_.state().studio()) {
-                cut_ = std::make_shared<const clay::StudioClay>(*clay);
-                answer({.kind = KeeperAnswer::Kind::kCutOff,
-                        .clay = cut_,
-                        .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
-            }
-            break;
-        case Request::Kind::kKeepDrawing:
-            // Of a visit that is over, or saved, nothing stays.
-            if (journalled_run_) complain(files::write_file_atomically(drawing_place(), *request.drawn));
-            break;
-        case Request::Kind::kBeginTrim:
-            trimmed_from_ = history_.ticks();
-            break;
-        case Request::Kind::kWriteSession:
-            write_session_now(*request.place);
-            break;
-        case Request::Kind::kSave:
-            save_now(request);
-            give_back_memory();  // of what was made for the files
-            break;
-        case Request::Kind::kPutOnWall:
-            show_wall(wall_.put(*request.hung, today()));
-            break;
-        case Request::Kind::kTakeOffWall:
-            show_wall(wall_.take(*request.pot));
-            break;
-        case Request::Kind::kClearWall:
-            show_wall(wall_.clear());
-            break;
-        case Request::Kind::kForget:
-            cut_.reset();
-            end_journal();
-            arriving_.reset();
-            jar_.forget();
-            give_back_memory();  // of a visit
-            break;
-        case Request::Kind::kJournal:
-            is_put_ = false;  // if it still is on its way, the new lump was before it
-            journalled_run_ = request.number;
-            give_back_memory();  // of the screens before
-            break;
-        case Request::Kind::kResume:
-            resume_now(request.number);
-            break;
-        case Request::Kind::kDropInterrupted:
-            is_put_ = false;
-            interrupted_session_.reset();
-            InterruptedSession::remove(visits_);
-            remove_drawing();
-            jar_.forget();
-            break;
-        case Request::Kind::kSurvey:
-            survey_now();
-            break;
-        case Request::Kind::kRemove:
-            remove_now(*request.pot);
-            break;
-        case Request::Kind::kNote:
-            complain(note_visit(statistics_, request.visit));
-            break;
-        case Request::Kind::kNoteBreak:
-            complain(app::note_attract_break(statistics_));
-            break;
-        case Request::Kind::kNoteStart:
-            complain(app::note_start(statistics_));
-            break;
-        case Request::Kind::kBeat:
-            if (heartbeat_) complain(heartbeat_->beat(*request.pulse, wall_clock_s()));
-            break;
-        case Request::Kind::kKeepHouse:
-            complain(keep_house(statistics_, *request.house));
-            break;
-    }
+void KioskKeeper::go_before_now(std::uint64_t tick) {
+    const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
+    const std::uint64_t until = std::min(tick, history_.ticks());
+    put_state_at(until > back ? until - back : 0);
+}
+
+void KioskKeeper::cut_off_now() {
+    give_back_memory();  // of throwing, and of a look into the pot
+    const clay::StudioClay* const clay = history_.state().studio();
+    if (clay == nullptr) return;
+    cut_ = std::make_shared<const clay::StudioClay>(*clay);
+    answer({.kind = KeeperAnswer::Kind::kCutOff,
+            .clay = cut_,
+            .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
+}
+
+// Of a visit that is over, or saved, nothing stays.
+void KioskKeeper::keep_drawing_now(const std::vector<std::byte>& drawn) {
+    if (journalled_run_) complain(files::write_file_atomically(drawing_place(), drawn));
+}
+
+void KioskKeeper::forget_now() {
+    cut_.reset();
+    end_journal();
+    arriving_.reset();
+    jar_.forget();
+    give_back_memory();  // of a visit
+}
+
+void KioskKeeper::journal_now(std::uint64_t run) {
+    is_put_ = false;  // if it still is on its way, the new lump was before it
+    journalled_run_ = run;
+    give_back_memory();  // of the screens before
+}
+
+void KioskKeeper::drop_interrupted_session_now() {
+    is_put_ = false;
+    remove_interrupted_session();
+}
+
+void KioskKeeper::beat_now(const KioskPulse& pulse) {
+    if (heartbeat_) complain(heartbeat_->beat(pulse, wall_clock_s()));
+}
+
+void KioskKeeper::complain(std::string words) {
+    answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(words), .is_trouble = true});
 }
 
 // What could not be written down is said, and no more.
 void KioskKeeper::complain(const Result<void>& done) {
-    if (!done)
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = done.error().message, .is_trouble = true});
+    if (!done) complain(done.error().message);
 }
 
 void KioskKeeper::survey_now() {
@@ -321,8 +252,7 @@ void KioskKeeper::survey_now() {
     for (KeptPot& pot : pots)
         found.pots.push_back(std::move(pot.name));
     // Once, not with every look at the panel.
-    if (trouble != gallery_trouble_ && !trouble.empty())
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = "gallery: " + trouble, .is_trouble = true});
+    if (trouble != gallery_trouble_ && !trouble.empty()) complain("gallery: " + trouble);
     gallery_trouble_ = std::move(trouble);
     answer(std::move(found));
 }
@@ -366,15 +296,15 @@ void KioskKeeper::write_session_now(const std::filesystem::path& place) {
     answer({.kind = KeeperAnswer::Kind::kSessionWritten, .session = place});
 }
 
-void KioskKeeper::save_now(const Request& request) {
-    if (!cut_ || !request.shape) return;
+void KioskKeeper::save_now(const pot::Section* shape, int glaze) {
+    if (!cut_ || shape == nullptr) return;
     history_.let_go_of_states();  // a pot that is fired is no clay again
     give_back_memory();
     PotToKeep pot{.history = &history_,
                   .clay = cut_.get(),
-                  .glaze = &finish::glaze_at(request.glaze),
-                  .portrait = portrait(*request.shape, request.glaze, kPortraitPx),
-                  .marks = request.shape->marks,
+                  .glaze = &finish::glaze_at(glaze),
+                  .portrait = portrait(*shape, glaze, kPortraitPx),
+                  .marks = shape->marks,
                   .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
     const std::string day = today();
     const auto number = gallery_.keep(std::move(pot), day);
@@ -390,6 +320,7 @@ void KioskKeeper::save_now(const Request& request) {
         answer(
             {.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message, .is_trouble = true});
     }
+    give_back_memory();  // of what was made for the files
 }
 
 }  // namespace onggi::app

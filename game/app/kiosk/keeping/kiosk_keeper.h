@@ -1,17 +1,16 @@
 // Keeps what the visitor does, and puts pots on the disk, beside the frame: it follows the haptic loop by its
-// records, takes moves back, saves, journals the visit and goes on with one that was interrupted. Asked and
-// answered by the main thread through rings; the work is done on a thread of its own.
+// records, takes moves back, saves, journals the visit and goes on with one that was interrupted. The main
+// thread asks and is answered through queues; the work is done on a thread of its own.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/jobs/io_thread.h"
-#include "engine/jobs/spsc_ring.h"
+#include "engine/jobs/message_queue.h"
 #include "game/app/kiosk/gallery/interrupted_session.h"
 #include "game/app/kiosk/gallery/jar_keeping.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
@@ -77,128 +76,115 @@ class KioskKeeper final : private jobs::IoWork {
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Main thread, wait-free.
+    // Main thread; each is done on the keeper's, once all that was done to the clay up to then is known.
     // Answered by kUndoneAll where nothing is left to take back.
-    void undo() { ask({Request::Kind::kUndo}); }
+    void undo() {
+        tasks_.post([this] { undo_now(); });
+    }
     // The lump that comes is the first bowl of a jar after that pot of a museum.
     void begin_jar(std::string target) {
-        ask({.kind = Request::Kind::kBeginJar,
-             .pot = std::make_shared<const std::string>(std::move(target))});
+        tasks_.post([this, target = std::move(target)] { complain(jar_.begin(target)); });
     }
     // The bowl on the wheel is the first of a jar. Answered by kSetAside or kJarStays; new clay may come
     // then.
-    void set_aside() { ask({Request::Kind::kSetAside}); }
+    void set_aside() {
+        tasks_.post([this] { set_aside_now(); });
+    }
     // How its rim meets that of the bowl on the wheel: kRims, or kRimsApart.
     void hold_together(double mouth_mm) {
-        ask({.kind = Request::Kind::kHoldTogether, .join = {.mouth_mm = mouth_mm}});
+        tasks_.post([this, mouth_mm] { hold_together_now(mouth_mm); });
     }
     // Both become one, on the wheel: kJoined, or kJarStays.
-    void join_bowls(const JarJoin& join) { ask({.kind = Request::Kind::kJoinBowls, .join = join}); }
+    void join_bowls(const JarJoin& join) {
+        tasks_.post([this, join] { join_now(join); });
+    }
     // That bowl is on the wheel again as it was: the first one, or of a jar the second. Answered by kNotPut
     // where it is not.
     void take_back(int bowl) {
-        ask({.kind = Request::Kind::kTakeBack, .number = static_cast<std::uint64_t>(bowl)});
+        tasks_.post([this, is_second = bowl == 2] { take_back_now(is_second); });
     }
     // To two seconds before that tick. Answered by kNotPut where the clay stays as it is.
-    void go_before(std::uint64_t tick) { ask({Request::Kind::kBefore, tick}); }
-    void cut_off() { ask({Request::Kind::kCutOff}); }
+    void go_before(std::uint64_t tick) {
+        tasks_.post([this, tick] { go_before_now(tick); });
+    }
+    // Answered by kCutOff.
+    void cut_off() {
+        tasks_.post([this] { cut_off_now(); });
+    }
     // What was drawn on it so far, for a power cut.
     void keep_drawing(std::vector<std::byte> drawn) {
-        ask({.kind = Request::Kind::kKeepDrawing,
-             .drawn = std::make_shared<const std::vector<std::byte>>(std::move(drawn))});
+        tasks_.post([this, drawn = std::move(drawn)] { keep_drawing_now(drawn); });
     }
     // Undoing goes no further back from here on, until other clay comes.
-    void begin_trim() { ask({Request::Kind::kBeginTrim}); }
+    void begin_trim() {
+        tasks_.post([this] { trimmed_from_ = history_.ticks(); });
+    }
     // All that was done to the pot that was cut off last, as a session at that place; answered by
     // kSessionWritten where it is known.
     void write_session(std::filesystem::path place) {
-        ask({.kind = Request::Kind::kWriteSession,
-             .place = std::make_shared<const std::filesystem::path>(std::move(place))});
+        tasks_.post([this, place = std::move(place)] { write_session_now(place); });
     }
-    void save(std::shared_ptr<const pot::Section> shape, int glaze);
+    // Answered by kSaved or kSaveFailed.
+    void save(std::shared_ptr<const pot::Section> shape, int glaze) {
+        tasks_.post([this, shape = std::move(shape), glaze] { save_now(shape.get(), glaze); });
+    }
     // A kept pot to the wall of the day, or down from there; all of them. Answered by kWall, as is the start
     // and the end of a day.
     void put_on_wall(WallPot pot) {
-        ask({.kind = Request::Kind::kPutOnWall, .hung = std::make_shared<const WallPot>(std::move(pot))});
+        tasks_.post([this, pot = std::move(pot)] { show_wall(wall_.put(pot, today())); });
     }
     void take_off_wall(std::string pot) {
-        ask({.kind = Request::Kind::kTakeOffWall,
-             .pot = std::make_shared<const std::string>(std::move(pot))});
+        tasks_.post([this, pot = std::move(pot)] { show_wall(wall_.take(pot)); });
     }
-    void clear_wall() { ask({Request::Kind::kClearWall}); }
-    void forget() { ask({Request::Kind::kForget}); }
+    void clear_wall() {
+        tasks_.post([this] { show_wall(wall_.clear()); });
+    }
+    void forget() {
+        tasks_.post([this] { forget_now(); });
+    }
     // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
     // its pot is saved.
-    void journal(std::uint64_t run) { ask({Request::Kind::kJournal, run}); }
-    // Puts the pot of the interrupted visit on the wheel (after kLeftOver was answered) and goes on with its
-    // journal.
-    void resume(std::uint64_t run) { ask({Request::Kind::kResume, run}); }
-    void drop_interrupted_session() { ask({Request::Kind::kDropInterrupted}); }
-    // Answered by kSurvey: what the gallery holds, what the disk has left, how warm it is, the day's use.
-    void survey() { ask({Request::Kind::kSurvey}); }
-    void remove(std::string pot) {
-        ask({.kind = Request::Kind::kRemove, .pot = std::make_shared<const std::string>(std::move(pot))});
+    void journal(std::uint64_t run) {
+        tasks_.post([this, run] { journal_now(run); });
     }
-    void note(const VisitNote& visit) { ask({.kind = Request::Kind::kNote, .visit = visit}); }
-    void note_attract_break() { ask({Request::Kind::kNoteBreak}); }
-    void note_start() { ask({Request::Kind::kNoteStart}); }
+    // Puts the pot of the interrupted visit on the wheel (after kInterruptedSession was answered) and goes on
+    // with its journal.
+    void resume(std::uint64_t run) {
+        tasks_.post([this, run] { resume_now(run); });
+    }
+    void drop_interrupted_session() {
+        tasks_.post([this] { drop_interrupted_session_now(); });
+    }
+    // Answered by kSurvey: what the gallery holds, what the disk has left, how warm it is, the day's use.
+    void survey() {
+        tasks_.post([this] { survey_now(); });
+    }
+    void remove(std::string pot) {
+        tasks_.post([this, pot = std::move(pot)] { remove_now(pot); });
+    }
+    void note(const VisitNote& visit) {
+        tasks_.post([this, visit] { complain(note_visit(statistics_, visit)); });
+    }
+    void note_attract_break() {
+        tasks_.post([this] { complain(app::note_attract_break(statistics_)); });
+    }
+    void note_start() {
+        tasks_.post([this] { complain(app::note_start(statistics_)); });
+    }
     // The house's monitoring is told; every KioskHeartbeat::kEveryS.
     void beat(KioskPulse pulse) {
-        ask({.kind = Request::Kind::kBeat, .pulse = std::make_shared<const KioskPulse>(std::move(pulse))});
+        tasks_.post([this, pulse = std::move(pulse)] { beat_now(pulse); });
     }
     // What the staff has set, for the next start.
     void keep(HouseDefaults house) {
-        ask({.kind = Request::Kind::kKeepHouse,
-             .house = std::make_shared<const HouseDefaults>(std::move(house))});
+        tasks_.post([this, house = std::move(house)] { complain(keep_house(statistics_, house)); });
     }
-    [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer();
+    // Null: nothing is answered yet.
+    [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer() { return answers_.next(); }
 
   private:
     // A few ms of an interrupted visit, so that the one that goes on is followed too.
     static constexpr int kInterruptedSessionTicksARound = 2000;
-    struct Request {
-        enum class Kind {
-            kUndo,
-            kBefore,
-            kBeginJar,
-            kSetAside,
-            kHoldTogether,
-            kJoinBowls,
-            kTakeBack,
-            kCutOff,
-            kBeginTrim,
-            kKeepDrawing,
-            kWriteSession,
-            kSave,
-            kPutOnWall,
-            kTakeOffWall,
-            kClearWall,
-            kForget,
-            kJournal,
-            kResume,
-            kDropInterrupted,
-            kSurvey,
-            kRemove,
-            kNote,
-            kNoteBreak,
-            kNoteStart,
-            kBeat,
-            kKeepHouse
-        };
-        Kind kind = Kind::kUndo;
-        std::uint64_t number = 0;  // kBefore: a tick; kJournal, kResume: a run; kTakeBack: 1 or 2
-        int glaze = 0;
-        JarJoin join{};
-        std::shared_ptr<const std::vector<std::byte>> drawn{};
-        std::shared_ptr<const pot::Section> shape{};
-        std::shared_ptr<const std::string> pot{};
-        std::shared_ptr<const std::filesystem::path> place{};
-        std::shared_ptr<const WallPot> hung{};
-        VisitNote visit{};
-        std::shared_ptr<const HouseDefaults> house{};
-        std::shared_ptr<const KioskPulse> pulse{};
-    };
-    void ask(const Request& request) { static_cast<void>(requests_.try_push(request)); }
 
     // The keeper's thread.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
@@ -210,10 +196,17 @@ class KioskKeeper final : private jobs::IoWork {
     void write_journal(std::int64_t now_ns);
     void resume_now(std::uint64_t run);
     void end_journal();
-    void apply(const Request& request);
+    void go_before_now(std::uint64_t tick);
+    void cut_off_now();
+    void keep_drawing_now(const std::vector<std::byte>& drawn);
+    void forget_now();
+    void journal_now(std::uint64_t run);
+    void drop_interrupted_session_now();
+    void beat_now(const KioskPulse& pulse);
     void put_state_at(std::uint64_t tick);
     [[nodiscard]] std::filesystem::path drawing_place() const { return visits_ / "drawing"; }
     void remove_drawing() const noexcept;
+    void remove_interrupted_session();
     [[nodiscard]] std::shared_ptr<const decoration::Recorded> interrupted_drawing();
     void undo_now();
     void set_aside_now();
@@ -224,10 +217,11 @@ class KioskKeeper final : private jobs::IoWork {
     void look_at_the_wall(std::int64_t now_ns);
     void show_wall(const Result<void>& changed);
     void write_session_now(const std::filesystem::path& place);
-    void save_now(const Request& request);
+    void save_now(const pot::Section* shape, int glaze);
     void survey_now();
     void remove_now(const std::string& name);
-    void answer(KeeperAnswer answer);
+    void answer(KeeperAnswer answer) { answers_.post(std::move(answer)); }
+    void complain(std::string words);
     void complain(const Result<void>& done);
 
     haptic::HapticJob& job_;
@@ -256,8 +250,8 @@ class KioskKeeper final : private jobs::IoWork {
     WallOfTheDay wall_;
     std::optional<std::int64_t> looked_at_wall_ns_;
     std::shared_ptr<const clay::StudioClay> cut_;
-    jobs::SpscRing<Request> requests_{64};
-    jobs::SpscRing<std::shared_ptr<const KeeperAnswer>> answers_{64};
+    jobs::TaskQueue tasks_{64};
+    jobs::MessageQueue<KeeperAnswer> answers_{64};
     jobs::IoThread thread_;
 };
 

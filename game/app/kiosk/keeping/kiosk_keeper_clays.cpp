@@ -17,10 +17,7 @@ namespace onggi::app {
 bool KioskKeeper::find_interrupted_session() {
     const auto more = jar_.restore(kInterruptedSessionTicksARound);
     if (more && *more) return true;
-    if (!more)
-        answer({.kind = KeeperAnswer::Kind::kRemark,
-                .words = "interrupted jar: " + more.error().message,
-                .is_trouble = true});
+    if (!more) complain("interrupted jar: " + more.error().message);
     has_found_ = true;
     std::vector<std::string> remarks;
     interrupted_session_ = InterruptedSession::find(visits_, jar_.start(), parameters_, remarks);
@@ -42,16 +39,14 @@ std::shared_ptr<const decoration::Recorded> KioskKeeper::interrupted_drawing() {
     auto drawn = bytes ? decoration::recorded_from(std::as_bytes(std::span(*bytes)), drawing_place().string())
                        : Result<decoration::Recorded>(bytes.error());
     if (drawn) return std::make_shared<const decoration::Recorded>(std::move(*drawn));
-    answer({.kind = KeeperAnswer::Kind::kRemark,
-            .words = "interrupted visit: what was drawn is dropped: " + drawn.error().message,
-            .is_trouble = true});
+    complain("interrupted visit: what was drawn is dropped: " + drawn.error().message);
     remove_drawing();
     return nullptr;
 }
 
 void KioskKeeper::tell_all(std::vector<std::string> remarks) {
     for (std::string& line : remarks)
-        answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(line), .is_trouble = true});
+        complain(std::move(line));
 }
 
 void KioskKeeper::undo_now() {

@@ -42,58 +42,34 @@ Result<void> KioskPhone::start() {
     return thread_.start(*this, "phone");
 }
 
-std::shared_ptr<const PhoneAnswer> KioskPhone::next_answer() {
-    std::shared_ptr<const PhoneAnswer> next;
-    return answers_.try_pop(next) ? next : nullptr;
-}
-
-void KioskPhone::answer(PhoneAnswer answer) {
-    static_cast<void>(answers_.try_push(std::make_shared<const PhoneAnswer>(std::move(answer))));
-}
-
 std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
-    std::shared_ptr<const PhoneRequest> request;
-    while (requests_.try_pop(request)) {
-        take(*request, now_ns);
-    }
-    share_when_filmed(now_ns);
-    look_after(now_ns);
+    now_ns_ = now_ns;
+    while (const auto task = tasks_.next())
+        (*task)();
+    share_when_filmed();
+    look_after();
     return kAsksEveryNs;
 }
 
-void KioskPhone::take(const PhoneRequest& request, std::int64_t now_ns) {
-    switch (request.kind) {
-        case PhoneRequest::Kind::kFilm:
-            begin_film(request);
-            break;
-        case PhoneRequest::Kind::kShare:
-            film_.finish_in(finish::glaze_at(request.glaze).id,
-                            request.pot ? request.pot->shape.marks.get() : nullptr);
-            waiting_ = request;
-            waits_until_ns_ = now_ns + kFilmWaitNs;
-            break;
-        case PhoneRequest::Kind::kForget:
-            waiting_.reset();
-            film_.drop();
-            break;
-        case PhoneRequest::Kind::kWithdraw:
-            withdraw_now(request.gallery_name);
-            break;
-        case PhoneRequest::Kind::kSurvey:
-            survey_now();
-            break;
-    }
-}
-
 // A pot without a film is a pot all the same.
-void KioskPhone::begin_film(const PhoneRequest& request) {
-    if (const auto begun = film_.begin(request.session); !begun) answer({.words = begun.error().message});
+void KioskPhone::begin_film(const std::filesystem::path& session) {
+    if (const auto begun = film_.begin(session); !begun) answer({.words = begun.error().message});
 }
 
-void KioskPhone::share_when_filmed(std::int64_t now_ns) {
-    if (!waiting_ || (film_.is_in_the_making() && now_ns < waits_until_ns_)) return;
-    const PhoneRequest request = *std::exchange(waiting_, std::nullopt);
-    share_now(request);
+void KioskPhone::forget_now() {
+    waiting_.reset();
+    film_.drop();
+}
+
+void KioskPhone::wait_for_film(const PotToShare& pot) {
+    film_.finish_in(finish::glaze_at(pot.glaze).id, pot.pot ? pot.pot->shape.marks.get() : nullptr);
+    waiting_ = pot;
+    waits_until_ns_ = now_ns_ + kFilmWaitNs;
+}
+
+void KioskPhone::share_when_filmed() {
+    if (!waiting_ || (film_.is_in_the_making() && now_ns_ < waits_until_ns_)) return;
+    share_now(*std::exchange(waiting_, std::nullopt));
 }
 
 // Not at the start alone: a folder that comes later, on a disk that is plugged in, is as good.
@@ -105,24 +81,23 @@ Result<void> KioskPhone::open() {
     return {};
 }
 
-Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
+Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
     const kiosk::Config& config = settings_.config;
     if (auto opened = open(); !opened) return opened.error();
     // Before anything is put there: without an address nobody would find it.
     const auto base = share_base_url(config);
     if (!base) return base.error();
-    const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / request.gallery_name;
-    sharing::SharedPot pot = shared_pot(*request.pot, request.glaze, settings_, request.language);
-    pot.gallery_name = request.gallery_name;
+    const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / kept.gallery_name;
+    sharing::SharedPot pot = shared_pot(*kept.pot, kept.glaze, settings_, kept.language);
+    pot.gallery_name = kept.gallery_name;
     pot.picture.path = folder / "pot.png";
     pot.model_glb.path = folder / "pot.glb";
     pot.print_stl.path = folder / "pot.stl";
     pot.print_3mf.path = folder / "pot.3mf";
-    auto poster =
-        asset::encode_webp(share_poster(request.pot->shape, request.glaze, kPosterPx), kPosterQuality);
+    auto poster = asset::encode_webp(share_poster(kept.pot->shape, kept.glaze, kPosterPx), kPosterQuality);
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
-    if (const asset::Image wrapped = share_surface(request.pot->shape, request.glaze); wrapped.width > 0) {
+    if (const asset::Image wrapped = share_surface(kept.pot->shape, kept.glaze); wrapped.width > 0) {
         auto surface = asset::encode_jpeg(wrapped, kSurfaceQuality);
         if (!surface) return surface.error();
         pot.surface.bytes = std::move(*surface);
@@ -142,9 +117,9 @@ Result<screens::PhoneWay> KioskPhone::shared(const PhoneRequest& request) {
     return way;
 }
 
-void KioskPhone::share_now(const PhoneRequest& request) {
-    PhoneAnswer made{.number = request.number, .gallery_name = request.gallery_name};
-    auto way = shared(request);
+void KioskPhone::share_now(const PotToShare& kept) {
+    PhoneAnswer made{.number = kept.number, .gallery_name = kept.gallery_name};
+    auto way = shared(kept);
     if (way) {
         made.kind = PhoneAnswer::Kind::kShared;
         made.way = std::make_shared<const screens::PhoneWay>(std::move(*way));
@@ -176,9 +151,9 @@ void KioskPhone::survey_now() {
     answer(std::move(found));
 }
 
-void KioskPhone::look_after(std::int64_t now_ns) {
-    if (now_ns - looked_after_ns_ < kLooksEveryNs) return;
-    looked_after_ns_ = now_ns;
+void KioskPhone::look_after() {
+    if (now_ns_ - looked_after_ns_ < kLooksEveryNs) return;
+    looked_after_ns_ = now_ns_;
     expire();
     count_opened();
 }

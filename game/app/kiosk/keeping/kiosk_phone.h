@@ -1,5 +1,5 @@
 // Hands kept pots to the outbox for phones, beside the frame, and says by which code each is found; takes
-// away what is over and counts what is opened. Asked and answered by the main thread through rings; the work
+// away what is over and counts what is opened. The main thread asks and is answered through queues; the work
 // is done on a thread of its own, because a disk may be slow and because no answer of it may hold up a pot
 // that is being kept.
 #pragma once
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "engine/jobs/io_thread.h"
-#include "engine/jobs/spsc_ring.h"
+#include "engine/jobs/message_queue.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/keeping/kiosk_film.h"
 #include "game/app/kiosk/kiosk_settings.h"
@@ -31,22 +31,19 @@ struct SharedPotNote {
     friend bool operator==(const SharedPotNote&, const SharedPotNote&) = default;
 };
 
-struct PhoneRequest {
-    enum class Kind { kShare, kWithdraw, kFilm, kForget, kSurvey };
-    Kind kind = Kind::kShare;
-    // Of kShare: a kept pot, its files and what the page says of it. Of kWithdraw: its name in the gallery.
+// A kept pot, and what its page says of it.
+struct PotToShare {
     int number = 0;              // of the day
     std::string gallery_name{};  // "2026-11-21/pot-014"
     std::shared_ptr<const screens::FiredPot> pot{};
     int glaze = 0;
     int language = 0;
-    std::filesystem::path session{};  // of kFilm
 };
 
 struct PhoneAnswer {
     enum class Kind { kShared, kFailed, kOver, kRemark, kSurvey };
     Kind kind = Kind::kRemark;
-    int number = 0;                                  // of the request
+    int number = 0;                                  // of the pot
     std::string gallery_name{};                      // likewise; of kOver: whose code is over
     std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
     std::string words{};                             // for the log; never the code
@@ -70,53 +67,59 @@ class KioskPhone final : private jobs::IoWork {
         return state_folder(settings_.config.gallery.folder) / "film.onggi";
     }
 
-    // Main thread, wait-free. Begins the film of a pot that may be shared later.
+    // Main thread. Begins the film of a pot that may be shared later.
     void film(std::filesystem::path session) {
-        ask({.kind = PhoneRequest::Kind::kFilm, .session = std::move(session)});
+        tasks_.post([this, session = std::move(session)] { begin_film(session); });
     }
     // Nobody wants that pot's code any more, nor its film.
-    void forget() { ask({.kind = PhoneRequest::Kind::kForget}); }
+    void forget() {
+        tasks_.post([this] { forget_now(); });
+    }
     // Answered by kShared once every file is on the disk, or by kFailed. Waits for the film, but not for
     // long.
-    void share(PhoneRequest request) { ask(std::move(request)); }
+    void share(PotToShare pot) {
+        tasks_.post([this, pot = std::move(pot)] { wait_for_film(pot); });
+    }
     // The staff has deleted that pot, or will not have it shared. Answered by kOver where it had a code.
     void withdraw(std::string gallery_name) {
-        ask({.kind = PhoneRequest::Kind::kWithdraw, .gallery_name = std::move(gallery_name)});
+        tasks_.post([this, name = std::move(gallery_name)] { withdraw_now(name); });
     }
     // What is shared now; answered by kSurvey.
-    void survey() { ask({.kind = PhoneRequest::Kind::kSurvey}); }
-    [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer();
+    void survey() {
+        tasks_.post([this] { survey_now(); });
+    }
+    // Null: nothing is answered yet.
+    [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer() { return answers_.next(); }
 
   private:
-    void ask(PhoneRequest request) {
-        static_cast<void>(requests_.try_push(std::make_shared<const PhoneRequest>(std::move(request))));
-    }
     // The thread's own.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override {}
     [[nodiscard]] Result<void> open();
-    [[nodiscard]] Result<screens::PhoneWay> shared(const PhoneRequest& request);
-    void take(const PhoneRequest& request, std::int64_t now_ns);
-    void begin_film(const PhoneRequest& request);
-    void share_when_filmed(std::int64_t now_ns);
-    void share_now(const PhoneRequest& request);
+    [[nodiscard]] Result<screens::PhoneWay> shared(const PotToShare& kept);
+    void begin_film(const std::filesystem::path& session);
+    void forget_now();
+    void wait_for_film(const PotToShare& pot);
+    void share_when_filmed();
+    void share_now(const PotToShare& kept);
     void withdraw_now(const std::string& gallery_name);
     void survey_now();
-    void look_after(std::int64_t now_ns);
+    void look_after();
     void expire();
     void count_opened();
     void note(const PhoneNote& phones);
-    void answer(PhoneAnswer answer);
+    void answer(PhoneAnswer answer) { answers_.post(std::move(answer)); }
 
     const KioskSettings& settings_;
     std::optional<sharing::Outbox> outbox_;
     std::optional<sharing::CounterReader> counter_;
     KioskFilm film_;
-    std::optional<PhoneRequest> waiting_;  // for its film
+    std::optional<PotToShare> waiting_;  // for its film
+    std::int64_t now_ns_ = 0;            // of the round
     std::int64_t waits_until_ns_ = 0;
     std::int64_t looked_after_ns_ = 0;
-    jobs::SpscRing<std::shared_ptr<const PhoneRequest>> requests_{16};
-    jobs::SpscRing<std::shared_ptr<const PhoneAnswer>> answers_{16};
+    jobs::TaskQueue tasks_{16};
+    jobs::MessageQueue<PhoneAnswer> answers_{16};
     jobs::IoThread thread_;
 };
 
