@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/math/math.h"
 
 namespace tinygltf {
 class Model;

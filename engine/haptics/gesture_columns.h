@@ -2,7 +2,6 @@
 // are not looked at. Any thread.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>

@@ -16,7 +16,6 @@
 #include <string>
 #include <string_view>
 
-#include "engine/haptics/haptic_device.h"
 #include "engine/haptics/safety/limits.h"
 #include "engine/haptics/safety/stages.h"
 #include "engine/haptics/safety/state.h"

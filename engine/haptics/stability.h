@@ -10,7 +10,6 @@
 // quantization, time delay, and Coulomb effects", IEEE Trans. on Robotics 22(2), 2006.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "engine/core/result.h"

@@ -9,11 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "engine/core/result.h"
 #include "engine/jobs/io_thread.h"
 
 namespace onggi::haptics {

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/result.h"
-
 namespace onggi::jobs {
 
 // The core of the haptic thread and the cores of everybody else. core is -1 when nothing could be learned.

@@ -2,8 +2,6 @@
 // the bytes.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 

@@ -1,7 +1,6 @@
 // Checks a session file as a whole, so that playing it needs no checks.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <utility>
 

@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "engine/core/little_endian.h"

@@ -1,7 +1,6 @@
 #include "engine/render/prop.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <span>
 

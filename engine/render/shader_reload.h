@@ -3,10 +3,7 @@
 // no compiler. Main thread; blocks while it compiles.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "engine/core/result.h"

@@ -1,7 +1,5 @@
 #include "engine/render/upload_ledger.h"
 
-#include <utility>
-
 namespace onggi::render {
 
 bool overlap(const ui::Atlas::Upload& a, const ui::Atlas::Upload& b) {

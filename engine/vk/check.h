@@ -1,7 +1,6 @@
 // VkResult turned into Result, by what the call means. Any thread.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "engine/core/result.h"

@@ -4,14 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
-
-#include "engine/vk/check.h"
 
 namespace onggi::vk {
 namespace {

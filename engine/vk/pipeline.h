@@ -4,7 +4,6 @@
 #include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "engine/core/result.h"
 #include "engine/vk/device.h"

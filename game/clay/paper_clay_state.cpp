@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 #include "engine/core/hash.h"

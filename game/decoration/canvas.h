@@ -2,7 +2,6 @@
 // taken back, and the whole laid anew from its strokes come to the same bytes. Any one thread at a time.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "engine/core/result.h"

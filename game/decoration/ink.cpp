@@ -1,7 +1,6 @@
 #include "game/decoration/ink.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace onggi::decoration {
 namespace {

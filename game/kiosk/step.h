@@ -2,8 +2,6 @@
 // nothing and reads no clock; screens show the state, and the program carries the effects out. Any thread.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "game/kiosk/state.h"

@@ -1,7 +1,6 @@
 #include "game/look/lathe_marks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/core/hash.h"

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "engine/asset/gltf.h"
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
 #include "game/exporter/export.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "game/screens/forces.h"
 #include "game/screens/screens.h"

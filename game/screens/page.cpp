@@ -1,7 +1,6 @@
 #include "game/screens/page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "game/screens/legibility.h"

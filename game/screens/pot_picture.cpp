@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "game/screens/pot_samples.h"
 
@@ -24,23 +23,15 @@ PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation
 namespace {
 
 // The band's pixels, in place.
-void paint_band(const PotSamples& samples, const PotShading& shading, float turn, std::uint8_t* to) {
+void paint_band(const PotSamples& samples, const PotShading& shading, std::uint8_t* to) {
     constexpr int kSamples = kSamplesAcross * kSamplesAcross;
     for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
         for (int x = 0; x < samples.width / kSamplesAcross; ++x, to += 4) {
             vec3 sum(0.0F);
-            int count = 0;
-            for (int k = 0; k < kSamples; ++k) {
-                const std::size_t at = static_cast<std::size_t>(y * kSamplesAcross + k / kSamplesAcross) *
-                                           static_cast<std::size_t>(samples.width) +
-                                       static_cast<std::size_t>(x * kSamplesAcross + k % kSamplesAcross);
-                if (samples.covered[at] == 0) continue;
-                PotSurface surface = samples.surface[at];
-                surface.angle += 2.0F * std::numbers::pi_v<float> * turn;
+            const int count = samples.visit_pixel(x, y, [&](const PotSurface& surface) {
                 const PotLight light = shading.light(surface);
                 sum += encoded_pot_light(shading.colour(surface) * light.factor + light.gloss);
-                ++count;
-            }
+            });
             for (int channel = 0; channel < 3; ++channel)
                 to[channel] = static_cast<std::uint8_t>(sum[channel] * 255.0F / kSamples + 0.5F);
             to[3] = static_cast<std::uint8_t>(count * 255 / kSamples);
@@ -51,7 +42,7 @@ void paint_band(const PotSamples& samples, const PotShading& shading, float turn
 }  // namespace
 
 PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-                     float elevation_rad, float turn) {
+                     float elevation_rad) {
     const DrawnOn drawn_on(shape);
     const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
     const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
@@ -64,7 +55,7 @@ PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& gla
     painting.rgba.resize(row_bytes * static_cast<std::size_t>(painting.height));
     for (int top = 0; top < painting.height; top += kBandPx) {
         const PotSamples samples = sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx});
-        paint_band(samples, shading, turn, painting.rgba.data() + row_bytes * static_cast<std::size_t>(top));
+        paint_band(samples, shading, painting.rgba.data() + row_bytes * static_cast<std::size_t>(top));
     }
     return picture;
 }

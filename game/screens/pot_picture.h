@@ -23,8 +23,8 @@ struct PotPicture {
     vec2 foot_px{0.0F};
 };
 
-// elevation: of the eye above the horizon. turn: how far the pot has turned, 0 to 1.
+// elevation: of the eye above the horizon.
 [[nodiscard]] PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
-                                   float px_per_mm, float elevation_rad, float turn = 0.0F);
+                                   float px_per_mm, float elevation_rad);
 
 }  // namespace onggi::screens

@@ -1,6 +1,7 @@
 #include "game/screens/pot_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -25,9 +26,10 @@ class Canvas {
   public:
     explicit Canvas(PotSamples& into) : into_(into), depth_(into.surface.size(), -1e9F) {}
 
+    // What looks away from the eye lies behind what looks at it, and is left out.
     void triangle(const Corner& a, const Corner& b, const Corner& c) {
         const float area = cross(b.px - a.px, c.px - a.px);
-        if (std::abs(area) < 1e-6F) return;
+        if (area > -1e-6F) return;
         const int left = std::max(0, static_cast<int>(std::min({a.px.x, b.px.x, c.px.x})));
         const int right = std::min(into_.width - 1, static_cast<int>(std::max({a.px.x, b.px.x, c.px.x})) + 1);
         const int top = std::max(into_.top, static_cast<int>(std::min({a.px.y, b.px.y, c.px.y})));
@@ -114,6 +116,16 @@ PotSamples sample_pot(const pot::Section& shape, float px_per_mm, float elevatio
     } else if (!section.empty()) {
         section.push_back({0.0F, section.back().y});
     }
+    // The first sector is at the back, where what differs between it and the last is not seen.
+    struct Direction {
+        float angle;
+        vec2 way;  // x right, z to the eye
+    };
+    std::array<Direction, kSectors + 1> directions;
+    for (int sector = 0; sector <= kSectors; ++sector) {
+        const float angle = 2.0F * kPi * static_cast<float>(sector) / kSectors - kPi;
+        directions[static_cast<std::size_t>(sector)] = {angle, {std::sin(angle), std::cos(angle)}};
+    }
     Canvas canvas(samples);
     const auto corner = [&](std::size_t ring, int sector) {
         const vec2 before = section[ring == 0 ? 0 : ring - 1];
@@ -121,9 +133,7 @@ PotSamples sample_pot(const pot::Section& shape, float px_per_mm, float elevatio
         vec2 along = after - before;
         const float length = glm::length(along);
         along = length > 0.0F ? along / length : vec2(0.0F, 1.0F);
-        // The first sector is at the back, where what differs between it and the last is not seen.
-        const float angle = 2.0F * kPi * static_cast<float>(sector) / kSectors - kPi;
-        const vec2 way(std::sin(angle), std::cos(angle));  // x right, z to the eye
+        const auto& [angle, way] = directions[static_cast<std::size_t>(sector)];
         const vec2 at = section[ring];
         const vec3 normal(way.x * along.y, -along.x, way.y * along.y);
         const vec3 place(at.x * way.x, at.y, at.x * way.y);

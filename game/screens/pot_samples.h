@@ -20,6 +20,21 @@ struct PotSamples {
     vec2 foot_px{0.0F};  // where the middle of the foot stands, pixels
     std::vector<PotSurface> surface{};
     std::vector<char> covered{};
+
+    // Calls visit(surface) for the samples of a pixel that show some of the pot; how many they are.
+    template <typename Visit>
+    int visit_pixel(int x, int y, Visit visit) const {
+        int count = 0;
+        for (int k = 0; k < kSamplesAcross * kSamplesAcross; ++k) {
+            const std::size_t at = static_cast<std::size_t>(y * kSamplesAcross + k / kSamplesAcross) *
+                                       static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(x * kSamplesAcross + k % kSamplesAcross);
+            if (covered[at] == 0) continue;
+            visit(surface[at]);
+            ++count;
+        }
+        return count;
+    }
 };
 
 // So many rows of pixels at a time take a MB or two, where the whole of a large picture takes 30.

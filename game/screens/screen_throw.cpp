@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "game/screens/ledge_parts.h"
 #include "game/screens/screens.h"

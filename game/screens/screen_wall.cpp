@@ -1,6 +1,5 @@
 // The wall of the day: pots whose makers have put them there, without a name, all at one scale.
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // show a step, how to take over.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "game/screens/ledge_parts.h"

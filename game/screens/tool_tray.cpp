@@ -1,5 +1,4 @@
 // What there is to hold while one throws: hand, rib, sponge and wire, on the ledge under the clay.
-#include <algorithm>
 #include <array>
 
 #include "game/screens/ledge_parts.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "game/screens/pot_samples.h"
 
@@ -61,27 +62,20 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
     for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
         for (int x = 0; x < width_; ++x) {
             Pixel pixel;
-            int count = 0;
-            bool inside = false;
-            for (int k = 0; k < kSamples; ++k) {
-                const std::size_t at = static_cast<std::size_t>(y * kSamplesAcross + k / kSamplesAcross) *
-                                           static_cast<std::size_t>(samples.width) +
-                                       static_cast<std::size_t>(x * kSamplesAcross + k % kSamplesAcross);
-                if (samples.covered[at] == 0) continue;
-                const PotSurface& surface = samples.surface[at];
+            std::optional<bool> inside;
+            const int count = samples.visit_pixel(x, y, [&](const PotSurface& surface) {
                 // Colours are of the first sample's side: where the rim runs through a pixel, both are near.
-                if (count == 0) inside = surface.inside;
+                if (!inside) inside = surface.inside;
                 const PotLight light = shading.light(surface);
                 pixel.factor += light.factor;
                 pixel.gloss += light.gloss;
-                ++count;
-                const bool is_foot = !inside && surface.height_mm < foot_bare_mm;
+                const bool is_foot = !*inside && surface.height_mm < foot_bare_mm;
                 pixel.row =
                     is_foot ? static_cast<float>(kRows)
                             : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
-                if (inside) pixel.row += static_cast<float>(inside_from_);
+                if (*inside) pixel.row += static_cast<float>(inside_from_);
                 pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * kColumns;
-            }
+            });
             if (count == 0) continue;
             pixel.factor /= static_cast<float>(count);
             pixel.gloss /= static_cast<float>(count);

@@ -1,7 +1,6 @@
 #include "game/sharing/share_request.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 namespace onggi::sharing {

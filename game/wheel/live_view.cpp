@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <variant>
 
 #include "engine/jobs/thread_setup.h"

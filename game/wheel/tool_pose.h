@@ -3,7 +3,6 @@
 // memory; any thread. mm, s, rad. The wheel's frame: +Y up, the visitor at +Z.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/math/math.h"

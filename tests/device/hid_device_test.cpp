@@ -9,8 +9,6 @@
 
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
-#include "tests/support/hex.h"
-#include "tests/support/pid_descriptors.h"
 
 namespace onggi::haptics {
 namespace {

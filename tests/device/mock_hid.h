@@ -5,8 +5,6 @@
 #include <umockdev.h>
 
 #include <cstdint>
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>

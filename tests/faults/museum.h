@@ -4,10 +4,8 @@
 
 #include <filesystem>
 #include <functional>
-#include <string>
 #include <vector>
 
-#include "game/haptic/history.h"
 #include "game/kiosk/config.h"
 
 namespace onggi::faults {

@@ -2,7 +2,6 @@
 // this one, and what this one writes is of the newest version that has a sample.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>

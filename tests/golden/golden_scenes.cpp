@@ -160,8 +160,8 @@ std::uint64_t GoldenScene::hash() const {
 }
 
 GoldenScene scene_named(std::string_view name) {
-    for (GoldenScene& scene : golden_scenes()) {
-        if (scene.name == name) return std::move(scene);
+    for (const GoldenScene& scene : golden_scenes()) {
+        if (scene.name == name) return scene;
     }
     return {};
 }
@@ -172,7 +172,9 @@ std::string test_name(const GoldenScene& scene) {
     return name;
 }
 
-std::vector<GoldenScene> golden_scenes() {
+namespace {
+
+std::vector<GoldenScene> made_scenes() {
     using clay::ClayBody;
     using clay::Firing;
     using clay::studio::Side;
@@ -302,6 +304,13 @@ std::vector<GoldenScene> golden_scenes() {
     };
     for (GoldenScene& drawn : drawn_scenes())
         all.push_back(std::move(drawn));
+    return all;
+}
+
+}  // namespace
+
+const std::vector<GoldenScene>& golden_scenes() {
+    static const std::vector<GoldenScene> all = made_scenes();
     return all;
 }
 

@@ -48,7 +48,8 @@ struct GoldenScene {
     friend std::ostream& operator<<(std::ostream& out, const GoldenScene& scene) { return out << scene.name; }
 };
 
-[[nodiscard]] std::vector<GoldenScene> golden_scenes();
+// Made once: drawing on them takes its time.
+[[nodiscard]] const std::vector<GoldenScene>& golden_scenes();
 // One of them; without a name if there is none.
 [[nodiscard]] GoldenScene scene_named(std::string_view name);
 // As GoogleTest wants it: letters, digits and underscores.

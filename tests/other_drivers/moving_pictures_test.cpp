@@ -59,7 +59,7 @@ TEST_F(AStormOfSizes, PleasesTheValidationLayerOnEveryStepOfAGpu) {
     wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
     ASSERT_EQ(opened.lack, "");
     constexpr std::array<VkExtent2D, 4> kSizes{{{320, 240}, {97, 161}, {17, 16}, {417, 235}}};
-    const std::vector<GoldenScene> scenes = golden_scenes();
+    const std::vector<GoldenScene>& scenes = golden_scenes();
     std::size_t number = 0;
     for (const render::QualityStep step :
          {render::QualityStep::kSlowestGpu, render::QualityStep::kSlowerGpu, render::QualityStep::kSlowGpu,

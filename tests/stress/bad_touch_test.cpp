@@ -2,7 +2,6 @@
 // the next touch is as good as any.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "tests/stress/unseen_kiosk.h"

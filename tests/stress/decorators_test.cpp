@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <numbers>
 
 #include "game/app/command_line/performance.h"
 #include "game/app/replay/replay.h"

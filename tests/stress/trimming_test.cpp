@@ -2,9 +2,6 @@
 // weight, and the session works it out again.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/start_pot.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"

@@ -2,7 +2,6 @@
 #include "game/clay/studio/resplit.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "game/clay/exact_math.h"
 #include "game/clay/studio/moves.h"

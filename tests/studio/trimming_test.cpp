@@ -1,8 +1,6 @@
 // A foot that skilled hands turn: what a guided trimmer takes off, and what it never does.
 #include "game/clay/studio/trimming.h"
 
-#include <cmath>
-
 #include "tests/studio/bench.h"
 
 namespace onggi::clay::studio {

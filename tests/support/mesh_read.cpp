@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <string_view>
 
 #include "tests/support/mesh_check.h"
 

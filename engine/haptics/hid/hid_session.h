@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "engine/haptics/hid/force_gate.h"
 #include "engine/haptics/hid/hid_driver.h"

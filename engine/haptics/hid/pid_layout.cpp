@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/haptics/hid/hid_port.h"
+
 namespace onggi::haptics::hid {
 namespace {
 

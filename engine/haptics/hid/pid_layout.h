@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "engine/core/result.h"
-#include "engine/haptics/hid/hid_port.h"
 #include "engine/haptics/hid/report_descriptor.h"
 #include "engine/math/math.h"
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "engine/haptics/hid/hid_port.h"
 #include "engine/haptics/hid/pid_layout.h"
 
 namespace onggi::haptics::hid {

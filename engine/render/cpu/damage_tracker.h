@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/render/shapes/tiles.h"
 #include "engine/vk/frame_target.h"
 
 namespace onggi::render {

@@ -1,7 +1,5 @@
 #include "engine/render/cpu/kept_view.h"
 
-#include <algorithm>
-
 #include "engine/render/frame/shadow_map.h"
 #include "engine/render/shapes/frame_build.h"
 

@@ -1,7 +1,6 @@
 #include "engine/render/cpu/layer_pipelines.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 
 #include "engine/render/frame/pipelines.h"

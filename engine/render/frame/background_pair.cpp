@@ -1,7 +1,5 @@
 #include "engine/render/frame/background_pair.h"
 
-#include <cmath>
-
 namespace onggi::render {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "engine/render/pixels/photograph_layers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

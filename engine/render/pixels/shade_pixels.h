@@ -3,10 +3,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/render/pixels/shadow_mask.h"
 #include "engine/render/shapes/tiles.h"

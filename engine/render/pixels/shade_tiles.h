@@ -2,7 +2,6 @@
 // not shaded again. Any thread; one user at a time. Pixels.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

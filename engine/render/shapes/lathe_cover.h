@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/math/math.h"
 #include "engine/render/camera.h"
 #include "shaders/frame_data.h"
 

@@ -1,6 +1,5 @@
 #include "engine/render/shapes/lathe_edges.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/render/shapes/projector.h"

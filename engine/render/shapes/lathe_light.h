@@ -4,8 +4,6 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <vector>
 
 #include "engine/math/math.h"
 #include "engine/render/shapes/lathe_profile.h"

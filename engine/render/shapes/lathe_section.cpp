@@ -1,7 +1,5 @@
 #include "engine/render/shapes/lathe_section.h"
 
-#include <algorithm>
-
 namespace onggi::render {
 
 std::size_t add_section(const LatheMeshInput& input, int sectors,

@@ -1,7 +1,6 @@
 #include "engine/render/shapes/prop_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "engine/render/shapes/lathe_vertices.h"

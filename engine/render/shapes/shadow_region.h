@@ -2,7 +2,6 @@
 // they are. Any thread; pure functions. mm, pixels.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

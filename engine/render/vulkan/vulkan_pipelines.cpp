@@ -1,7 +1,6 @@
 #include "engine/render/vulkan/vulkan_pipelines.h"
 
 #include <array>
-#include <cstddef>
 #include <span>
 
 #include "engine/render/frame/pipelines.h"

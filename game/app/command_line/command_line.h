@@ -1,9 +1,6 @@
 // The program's words on the command line: how commands are found, and wrong usage is refused. Main thread.
 #pragma once
 
-#include <string_view>
-
-#include "engine/core/result.h"
 #include "game/app/command_line/cli_names.h"
 
 namespace onggi::app {

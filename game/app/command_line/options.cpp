@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
-#include <cmath>
 #include <functional>
 #include <string_view>
 #include <utility>

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "game/kiosk/strings.h"
 #include "game/sharing/phone_page.h"
 #include "game/sharing/plain_pages.h"

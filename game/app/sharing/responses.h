@@ -4,7 +4,6 @@
 #include <microhttpd.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>

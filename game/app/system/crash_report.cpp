@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <string_view>
 #include <system_error>
 #include <utility>
 

@@ -8,7 +8,6 @@
 
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/rings.h"
-#include "game/clay/studio/spare_clay.h"
 
 namespace onggi::clay::studio {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "game/clay/exact_math.h"
-#include "game/clay/studio/resplit.h"
 #include "game/clay/studio/strength.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/clay/studio/volume_grid.h"

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "game/clay/studio/rings.h"
-#include "game/clay/studio/studio_parameters.h"
 
 namespace onggi::clay::studio {
 

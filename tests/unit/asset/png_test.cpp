@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <string_view>
 
 #include "engine/asset/image.h"

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "engine/core/little_endian.h"
 #include "game/decoration/stroke_bytes.h"
 #include "tests/unit/decoration/sample_walls.h"
 

@@ -2,7 +2,6 @@
 // own, and the hand-off between them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "engine/jobs/frame_pacer.h"

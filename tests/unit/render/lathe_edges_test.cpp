@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "engine/render/shapes/lathe_sectors.h"
 #include "engine/render/shapes/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {

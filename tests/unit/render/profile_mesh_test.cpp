@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <tuple>
-
 namespace onggi::render {
 namespace {
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "engine/render/profile_mesh.h"
 
 namespace onggi::render {

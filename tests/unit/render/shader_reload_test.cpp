@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "shaders/shaders.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,12 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return fmt::format("{}_{}x{}", one.language, one.width_px, one.height_px);
 }
 
+// One painter for all: its fonts take as long to find as a layout to judge.
 class Audit : public testing::TestWithParam<Case> {
   protected:
-    ui::Painter painter_;
+    static void SetUpTestSuite() { painter_ = std::make_unique<ui::Painter>(); }
+    static void TearDownTestSuite() { painter_.reset(); }
+    inline static std::unique_ptr<ui::Painter> painter_;
 };
 
 // Every way in which a visitor may have set the screens up.
@@ -79,20 +83,20 @@ void expect_nothing_in_any_layout(const Case& one, ui::Painter& painter) {
 }
 
 TEST_P(Audit, FindsNothingInAnyLayout) {
-    expect_nothing_in_any_layout(GetParam(), painter_);
+    expect_nothing_in_any_layout(GetParam(), *painter_);
 }
 
 // Panels between the three shapes that were drawn, and beyond them, hung either way.
 class OtherShapes : public Audit {};
 TEST_P(OtherShapes, FindsNothingInAnyLayout) {
-    expect_nothing_in_any_layout(GetParam(), painter_);
+    expect_nothing_in_any_layout(GetParam(), *painter_);
 }
 
 // Words may keep their size where their box has no room for more, but none is smaller for who asks for larger
 // ones, and taken together they are clearly larger.
 TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
     const Case& one = GetParam();
-    PaintingStore store(painter_, PaintingStore::Paints::kNothing);
+    PaintingStore store(*painter_, PaintingStore::Paints::kNothing);
     for (const bool reach : {false, true}) {
         std::map<std::string, float> first;
         std::map<std::string, float> before;
@@ -106,7 +110,7 @@ TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
                                             .reach = reach,
                                             .staff = false})) {
                 std::map<std::string, int> again;
-                for (const Writing& text : compose(*sample.view, painter_, store).writings) {
+                for (const Writing& text : compose(*sample.view, *painter_, store).writings) {
                     const std::string key =
                         fmt::format("{} {} {}", sample.name, text.words, again[text.words]++);
                     const auto smaller = before.find(key);
@@ -129,7 +133,7 @@ TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
 
 TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
     const Case& one = GetParam();
-    PaintingStore store(painter_);
+    PaintingStore store(*painter_);
     // A quarter of the size each way, and the same layout. The staff's panel keeps its size of text.
     const auto audit = [&](SampleRequest request) {
         request.width_px = one.width_px / 4;
@@ -139,7 +143,7 @@ TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
         for (const SampleView& sample : sample_views(request)) {
             SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(request)));
             const SampleView ringed = request.scans ? with_ring(sample, ++ring, 12) : sample;
-            const Composition composition = compose(*ringed.view, painter_, store);
+            const Composition composition = compose(*ringed.view, *painter_, store);
             audit_contrast(ringed, composition);
             audit_room(ringed, composition);
         }

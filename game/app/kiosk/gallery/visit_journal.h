@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "engine/core/result.h"
 #include "engine/record/session_writer.h"

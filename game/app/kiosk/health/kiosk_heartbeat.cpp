@@ -7,7 +7,6 @@
 #include "engine/files/atomic_file.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/kiosk/health/kiosk_health.h"
-#include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/process_use.h"
 #include "game/app/system/version.h"
 

@@ -2,7 +2,6 @@
 // haptic one.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "engine/asset/image.h"

@@ -1,10 +1,8 @@
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 #include "engine/ui/painter.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"

@@ -1,7 +1,6 @@
 #include "game/app/kiosk/visit/bench_tools.h"
 
 #include <array>
-#include <cmath>
 
 #include "game/screens/layout.h"
 #include "game/wheel/tool_models.h"
