@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/hash.h"
 
@@ -76,6 +77,17 @@ void DrawList::add_line(std::span<const vec2> points, float width_px, const Colo
             triangle(row + k, row + k + 5, row + k + 4);
         }
     }
+}
+
+void DrawList::add_disc(vec2 centre, float radius_px, const Colour& colour) {
+    constexpr int kCorners = 28;
+    std::array<vec2, kCorners + 1> circle;
+    for (std::size_t i = 0; i < circle.size(); ++i) {
+        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+        circle[i] = centre + radius_px * vec2(std::cos(angle), std::sin(angle));
+    }
+    add_polygon(std::span(circle).first(kCorners), colour);
+    add_line(circle, 0.5F, colour);
 }
 
 void DrawList::add_picture(vec2 corner_px, const Rect& in_atlas_px, float alpha) {

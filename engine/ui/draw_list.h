@@ -36,6 +36,8 @@ class DrawList {
     void add_polygon(std::span<const vec2> corners, const Colour& colour);
     // Of this width, and one pixel more on each side in which it fades away.
     void add_line(std::span<const vec2> points, float width_px, const Colour& colour);
+    // With a soft edge.
+    void add_disc(vec2 centre, float radius_px, const Colour& colour);
     // A whole picture of the atlas, pixel by pixel, on the whole pixel nearest to this upper left corner;
     // alpha multiplies it.
     void add_picture(vec2 corner_px, const Rect& in_atlas_px, float alpha);

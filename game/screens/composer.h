@@ -11,9 +11,9 @@
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/mailbox.h"
 #include "engine/ui/painter.h"
-#include "game/screens/composition.h"
-#include "game/screens/page.h"
-#include "game/screens/view.h"
+#include "game/screens/page/composition.h"
+#include "game/screens/page/page.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::screens {
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "game/screens/design.h"
+#include "game/screens/page/design.h"
 
 namespace onggi::screens {
 namespace {
@@ -48,11 +47,11 @@ void draw_head(DrawList& list, vec2 tip, vec2 along, float length, float half, c
 // As in physics books: a dot is an arrow's tip, a cross its feathers.
 void draw_sign(DrawList& list, Force force, vec2 at, bool towards, float u) {
     const Colour colour = force == Force::kTotal ? design::kOutline : colour_of(force);
-    draw_disc(list, at, (kSignU + kCasingU + 1.0F) * u, design::kNight.with_alpha(0.85F));
-    draw_disc(list, at, kSignU * u, colour);
-    draw_disc(list, at, (kSignU - 3.5F) * u, design::kNight);
+    list.add_disc(at, (kSignU + kCasingU + 1.0F) * u, design::kNight.with_alpha(0.85F));
+    list.add_disc(at, kSignU * u, colour);
+    list.add_disc(at, (kSignU - 3.5F) * u, design::kNight);
     if (towards) {
-        draw_disc(list, at, 4.5F * u, colour);
+        list.add_disc(at, 4.5F * u, colour);
         return;
     }
     const float arm = 0.62F * (kSignU - 3.5F) * u;
@@ -117,17 +116,6 @@ void draw_names(const std::vector<Named>& named, const ForceParts& parts, const 
 }
 
 }  // namespace
-
-void draw_disc(DrawList& list, vec2 centre, float radius, const Colour& colour) {
-    constexpr int kCorners = 28;
-    std::array<vec2, kCorners + 1> circle;
-    for (std::size_t i = 0; i < circle.size(); ++i) {
-        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
-        circle[i] = centre + radius * vec2(std::cos(angle), std::sin(angle));
-    }
-    list.add_polygon(std::span(circle).first(kCorners), colour);
-    list.add_line(circle, 0.5F, colour);
-}
 
 void keep_apart(std::span<Rect> boxes, const Rect& bounds, float gap) {
     const auto onto_screen = [&](Rect& box) {

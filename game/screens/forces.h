@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/ui/draw_list.h"
-#include "game/screens/composition.h"
 #include "game/screens/force_trace.h"
+#include "game/screens/page/composition.h"
 
 namespace onggi::screens {
 
@@ -50,8 +50,6 @@ struct ForcePainter {
 // The line and head of one force; they differ in form too, so that colour is never the only sign.
 void draw_arrow(ui::DrawList& list, Force force, vec2 from_px, vec2 to_px, float px_per_u);
 void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter);
-// With a soft edge.
-void draw_disc(ui::DrawList& list, vec2 centre, float radius, const ui::Colour& colour);
 // What changes in the panel: its numbers and plots.
 void draw_force_panel(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter);
 

@@ -1,7 +1,7 @@
 // The ledge while a jar of two bowls is made: its five steps, and what the steps between the throwings need.
 #include <array>
 
-#include "game/screens/ledge_parts.h"
+#include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "game/screens/ledge_parts.h"
+#include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {

@@ -1,5 +1,5 @@
 // Turning the foot: the pot on its rim, and on the ledge how much lighter it has become.
-#include "game/screens/ledge_parts.h"
+#include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {

@@ -1,7 +1,7 @@
 // Every screen, drawn from the state: one function each, and compose() which picks. The composer's thread.
 #pragma once
 
-#include "game/screens/page.h"
+#include "game/screens/page/page.h"
 
 namespace onggi::screens {
 

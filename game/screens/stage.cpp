@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/screens/design.h"
+#include "game/screens/page/design.h"
 
 namespace onggi::screens {
 namespace {

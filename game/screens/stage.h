@@ -12,8 +12,8 @@
 #include "engine/ui/atlas.h"
 #include "engine/ui/draw_list.h"
 #include "game/screens/composer.h"
-#include "game/screens/cue.h"
 #include "game/screens/forces.h"
+#include "game/screens/page/cue.h"
 
 namespace onggi::screens {
 

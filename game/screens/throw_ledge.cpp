@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "game/screens/ledge_parts.h"
+#include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {

@@ -1,7 +1,7 @@
 // What there is to hold while one throws: hand, rib, sponge and wire, on the ledge under the clay.
 #include <array>
 
-#include "game/screens/ledge_parts.h"
+#include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
 
 namespace onggi::screens {

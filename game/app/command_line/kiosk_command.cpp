@@ -34,7 +34,7 @@
 #include "game/app/system/wall_clock.h"
 #include "game/haptic/job.h"
 #include "game/kiosk/spoken.h"
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {

@@ -10,7 +10,7 @@
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk/presentation/exhibits.h"
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 
 namespace onggi::app {
 namespace {

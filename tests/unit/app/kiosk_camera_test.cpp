@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/files/asset_folder.h"
-#include "game/screens/layout.h"
+#include "game/screens/page/layout.h"
 #include "game/wheel/wheel_scene.h"
 
 namespace onggi::app {

@@ -9,7 +9,7 @@
 
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/finish/glaze.h"
-#include "game/screens/pot_picture.h"
+#include "game/screens/pots/pot_picture.h"
 
 namespace onggi::app {
 namespace {

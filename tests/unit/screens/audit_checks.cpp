@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "game/screens/design.h"
-#include "game/screens/legibility.h"
+#include "game/screens/page/design.h"
+#include "game/screens/page/legibility.h"
 #include "game/screens/stage.h"
 #include "tests/unit/screens/flatten.h"
 

@@ -2,7 +2,7 @@
 // audit_test.cpp.
 #pragma once
 
-#include "game/screens/composition.h"
+#include "game/screens/page/composition.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {

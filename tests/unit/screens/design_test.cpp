@@ -1,11 +1,11 @@
-#include "game/screens/design.h"
+#include "game/screens/page/design.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "engine/ui/path.h"
-#include "game/screens/icons.h"
-#include "game/screens/legibility.h"
+#include "game/screens/page/icons.h"
+#include "game/screens/page/legibility.h"
 
 namespace onggi::screens::design {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/asset/image.h"
-#include "game/screens/composition.h"
+#include "game/screens/page/composition.h"
 
 namespace onggi::screens {
 

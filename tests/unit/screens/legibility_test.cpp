@@ -1,5 +1,5 @@
 // How large words are where the settings put the visitor's eyes.
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
-#include "game/screens/pot_picture.h"
+#include "game/screens/pots/pot_picture.h"
 #include "tests/unit/screens/flatten.h"
 #include "tests/unit/screens/sample_decorations.h"
 #include "tests/unit/screens/sample_views.h"

@@ -1,4 +1,4 @@
-#include "game/screens/pot_picture.h"
+#include "game/screens/pots/pot_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "game/screens/pot_samples.h"
+#include "game/screens/pots/pot_samples.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {

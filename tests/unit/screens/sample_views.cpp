@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "game/screens/design.h"
-#include "game/screens/layout.h"
+#include "game/screens/page/design.h"
+#include "game/screens/page/layout.h"
 #include "tests/unit/screens/sample_decorations.h"
 #include "tests/unit/screens/sample_staff.h"
 

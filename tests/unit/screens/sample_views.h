@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::screens {
 

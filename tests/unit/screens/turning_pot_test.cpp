@@ -1,5 +1,5 @@
 // A pot that turns: as it was painted when it stands, and its colours going round while its light stays.
-#include "game/screens/turning_pot.h"
+#include "game/screens/pots/turning_pot.h"
 
 #include <gtest/gtest.h>
 

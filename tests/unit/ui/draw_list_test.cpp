@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 namespace onggi::ui {
@@ -38,6 +39,19 @@ TEST(DrawList, FadesALineAtBothEdges) {
     EXPECT_EQ(list.vertices()[0].rgba, 0U);
     EXPECT_EQ(list.vertices()[1].rgba, 0xffffffffU);
     EXPECT_EQ(list.vertices()[3].rgba, 0U);
+}
+
+TEST(DrawList, RoundsADiscAndFadesItsEdge) {
+    DrawList list;
+    list.add_disc({20.0F, 30.0F}, 8.0F, hex(0xffffff));
+    float farthest_px = 0.0F;
+    for (const Vertex& vertex : list.vertices()) {
+        const float out_px = glm::length(vertex.position_px - vec2(20.0F, 30.0F));
+        farthest_px = std::max(farthest_px, out_px);
+        EXPECT_TRUE(out_px < 8.5F || vertex.rgba == 0U) << out_px;
+    }
+    EXPECT_GT(farthest_px, 9.0F);
+    EXPECT_LT(farthest_px, 9.5F);
 }
 
 TEST(DrawList, HasAHashOfWhatItDraws) {

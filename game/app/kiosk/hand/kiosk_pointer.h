@@ -7,7 +7,7 @@
 
 #include "engine/window/events.h"
 #include "game/kiosk/step.h"
-#include "game/screens/composition.h"
+#include "game/screens/page/composition.h"
 
 namespace onggi::app {
 

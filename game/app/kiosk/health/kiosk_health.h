@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::app {
 

@@ -22,8 +22,8 @@
 #include "game/haptic/fault_report.h"
 #include "game/haptic/history.h"
 #include "game/haptic/job.h"
-#include "game/screens/pot_picture.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
+#include "game/screens/pots/pot_picture.h"
 
 namespace onggi::app {
 

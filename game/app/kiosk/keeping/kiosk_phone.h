@@ -17,7 +17,7 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/keeping/kiosk_film.h"
 #include "game/app/kiosk/kiosk_settings.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 #include "game/sharing/open_counter.h"
 #include "game/sharing/outbox.h"
 

@@ -18,8 +18,8 @@
 #include "game/finish/glaze.h"
 #include "game/finish/glaze_surface.h"
 #include "game/finish/mark_colour.h"
-#include "game/screens/pot_picture.h"
-#include "game/screens/pot_shading.h"
+#include "game/screens/pots/pot_picture.h"
+#include "game/screens/pots/pot_shading.h"
 #include "game/sharing/share_link.h"
 
 namespace onggi::app {

@@ -7,7 +7,7 @@
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
 #include "game/app/kiosk/kiosk_settings.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 #include "game/sharing/outbox.h"
 #include "game/sharing/shared_pot.h"
 

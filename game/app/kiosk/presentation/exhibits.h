@@ -10,7 +10,7 @@
 #include "game/heritage/jar.h"
 #include "game/heritage/target.h"
 #include "game/kiosk/strings.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::app {
 

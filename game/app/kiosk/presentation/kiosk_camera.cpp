@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/screens/layout.h"
+#include "game/screens/page/layout.h"
 
 namespace onggi::app {
 namespace {

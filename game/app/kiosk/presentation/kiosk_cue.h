@@ -7,7 +7,7 @@
 
 #include "game/clay/studio/grip.h"
 #include "game/pot/pot.h"
-#include "game/screens/cue.h"
+#include "game/screens/page/cue.h"
 
 namespace onggi::app {
 

@@ -11,7 +11,7 @@
 #include "game/haptic/messages.h"
 #include "game/heritage/target.h"
 #include "game/kiosk/state.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::app {
 

@@ -12,7 +12,7 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/haptic/force_test.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::app {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 
 namespace onggi::app {
 

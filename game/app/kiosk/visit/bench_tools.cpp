@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "game/screens/layout.h"
+#include "game/screens/page/layout.h"
 #include "game/wheel/tool_models.h"
 
 namespace onggi::app {

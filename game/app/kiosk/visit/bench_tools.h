@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "game/app/kiosk/visit/visit_parts.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::app {
 

@@ -12,7 +12,7 @@
 #include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/app/kiosk/visit/visit_wheel.h"
-#include "game/screens/view.h"
+#include "game/screens/page/view.h"
 
 namespace onggi::app {
 

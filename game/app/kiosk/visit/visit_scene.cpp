@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "game/screens/layout.h"
+#include "game/screens/page/layout.h"
 
 namespace onggi::app {
 

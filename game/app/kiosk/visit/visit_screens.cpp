@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "game/app/kiosk/visit/bench_tools.h"
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 
 namespace onggi::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "game/screens/ledge_parts.h"
+#include "game/screens/page/ledge_parts.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/screens/page.h"
+#include "game/screens/page/page.h"
 
 namespace onggi::screens {
 namespace {

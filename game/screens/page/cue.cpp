@@ -1,12 +1,11 @@
-#include "game/screens/cue.h"
+#include "game/screens/page/cue.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "game/screens/design.h"
-#include "game/screens/forces.h"
+#include "game/screens/page/design.h"
 
 namespace onggi::screens {
 namespace {
@@ -73,7 +72,7 @@ void draw_thread(DrawList& list, const Thread& thread, float alpha, float u) {
     const auto both = [&](float line_u, const Colour& colour) {
         list.add_line(ring, line_u * u, colour);
         for (float way = (kRingU + kPitchU) * u; way < length; way += kPitchU * u)
-            draw_disc(list, thread.finger_px + way * along, 0.5F * line_u * u, colour);
+            list.add_disc(thread.finger_px + way * along, 0.5F * line_u * u, colour);
     };
     both(7.0F, design::kNight.with_alpha(0.5F * strength));
     both(3.4F, design::kOutline.with_alpha(strength));
@@ -95,10 +94,10 @@ void draw_way(DrawList& list, CueWay way, vec2 from, float alpha, float u) {
     const Colour pale = kCream.with_alpha(alpha);
     const auto both = [&](float line_u, const Colour& colour) {
         for (int dot = 0; dot < kDots; ++dot)
-            draw_disc(list, from + static_cast<float>(dot) * kPitchU * u * along, 0.5F * line_u * u, colour);
+            list.add_disc(from + static_cast<float>(dot) * kPitchU * u * along, 0.5F * line_u * u, colour);
         list.add_line(head, line_u * u, colour);
-        draw_disc(list, head.front(), 0.5F * line_u * u, colour);
-        draw_disc(list, head.back(), 0.5F * line_u * u, colour);
+        list.add_disc(head.front(), 0.5F * line_u * u, colour);
+        list.add_disc(head.back(), 0.5F * line_u * u, colour);
     };
     both(13.0F, dark);
     both(7.5F, pale);

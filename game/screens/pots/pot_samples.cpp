@@ -1,4 +1,4 @@
-#include "game/screens/pot_samples.h"
+#include "game/screens/pots/pot_samples.h"
 
 #include <algorithm>
 #include <array>

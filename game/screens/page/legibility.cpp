@@ -1,11 +1,11 @@
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "game/screens/design.h"
-#include "game/screens/layout.h"
+#include "game/screens/page/design.h"
+#include "game/screens/page/layout.h"
 
 namespace onggi::screens {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "engine/core/hash.h"
-#include "game/screens/page.h"
+#include "game/screens/page/page.h"
 
 namespace onggi::screens {
 namespace {

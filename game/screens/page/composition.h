@@ -11,8 +11,8 @@
 #include "engine/ui/geometry.h"
 #include "engine/ui/painting.h"
 #include "game/kiosk/step.h"
-#include "game/screens/cue.h"
-#include "game/screens/turning_pot.h"
+#include "game/screens/page/cue.h"
+#include "game/screens/pots/turning_pot.h"
 
 namespace onggi::screens {
 

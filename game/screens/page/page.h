@@ -9,12 +9,12 @@
 #include <unordered_map>
 
 #include "engine/ui/painter.h"
-#include "game/screens/composition.h"
-#include "game/screens/design.h"
-#include "game/screens/icons.h"
-#include "game/screens/layout.h"
-#include "game/screens/turning_pot.h"
-#include "game/screens/view.h"
+#include "game/screens/page/composition.h"
+#include "game/screens/page/design.h"
+#include "game/screens/page/icons.h"
+#include "game/screens/page/layout.h"
+#include "game/screens/page/view.h"
+#include "game/screens/pots/turning_pot.h"
 
 namespace onggi::screens {
 

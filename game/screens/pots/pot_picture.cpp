@@ -1,9 +1,9 @@
-#include "game/screens/pot_picture.h"
+#include "game/screens/pots/pot_picture.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "game/screens/pot_samples.h"
+#include "game/screens/pots/pot_samples.h"
 
 namespace onggi::screens {
 

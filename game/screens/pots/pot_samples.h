@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "game/screens/pot_picture.h"
-#include "game/screens/pot_shading.h"
+#include "game/screens/pots/pot_picture.h"
+#include "game/screens/pots/pot_shading.h"
 
 namespace onggi::screens {
 

@@ -1,4 +1,4 @@
-#include "game/screens/pot_shading.h"
+#include "game/screens/pots/pot_shading.h"
 
 #include <algorithm>
 #include <cmath>

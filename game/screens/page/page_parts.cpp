@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "game/screens/page.h"
+#include "game/screens/page/page.h"
 
 namespace onggi::screens {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "game/screens/page.h"
+#include "game/screens/page/page.h"
 
 namespace onggi::screens {
 

@@ -1,9 +1,9 @@
-#include "game/screens/page.h"
+#include "game/screens/page/page.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "game/screens/legibility.h"
+#include "game/screens/page/legibility.h"
 
 namespace onggi::screens {
 namespace {

@@ -1,4 +1,4 @@
-#include "game/screens/turning_pot.h"
+#include "game/screens/pots/turning_pot.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "game/screens/pot_samples.h"
+#include "game/screens/pots/pot_samples.h"
 
 namespace onggi::screens {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "game/screens/pot_picture.h"
-#include "game/screens/pot_samples.h"
+#include "game/screens/pots/pot_picture.h"
+#include "game/screens/pots/pot_samples.h"
 
 namespace onggi::screens {
 

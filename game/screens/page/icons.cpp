@@ -1,4 +1,4 @@
-#include "game/screens/icons.h"
+#include "game/screens/page/icons.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "game/screens/design.h"
+#include "game/screens/page/design.h"
 
 namespace onggi::screens {
 namespace {

@@ -11,7 +11,7 @@
 #include "game/finish/drawn_with.h"
 #include "game/kiosk/state.h"
 #include "game/kiosk/strings.h"
-#include "game/screens/pot_picture.h"
+#include "game/screens/pots/pot_picture.h"
 
 namespace onggi::screens {
 
