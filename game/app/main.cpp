@@ -1,19 +1,10 @@
-// onggi: a potter's wheel one can feel. Each command has its own file; here they are listed.
+// onggi: a potter's wheel one can feel. Each command has its own file; here they are in the order of --help.
 #include <CLI/CLI.hpp>
 #include <csignal>
 
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line/command_line.h"
-#include "game/app/command_line/devices_command.h"
-#include "game/app/command_line/doctor_command.h"
-#include "game/app/command_line/film_command.h"
-#include "game/app/command_line/kiosk_command.h"
-#include "game/app/command_line/live_command.h"
-#include "game/app/command_line/manual_command.h"
-#include "game/app/command_line/replay_command.h"
-#include "game/app/command_line/share_command.h"
-#include "game/app/command_line/status_command.h"
-#include "game/app/command_line/throw_command.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/system/crash_report.h"
 
 int main(int argc, char** argv) {

@@ -1,9 +1,8 @@
-#include "game/app/command_line/devices_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <vector>
 
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/device_probes.h"
 #include "game/app/command_line/finding.h"
 

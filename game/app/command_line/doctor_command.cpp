@@ -1,5 +1,3 @@
-#include "game/app/command_line/doctor_command.h"
-
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -14,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/jobs/thread_setup.h"
 #include "engine/vk/physical_device.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/device_probes.h"
 #include "game/app/command_line/finding.h"
 #include "game/app/command_line/options.h"

@@ -1,5 +1,3 @@
-#include "game/app/command_line/film_command.h"
-
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -15,6 +13,7 @@
 #include "engine/core/quote.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"

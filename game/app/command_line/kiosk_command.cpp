@@ -1,5 +1,3 @@
-#include "game/app/command_line/kiosk_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +13,7 @@
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/live_loop.h"
 #include "game/app/command_line/options.h"
 #include "game/app/devices/hand_devices.h"

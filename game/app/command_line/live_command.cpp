@@ -1,5 +1,3 @@
-#include "game/app/command_line/live_command.h"
-
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -14,6 +12,7 @@
 #include "engine/files/atomic_file.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/thread_setup.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/live_forces.h"
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/performance.h"
@@ -134,40 +133,7 @@ std::string check_wait(const std::string& word) {
     return fmt::format("expected hybrid or sleep, found {}", in_quotes(word));
 }
 
-nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
-    return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
-}
-
 }  // namespace
-
-nlohmann::ordered_json live_stats(const LiveReport& report) {
-    constexpr double kNsPerUs = 1e3;
-    constexpr double kNsPerMs = 1e6;
-    const bool pinned = report.real_time.pinning.grant == jobs::Grant::kGranted;
-    nlohmann::ordered_json stats =
-        common_stats(report.ticks.ticks, report.ticks.tick_ns, report.rate_hz, report.state);
-    stats["missed_deadlines"] = report.ticks.missed_deadlines();
-    stats["skipped_periods"] = report.ticks.skipped_periods;
-    stats["wake_latency_us"] = percentiles(report.ticks.wake_latency_ns, kNsPerUs);
-    stats["haptic_core"] = pinned ? report.real_time.core.core : -1;
-    stats["haptic_core_shared"] = report.real_time.core.shared();
-    stats["scheduler"] = report.real_time.scheduler();
-    stats["memory_locked"] = report.real_time.memory_lock.grant == jobs::Grant::kGranted;
-    stats["frames"] = report.frames;
-    stats["first_frame_s"] = number_or_null(report.first_frame_s);
-    stats["resident_mb"] = number_or_null(report.resident_mb);
-    stats["frame_ms"] = percentiles(report.frame_ns, kNsPerMs);
-    stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
-    stats["lumps"] = report.lumps;
-    stats["dropped_records"] = report.dropped_records;
-    stats["safety"] = {
-        {"late_periods", report.safety.late_periods}, {"gain", report.safety.gain},
-        {"faults", report.safety.fault_count},        {"silences", report.safety.silences},
-        {"energy_taken_mj", report.safety.taken_mj},  {"energy_given_mj", report.safety.given_mj},
-        {"mean_force_n", report.safety.mean_force_n}, {"largest_force_n", report.safety.largest_force_n},
-        {"most_force_n", report.most_force_n}};
-    return stats;
-}
 
 void add_live_command(CLI::App& program, int& exit_status) {
     CLI::App* command =

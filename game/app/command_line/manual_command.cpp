@@ -1,5 +1,3 @@
-#include "game/app/command_line/manual_command.h"
-
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "engine/files/atomic_file.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/manual_page.h"
 #include "game/app/system/report.h"
 #include "game/app/system/version.h"

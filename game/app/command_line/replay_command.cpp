@@ -1,5 +1,3 @@
-#include "game/app/command_line/replay_command.h"
-
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -7,6 +5,7 @@
 #include <memory>
 
 #include "engine/core/quote.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/replay/replay.h"

@@ -1,5 +1,3 @@
-#include "game/app/command_line/share_command.h"
-
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -15,6 +13,7 @@
 #include "engine/files/read_file.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/thread_setup.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/sharing/confinement.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/app/sharing/share_server.h"

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "game/app/system/or_null.h"
 #include "game/clay/studio/pot.h"
 #include "game/exporter/studio_export.h"
 
@@ -85,6 +86,35 @@ nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& 
                                  {"clay_volume_mm3", state.volume_mm3()},
                                  {"ledger_error", ledger_error(state)}};
     if (const clay::StudioClay* studio = state.studio()) add_studio_stats(stats, *studio);
+    return stats;
+}
+
+nlohmann::ordered_json live_stats(const LiveReport& report) {
+    constexpr double kNsPerUs = 1e3;
+    constexpr double kNsPerMs = 1e6;
+    const bool pinned = report.real_time.pinning.grant == jobs::Grant::kGranted;
+    nlohmann::ordered_json stats =
+        common_stats(report.ticks.ticks, report.ticks.tick_ns, report.rate_hz, report.state);
+    stats["missed_deadlines"] = report.ticks.missed_deadlines();
+    stats["skipped_periods"] = report.ticks.skipped_periods;
+    stats["wake_latency_us"] = percentiles(report.ticks.wake_latency_ns, kNsPerUs);
+    stats["haptic_core"] = pinned ? report.real_time.core.core : -1;
+    stats["haptic_core_shared"] = report.real_time.core.shared();
+    stats["scheduler"] = report.real_time.scheduler();
+    stats["memory_locked"] = report.real_time.memory_lock.grant == jobs::Grant::kGranted;
+    stats["frames"] = report.frames;
+    stats["first_frame_s"] = or_null<nlohmann::ordered_json>(report.first_frame_s);
+    stats["resident_mb"] = or_null<nlohmann::ordered_json>(report.resident_mb);
+    stats["frame_ms"] = percentiles(report.frame_ns, kNsPerMs);
+    stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
+    stats["lumps"] = report.lumps;
+    stats["dropped_records"] = report.dropped_records;
+    stats["safety"] = {
+        {"late_periods", report.safety.late_periods}, {"gain", report.safety.gain},
+        {"faults", report.safety.fault_count},        {"silences", report.safety.silences},
+        {"energy_taken_mj", report.safety.taken_mj},  {"energy_given_mj", report.safety.given_mj},
+        {"mean_force_n", report.safety.mean_force_n}, {"largest_force_n", report.safety.largest_force_n},
+        {"most_force_n", report.most_force_n}};
     return stats;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/jobs/histogram.h"
+#include "game/app/command_line/live_loop.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::app {
@@ -15,8 +16,11 @@ namespace onggi::app {
 // The fields that every run has: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (a fraction of the
 // lump; null: the paper's clay keeps no ledger); of the studio's clay also mass, height, widest diameter,
 // floor, walls, capacity, where its clay went, how many rings it has, the load and a failure's sentence, and
-// all measures wet and glaze-fired (share/studio_export.h).
+// all measures wet and glaze-fired (exporter/studio_export.h).
 [[nodiscard]] nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& tick_ns,
                                                   double rate_hz, const haptic::HapticState& state);
+
+// What there is of a live run besides.
+[[nodiscard]] nlohmann::ordered_json live_stats(const LiveReport& report);
 
 }  // namespace onggi::app

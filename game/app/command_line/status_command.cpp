@@ -1,5 +1,3 @@
-#include "game/app/command_line/status_command.h"
-
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -10,6 +8,7 @@
 
 #include "engine/core/result.h"
 #include "engine/files/read_file.h"
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/system_probes.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/system/report.h"

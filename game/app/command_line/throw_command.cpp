@@ -1,11 +1,10 @@
-#include "game/app/command_line/throw_command.h"
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <utility>
 
+#include "game/app/command_line/commands.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/command_line/throw_outputs.h"

@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 
-#include "game/app/command_line/live_command.h"
 #include "game/app/command_line/live_loop.h"
+#include "game/app/command_line/stats.h"
 #include "tests/support/scripted_device.h"
 
 namespace onggi::app {
