@@ -1,5 +1,5 @@
-// Numbers as little-endian bytes, whatever the machine's own order: for what session files and start states
-// hold. Any thread; reading allocates nothing and is fit for the tick.
+// Numbers as little-endian bytes, whatever the machine's own order: for what session files, start states and
+// devices' reports hold. Any thread; reading allocates nothing and is fit for the tick.
 #pragma once
 
 #include <bit>
@@ -27,13 +27,16 @@ inline void put(std::vector<std::byte>& bytes, float number) {
 }
 
 // Precondition of each: sizeof(T) bytes stand at `bytes`.
-template <std::unsigned_integral T>
+template <std::integral T>
 [[nodiscard]] T get(const std::byte* bytes) noexcept {
-    T number = 0;
-    for (std::size_t at = 0; at < sizeof(T); ++at) {
-        number = static_cast<T>(number | static_cast<T>(static_cast<T>(bytes[at]) << (8U * at)));
-    }
-    return number;
+    std::uint64_t number = 0;
+    for (std::size_t at = 0; at < sizeof(T); ++at)
+        number |= static_cast<std::uint64_t>(bytes[at]) << (8U * at);
+    return static_cast<T>(number);
+}
+template <std::integral T>
+[[nodiscard]] T get(std::span<const std::uint8_t> bytes, std::size_t at) noexcept {
+    return get<T>(std::as_bytes(bytes).data() + at);
 }
 
 [[nodiscard]] inline double get_double(const std::byte* bytes) noexcept {

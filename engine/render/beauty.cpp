@@ -1,9 +1,10 @@
 #include "engine/render/beauty.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "engine/math/eight_bits.h"
 
 namespace onggi::render {
 namespace {
@@ -26,7 +27,7 @@ dvec2 spread(int index, double offset) {
 
 std::uint8_t srgb_byte(float light) {
     const float v = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
+    return eight_bits(v);
 }
 
 Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {

@@ -5,13 +5,12 @@
 #include <numbers>
 
 #include "engine/core/hash.h"
+#include "engine/math/eight_bits.h"
 
 namespace onggi::ui {
 
 std::uint32_t packed(const Colour& colour) {
-    const auto eight = [&](float value) {
-        return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
-    };
+    const auto eight = [](float value) { return std::uint32_t{eight_bits(value)}; };
     const float a = std::clamp(colour.a, 0.0F, 1.0F);
     return eight(colour.r * a) | eight(colour.g * a) << 8U | eight(colour.b * a) << 16U | eight(a) << 24U;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/core/cells.h"
 #include "engine/core/quote.h"
 #include "engine/files/read_file.h"
 #include "game/heritage/table.h"
@@ -28,16 +29,10 @@ using Columns = std::map<std::string, std::size_t, std::less<>>;
 
 Result<Columns> columns_of(std::string_view header, std::string_view name) {
     Columns columns;
-    std::size_t place = 0;
-    for (std::string_view rest = header;; ++place) {
-        const std::size_t end = std::min(rest.find(','), rest.size());
-        if (!columns.emplace(rest.substr(0, end), place).second)
-            return at_row(
-                name, 1,
-                fmt::format("expected each column once, found {} twice", in_quotes(rest.substr(0, end))));
-        if (end == rest.size()) break;
-        rest.remove_prefix(end + 1);
-    }
+    for (const std::string_view column : cells_of(header, ','))
+        if (!columns.emplace(column, columns.size()).second)
+            return at_row(name, 1,
+                          fmt::format("expected each column once, found {} twice", in_quotes(column)));
     std::vector<std::string> needed{"id", "source"};
     for (const std::string_view line : kLines) {
         needed.push_back(fmt::format("{}_{}", line, kEnglish));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 
+#include "engine/core/cells.h"
 #include "engine/core/quote.h"
 #include "languages.h"  // written while building, from assets/languages
 
@@ -13,16 +14,6 @@ namespace onggi::kiosk {
 namespace {
 
 constexpr std::string_view kHeader = "key\ttext\tspoken\tcheck";
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (std::size_t tab = line.find('\t'); tab != std::string_view::npos; tab = line.find('\t')) {
-        cells.push_back(line.substr(0, tab));
-        line.remove_prefix(tab + 1);
-    }
-    cells.push_back(line);
-    return cells;
-}
 
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
@@ -77,7 +68,7 @@ Result<Language> Language::read(std::string_view table, std::string code, const 
             continue;
         }
         if (line.empty() || line.starts_with('#')) continue;
-        const auto cells = cells_of(line);
+        const auto cells = cells_of(line, '\t');
         if (cells.size() != 4) return wrong(number, "four cells between tabs", line);
         for (const std::string_view cell : cells) {
             if (!is_utf8(cell)) return wrong(number, "UTF-8", cell);

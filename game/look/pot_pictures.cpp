@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/asset/mesh_order.h"
+#include "engine/math/eight_bits.h"
 #include "engine/render/beauty.h"
 #include "engine/render/shapes/lathe_light.h"
 #include "engine/render/shapes/lathe_profile.h"
@@ -24,12 +25,8 @@ asset::Image blank() {
     return image;
 }
 
-std::uint8_t byte_of(float fraction) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
-}
-
 void add_texel(asset::Image& image, const vec3& value) {
-    image.rgba.insert(image.rgba.end(), {byte_of(value.x), byte_of(value.y), byte_of(value.z), 255});
+    image.rgba.insert(image.rgba.end(), {eight_bits(value.x), eight_bits(value.y), eight_bits(value.z), 255});
 }
 
 // The outline as the wheel's picture has it, with its every groove.

@@ -13,6 +13,7 @@
 #include "engine/asset/gltf_read.h"
 #include "engine/files/asset_folder.h"
 #include "engine/files/read_file.h"
+#include "engine/math/eight_bits.h"
 #include "engine/render/profile_mesh.h"
 
 namespace onggi::wheel {
@@ -27,10 +28,6 @@ constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
                                     .max_nodes = 64,
                                     .max_depth = 16};
 
-std::uint8_t byte_of(float fraction) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
-}
-
 render::PropMesh mesh_of(const asset::GltfPart& part, const asset::Material& material) {
     constexpr float kMmAMetre = 1000.0F;
     render::PropMesh mesh;
@@ -39,10 +36,10 @@ render::PropMesh mesh_of(const asset::GltfPart& part, const asset::Material& mat
         const vec4 wear = part.colours.empty() ? vec4(0.5F, 0.0F, 0.0F, 1.0F) : part.colours[i];
         mesh.vertices.push_back({.position_mm = part.mesh.positions_m[i] * kMmAMetre,
                                  .normal = part.mesh.normals[i],
-                                 .tone = byte_of(wear.x),
-                                 .smear = byte_of(wear.y),
+                                 .tone = eight_bits(wear.x),
+                                 .smear = eight_bits(wear.y),
                                  .spare = 0,
-                                 .open_sky = byte_of(wear.w)});
+                                 .open_sky = eight_bits(wear.w)});
     }
     mesh.indices = part.mesh.indices;
     mesh.albedo = vec3(material.base_colour_linear);

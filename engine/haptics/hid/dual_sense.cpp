@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/haptics/hid/little_endian.h"
+#include "engine/core/little_endian.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -86,8 +86,8 @@ std::uint32_t radio_checksum(std::uint8_t seed, std::span<const std::uint8_t> by
 
 std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> report) noexcept {
     if (report.size() >= kRadioBytes && report[0] == kRadioReport) {
-        const bool is_whole =
-            radio_checksum(kInputSeed, report.first(kRadioChecksum)) == uint32_at(report, kRadioChecksum);
+        const bool is_whole = radio_checksum(kInputSeed, report.first(kRadioChecksum)) ==
+                              little_endian::get<std::uint32_t>(report, kRadioChecksum);
         if (!is_whole) return std::nullopt;
         report = report.subspan(1);
     } else if (report.size() < kInputBytes || report[0] != kInputReport) {
@@ -102,10 +102,10 @@ std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> rep
     state.buttons =
         (report[8] & 0xf0U) | (std::uint32_t{report[9]} << 8U) | (std::uint32_t{report[10]} << 16U);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        state.gyro[axis] = int16_at(report, 16 + 2 * axis);
-        state.accel[axis] = int16_at(report, 22 + 2 * axis);
+        state.gyro[axis] = little_endian::get<std::int16_t>(report, 16 + 2 * axis);
+        state.accel[axis] = little_endian::get<std::int16_t>(report, 22 + 2 * axis);
     }
-    state.sensor_time = uint32_at(report, 28);
+    state.sensor_time = little_endian::get<std::uint32_t>(report, 28);
     state.touches = {touch_at(report, 33), touch_at(report, 37)};
     state.right_trigger_zone = report[42] & 0x0fU;
     state.left_trigger_zone = report[43] & 0x0fU;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/haptics/hid/little_endian.h"
+#include "engine/core/little_endian.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -17,7 +17,8 @@ constexpr std::size_t kThreeAxes = 7;
 constexpr std::size_t kSixAxes = 13;
 
 std::array<std::int16_t, 3> three_axes(std::span<const std::uint8_t> report, std::size_t at) noexcept {
-    return {int16_at(report, at), int16_at(report, at + 2), int16_at(report, at + 4)};
+    return {little_endian::get<std::int16_t>(report, at), little_endian::get<std::int16_t>(report, at + 2),
+            little_endian::get<std::int16_t>(report, at + 4)};
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "engine/render/shapes/detail_texture.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "engine/math/eight_bits.h"
 
 namespace onggi::render {
 namespace {
@@ -42,10 +43,6 @@ float streaks(int x, int y) {
     return streaks + grain - 0.5F;
 }
 
-std::uint8_t byte_of(float value) {
-    return static_cast<std::uint8_t>(std::clamp(std::lround(value * 255.0F), 0L, 255L));
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> detail_texture() {
@@ -64,10 +61,10 @@ std::vector<std::uint8_t> detail_texture() {
             const float pit = noise(x, y, 83, 44, 9) > 0.93F ? 0.25F : 0.0F;
             const float lean_round = height(x + 1, y) - height(x - 1, y);
             const float lean_up = height(x, y - 1) - height(x, y + 1);
-            texels.push_back(byte_of(0.5F + 0.8F * height(x, y) - pit));
-            texels.push_back(byte_of(0.5F + 3.5F * lean_round));
-            texels.push_back(byte_of(0.5F + 4.5F * lean_up));
-            texels.push_back(byte_of(0.5F + 1.1F * (noise(x, y, 4, 24, 6) - 0.5F) - 0.5F * height(x, y)));
+            texels.push_back(eight_bits(0.5F + 0.8F * height(x, y) - pit));
+            texels.push_back(eight_bits(0.5F + 3.5F * lean_round));
+            texels.push_back(eight_bits(0.5F + 4.5F * lean_up));
+            texels.push_back(eight_bits(0.5F + 1.1F * (noise(x, y, 4, 24, 6) - 0.5F) - 0.5F * height(x, y)));
         }
     }
     return texels;

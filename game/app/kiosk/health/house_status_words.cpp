@@ -6,6 +6,7 @@
 
 #include "engine/core/quote.h"
 #include "game/app/kiosk/health/house_status.h"
+#include "game/app/system/or_null.h"
 
 namespace onggi::app {
 namespace {
@@ -15,11 +16,6 @@ using nlohmann::ordered_json;
 // ISO 8601, UTC.
 std::string moment(std::int64_t s) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(s)));
-}
-
-template <typename T>
-ordered_json value_or_null(const std::optional<T>& value) {
-    return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
 double mean_dwell_s(const UseOfHour& use) {
@@ -119,8 +115,8 @@ std::string json_of(const HouseStatus& status) {
                             {"skipped_periods", pulse.skipped_periods},
                             {"frame_ms", {{"mean", pulse.frame_ms}, {"worst", pulse.worst_frame_ms}}},
                             {"frames_shown", pulse.frames_shown},
-                            {"celsius", value_or_null(note->celsius)},
-                            {"resident_mb", value_or_null(note->resident_mb)}};
+                            {"celsius", or_null<ordered_json>(note->celsius)},
+                            {"resident_mb", or_null<ordered_json>(note->resident_mb)}};
     } else {
         all["heartbeat"] = nullptr;
     }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/cells.h"
 #include "engine/files/append_line.h"
 
 namespace onggi::app {
@@ -33,16 +34,6 @@ Result<void> append(const fs::path& folder, const char* name, std::string_view h
         fmt::format("{:%Y-%m-%d,%H}{}", fmt::localtime(static_cast<std::time_t>(now_s)), rest));
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t comma = line.find(',');
-        cells.push_back(line.substr(0, comma));
-        if (comma == std::string_view::npos) return cells;
-        line.remove_prefix(comma + 1);
-    }
-}
-
 std::optional<int> number_of(std::string_view cell) {
     int value = 0;
     const char* const end = cell.data() + cell.size();
@@ -59,9 +50,9 @@ void for_each_line(const fs::path& file, const std::string& day, std::size_t cel
     std::string line;
     std::size_t first_count = 0;
     while (std::getline(stream, line)) {
-        if (first_count == 0) first_count = cells_of(line).size();
+        if (first_count == 0) first_count = cells_of(line, ',').size();
         if (!line.starts_with(day)) continue;
-        const auto cells = cells_of(line);
+        const auto cells = cells_of(line, ',');
         const bool fits = cells.size() == cell_count || cells.size() == first_count;
         if (!fits || cells.size() < 2 || cells[0] != day) continue;
         const auto hour = number_of(cells[1]);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/quote.h"
+#include "game/app/system/or_null.h"
 
 namespace onggi::app {
 namespace {
@@ -12,11 +13,6 @@ using nlohmann::json;
 
 // The end of the year 9999: what can still be said as a date.
 constexpr std::int64_t kLastS = 253'402'300'799;
-
-template <typename T>
-json or_null(const std::optional<T>& value) {
-    return value ? json(*value) : json(nullptr);
-}
 
 std::optional<double> number_or_none(const json& value) {
     return value.is_null() ? std::nullopt : std::optional(value.get<double>());
@@ -58,8 +54,8 @@ std::string text_of(const StatusNote& note) {
                    {"picture_moves", note.picture_moves},
                    {"hand_turns", note.hand_turns},
                    {"version", note.version},
-                   {"celsius", or_null(note.celsius)},
-                   {"resident_mb", or_null(note.resident_mb)},
+                   {"celsius", or_null<json>(note.celsius)},
+                   {"resident_mb", or_null<json>(note.resident_mb)},
                    {"pulse",
                     {{"screen", pulse.screen},
                      {"is_closed", pulse.is_closed},
