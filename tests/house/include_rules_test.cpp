@@ -84,6 +84,12 @@ TEST(House, EveryRoomHasAReadme) {
     }
     for (const char* folder : {"engine", "game", "shaders", "assets", "tests"}) {
         EXPECT_TRUE(fs::exists(root / folder / "README.md")) << folder;
+        for (const auto& file : fs::recursive_directory_iterator(root / folder)) {
+            if (file.path().extension() != ".md") continue;
+            if (file.path().string().find("node_modules") != std::string::npos) continue;
+            EXPECT_TRUE(read_text(file.path()).starts_with("# "))
+                << file.path() << ": what formats code was here";
+        }
     }
 }
 
