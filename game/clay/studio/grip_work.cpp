@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "game/clay/studio/spare_clay.h"
 #include "game/clay/studio/strength.h"
 
 namespace onggi::clay::studio {

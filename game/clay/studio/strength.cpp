@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/clay/exact_math.h"
+#include "game/clay/studio/studio_parameters.h"
 
 namespace onggi::clay::studio {
 namespace {
