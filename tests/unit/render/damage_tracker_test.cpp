@@ -4,6 +4,8 @@
 
 #include <initializer_list>
 
+#include "engine/render/shapes/tiles.h"
+
 namespace onggi::render {
 namespace {
 
