@@ -9,7 +9,7 @@ Result<void> BackgroundLoader::load(std::shared_ptr<const Workshop> workshop,
     next_ = 0;
     loaded_ = {};
     done_.store(false, std::memory_order_relaxed);
-    return thread_.start(*this, "onggi-plates");
+    return thread_.start(*this, "backgrounds");
 }
 
 std::optional<BackgroundLoader::Loaded> BackgroundLoader::take() {

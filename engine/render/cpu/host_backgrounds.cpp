@@ -43,7 +43,7 @@ Result<const HostBackground*> HostBackgrounds::find(
     for (const auto& resident : residents_) {
         if (resident->background == background) return &std::as_const(resident->photographs);
     }
-    return failed("plate: expected one of the scene's, found another");
+    return failed("background: expected one of the scene's, found another");
 }
 
 }  // namespace onggi::render

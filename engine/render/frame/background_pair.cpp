@@ -16,11 +16,11 @@ bool is_whole(const Background& background, const PhotographPair& pair) {
 }  // namespace
 
 Result<const PhotographPair*> whole_pair(const Background& background) {
-    if (!background.photographs) return failed("plate: expected its photographs, found none");
+    if (!background.photographs) return failed("background: expected its photographs, found none");
     const auto pair = background.photographs->pair();
     if (!pair) return pair.error();
     if (!is_whole(background, **pair)) {
-        return failed("plate: expected two whole pictures of one size, found others");
+        return failed("background: expected two whole pictures of one size, found others");
     }
     return pair;
 }

@@ -67,8 +67,8 @@ Result<void> BackgroundPass::upload_strip(const VulkanFrame& frame, Resident& re
     vk::Image& image = is_key ? resident.key : resident.ambient;
     const int first = is_key ? resident.rows : resident.rows - background.height_px;
     if (first == 0) {
-        auto made = create_picture(frame, picture,
-                                   is_key ? "plate with the key light" : "plate without the key light");
+        auto made = create_picture(
+            frame, picture, is_key ? "background with the key light" : "background without the key light");
         if (!made) return made.error();
         image = std::move(*made);
     }
@@ -77,7 +77,7 @@ Result<void> BackgroundPass::upload_strip(const VulkanFrame& frame, Resident& re
     if (strip_.size() < strip_bytes) {
         auto made = vk::Buffer::create(
             frame.device,
-            {.name = "plate upload", .size = strip_bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+            {.name = "background upload", .size = strip_bytes, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
         if (!made) return made.error();
         strip_ = std::move(*made);
     }

@@ -86,9 +86,10 @@ Result<void> make_pipelines(const FrameContext& frame, bool needs_own_colours, V
                    into_picture(screen_pipeline(frame, "backdrop", shaders::kBackdropFrag)));
         maker.make(pipelines.still, still);
     }
-    maker.make(pipelines.background, into_picture(screen_pipeline(frame, "plate", shaders::kBackgroundFrag)));
+    maker.make(pipelines.background,
+               into_picture(screen_pipeline(frame, "background", shaders::kBackgroundFrag)));
     vk::PipelineDesc background_surface =
-        into_picture(mesh_pipeline(frame, "plate on the still life", shaders::kBackgroundSurfaceFrag));
+        into_picture(mesh_pipeline(frame, "background on the still life", shaders::kBackgroundSurfaceFrag));
     background_surface.vertex_spirv = shaders::kBackgroundSurfaceVert;
     background_surface.attributes = std::span(kMeshAttributes).first(2);
     maker.make(pipelines.background_surface, background_surface);

@@ -194,7 +194,7 @@ Finding probe_workshop() {
         if (!background) return without(background.error().message);
     }
     return {.subject = "workshop",
-            .found = fmt::format("{} cameras with their plates in {}", workshop->cameras.size(),
+            .found = fmt::format("{} cameras with their photographs in {}", workshop->cameras.size(),
                                  folder->string())};
 }
 
