@@ -82,7 +82,8 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
     const auto is_asked = [&](const Off& off) {
         if (off.part == PotPart::kHeight) return fraction.has_value();
         if (off.part == PotPart::kBelly) return has_belly(museum);
-        return off.part != PotPart::kWall || pot.wall_mm.has_value();
+        if (off.part == PotPart::kFoot) return true;
+        return pot.wall_mm.has_value();  // a lump has neither wall nor mouth
     };
     const auto end = std::stable_partition(parts.begin(), parts.end(), is_asked);
     const auto [nearest, farthest] = std::minmax_element(

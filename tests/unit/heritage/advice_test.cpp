@@ -62,6 +62,19 @@ TEST(Advice, PraisesNoBellyOfAStraightWall) {
     EXPECT_EQ(next_key(advise(slim, jar, 0.5)), "tip.next.belly.more");
 }
 
+TEST(Advice, PraisesNoMouthOfALumpThatWasNeverOpened) {
+    const Target jar = moon_jar();
+    PotForm lump = like(jar, 0.5);
+    lump.wall_mm.reset();
+    lump.height_mm *= 0.7;
+    lump.radii_mm.front() *= 1.5;
+    const Advice advice = advise(lump, jar, std::nullopt);
+    EXPECT_NE(advice.good, PotPart::kMouth);
+    EXPECT_NE(advice.good, PotPart::kWall);
+    lump.radii_mm.back() *= 3.0;
+    EXPECT_NE(advise(lump, jar, 0.5).next, PotPart::kMouth);
+}
+
 TEST(Advice, AsksForTheSizeOnlyWhereItWasMeant) {
     const Target jar = moon_jar();
     EXPECT_EQ(next_key(advise(like(jar, 0.4), jar, 0.5)), "tip.next.height.more");
