@@ -11,11 +11,11 @@
 namespace onggi::exporter {
 namespace {
 
+using pot::kNarrowestOpeningMm;
+using pot::kNearestRowsMm;
+using pot::SurfaceRow;
+
 constexpr double kFlakeMm = 0.05;
-// Rows nearer than this would make triangles without an area in float metres.
-constexpr double kNearestRowsMm = 1e-3;
-// An opening narrower than this is drawn as wide as this, for the same reason.
-constexpr double kNarrowestOpeningMm = 0.02;
 
 constexpr double kLedgeSteepness = 4.0;
 constexpr double kLedgeVolumeFraction = 1e-3;
@@ -44,8 +44,8 @@ std::vector<double> dents_at_corners(std::span<const float> row, int count) {
     return dents;
 }
 
-FaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int corners) {
-    FaceRow row;
+SurfaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int corners) {
+    SurfaceRow row;
     row.y_mm = y_mm;
     row.inside = which == Which::kInner;
     row.radius_mm = which == Which::kOuter ? rings.outer_mm[PotRings::at(ring)]
@@ -57,7 +57,7 @@ FaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int co
 
 // Calls visit(number of a row, the same of another), for every number that thinning must keep.
 template <typename Visit>
-void visit_numbers(const FaceRow& a, const FaceRow& b, Visit visit) {
+void visit_numbers(const SurfaceRow& a, const SurfaceRow& b, Visit visit) {
     visit(a.radius_mm, b.radius_mm);
     visit(a.centre_mm.x, b.centre_mm.x);
     visit(a.centre_mm.y, b.centre_mm.y);
@@ -66,8 +66,8 @@ void visit_numbers(const FaceRow& a, const FaceRow& b, Visit visit) {
 }
 
 // The row at y_mm on the lines that leave `anchor` with the ends of those slopes.
-FaceRow on_lines(const FaceRow& anchor, const std::vector<SlopeRange>& slopes, double y_mm) {
-    FaceRow row = anchor;
+SurfaceRow on_lines(const SurfaceRow& anchor, const std::vector<SlopeRange>& slopes, double y_mm) {
+    SurfaceRow row = anchor;
     row.y_mm = y_mm;
     const double run = y_mm - anchor.y_mm;
     row.radius_mm += slopes[0].end() * run;
@@ -113,7 +113,7 @@ Face face_of(const PotRings& rings, Which which, int first, int end, int corners
     int below = first;
     for (int i = first; i < end; ++i) {
         if (!has_face(i)) continue;
-        const FaceRow row = row_at(rings, which, i, rings.middle_mm(i), corners);
+        const SurfaceRow row = row_at(rings, which, i, rings.middle_mm(i), corners);
         const double ring_mm = row.y_mm - (i > first ? rings.middle_mm(below) : bottom_mm);
         if (is_ledge(face.back().radius_mm, row.radius_mm, ring_mm)) {
             const double edge_mm = rings.bottom_mm(i);

@@ -5,25 +5,13 @@
 
 #include <vector>
 
-#include "engine/math/math.h"
 #include "game/exporter/pot_rings.h"
+#include "game/pot/surface_builder.h"
 
 namespace onggi::exporter {
 
-// One row of a face: a circle about a centre of its own, whose corners lie that much further out.
-struct FaceRow {
-    double y_mm = 0.0;
-    double radius_mm = 0.0;
-    dvec2 centre_mm{0.0};
-    bool inside = false;
-    std::vector<double> dents_mm;  // one a corner; none where the whole pot is round
-
-    [[nodiscard]] double corner_mm(std::size_t k) const {
-        return dents_mm.empty() ? radius_mm : radius_mm + dents_mm[k];
-    }
-};
 // Bottom first, heights never falling; two rows at one height are a ledge.
-using Face = std::vector<FaceRow>;
+using Face = std::vector<pot::SurfaceRow>;
 
 // Rings without a gap that are all solid or all hollow.
 struct RingRun {

@@ -9,10 +9,12 @@
 #include <utility>
 
 #include "engine/core/units.h"
-#include "game/exporter/surface_builder.h"
 
 namespace onggi::exporter {
 namespace {
+
+using pot::SurfaceBuilder;
+using pot::Walk;
 
 struct Fineness {
     double tolerance_mm;
@@ -96,6 +98,35 @@ double across_scale(const SurfaceBuilder& builder, const PotRings& rings) {
     return std::sqrt(rings.volume_mm3 / builder.volume_mm3());
 }
 
+// Places in the pictures and tangents into the solid's mesh, and the rows of the pictures. Of one that is
+// built unwrapped, with its normals.
+void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
+    asset::Mesh& mesh = pot.mesh;
+    mesh.uvs.resize(builder.positions_mm.size());
+    mesh.tangents.resize(builder.positions_mm.size());
+    const auto& strips = builder.strips();
+    for (auto strip = strips.rbegin(); strip != strips.rend(); ++strip) {
+        const double v = 1.0 - strip->along_mm / builder.along_mm();
+        dvec2 mean(0.0);
+        for (std::uint32_t k = 0; k < strip->count; ++k) {
+            const std::uint32_t vertex = strip->first + k;
+            mesh.uvs[vertex] = vec2(builder.turns(*strip, k), v);
+            // The way round, made square to the normal.
+            const dvec2 outward = builder.outward(*strip, k);
+            const dvec3& normal = builder.normals[vertex];
+            const dvec3 round(-outward.y, 0.0, -outward.x);
+            const dvec3 square = glm::normalize(round - glm::dot(round, normal) * normal);
+            mesh.tangents[vertex] = vec4(vec3(square), 1.0F);
+            mean += dvec2(normal.x * outward.x - normal.z * outward.y, normal.y);
+        }
+        pot.picture_rows.push_back({.v = v,
+                                    .radius_mm = strip->radius_mm * shrinkage,
+                                    .y_mm = strip->y_mm * shrinkage,
+                                    .normal = glm::normalize(mean),
+                                    .inside = strip->inside});
+    }
+}
+
 // Whether chosen rows stand for the clay that was left out.
 bool is_like(const Rows& rows, const PotRings& rings) {
     constexpr double kMostOff = 0.01;
@@ -136,7 +167,7 @@ Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& opti
     const double up = options.shrinkage * units::kMetresPerMm;
     const double across = up * pot.across_scale;
     builder.finish_normals();
-    if (options.unwraps) builder.unwrap(options.shrinkage, pot);
+    if (options.unwraps) unwrap(builder, options.shrinkage, pot);
     // + 0: no negative zeros, which would part vertices that lie at one place in the eyes of a bitwise
     // checker.
     const vec3 zero(0.0F);

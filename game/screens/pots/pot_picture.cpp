@@ -22,19 +22,19 @@ PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation
 
 namespace {
 
-// The band's pixels, in place.
-void paint_band(const PotSamples& samples, const PotShading& shading, std::uint8_t* to) {
+// The band's pixels, below those that are there.
+void add_band(const PotSamples& samples, const PotShading& shading, std::vector<std::uint8_t>& rgba) {
     constexpr int kSamples = kSamplesAcross * kSamplesAcross;
     for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
-        for (int x = 0; x < samples.width / kSamplesAcross; ++x, to += 4) {
+        for (int x = 0; x < samples.width / kSamplesAcross; ++x) {
             vec3 sum(0.0F);
             const int count = samples.visit_pixel(x, y, [&](const PotSurface& surface) {
                 const PotLight light = shading.light(surface);
                 sum += encoded_pot_light(shading.colour(surface) * light.factor + light.gloss);
             });
             for (int channel = 0; channel < 3; ++channel)
-                to[channel] = static_cast<std::uint8_t>(sum[channel] * 255.0F / kSamples + 0.5F);
-            to[3] = static_cast<std::uint8_t>(count * 255 / kSamples);
+                rgba.push_back(static_cast<std::uint8_t>(sum[channel] * 255.0F / kSamples + 0.5F));
+            rgba.push_back(static_cast<std::uint8_t>(count * 255 / kSamples));
         }
     }
 }
@@ -45,18 +45,15 @@ PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& gla
                      float elevation_rad) {
     const DrawnOn drawn_on(shape);
     const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
-    const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
+    const PotView view(shape, px_per_mm, elevation_rad);
     PotPicture picture;
-    picture.foot_px = extent.foot_px;
+    picture.foot_px = view.extent().foot_px;
     ui::Painting& painting = picture.painting;
-    painting.width = extent.width_px;
-    painting.height = extent.height_px;
-    const std::size_t row_bytes = static_cast<std::size_t>(painting.width) * 4;
-    painting.rgba.resize(row_bytes * static_cast<std::size_t>(painting.height));
-    for (int top = 0; top < painting.height; top += kBandPx) {
-        const PotSamples samples = sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx});
-        paint_band(samples, shading, painting.rgba.data() + row_bytes * static_cast<std::size_t>(top));
-    }
+    painting.width = view.extent().width_px;
+    painting.height = view.extent().height_px;
+    painting.rgba.reserve(static_cast<std::size_t>(painting.width) *
+                          static_cast<std::size_t>(painting.height) * 4);
+    view.visit_bands([&](const PotSamples& samples) { add_band(samples, shading, painting.rgba); });
     return picture;
 }
 

@@ -1,9 +1,11 @@
 #include "game/screens/pots/pot_samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "game/pot/surface_builder.h"
 
 namespace onggi::screens {
 namespace {
@@ -15,11 +17,7 @@ float cross(vec2 a, vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-struct Corner {
-    vec2 px;
-    float depth;
-    PotSurface surface;
-};
+using Corner = PotView::Corner;
 
 // Samples with a depth.
 class Canvas {
@@ -91,78 +89,67 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
     return fine;
 }
 
+// The whole section as one line, up the outside and down the inside to the disc that is the floor.
+pot::Walk walk_of(const pot::Section& shape) {
+    constexpr float kFinestMm = 1.2F;
+    pot::Walk walk;
+    for (const std::vector<vec2>* side : {&shape.outside, &shape.inside}) {
+        for (const vec2& point : refined(*side, kFinestMm)) {
+            const pot::SurfaceRow row{
+                .y_mm = double{point.y}, .radius_mm = double{point.x}, .inside = side == &shape.inside};
+            if (row.radius_mm < pot::kNarrowestOpeningMm) continue;
+            if (!walk.rows.empty() && std::hypot(row.radius_mm - walk.rows.back().radius_mm,
+                                                 row.y_mm - walk.rows.back().y_mm) < pot::kNearestRowsMm)
+                continue;
+            walk.rows.push_back(row);
+        }
+    }
+    return walk;
+}
+
 }  // namespace
 
-PotSamples sample_pot(const pot::Section& shape, float px_per_mm, float elevation_rad, const PotBand& band) {
+PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad)
+    : extent_(pot_extent(shape, px_per_mm, elevation_rad)) {
+    const pot::Walk walk = walk_of(shape);
+    if (walk.rows.empty()) return;
+    // Unwrapped, so that each corner has one angle.
+    pot::SurfaceBuilder surface(kSectors, true);
+    surface.add_walk(walk);
+    surface.finish_normals();
     const float scale = px_per_mm * kSamplesAcross;
     const float sine = std::sin(elevation_rad);
     const float cosine = std::cos(elevation_rad);
-    const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
-    PotSamples samples{.width = extent.width_px * kSamplesAcross,
-                       .height = std::min(band.height_px, extent.height_px - band.top_px) * kSamplesAcross,
-                       .top = band.top_px * kSamplesAcross,
-                       .foot_px = extent.foot_px};
-    const vec2 origin = extent.foot_px * static_cast<float>(kSamplesAcross);
+    const vec2 origin = extent_.foot_px * static_cast<float>(kSamplesAcross);
+    // The clay's direction 0 is at the back, where what differs between the first corner and the last is not
+    // seen.
+    const auto turned = [](const dvec3& way) { return vec3(way.z, way.y, -way.x); };
+    corners_.resize(surface.positions_mm.size());
+    for (const pot::SurfaceBuilder::Strip& strip : surface.strips()) {
+        for (std::uint32_t k = 0; k < strip.count; ++k) {
+            const std::uint32_t vertex = strip.first + k;
+            const vec3 place = turned(surface.positions_mm[vertex]);
+            corners_[vertex] = {origin + scale * vec2(place.x, -(place.y * cosine - place.z * sine)),
+                                place.y * sine + place.z * cosine,
+                                {.height_mm = place.y,
+                                 .angle = kPi * (2.0F * static_cast<float>(surface.turns(strip, k)) - 1.0F),
+                                 .normal = turned(surface.normals[vertex]),
+                                 .inside = strip.inside}};
+        }
+    }
+    indices_ = std::move(surface.indices);
+}
+
+PotSamples PotView::samples(const PotBand& band) const {
+    PotSamples samples{.width = extent_.width_px * kSamplesAcross,
+                       .height = std::min(band.height_px, extent_.height_px - band.top_px) * kSamplesAcross,
+                       .top = band.top_px * kSamplesAcross};
     samples.surface.resize(static_cast<std::size_t>(samples.width) *
                            static_cast<std::size_t>(samples.height));
     samples.covered.resize(samples.surface.size(), 0);
-
-    // The whole section as one line, up the outside and down the inside.
-    std::vector<vec2> section = refined(shape.outside, 1.2F);
-    const std::size_t outside_count = section.size();
-    if (!shape.inside.empty()) {
-        const std::vector<vec2> inner = refined(shape.inside, 1.2F);
-        section.insert(section.end(), inner.begin(), inner.end());
-    } else if (!section.empty()) {
-        section.push_back({0.0F, section.back().y});
-    }
-    // The first sector is at the back, where what differs between it and the last is not seen.
-    struct Direction {
-        float angle;
-        vec2 way;  // x right, z to the eye
-    };
-    std::array<Direction, kSectors + 1> directions;
-    for (int sector = 0; sector <= kSectors; ++sector) {
-        const float angle = 2.0F * kPi * static_cast<float>(sector) / kSectors - kPi;
-        directions[static_cast<std::size_t>(sector)] = {angle, {std::sin(angle), std::cos(angle)}};
-    }
     Canvas canvas(samples);
-    const auto corner = [&](std::size_t ring, int sector) {
-        const vec2 before = section[ring == 0 ? 0 : ring - 1];
-        const vec2 after = section[std::min(ring + 1, section.size() - 1)];
-        vec2 along = after - before;
-        const float length = glm::length(along);
-        along = length > 0.0F ? along / length : vec2(0.0F, 1.0F);
-        const auto& [angle, way] = directions[static_cast<std::size_t>(sector)];
-        const vec2 at = section[ring];
-        const vec3 normal(way.x * along.y, -along.x, way.y * along.y);
-        const vec3 place(at.x * way.x, at.y, at.x * way.y);
-        return Corner{origin + scale * vec2(place.x, -(place.y * cosine - place.z * sine)),
-                      place.y * sine + place.z * cosine,
-                      {at.y, angle, normal, ring >= outside_count}};
-    };
-    // Whether any of a ring may be seen in the band: a pixel more each way, for what is rounded.
-    const auto first_row = static_cast<float>(samples.top - 2 * kSamplesAcross);
-    const auto last_row = static_cast<float>(samples.top + samples.height + 2 * kSamplesAcross);
-    const auto highest_row = [&](std::size_t ring) {
-        return origin.y - scale * (section[ring].y * cosine + section[ring].x * std::abs(sine));
-    };
-    const auto lowest_row = [&](std::size_t ring) {
-        return origin.y - scale * (section[ring].y * cosine - section[ring].x * std::abs(sine));
-    };
-    for (std::size_t ring = 0; ring + 1 < section.size(); ++ring) {
-        if (std::max(lowest_row(ring), lowest_row(ring + 1)) < first_row ||
-            std::min(highest_row(ring), highest_row(ring + 1)) > last_row)
-            continue;
-        for (int sector = 0; sector < kSectors; ++sector) {
-            const Corner a = corner(ring, sector);
-            const Corner b = corner(ring, sector + 1);
-            const Corner c = corner(ring + 1, sector);
-            const Corner d = corner(ring + 1, sector + 1);
-            canvas.triangle(a, b, c);
-            canvas.triangle(b, d, c);
-        }
-    }
+    for (std::size_t i = 0; i < indices_.size(); i += 3)
+        canvas.triangle(corners_[indices_[i]], corners_[indices_[i + 1]], corners_[indices_[i + 2]]);
     return samples;
 }
 

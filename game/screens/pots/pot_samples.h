@@ -1,6 +1,7 @@
 // The samples of a pot's surface that a picture of it shows: a depth buffer on a processor. Any thread; pure.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -16,8 +17,7 @@ constexpr int kSamplesAcross = 2;
 struct PotSamples {
     int width = 0;  // in samples; whole pixels
     int height = 0;
-    int top = 0;         // of the picture's rows of samples, the first
-    vec2 foot_px{0.0F};  // where the middle of the foot stands, pixels
+    int top = 0;  // of the picture's rows of samples, the first
     std::vector<PotSurface> surface{};
     std::vector<char> covered{};
 
@@ -46,8 +46,31 @@ struct PotBand {
     int height_px = std::numeric_limits<int>::max();  // as far as the picture goes
 };
 
-// Parallel view, elevation_rad above the horizon. A sample is the same to the bit in any band.
-[[nodiscard]] PotSamples sample_pot(const pot::Section& shape, float px_per_mm, float elevation_rad,
-                                    const PotBand& band = {});
+// A pot in a parallel view, elevation_rad above the horizon: its surface, built once, and samples of any
+// band. A sample is the same to the bit in any band.
+class PotView {
+  public:
+    PotView(const pot::Section& shape, float px_per_mm, float elevation_rad);
+
+    [[nodiscard]] const PotExtent& extent() const { return extent_; }
+    [[nodiscard]] PotSamples samples(const PotBand& band = {}) const;
+    // Calls visit(samples) for each band from the top, of kBandPx rows of pixels.
+    template <typename Visit>
+    void visit_bands(Visit visit) const {
+        for (int top = 0; top < extent_.height_px; top += kBandPx)
+            visit(samples({top, kBandPx}));
+    }
+
+    struct Corner {
+        vec2 px{0.0F};  // in samples
+        float depth = 0.0F;
+        PotSurface surface{};
+    };
+
+  private:
+    PotExtent extent_;
+    std::vector<Corner> corners_;
+    std::vector<std::uint32_t> indices_;  // of triangles; those that look away lie behind those that do not
+};
 
 }  // namespace onggi::screens

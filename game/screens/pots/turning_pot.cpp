@@ -41,16 +41,14 @@ TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& g
                        float elevation_rad) {
     const DrawnOn drawn_on(shape);
     const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
-    const PotExtent extent = pot_extent(shape, px_per_mm, elevation_rad);
-    width_ = extent.width_px;
-    height_ = extent.height_px;
-    foot_px_ = extent.foot_px;
+    const PotView view(shape, px_per_mm, elevation_rad);
+    width_ = view.extent().width_px;
+    height_ = view.extent().height_px;
+    foot_px_ = view.extent().foot_px;
     fill_colours(shape, shading, drawn_on.texture() != nullptr);
     std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(kRows) * kColumns, kColumns, glaze.body);
-    for (int top = 0; top < height_; top += kBandPx) {
-        add_pixels(sample_pot(shape, px_per_mm, elevation_rad, {top, kBandPx}), shading, shape,
-                   glaze.foot_bare_mm);
-    }
+    view.visit_bands(
+        [&](const PotSamples& samples) { add_pixels(samples, shading, shape, glaze.foot_bare_mm); });
     pixels_.shrink_to_fit();
 }
 

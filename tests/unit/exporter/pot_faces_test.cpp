@@ -19,7 +19,7 @@ Face outside_of(const PotRings& rings) {
 // Heights and radii of the rows.
 std::vector<dvec2> outline_of(const Face& face) {
     std::vector<dvec2> outline;
-    for (const FaceRow& row : face)
+    for (const pot::SurfaceRow& row : face)
         outline.emplace_back(row.y_mm, row.radius_mm);
     return outline;
 }
@@ -48,9 +48,9 @@ TEST(FaceOf, KeepsAStepThatIsOneAsALedge) {
 // Linear between rows; at a ledge the upper side.
 double radius_on(const Face& face, double y_mm) {
     const auto above = std::upper_bound(face.begin(), face.end(), y_mm,
-                                        [](double y, const FaceRow& row) { return y < row.y_mm; });
+                                        [](double y, const pot::SurfaceRow& row) { return y < row.y_mm; });
     if (above == face.end()) return face.back().radius_mm;
-    const FaceRow& a = *(above - 1);
+    const pot::SurfaceRow& a = *(above - 1);
     const double fraction = (y_mm - a.y_mm) / (above->y_mm - a.y_mm);
     return (1.0 - fraction) * a.radius_mm + fraction * above->radius_mm;
 }
@@ -63,7 +63,7 @@ TEST(Thinned, StaysWithinItsToleranceOfEveryRow) {
             const Face thin = thinned(full, tolerance_mm);
             EXPECT_EQ(thin.front().y_mm, 0.0);
             EXPECT_EQ(thin.back().y_mm, pot.height_mm);
-            for (const FaceRow& row : full) {
+            for (const pot::SurfaceRow& row : full) {
                 if (&row != &full.back() && (&row + 1)->y_mm == row.y_mm) continue;  // a ledge's lower side
                 ASSERT_NEAR(radius_on(thin, row.y_mm), row.radius_mm, tolerance_mm + 1e-9)
                     << pot.name << " at " << row.y_mm;

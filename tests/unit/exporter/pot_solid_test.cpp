@@ -4,28 +4,14 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
 #include "engine/core/hash.h"
-#include "game/exporter/unit_circle.h"
 #include "tests/support/pot_samples.h"
 
 namespace onggi::exporter {
 namespace {
-
-TEST(UnitCircle, IsTheCircleThatLibmKnows) {
-    for (const int n : {4, 12, 48, 64, 96, 128}) {
-        const std::vector<dvec2> circle = unit_circle(n);
-        ASSERT_EQ(circle.size(), static_cast<std::size_t>(n));
-        for (int k = 0; k < n; ++k) {
-            const double angle = 2.0 * std::numbers::pi * k / n;
-            EXPECT_NEAR(circle[static_cast<std::size_t>(k)].x, std::cos(angle), 1e-14) << k << " of " << n;
-            EXPECT_NEAR(circle[static_cast<std::size_t>(k)].y, std::sin(angle), 1e-14) << k << " of " << n;
-        }
-    }
-}
 
 PotSolid solid_of(const PotRings& rings) {
     auto solid = build_pot_solid(rings);

@@ -47,11 +47,12 @@ TEST(PotPicture, IsAsLargeAsThePot) {
 
 TEST(PotPicture, IsSampledAlikeInBandsAndAtOnce) {
     constexpr float kPxPerMm = 1.3F;
-    const PotSamples whole = sample_pot(moon_jar(), kPxPerMm, 0.3F);
+    const PotView view(moon_jar(), kPxPerMm, 0.3F);
+    const PotSamples whole = view.samples();
     const int height_px = whole.height / kSamplesAcross;
     int covered = 0;
     for (int top_px = 0; top_px < height_px; top_px += 100) {
-        const PotSamples band = sample_pot(moon_jar(), kPxPerMm, 0.3F, {top_px, 100});
+        const PotSamples band = view.samples({top_px, 100});
         ASSERT_EQ(band.width, whole.width);
         ASSERT_EQ(band.height, std::min(100, height_px - top_px) * kSamplesAcross);
         const auto first =
@@ -65,6 +66,20 @@ TEST(PotPicture, IsSampledAlikeInBandsAndAtOnce) {
         }
     }
     EXPECT_GT(covered, 100'000);
+}
+
+TEST(PotPicture, ShowsTheRimAsTheFlatRingThatItIs) {
+    const pot::Section cup = pot::hollowed({{40, 0}, {50, 50}, {45, 100}}, 8.0F, 8.0F);
+    const PotSamples samples = PotView(cup, 2.0F, 0.6F).samples();
+    int on_rim = 0;
+    int not_flat = 0;
+    for (std::size_t i = 0; i < samples.covered.size(); ++i) {
+        if (samples.covered[i] == 0 || samples.surface[i].height_mm < 99.999F) continue;
+        ++on_rim;
+        if (samples.surface[i].normal.y < 0.99999F) ++not_flat;
+    }
+    EXPECT_GT(on_rim, 10'000) << "of 2,061 mm2, seen from 34 degrees above, 16 samples a mm2";
+    EXPECT_LT(not_flat, 20) << "on the very edge of the wall";
 }
 
 TEST(PotPicture, IsWholeWithNoHoleInItsMiddle) {

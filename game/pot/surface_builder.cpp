@@ -1,13 +1,13 @@
 // See surface_builder.h. Any thread but the haptic one.
-#include "game/exporter/surface_builder.h"
+#include "game/pot/surface_builder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "game/exporter/unit_circle.h"
+#include "game/pot/unit_circle.h"
 
-namespace onggi::exporter {
+namespace onggi::pot {
 namespace {
 
 // Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
@@ -16,14 +16,15 @@ namespace {
 constexpr double kCreaseCosine = 0.9396926207859084;
 
 // The walk's right-hand normal between two rows at a corner, in the plane of that corner and the axis.
-dvec2 normal_between(const FaceRow& from, const FaceRow& to, std::size_t corner, const dvec2& direction) {
+dvec2 normal_between(const SurfaceRow& from, const SurfaceRow& to, std::size_t corner,
+                     const dvec2& direction) {
     const double out =
         to.corner_mm(corner) - from.corner_mm(corner) + glm::dot(to.centre_mm - from.centre_mm, direction);
     return glm::normalize(dvec2(to.y_mm - from.y_mm, -out));
 }
 
 // Whether the surface turns so much at `row` that it has an edge there.
-bool is_edge(const FaceRow& before, const FaceRow& row, const FaceRow& after,
+bool is_edge(const SurfaceRow& before, const SurfaceRow& row, const SurfaceRow& after,
              const std::vector<dvec2>& circle) {
     for (std::size_t k = 0; k < circle.size(); ++k) {
         const dvec2 below = normal_between(before, row, k, circle[k]);
@@ -36,7 +37,7 @@ bool is_edge(const FaceRow& before, const FaceRow& row, const FaceRow& after,
 // Between one walk and the next in the pictures, so that neither runs into the other.
 constexpr double kBetweenWalksMm = 3.0;
 
-double distance(double radius_mm, double y_mm, const FaceRow& row) {
+double distance(double radius_mm, double y_mm, const SurfaceRow& row) {
     return std::hypot(row.radius_mm - radius_mm, row.y_mm - y_mm);
 }
 
@@ -55,7 +56,7 @@ std::uint32_t SurfaceBuilder::next_of(std::uint32_t corner) const {
     return unwraps_ ? corner + 1 : (corner + 1) % static_cast<std::uint32_t>(circle_.size());
 }
 
-std::uint32_t SurfaceBuilder::add_row(const FaceRow& row) {
+std::uint32_t SurfaceBuilder::add_row(const SurfaceRow& row) {
     const auto first = static_cast<std::uint32_t>(positions_mm.size());
     for (std::uint32_t k = 0; k < in_row(); ++k) {
         const std::size_t corner = k % circle_.size();
@@ -63,7 +64,7 @@ std::uint32_t SurfaceBuilder::add_row(const FaceRow& row) {
         positions_mm.emplace_back(across.x, row.y_mm, -across.y);
         normals.emplace_back(0.0);
     }
-    strips_.push_back({first, along_mm_, row.radius_mm, row.y_mm, row.inside, false});
+    strips_.push_back({first, in_row(), along_mm_, row.radius_mm, row.y_mm, row.inside, false});
     return first;
 }
 
@@ -80,16 +81,17 @@ void SurfaceBuilder::add_band(std::uint32_t from, std::uint32_t to) {
     }
 }
 
-void SurfaceBuilder::add_middle(const FaceRow& rim, bool faces_up) {
+void SurfaceBuilder::add_middle(const SurfaceRow& rim, bool faces_up) {
     const auto first = static_cast<std::uint32_t>(positions_mm.size());
-    strips_.push_back({first, along_mm_, 0.0, rim.y_mm, rim.inside, true});
-    for (std::size_t k = 0; k < (unwraps_ ? circle_.size() : 1); ++k) {
+    const auto count = unwraps_ ? static_cast<std::uint32_t>(circle_.size()) : 1U;
+    strips_.push_back({first, count, along_mm_, 0.0, rim.y_mm, rim.inside, true});
+    for (std::uint32_t k = 0; k < count; ++k) {
         positions_mm.emplace_back(rim.centre_mm.x, rim.y_mm, -rim.centre_mm.y);
         normals.emplace_back(0.0, faces_up ? 1.0 : -1.0, 0.0);
     }
 }
 
-void SurfaceBuilder::add_disc(const FaceRow& rim, bool faces_up) {
+void SurfaceBuilder::add_disc(const SurfaceRow& rim, bool faces_up) {
     const double from_mm = along_mm_;
     along_mm_ += faces_up ? 0.0 : rim.radius_mm;
     const std::uint32_t ring = add_row(rim);
@@ -114,7 +116,7 @@ void SurfaceBuilder::add_disc(const FaceRow& rim, bool faces_up) {
 }
 
 void SurfaceBuilder::add_walk(const Walk& walk) {
-    const std::vector<FaceRow>& rows = walk.rows;
+    const std::vector<SurfaceRow>& rows = walk.rows;
     if (!strips_.empty()) along_mm_ += kBetweenWalksMm;
     if (!walk.meets_itself) add_disc(rows.front(), false);
     std::uint32_t from = add_row(rows.front());
@@ -187,33 +189,13 @@ void SurfaceBuilder::mend_normals() {
     }
 }
 
-void SurfaceBuilder::unwrap(double shrinkage, PotSolid& pot) const {
-    const auto corners = static_cast<std::uint32_t>(circle_.size());
-    asset::Mesh& mesh = pot.mesh;
-    mesh.uvs.resize(positions_mm.size());
-    mesh.tangents.resize(positions_mm.size());
-    for (auto strip = strips_.rbegin(); strip != strips_.rend(); ++strip) {
-        const double v = 1.0 - strip->along_mm / along_mm_;
-        dvec2 mean(0.0);
-        for (std::uint32_t k = 0; k < (strip->is_middle ? corners : in_row()); ++k) {
-            const std::uint32_t vertex = strip->first + k;
-            const double u = (k + (strip->is_middle ? 0.5 : 0.0)) / corners;
-            mesh.uvs[vertex] = vec2(u, v);
-            // The way round, made square to the normal.
-            dvec2 outward = circle_[k % corners];
-            if (strip->is_middle) outward = glm::normalize(outward + circle_[(k + 1) % corners]);
-            const dvec3& normal = normals[vertex];
-            const dvec3 round(-outward.y, 0.0, -outward.x);
-            const dvec3 square = glm::normalize(round - glm::dot(round, normal) * normal);
-            mesh.tangents[vertex] = vec4(vec3(square), 1.0F);
-            mean += dvec2(normal.x * outward.x - normal.z * outward.y, normal.y);
-        }
-        pot.picture_rows.push_back({.v = v,
-                                    .radius_mm = strip->radius_mm * shrinkage,
-                                    .y_mm = strip->y_mm * shrinkage,
-                                    .normal = glm::normalize(mean),
-                                    .inside = strip->inside});
-    }
+double SurfaceBuilder::turns(const Strip& strip, std::uint32_t k) const {
+    return (k + (strip.is_middle ? 0.5 : 0.0)) / static_cast<double>(circle_.size());
 }
 
-}  // namespace onggi::exporter
+dvec2 SurfaceBuilder::outward(const Strip& strip, std::uint32_t k) const {
+    const dvec2& corner = circle_[k % circle_.size()];
+    return strip.is_middle ? glm::normalize(corner + circle_[(k + 1) % circle_.size()]) : corner;
+}
+
+}  // namespace onggi::pot

@@ -1,9 +1,9 @@
 // See unit_circle.h. Any thread.
-#include "game/exporter/unit_circle.h"
+#include "game/pot/unit_circle.h"
 
 #include <cmath>
 
-namespace onggi::exporter {
+namespace onggi::pot {
 
 std::vector<dvec2> unit_circle(int n) {
     // A step of 90 or of 30 degrees is known exactly; halving it leads to 360/n.
@@ -26,4 +26,4 @@ std::vector<dvec2> unit_circle(int n) {
     return circle;
 }
 
-}  // namespace onggi::exporter
+}  // namespace onggi::pot

@@ -1,0 +1,89 @@
+// A pot's surface of revolution as triangles, for the file that leaves and for the pictures on the screens:
+// rows of corners become one closed surface, dents and off-centre as they are. Any thread but the haptic one.
+// mm, the clay's frame: x along its direction 0, y up, corners counter-clockwise seen from above.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/math/math.h"
+
+namespace onggi::pot {
+
+// A circle about a centre of its own, whose corners lie that much further out.
+struct SurfaceRow {
+    double y_mm = 0.0;
+    double radius_mm = 0.0;
+    dvec2 centre_mm{0.0};
+    bool inside = false;
+    std::vector<double> dents_mm{};  // one a corner; none where the whole pot is round
+
+    [[nodiscard]] double corner_mm(std::size_t k) const {
+        return dents_mm.empty() ? radius_mm : radius_mm + dents_mm[k];
+    }
+};
+
+// Rows nearer than this would make triangles without an area in float metres.
+constexpr double kNearestRowsMm = 1e-3;
+// An opening narrower than this is drawn as wide as this, for the same reason.
+constexpr double kNarrowestOpeningMm = 0.02;
+
+// A surface walked row by row such that its outside lies to the right of the walk in the plane of radius and
+// height: up the outside, in over the rim, down the inside. Both ends are closed by discs, the first facing
+// down and the last facing up; or the last row meets the first.
+struct Walk {
+    std::vector<SurfaceRow> rows{};
+    bool meets_itself = false;
+};
+
+class SurfaceBuilder {
+  public:
+    // Vertices of one row, or of the middle of a disc.
+    struct Strip {
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+        double along_mm = 0.0;  // of the walks so far
+        double radius_mm = 0.0;
+        double y_mm = 0.0;
+        bool inside = false;
+        bool is_middle = false;
+    };
+
+    // Corners of a row: as unit_circle() has them. Unwrapped, each vertex has a direction of its own: a row's
+    // first corner stands twice, at 0 and at a whole turn, and a disc's middle once for each of its
+    // triangles.
+    SurfaceBuilder(int corners, bool unwraps);
+
+    void add_walk(const Walk& walk);
+    [[nodiscard]] double volume_mm3() const;
+    // Unit length, none of them against a face that it belongs to. After the last walk; once.
+    void finish_normals();
+
+    [[nodiscard]] const std::vector<Strip>& strips() const { return strips_; }  // as they were walked
+    [[nodiscard]] double along_mm() const { return along_mm_; }                 // of all walks
+    // Where a strip's vertex lies about the axis, in turns from the clay's direction 0; of unwrapped ones.
+    [[nodiscard]] double turns(const Strip& strip, std::uint32_t k) const;
+    // The way outwards there.
+    [[nodiscard]] dvec2 outward(const Strip& strip, std::uint32_t k) const;
+
+    std::vector<dvec3> positions_mm;
+    std::vector<dvec3> normals;  // summed over faces, until they are finished
+    std::vector<std::uint32_t> indices;
+
+  private:
+    std::uint32_t add_row(const SurfaceRow& row);
+    void add_band(std::uint32_t from, std::uint32_t to);
+    void add_disc(const SurfaceRow& rim, bool faces_up);
+    void add_middle(const SurfaceRow& rim, bool faces_up);
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    void mend_normals();
+    [[nodiscard]] std::uint32_t next_of(std::uint32_t corner) const;
+    [[nodiscard]] std::uint32_t in_row() const;
+
+    std::vector<dvec2> circle_;
+    bool unwraps_;
+    double along_mm_ = 0.0;
+    std::vector<Strip> strips_;
+};
+
+}  // namespace onggi::pot
