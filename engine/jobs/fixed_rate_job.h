@@ -20,6 +20,8 @@ class PeriodicWork {
 
     // The job's thread. No lock, allocation or system call. False ends the job.
     [[nodiscard]] virtual bool tick(const Period& period) noexcept = 0;
+    // Likewise, after each tick: whether the next is worth the part of a core that spinning for it takes.
+    [[nodiscard]] virtual bool needs_punctuality() const noexcept { return true; }
 };
 
 // The loop itself, on any clock. Ends when the work says so or `stop` is set; at most one period later.
@@ -29,6 +31,7 @@ void run_fixed_rate(Pacer<Clock>& pacer, PeriodicWork& work, const std::atomic<b
     while (more && !stop.load(std::memory_order_relaxed)) {
         const Period period = pacer.wait_for_next();
         more = work.tick(period);
+        pacer.be_punctual(work.needs_punctuality());
         pacer.finish(period);
     }
 }

@@ -53,7 +53,8 @@ class Pacer {
         : clock_(clock),
           leave_rest_(options.leave_rest),
           period_ns_(1e9 / options.rate_hz),
-          guard_ns_(options.wait == WaitMode::kHybrid ? default_guard_ns(options.rate_hz) : 0),
+          hybrid_guard_ns_(options.wait == WaitMode::kHybrid ? default_guard_ns(options.rate_hz) : 0),
+          guard_ns_(hybrid_guard_ns_),
           origin_ns_(clock.now_ns() + static_cast<std::int64_t>(period_ns_)),
           awake_since_ns_(clock.now_ns()) {}
 
@@ -86,6 +87,9 @@ class Pacer {
         stats_.tick_ns.record(end_ns - period.start_ns);
         if (end_ns > deadline_ns(period.index + 1)) ++stats_.overrun_periods;
     }
+
+    // Whether the next waits spin at their ends, where the pacer's wait is hybrid; from the start they do.
+    void be_punctual(bool punctual) noexcept { guard_ns_ = punctual ? hybrid_guard_ns_ : 0; }
 
     // Moves every deadline so that the next is at this time: for who goes by another's beat.
     void align_next(std::int64_t time_ns) noexcept { origin_ns_ += time_ns - deadline_ns(awaited()); }
@@ -137,6 +141,7 @@ class Pacer {
     Clock& clock_;
     bool leave_rest_;
     double period_ns_;
+    std::int64_t hybrid_guard_ns_;
     std::int64_t guard_ns_;
     std::int64_t origin_ns_;
     std::int64_t awake_since_ns_;

@@ -113,8 +113,12 @@ std::vector<HapticWork::Fit> HapticWork::fits_for(const haptics::HapticDevice& d
         HapticParameters fitted = parameters;
         Result<void> done = fit_to_device(fitted, hand, is_paper);
         if (!done) fitted.safety.peak_force_n = 0.0;
-        fits.push_back(
-            {fitted.safety, fitted.feel, hand.position_resolution_mm, hand.has_motors, std::move(done)});
+        fits.push_back({.safety = fitted.safety,
+                        .feel = fitted.feel,
+                        .step_mm = hand.position_resolution_mm,
+                        .has_motors = hand.has_motors,
+                        .is_felt = hand.has_motors && hand.force_axes > 0,
+                        .fits = std::move(done)});
     }
     return fits;
 }

@@ -181,6 +181,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(first_hand), false);
     if (!devices) return devices.error();
     haptic::HapticJobOptions job_options;
+    job_options.spares_the_core = true;
     job_options.real_time = real_time;
     // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
     constexpr double kMostLateS = 16.0;

@@ -55,6 +55,22 @@ TEST(HapticWork, ReadsTicksAndWritesOnceAPeriod) {
     EXPECT_EQ(bench.work.state().ticks, 250U);
 }
 
+TEST(HapticWork, NeedsPunctualityWhereSomebodyFeelsIt) {
+    struct Motors final : ScriptedDevice {
+        explicit Motors(bool has) : has_(has) {}
+        [[nodiscard]] haptics::DeviceCapabilities capabilities() const override {
+            return {.name = "script", .force_axes = 3, .has_motors = has_};
+        }
+        bool has_;
+    };
+    for (const bool motors : {false, true}) {
+        for (const bool spares : {false, true}) {
+            const Bench bench({.spares_the_core = spares}, std::make_unique<Motors>(motors));
+            EXPECT_EQ(bench.work.needs_punctuality(), motors || !spares) << motors << ", " << spares;
+        }
+    }
+}
+
 TEST(HapticWork, EndsWithTheLastTickOfItsRun) {
     Bench bench({.run_ticks = 1234});
     EXPECT_EQ(bench.run().ticks, 1234U);

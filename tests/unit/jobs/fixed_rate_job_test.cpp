@@ -43,6 +43,44 @@ TEST(FixedRateLoop, RunsTheWorkOnceAPeriodUntilTheWorkIsDone) {
     EXPECT_EQ(pacer.stats().missed_deadlines(), 3U);
 }
 
+// Needs to be on time until so many ticks have run.
+class CalmingWork final : public PeriodicWork {
+  public:
+    CalmingWork(VirtualClock& clock, int punctual_ticks, int all_ticks)
+        : clock_(clock),
+          punctual_ticks_(punctual_ticks),
+          all_ticks_(all_ticks) {}
+
+    bool tick(const Period& /*period*/) noexcept override {
+        clock_.pass(1000);
+        return ++ticks_ < all_ticks_;
+    }
+    [[nodiscard]] bool needs_punctuality() const noexcept override { return ticks_ < punctual_ticks_; }
+
+  private:
+    VirtualClock& clock_;
+    int punctual_ticks_;
+    int all_ticks_;
+    int ticks_ = 0;
+};
+
+TEST(FixedRateLoop, SpinsOnlyWhileTheWorkNeedsPunctuality) {
+    const auto spins = [](WaitMode wait, int punctual_ticks) {
+        VirtualClock clock;
+        CalmingWork work(clock, punctual_ticks, 100);
+        Pacer pacer(clock, {.rate_hz = 4000.0, .wait = wait});
+        const std::atomic<bool> stop{false};
+        run_fixed_rate(pacer, work, stop);
+        EXPECT_EQ(pacer.stats().ticks, 100U);
+        EXPECT_EQ(pacer.stats().missed_deadlines(), 0U);
+        return clock.spins;
+    };
+    const int always = spins(WaitMode::kHybrid, 100);
+    EXPECT_GT(always, 100 * 1000) << "the guard of 100 us in steps of 50 ns";
+    EXPECT_NEAR(spins(WaitMode::kHybrid, 20), always / 5, 20);
+    EXPECT_EQ(spins(WaitMode::kSleep, 100), 0) << "who may not spin does not, whatever is needed";
+}
+
 TEST(FixedRateLoop, DoesNotBeginWhenItIsStoppedBefore) {
     VirtualClock clock;
     ScriptedWork work(clock, {1000});
