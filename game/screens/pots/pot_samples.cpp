@@ -11,7 +11,16 @@ namespace onggi::screens {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kSectors = 96;
+
+// Such that an edge's middle lies a tenth of a pixel inside the circle at most, in pictures as large as a
+// screen half of that: R (1 - cos(pi/n)).
+int corners_of(float radius_px) {
+    return radius_px < 48.0F ? 48 : 96;
+}
+// Between the rows. No less than what the sections of pots show.
+float finest_mm(float px_per_mm) {
+    return std::max(1.2F, 0.75F / px_per_mm);
+}
 
 float cross(vec2 a, vec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -90,11 +99,10 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
 }
 
 // The whole section as one line, up the outside and down the inside to the disc that is the floor.
-pot::Walk walk_of(const pot::Section& shape) {
-    constexpr float kFinestMm = 1.2F;
+pot::Walk walk_of(const pot::Section& shape, float row_mm) {
     pot::Walk walk;
     for (const std::vector<vec2>* side : {&shape.outside, &shape.inside}) {
-        for (const vec2& point : refined(*side, kFinestMm)) {
+        for (const vec2& point : refined(*side, row_mm)) {
             const pot::SurfaceRow row{
                 .y_mm = double{point.y}, .radius_mm = double{point.x}, .inside = side == &shape.inside};
             if (row.radius_mm < pot::kNarrowestOpeningMm) continue;
@@ -111,10 +119,10 @@ pot::Walk walk_of(const pot::Section& shape) {
 
 PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad)
     : extent_(pot_extent(shape, px_per_mm, elevation_rad)) {
-    const pot::Walk walk = walk_of(shape);
+    const pot::Walk walk = walk_of(shape, finest_mm(px_per_mm));
     if (walk.rows.empty()) return;
     // Unwrapped, so that each corner has one angle.
-    pot::SurfaceBuilder surface(kSectors, true);
+    pot::SurfaceBuilder surface(corners_of(shape.radius_mm() * px_per_mm), true);
     surface.add_walk(walk);
     surface.finish_normals();
     const float scale = px_per_mm * kSamplesAcross;

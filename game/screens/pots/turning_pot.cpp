@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,8 +13,14 @@ namespace onggi::screens {
 namespace {
 
 constexpr float kHalfTurn = std::numbers::pi_v<float>;
-constexpr int kColumns = 512;  // of the colours, round the pot; a power of two
-constexpr int kRows = 320;     // and up it
+// Of the colours, round the pot: a power of two, about one for each pixel that is seen.
+int columns_for(int width_px) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(width_px * 8 / 5, 64, 1024))));
+}
+// And up it: about as many as pixels.
+int rows_for(int height_px) {
+    return std::clamp(height_px * 9 / 10, 64, 1024);
+}
 
 // encoded_pot_light(), channel by channel, from a table: pixels are painted by the hundred thousand.
 class Encoding {
@@ -45,8 +52,10 @@ TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& g
     width_ = view.extent().width_px;
     height_ = view.extent().height_px;
     foot_px_ = view.extent().foot_px;
+    columns_ = columns_for(width_);
+    rows_ = rows_for(height_);
     fill_colours(shape, shading, drawn_on.texture() != nullptr);
-    std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(kRows) * kColumns, kColumns, glaze.body);
+    std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(rows_) * columns_, columns_, glaze.body);
     view.visit_bands(
         [&](const PotSamples& samples) { add_pixels(samples, shading, shape, glaze.foot_bare_mm); });
     pixels_.shrink_to_fit();
@@ -55,7 +64,8 @@ TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& g
 void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading, const pot::Section& shape,
                             float foot_bare_mm) {
     const int first_row = samples.top / kSamplesAcross;
-    const float row_per_mm = static_cast<float>(kRows - 1) / std::max(1.0F, shape.height_mm());
+    const auto columns = static_cast<float>(columns_);
+    const float row_per_mm = static_cast<float>(rows_ - 1) / std::max(1.0F, shape.height_mm());
     constexpr int kSamples = kSamplesAcross * kSamplesAcross;
     for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
         for (int x = 0; x < width_; ++x) {
@@ -69,10 +79,10 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
                 pixel.gloss += light.gloss;
                 const bool is_foot = !*inside && surface.height_mm < foot_bare_mm;
                 pixel.row =
-                    is_foot ? static_cast<float>(kRows)
-                            : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(kRows - 1));
+                    is_foot ? static_cast<float>(rows_)
+                            : std::clamp(surface.height_mm * row_per_mm, 0.0F, static_cast<float>(rows_ - 1));
                 if (*inside) pixel.row += static_cast<float>(inside_from_);
-                pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * kColumns;
+                pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * columns;
             });
             if (count == 0) continue;
             pixel.factor /= static_cast<float>(count);
@@ -86,17 +96,17 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
 
 // `differs`: where nothing is drawn outside, it looks there as it does inside.
 void TurningPot::fill_colours(const pot::Section& shape, const PotShading& shading, bool differs) {
-    inside_from_ = differs ? kRows + 1 : 0;
-    colours_.resize(static_cast<std::size_t>(kRows + 1 + (differs ? kRows : 0)) * kColumns);
+    inside_from_ = differs ? rows_ + 1 : 0;
+    colours_.resize(static_cast<std::size_t>((rows_ + 1 + (differs ? rows_ : 0)) * columns_));
     const auto fill = [&](int first_row, bool inside) {
         PotSurface at;
         at.inside = inside;
-        for (int row = 0; row < kRows; ++row) {
-            at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(kRows - 1);
-            for (int column = 0; column < kColumns; ++column) {
-                const float fraction = (static_cast<float>(column) + 0.5F) / kColumns;
+        for (int row = 0; row < rows_; ++row) {
+            at.height_mm = shape.height_mm() * static_cast<float>(row) / static_cast<float>(rows_ - 1);
+            for (int column = 0; column < columns_; ++column) {
+                const float fraction = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns_);
                 at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
-                colours_[static_cast<std::size_t>((first_row + row) * kColumns + column)] =
+                colours_[static_cast<std::size_t>((first_row + row) * columns_ + column)] =
                     shading.colour(at);
             }
         }
@@ -111,15 +121,16 @@ std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {
     painting->width = width_;
     painting->height = height_;
     painting->rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
-    const auto shift = static_cast<float>(turn - std::floor(turn)) * kColumns;
+    const auto shift = static_cast<float>(turn - std::floor(turn)) * static_cast<float>(columns_);
+    const auto last_column = static_cast<std::uint32_t>(columns_ - 1);
     for (const Pixel& pixel : pixels_) {
         // Between two columns, so that it turns smoothly; rows are finer than pixels.
         const float along = pixel.column + shift;
         const auto whole = static_cast<std::uint32_t>(along);
         const float fraction = along - static_cast<float>(whole);
-        const auto row = static_cast<std::size_t>(pixel.row + 0.5F) * kColumns;
-        const vec3& first = colours_[row + (whole & (kColumns - 1U))];
-        const vec3& second = colours_[row + ((whole + 1U) & (kColumns - 1U))];
+        const auto row = static_cast<std::size_t>(pixel.row + 0.5F) * static_cast<std::size_t>(columns_);
+        const vec3& first = colours_[row + (whole & last_column)];
+        const vec3& second = colours_[row + ((whole + 1U) & last_column)];
         std::uint8_t* const to = painting->rgba.data() + pixel.place;
         for (int channel = 0; channel < 3; ++channel) {
             const float own = first[channel] + fraction * (second[channel] - first[channel]);

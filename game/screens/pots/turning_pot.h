@@ -46,6 +46,8 @@ class TurningPot {
     int width_ = 0;
     int height_ = 0;
     vec2 foot_px_{0.0F};
+    int columns_ = 0;  // of the colours
+    int rows_ = 0;
     std::vector<Pixel> pixels_;
     int inside_from_ = 0;  // the row of the colours where those of the inside begin
     std::vector<vec3>

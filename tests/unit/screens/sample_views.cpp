@@ -39,6 +39,14 @@ int place_of(const std::string& code) {
     return code == "ko" ? 0 : code == "en" ? 1 : 2;
 }
 
+std::shared_ptr<const FiredPot> with_cranes(FiredPot pot) {
+    const double tall = pot.shape.height_mm();
+    const decoration::Strokes strokes{motif_round(decoration::Motif::kCrane, 0.5 * tall, 0.36 * tall, 5)};
+    pot.shape = drawn_on(pot.shape, strokes);
+    pot.drawn_with = finish::drawn_with(decoration::texture_of(*pot.shape.marks), strokes);
+    return std::make_shared<const FiredPot>(std::move(pot));
+}
+
 // As the throwing camera would see it, roughly.
 void add_scene(View& view) {
     const float u =
@@ -292,13 +300,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
     }
     for (const int glaze : {0, 3}) {
         add("glaze-drawn-" + std::to_string(glaze), Screen::kGlaze, [&](View& view) {
-            FiredPot pot = *view.pot;
-            const double tall = pot.shape.height_mm();
-            const decoration::Strokes strokes{
-                motif_round(decoration::Motif::kCrane, 0.5 * tall, 0.36 * tall, 5)};
-            pot.shape = drawn_on(pot.shape, strokes);
-            pot.drawn_with = finish::drawn_with(decoration::texture_of(*pot.shape.marks), strokes);
-            view.pot = std::make_shared<const FiredPot>(std::move(pot));
+            // Once: to draw it takes as long as to lay out twenty screens.
+            static const auto drawn = with_cranes(*view.pot);
+            view.pot = drawn;
             view.state.glaze = glaze;
         });
     }
