@@ -70,12 +70,13 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR ONGGI_SANITIZE)
     set(ONGGI_PATIENCE 4)
 endif()
 
-# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds ENVIRONMENT ... SERIAL): one GoogleTest
-# program, one ctest entry. APART: as in onggi_library. SERIAL: it talks to a device or a service in real time, and wants
-# the machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install,
+# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds LASTS seconds ENVIRONMENT ... SERIAL): one
+# GoogleTest program, one ctest entry. APART: as in onggi_library. LASTS: about how long, of a long one, which then begins
+# before the short ones and is not alone at the end. SERIAL: it talks to a device or a service in real time, and wants the
+# machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install,
 # window, tools, swiftshader, gpu, nightly; and picture for what draws with Vulkan outside golden.
 function(onggi_test NAME)
-    cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
+    cmake_parse_arguments(ARG "SERIAL" "TIMEOUT;LASTS" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
     onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})
     add_executable(${NAME} ${sources})
     target_link_libraries(${NAME} PRIVATE onggi_program onggi_places ${ARG_LINKS} GTest::gtest GTest::gtest_main)
@@ -91,6 +92,9 @@ function(onggi_test NAME)
     add_test(NAME ${NAME} COMMAND ${NAME})
     set_tests_properties(${NAME} PROPERTIES TIMEOUT ${limit_s} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
         ENVIRONMENT "${ARG_ENVIRONMENT}")
+    if(ARG_LASTS)
+        set_property(TEST ${NAME} PROPERTY COST ${ARG_LASTS})
+    endif()
 endfunction()
 
 # onggi_vector_loops(FILE...): the loops of these are written to be worked on several elements at once. GCC takes them

@@ -12,10 +12,9 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Such that an edge's middle lies a tenth of a pixel inside the circle at most, in pictures as large as a
-// screen half of that: R (1 - cos(pi/n)).
+// Such that the middle of an edge lies a seventh of a pixel inside the circle at most: R (1 - cos(pi/n)).
 int corners_of(float radius_px) {
-    return radius_px < 48.0F ? 48 : 96;
+    return radius_px < 48.0F ? 48 : radius_px < 192.0F ? 96 : 192;
 }
 // Between the rows. No less than what the sections of pots show.
 float finest_mm(float px_per_mm) {
