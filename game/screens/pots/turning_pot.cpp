@@ -122,18 +122,25 @@ std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {
     painting->height = height_;
     painting->rgba.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
     const auto shift = static_cast<float>(turn - std::floor(turn)) * static_cast<float>(columns_);
+    const auto columns = static_cast<std::size_t>(columns_);
     const auto last_column = static_cast<std::uint32_t>(columns_ - 1);
     for (const Pixel& pixel : pixels_) {
-        // Between two columns, so that it turns smoothly; rows are finer than pixels.
+        // Between two columns, so that it turns smoothly, and two rows, so that its rings have no steps.
         const float along = pixel.column + shift;
-        const auto whole = static_cast<std::uint32_t>(along);
-        const float fraction = along - static_cast<float>(whole);
-        const auto row = static_cast<std::size_t>(pixel.row + 0.5F) * static_cast<std::size_t>(columns_);
-        const vec3& first = colours_[row + (whole & last_column)];
-        const vec3& second = colours_[row + ((whole + 1U) & last_column)];
+        const auto column = static_cast<std::uint32_t>(along);
+        const float right = along - static_cast<float>(column);
+        const auto row = static_cast<std::uint32_t>(pixel.row);
+        const float up = pixel.row - static_cast<float>(row);
+        const vec3* const here = colours_.data() + static_cast<std::size_t>(row) * columns;
+        const vec3* const above = up > 0.0F ? here + columns : here;
+        const std::size_t first = column & last_column;
+        const std::size_t second = (column + 1U) & last_column;
         std::uint8_t* const to = painting->rgba.data() + pixel.place;
         for (int channel = 0; channel < 3; ++channel) {
-            const float own = first[channel] + fraction * (second[channel] - first[channel]);
+            const float low = here[first][channel] + right * (here[second][channel] - here[first][channel]);
+            const float high =
+                above[first][channel] + right * (above[second][channel] - above[first][channel]);
+            const float own = low + up * (high - low);
             const float light = own * pixel.factor[channel] + pixel.gloss[channel];
             to[channel] = static_cast<std::uint8_t>(encode(light) * pixel.cover + 0.5F);
         }

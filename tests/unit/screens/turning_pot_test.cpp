@@ -40,6 +40,21 @@ TEST(TurningPot, StandsAsItIsPainted) {
     }
 }
 
+TEST(TurningPot, HasNoStepsInItsRings) {
+    constexpr int kBrushedSlip = 2;  // thin dark lines round it
+    const auto painting =
+        TurningPot(sample_exhibits()->at(3).shape, finish::glaze_at(kBrushedSlip), 1.2F, 0.12F).at(0.0);
+    int steps = 0;
+    int count = 0;
+    for (int y = painting->height / 4; y < 3 * painting->height / 4; ++y) {
+        for (int x = painting->width / 4; x < 3 * painting->width / 4; ++x, ++count) {
+            const std::uint8_t* const here = painting->rgba.data() + 4 * (y * painting->width + x);
+            steps += std::abs(int{here[1]} - int{here[5]}) > 24 ? 1 : 0;
+        }
+    }
+    EXPECT_LT(steps, count / 1000) << "levels between neighbours of a row of pixels";
+}
+
 TEST(TurningPot, ComesBackAfterAWholeTurn) {
     const TurningPot turning(bowl(), finish::glaze_at(4), 1.0F, 0.12F);
     EXPECT_EQ(turning.at(0.25)->rgba, turning.at(1.25)->rgba);
