@@ -13,13 +13,21 @@ namespace onggi::screens {
 namespace {
 
 constexpr float kHalfTurn = std::numbers::pi_v<float>;
-// Of the colours, round the pot: a power of two, about one for each pixel that is seen.
+// Of the colours, round the pot: a power of two, one for each pixel that is seen in front or two.
 int columns_for(int width_px) {
-    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(width_px * 8 / 5, 64, 1024))));
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(width_px * 16 / 5, 64, 1024))));
 }
 // And up it: about as many as pixels.
 int rows_for(int height_px) {
     return std::clamp(height_px * 9 / 10, 64, 1024);
+}
+
+constexpr float kWhole = 65535.0F;
+
+std::array<std::uint16_t, 3> packed(const vec3& colour) {
+    const vec3 numbers = glm::clamp(colour, 0.0F, 1.0F) * kWhole + 0.5F;
+    return {static_cast<std::uint16_t>(numbers.x), static_cast<std::uint16_t>(numbers.y),
+            static_cast<std::uint16_t>(numbers.z)};
 }
 
 // encoded_pot_light(), channel by channel, from a table: pixels are painted by the hundred thousand.
@@ -55,7 +63,8 @@ TurningPot::TurningPot(const pot::Section& shape, const finish::GlazeMaterial& g
     columns_ = columns_for(width_);
     rows_ = rows_for(height_);
     fill_colours(shape, shading, drawn_on.texture() != nullptr);
-    std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(rows_) * columns_, columns_, glaze.body);
+    std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(rows_) * columns_, columns_,
+                packed(glaze.body));
     view.visit_bands(
         [&](const PotSamples& samples) { add_pixels(samples, shading, shape, glaze.foot_bare_mm); });
     pixels_.shrink_to_fit();
@@ -85,7 +94,7 @@ void TurningPot::add_pixels(const PotSamples& samples, const PotShading& shading
                 pixel.column = (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * columns;
             });
             if (count == 0) continue;
-            pixel.factor /= static_cast<float>(count);
+            pixel.factor /= static_cast<float>(count) * kWhole;
             pixel.gloss /= static_cast<float>(count);
             pixel.cover = static_cast<float>(count) / kSamples;
             pixel.place = 4U * static_cast<std::uint32_t>((first_row + y) * width_ + x);
@@ -107,7 +116,7 @@ void TurningPot::fill_colours(const pot::Section& shape, const PotShading& shadi
                 const float fraction = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns_);
                 at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
                 colours_[static_cast<std::size_t>((first_row + row) * columns_ + column)] =
-                    shading.colour(at);
+                    packed(shading.colour(at));
             }
         }
     };
@@ -131,17 +140,21 @@ std::shared_ptr<const ui::Painting> TurningPot::at(double turn) const {
         const float right = along - static_cast<float>(column);
         const auto row = static_cast<std::uint32_t>(pixel.row);
         const float up = pixel.row - static_cast<float>(row);
-        const vec3* const here = colours_.data() + static_cast<std::size_t>(row) * columns;
-        const vec3* const above = up > 0.0F ? here + columns : here;
+        const Colour* const here = colours_.data() + static_cast<std::size_t>(row) * columns;
+        const Colour* const above = up > 0.0F ? here + columns : here;
         const std::size_t first = column & last_column;
         const std::size_t second = (column + 1U) & last_column;
         std::uint8_t* const to = painting->rgba.data() + pixel.place;
-        for (int channel = 0; channel < 3; ++channel) {
-            const float low = here[first][channel] + right * (here[second][channel] - here[first][channel]);
-            const float high =
-                above[first][channel] + right * (above[second][channel] - above[first][channel]);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const auto between = [&](const Colour* side) {
+                const auto left = static_cast<float>(side[first][channel]);
+                return left + right * (static_cast<float>(side[second][channel]) - left);
+            };
+            const float low = between(here);
+            const float high = between(above);
             const float own = low + up * (high - low);
-            const float light = own * pixel.factor[channel] + pixel.gloss[channel];
+            const auto of = static_cast<int>(channel);
+            const float light = own * pixel.factor[of] + pixel.gloss[of];
             to[channel] = static_cast<std::uint8_t>(encode(light) * pixel.cover + 0.5F);
         }
         to[3] = static_cast<std::uint8_t>(255.0F * pixel.cover + 0.5F);

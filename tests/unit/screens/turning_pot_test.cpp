@@ -28,15 +28,39 @@ double difference(const ui::Painting& a, const ui::Painting& b) {
     return count == 0 ? 255.0 : sum / count;
 }
 
-TEST(TurningPot, StandsAsItIsPainted) {
+// Each sample shaded by itself, with no table of colours in between.
+ui::Painting shaded_by_sample(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
+                              float elevation_rad) {
+    const DrawnOn drawn_on(shape);
+    const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
+    const PotView view(shape, px_per_mm, elevation_rad);
+    const PotSamples samples = view.samples();
+    constexpr int kSamples = kSamplesAcross * kSamplesAcross;
+    ui::Painting painting{.width = view.extent().width_px, .height = view.extent().height_px, .rgba = {}};
+    for (int y = 0; y < painting.height; ++y) {
+        for (int x = 0; x < painting.width; ++x) {
+            vec3 sum(0.0F);
+            const int count = samples.visit_pixel(x, y, [&](const PotSurface& surface) {
+                const PotLight light = shading.light(surface);
+                sum += encoded_pot_light(shading.colour(surface) * light.factor + light.gloss);
+            });
+            for (int channel = 0; channel < 3; ++channel)
+                painting.rgba.push_back(static_cast<std::uint8_t>(sum[channel] * 255.0F / kSamples + 0.5F));
+            painting.rgba.push_back(static_cast<std::uint8_t>(count * 255 / kSamples));
+        }
+    }
+    return painting;
+}
+
+TEST(TurningPot, StandsAsItsSamplesLook) {
     for (int glaze = 0; glaze < finish::kGlazeCount; ++glaze) {
-        const PotPicture still = paint_pot(bowl(), finish::glaze_at(glaze), 1.4F, 0.12F);
-        const TurningPot turning(bowl(), finish::glaze_at(glaze), 1.4F, 0.12F);
-        const auto painting = turning.at(0.0);
-        ASSERT_EQ(painting->width, still.painting.width);
-        ASSERT_EQ(painting->height, still.painting.height);
-        EXPECT_EQ(turning.foot_px(), still.foot_px);
-        EXPECT_LT(difference(*painting, still.painting), 8.0) << finish::glaze_at(glaze).id;
+        const ui::Painting shaded = shaded_by_sample(bowl(), finish::glaze_at(glaze), 1.4F, 0.12F);
+        const auto painting = TurningPot(bowl(), finish::glaze_at(glaze), 1.4F, 0.12F).at(0.0);
+        ASSERT_EQ(painting->width, shaded.width);
+        ASSERT_EQ(painting->height, shaded.height);
+        // Brushed slip has lines finer than pixels.
+        const bool is_fine = finish::glaze_at(glaze).id == "buncheong";
+        EXPECT_LT(difference(*painting, shaded), is_fine ? 8.0 : 1.0) << finish::glaze_at(glaze).id;
     }
 }
 
