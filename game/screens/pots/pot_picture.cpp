@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "game/screens/pots/turning_pot.h"
+#include "game/screens/pots/pot_pixels.h"
 
 namespace onggi::screens {
 
@@ -22,8 +23,15 @@ PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation
 
 PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                      float elevation_rad) {
-    const TurningPot pot(shape, glaze, px_per_mm, elevation_rad);
-    return {.painting = *pot.at(0.0), .foot_px = pot.foot_px()};
+    const LitPot pot(shape, glaze, px_per_mm, elevation_rad);
+    PotPicture picture{.painting = empty_painting(pot.view.extent()), .foot_px = pot.view.extent().foot_px};
+    std::vector<PotPixel> pixels;  // of a band: those of a large picture take many MB
+    pot.view.visit_bands([&](const PotSamples& samples) {
+        pixels.clear();
+        add_pixels(samples, pot, pixels);
+        paint_pixels(pixels, pot.colours, 0.0, picture.painting);
+    });
+    return picture;
 }
 
 }  // namespace onggi::screens
