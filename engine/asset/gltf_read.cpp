@@ -13,6 +13,7 @@
 #include "engine/asset/gltf_accessor.h"
 #include "engine/asset/mesh_rules.h"
 #include "engine/asset/utf8.h"
+#include "engine/core/little_endian.h"
 
 namespace onggi::asset {
 namespace {
@@ -20,10 +21,7 @@ namespace {
 constexpr std::size_t kGlbHeaderBytes = 20;  // of the file and of its first chunk
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
-    std::uint32_t word = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        word |= std::to_integer<std::uint32_t>(bytes[offset + i]) << (8 * i);
-    return word;
+    return little_endian::get<std::uint32_t>(bytes.data() + offset);
 }
 
 // The library walks JSON by recursion: brackets that open deeper than any glTF needs must not reach it.
