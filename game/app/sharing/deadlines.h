@@ -1,6 +1,6 @@
 // Until when each connection has to have done what it is at: a client that sends its words byte by byte, or
-// takes its file so, is cut off, and the sooner where there are many. No clock: time is handed in. Any one
-// thread.
+// takes its file so, is cut off, and the sooner where there are many; one that has gone before it asked, at
+// once. No clock: time is handed in. Any one thread.
 #pragma once
 
 #include <cstddef>
@@ -49,14 +49,15 @@ class Deadlines {
     void remove(Handle connection) { connections_.erase(connection); }
     [[nodiscard]] std::size_t size() const { return connections_.size(); }
 
-    // Calls cut(socket) once for each whose time is over.
-    template <typename Cut>
-    void sweep(double now_s, Cut cut) {
+    // Calls cut(socket) once for each whose time is over, or who asks for nothing and has_gone(socket).
+    template <typename HasGone, typename Cut>
+    void sweep(double now_s, HasGone has_gone, Cut cut) {
         const bool is_crowded = connections_.size() >= rules_.crowd;
         for (Connection& connection : connections_) {
-            const bool is_in_the_way =
-                is_crowded && !connection.is_answered && now_s >= connection.since_s + rules_.crowded_head_s;
-            if (connection.is_cut || (now_s < connection.until_s && !is_in_the_way)) continue;
+            if (connection.is_cut) continue;
+            const bool is_in_the_way = is_crowded && now_s >= connection.since_s + rules_.crowded_head_s;
+            const bool is_idle = !connection.is_answered && (is_in_the_way || has_gone(connection.socket));
+            if (now_s < connection.until_s && !is_idle) continue;
             connection.is_cut = true;
             cut(connection.socket);
         }

@@ -7,9 +7,10 @@
 namespace onggi::app {
 namespace {
 
-std::vector<int> cut_at(Deadlines& deadlines, double now_s) {
+std::vector<int> cut_at(Deadlines& deadlines, double now_s, int gone = -1) {
     std::vector<int> cut;
-    deadlines.sweep(now_s, [&](int socket) { cut.push_back(socket); });
+    deadlines.sweep(
+        now_s, [&](int socket) { return socket == gone; }, [&](int socket) { cut.push_back(socket); });
     return cut;
 }
 
@@ -23,6 +24,18 @@ TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
     deadlines.remove(other);
     EXPECT_TRUE(cut_at(deadlines, 100.0).empty());
     EXPECT_EQ(deadlines.size(), 1U);
+}
+
+TEST(Deadlines, CutOffWhoHasGoneBeforeItAsked) {
+    Deadlines deadlines;
+    static_cast<void>(deadlines.add(3, 0.0));
+    const auto served = deadlines.add(4, 0.0);
+    deadlines.answers(served, 0.1, 1000);
+    EXPECT_TRUE(cut_at(deadlines, 0.2, 4).empty()) << "it may have closed its own half and listen";
+    EXPECT_EQ(cut_at(deadlines, 0.2, 3), std::vector<int>{3});
+    EXPECT_TRUE(cut_at(deadlines, 0.3, 3).empty()) << "once";
+    deadlines.has_answered(served, 0.4);
+    EXPECT_EQ(cut_at(deadlines, 0.5, 4), std::vector<int>{4});
 }
 
 TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
