@@ -37,11 +37,11 @@ bool is_edge(const SurfaceRow& before, const SurfaceRow& row, const SurfaceRow& 
 // Between one walk and the next in the pictures, so that neither runs into the other.
 constexpr double kBetweenWalksMm = 3.0;
 
-double distance(double radius_mm, double y_mm, const SurfaceRow& row) {
-    return std::hypot(row.radius_mm - radius_mm, row.y_mm - y_mm);
-}
-
 }  // namespace
+
+double distance_mm(const SurfaceRow& a, const SurfaceRow& b) {
+    return std::hypot(b.radius_mm - a.radius_mm, b.y_mm - a.y_mm);
+}
 
 SurfaceBuilder::SurfaceBuilder(int corners, bool unwraps)
     : circle_(unit_circle(corners)),
@@ -121,7 +121,7 @@ void SurfaceBuilder::add_walk(const Walk& walk) {
     if (!walk.meets_itself) add_disc(rows.front(), false);
     std::uint32_t from = add_row(rows.front());
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        along_mm_ += distance(rows[i - 1].radius_mm, rows[i - 1].y_mm, rows[i]);
+        along_mm_ += distance_mm(rows[i - 1], rows[i]);
         std::uint32_t to = add_row(rows[i]);
         add_band(from, to);
         if (i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_)) to = add_row(rows[i]);
@@ -129,7 +129,7 @@ void SurfaceBuilder::add_walk(const Walk& walk) {
     }
     if (walk.meets_itself) {
         const std::uint32_t last = add_row(rows.back());
-        along_mm_ += distance(rows.back().radius_mm, rows.back().y_mm, rows.front());
+        along_mm_ += distance_mm(rows.back(), rows.front());
         add_band(last, add_row(rows.front()));
     } else {
         add_disc(rows.back(), true);

@@ -23,6 +23,9 @@ struct SurfaceRow {
     }
 };
 
+// Along the outline from one row to another.
+[[nodiscard]] double distance_mm(const SurfaceRow& a, const SurfaceRow& b);
+
 // Rows nearer than this would make triangles without an area in float metres.
 constexpr double kNearestRowsMm = 1e-3;
 // An opening narrower than this is drawn as wide as this, for the same reason.

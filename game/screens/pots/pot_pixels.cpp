@@ -92,7 +92,7 @@ float PotColours::columns_turned(double turn) const {
     return static_cast<float>(turn - std::floor(turn)) * static_cast<float>(columns_);
 }
 
-inline vec3 PotColours::at(float row, float column) const {
+vec3 PotColours::at(float row, float column) const {
     const auto lower = static_cast<std::uint32_t>(row);
     const float up = row - static_cast<float>(lower);
     const auto left = static_cast<std::uint32_t>(column);

@@ -104,11 +104,11 @@ pot::Walk walk_of(const pot::Section& shape, float row_mm) {
         for (const vec2& point : refined(*side, row_mm)) {
             const pot::SurfaceRow row{
                 .y_mm = double{point.y}, .radius_mm = double{point.x}, .inside = side == &shape.inside};
-            if (row.radius_mm < pot::kNarrowestOpeningMm) continue;
-            if (!walk.rows.empty() && std::hypot(row.radius_mm - walk.rows.back().radius_mm,
-                                                 row.y_mm - walk.rows.back().y_mm) < pot::kNearestRowsMm)
-                continue;
-            walk.rows.push_back(row);
+            // What runs into the axis ends in a disc.
+            const bool is_point = row.radius_mm < pot::kNarrowestOpeningMm;
+            const bool is_new =
+                walk.rows.empty() || distance_mm(walk.rows.back(), row) >= pot::kNearestRowsMm;
+            if (!is_point && is_new) walk.rows.push_back(row);
         }
     }
     return walk;
