@@ -135,6 +135,8 @@ press() {
     esac
 }
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
+# Where the ring is, "[5]"; nothing before it is shown. The rest of the title changes by itself, with the clay.
+ring() { title | grep -oE '\[[0-9]+\]$' || true; }
 is_elsewhere() { [[ "$(title)" != *"[$1]" ]]; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
@@ -143,10 +145,10 @@ take() {
         for _ in $(seq 40); do
             xdotool search --name "^Onggi - .*\[$1\]\$" >/dev/null 2>&1 && break
             # A frame may be slow: a second step before the first is shown would go past the place.
-            before=$(title)
+            before=$(ring)
             xdotool key Tab
             for _ in $(seq 50); do
-                [ "$(title)" = "$before" ] || break
+                [ "$(ring)" = "$before" ] || break
                 sleep 0.1
             done
         done
