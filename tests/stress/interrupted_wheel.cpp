@@ -76,10 +76,10 @@ class Visitors {
         std::this_thread::sleep_for(std::chrono::milliseconds(least + any_below(most - least)));
         static_cast<void>(job_->newest_snapshot());
         while (const auto answer = keeper_->next_answer()) {
-            interrupted_session_ =
-                interrupted_session_ || answer->kind == app::KeeperAnswer::Kind::kInterruptedSession;
-            if (answer->clay) cut_ = answer->clay;
-            if (answer->kind == app::KeeperAnswer::Kind::kSaved) is_saved_ = true;
+            const auto& what = answer->what;
+            if (std::holds_alternative<app::KeeperAnswer::Interrupted>(what)) interrupted_session_ = true;
+            if (const auto* cut = std::get_if<app::KeeperAnswer::CutOff>(&what)) cut_ = cut->clay;
+            if (std::holds_alternative<app::KeeperAnswer::Saved>(what)) is_saved_ = true;
         }
     }
     void throw_for_a_while() {

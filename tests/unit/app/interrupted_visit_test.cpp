@@ -265,7 +265,7 @@ struct Wheel {
         for (int round = 0; round < 6'000; ++round) {
             while (const auto answer = keeper->next_answer()) {
                 is_interrupted_session =
-                    is_interrupted_session || answer->kind == KeeperAnswer::Kind::kInterruptedSession;
+                    is_interrupted_session || std::holds_alternative<KeeperAnswer::Interrupted>(answer->what);
                 words += answer->words + "\n";
             }
             if (condition()) return true;

@@ -211,15 +211,20 @@ struct Keeper {
           keeper(job, start, parameters, Gallery(config_of(folder)), folder / "statistics") {
         EXPECT_TRUE(keeper.start());
     }
-    // The next answer of that kind; none after ten seconds.
-    std::shared_ptr<const KeeperAnswer> answer(KeeperAnswer::Kind kind) {
+    // The next answer about that; none after ten seconds.
+    template <typename What>
+    std::shared_ptr<const KeeperAnswer> answer() {
         jobs::MonotonicClock clock;
         for (int round = 0; round < 10'000; ++round) {
-            const auto next = keeper.next_answer();
-            if (next && next->kind == kind) return next;
+            auto next = keeper.next_answer();
+            if (next && std::holds_alternative<What>(next->what)) return next;
             clock.sleep_until_ns(jobs::MonotonicClock::now_ns() + 1'000'000);
         }
         return nullptr;
+    }
+    std::optional<KeeperAnswer::Survey> survey() {
+        const auto found = answer<KeeperAnswer::Survey>();
+        return found ? std::optional(std::get<KeeperAnswer::Survey>(found->what)) : std::nullopt;
     }
 
     haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
@@ -234,17 +239,17 @@ TEST(KioskKeeper, DeletesWhatItIsToldByNameAndTellsWhatIsLeft) {
         put_pot(folder.path(), name);
     Keeper bench(folder.path());
     bench.keeper.survey();
-    const auto before = bench.answer(KeeperAnswer::Kind::kSurvey);
-    ASSERT_NE(before, nullptr);
+    const auto before = bench.survey();
+    ASSERT_TRUE(before);
     EXPECT_EQ(before->pots.size(), 3U);
     EXPECT_GT(before->free_mb, 0.0);
 
     bench.keeper.remove("2026-11-22/pot-002");
-    const auto said = bench.answer(KeeperAnswer::Kind::kRemark);
+    const auto said = bench.answer<KeeperAnswer::Remark>();
     ASSERT_NE(said, nullptr);
     EXPECT_EQ(said->words, "removed 2026-11-22/pot-002");
-    const auto after = bench.answer(KeeperAnswer::Kind::kSurvey);
-    ASSERT_NE(after, nullptr);
+    const auto after = bench.survey();
+    ASSERT_TRUE(after);
     EXPECT_EQ(after->pots, (std::vector<std::string>{"2026-11-22/pot-003", "2026-11-22/pot-001"}));
     EXPECT_FALSE(fs::exists(folder.path() / "2026-11-22/pot-002"));
 }
@@ -257,8 +262,8 @@ TEST(KioskKeeper, DeletesNothingThatIsNoPotOfTheGallery) {
     for (const char* name : {"", ".", "..", "precious", "../precious", "2026-11-22", "2026-11-22/pot-001/.."})
         bench.keeper.remove(name);
     for (int i = 0; i < 7; ++i) {
-        const auto survey = bench.answer(KeeperAnswer::Kind::kSurvey);
-        ASSERT_NE(survey, nullptr);
+        const auto survey = bench.survey();
+        ASSERT_TRUE(survey);
         EXPECT_EQ(survey->pots.size(), 1U);
     }
     EXPECT_TRUE(fs::exists(folder.path() / "precious/pot.glb"));
@@ -272,8 +277,8 @@ TEST(KioskKeeper, CountsAndRemembersBesideTheFrame) {
     bench.keeper.note({.dwell_s = 30, .last = kiosk::Screen::kThrow, .thrown = true, .kept = false});
     bench.keeper.keep({5, "ko"});
     bench.keeper.survey();
-    const auto survey = bench.answer(KeeperAnswer::Kind::kSurvey);
-    ASSERT_NE(survey, nullptr);
+    const auto survey = bench.survey();
+    ASSERT_TRUE(survey);
     EXPECT_EQ(survey->use.total(),
               (UseOfHour{.breaks = 1, .visits = 1, .thrown = 1, .kept = 0, .dwell_s = 30}));
     EXPECT_EQ(survey->use.starts, 1);

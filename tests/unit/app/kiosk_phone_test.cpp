@@ -35,7 +35,7 @@ class KioskPhoneTest : public testing::Test {
         auto pot = std::make_shared<screens::FiredPot>();
         pot->shape = pot::hollowed({{40, 0}, {50, 50}, {45, 100}}, 5.0F, 8.0F);
         pot->height_mm = 100.0;
-        return {.number = 3, .gallery_name = kName, .pot = pot};
+        return {.gallery_name = kName, .pot = pot};
     }
     static std::shared_ptr<const PhoneAnswer> answer_of(KioskPhone& phone) {
         for (int i = 0; i < 3000; ++i) {
@@ -43,6 +43,12 @@ class KioskPhoneTest : public testing::Test {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         return nullptr;
+    }
+    static std::vector<SharedPotNote> surveyed(KioskPhone& phone) {
+        phone.survey();
+        const auto answer = answer_of(phone);
+        return answer ? std::get<PhoneAnswer::Survey>(answer->what).shared
+                      : std::vector<SharedPotNote>{{"no answer", ""}};
     }
     [[nodiscard]] std::vector<sharing::OutboxEntry> shared() const {
         return sharing::Outbox::open({.folder = folder_.path() / "outbox", .languages = settings_.languages})
@@ -63,16 +69,18 @@ TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
     phone.share(kept());
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
-    ASSERT_EQ(answer->kind, PhoneAnswer::Kind::kShared) << answer->words;
-    EXPECT_EQ(answer->number, 3);
+    const auto* const shown = std::get_if<PhoneAnswer::OfPot>(&answer->what);
+    ASSERT_NE(shown, nullptr) << answer->words;
+    ASSERT_EQ(shown->event, kiosk::Event::Kind::kShared) << answer->words;
+    EXPECT_EQ(shown->gallery_name, kName);
     const auto entries = shared();
     ASSERT_EQ(entries.size(), 1U);
     EXPECT_EQ(entries[0].gallery_name, kName);
-    EXPECT_EQ(answer->way->code, entries[0].code.shown());
-    ASSERT_GE(answer->way->page.side, 21);
-    EXPECT_TRUE(answer->way->page.dark[0]) << "a corner of a QR code is dark";
-    ASSERT_TRUE(answer->way->wifi);
-    EXPECT_EQ(answer->way->wifi_name, "Museum-Guest");
+    EXPECT_EQ(shown->way->code, entries[0].code.shown());
+    ASSERT_GE(shown->way->page.side, 21);
+    EXPECT_TRUE(shown->way->page.dark[0]) << "a corner of a QR code is dark";
+    ASSERT_TRUE(shown->way->wifi);
+    EXPECT_EQ(shown->way->wifi_name, "Museum-Guest");
     for (const char* file : {"pot.glb", "pot.stl", "pot.3mf", "index.html"})
         EXPECT_TRUE(fs::exists(folder_.path() / "outbox" / entries[0].code.text() / file)) << file;
 }
@@ -105,7 +113,7 @@ TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
     phone.share(kept());
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, PhoneAnswer::Kind::kFailed);
+    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShareFailed);
     EXPECT_NE(answer->words.find("pot.stl"), std::string::npos) << answer->words;
     EXPECT_TRUE(shared().empty());
 }
@@ -119,33 +127,24 @@ TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
     phone.withdraw(kName);
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, PhoneAnswer::Kind::kOver);
-    EXPECT_EQ(answer->gallery_name, kName);
+    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShareOver);
+    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).gallery_name, kName);
     EXPECT_TRUE(shared().empty());
 }
 
 TEST_F(KioskPhoneTest, TellsTheStaffWhatIsSharedUntilItIsWithdrawn) {
     KioskPhone phone(settings_);
     ASSERT_TRUE(phone.start());
-    phone.survey();
-    const auto none = answer_of(phone);
-    ASSERT_TRUE(none);
-    ASSERT_EQ(none->kind, PhoneAnswer::Kind::kSurvey);
-    EXPECT_TRUE(none->shared.empty());
+    EXPECT_TRUE(surveyed(phone).empty());
     phone.share(kept());
     ASSERT_TRUE(answer_of(phone));
-    phone.survey();
-    const auto one = answer_of(phone);
-    ASSERT_TRUE(one);
-    ASSERT_EQ(one->shared.size(), 1U);
-    EXPECT_EQ(one->shared[0].gallery_name, kName);
-    EXPECT_FALSE(one->shared[0].until.empty());
+    const std::vector<SharedPotNote> one = surveyed(phone);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_EQ(one[0].gallery_name, kName);
+    EXPECT_FALSE(one[0].until.empty());
     phone.withdraw(kName);
     ASSERT_TRUE(answer_of(phone));
-    phone.survey();
-    const auto after = answer_of(phone);
-    ASSERT_TRUE(after);
-    EXPECT_TRUE(after->shared.empty());
+    EXPECT_TRUE(surveyed(phone).empty());
 }
 
 }  // namespace

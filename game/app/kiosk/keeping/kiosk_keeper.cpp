@@ -118,14 +118,14 @@ bool KioskKeeper::work_out_interrupted_session() {
     if (more && *more) return true;
     is_worked_out_ = true;
     if (more && (interrupted_session_->is_worth_it() || jar_.has_bowl())) {
-        answer(
-            {.kind = KeeperAnswer::Kind::kInterruptedSession,
-             .pot = jar_.has_bowl() ? std::make_shared<const pot::Pot>(haptic::pot_of(jar_.bowl())) : nullptr,
-             .jar = jar_.stage(),
-             .drawn = interrupted_drawing(),
-             .jar_target = jar_.target(),
-             .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
-                                  interrupted_session_->seconds())});
+        answer({.what = KeeperAnswer::Interrupted{.bowl = jar_.has_bowl() ? std::make_shared<const pot::Pot>(
+                                                                                haptic::pot_of(jar_.bowl()))
+                                                                          : nullptr,
+                                                  .jar = jar_.stage(),
+                                                  .jar_target = jar_.target(),
+                                                  .drawn = interrupted_drawing()},
+                .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                                     interrupted_session_->seconds())});
         return false;
     }
     if (!more) complain(more.error().message);
@@ -161,76 +161,107 @@ void KioskKeeper::end_journal() {
     InterruptedSession::remove(visits_);
 }
 
-void KioskKeeper::resume_now(std::uint64_t run) {
-    if (!interrupted_session_ || !is_worked_out_ ||
-        !job_.put(std::make_unique<haptic::HapticState>(interrupted_session_->history().state()), run)) {
-        answer({.kind = KeeperAnswer::Kind::kNotPut});
-        return;
-    }
-    is_put_ = true;
-    was_resumed_ = true;
-    is_jar_ = !jar_.sessions().empty();
-    journal_.drop();
-    journalled_run_ = run;
+void KioskKeeper::resume(std::uint64_t run) {
+    tasks_.post([this, run] {
+        if (!interrupted_session_ || !is_worked_out_ ||
+            !job_.put(std::make_unique<haptic::HapticState>(interrupted_session_->history().state()), run))
+            return answer({.what = KeeperAnswer::NotPut{}});
+        is_put_ = true;
+        was_resumed_ = true;
+        is_jar_ = !jar_.sessions().empty();
+        journal_.drop();
+        journalled_run_ = run;
+    });
 }
 
 void KioskKeeper::put_state_at(std::uint64_t tick) {
-    if (!history_.is_whole()) {
-        answer({.kind = KeeperAnswer::Kind::kNotPut,
-                .words = "undo: a tick's record was lost; new clay is needed"});
-        return;
-    }
+    if (!history_.is_whole())
+        return answer(
+            {.what = KeeperAnswer::NotPut{}, .words = "undo: a tick's record was lost; new clay is needed"});
     auto state = history_.state_at(tick);
     if (!state || !job_.put(std::make_unique<haptic::HapticState>(std::move(*state)), run_))
-        answer({.kind = KeeperAnswer::Kind::kNotPut, .words = state ? "" : state.error().message});
+        answer({.what = KeeperAnswer::NotPut{}, .words = state ? "" : state.error().message});
 }
 
-void KioskKeeper::go_before_now(std::uint64_t tick) {
-    const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
-    const std::uint64_t until = std::min(tick, history_.ticks());
-    put_state_at(until > back ? until - back : 0);
+void KioskKeeper::go_before(std::uint64_t tick) {
+    tasks_.post([this, tick] {
+        const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
+        const std::uint64_t until = std::min(tick, history_.ticks());
+        put_state_at(until > back ? until - back : 0);
+    });
 }
 
-void KioskKeeper::cut_off_now() {
-    give_back_memory();  // of throwing, and of a look into the pot
-    const clay::StudioClay* const clay = history_.state().studio();
-    if (clay == nullptr) return;
-    cut_ = std::make_shared<const clay::StudioClay>(*clay);
-    answer({.kind = KeeperAnswer::Kind::kCutOff,
-            .clay = cut_,
-            .pot = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))});
+void KioskKeeper::cut_off() {
+    tasks_.post([this] {
+        give_back_memory();  // of throwing, and of a look into the pot
+        const clay::StudioClay* const clay = history_.state().studio();
+        if (clay == nullptr) return;
+        cut_ = std::make_shared<const clay::StudioClay>(*clay);
+        answer({.what = KeeperAnswer::CutOff{
+                    cut_, std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()))}});
+    });
 }
 
-// Of a visit that is over, or saved, nothing stays.
-void KioskKeeper::keep_drawing_now(const std::vector<std::byte>& drawn) {
-    if (journalled_run_) complain(files::write_file_atomically(drawing_place(), drawn));
+// Of a pot that is saved, or whose visitor has gone, nothing is kept.
+void KioskKeeper::keep_drawing(std::vector<std::byte> drawn) {
+    tasks_.post([this, drawn = std::move(drawn)] {
+        if (journalled_run_) complain(files::write_file_atomically(drawing_place(), drawn));
+    });
 }
 
-void KioskKeeper::forget_now() {
-    cut_.reset();
-    end_journal();
-    arriving_.reset();
-    jar_.forget();
-    give_back_memory();  // of a visit
+void KioskKeeper::forget() {
+    tasks_.post([this] {
+        cut_.reset();
+        end_journal();
+        arriving_.reset();
+        jar_.forget();
+        give_back_memory();  // of a visit
+    });
 }
 
-void KioskKeeper::journal_now(std::uint64_t run) {
-    is_put_ = false;  // if it still is on its way, the new lump was before it
-    journalled_run_ = run;
-    give_back_memory();  // of the screens before
+void KioskKeeper::journal(std::uint64_t run) {
+    tasks_.post([this, run] {
+        is_put_ = false;  // if it still is on its way, the new lump was before it
+        journalled_run_ = run;
+        give_back_memory();  // of the screens before
+    });
 }
 
-void KioskKeeper::drop_interrupted_session_now() {
-    is_put_ = false;
-    remove_interrupted_session();
+void KioskKeeper::drop_interrupted_session() {
+    tasks_.post([this] {
+        is_put_ = false;
+        remove_interrupted_session();
+    });
 }
 
-void KioskKeeper::beat_now(const KioskPulse& pulse) {
-    if (heartbeat_) complain(heartbeat_->beat(pulse, wall_clock_s()));
+void KioskKeeper::begin_trim() {
+    tasks_.post([this] { trimmed_from_ = history_.ticks(); });
+}
+
+void KioskKeeper::note(const VisitNote& visit) {
+    tasks_.post([this, visit] { complain(note_visit(statistics_, visit)); });
+}
+
+void KioskKeeper::note_attract_break() {
+    tasks_.post([this] { complain(app::note_attract_break(statistics_)); });
+}
+
+void KioskKeeper::note_start() {
+    tasks_.post([this] { complain(app::note_start(statistics_)); });
+}
+
+void KioskKeeper::beat(KioskPulse pulse) {
+    tasks_.post([this, pulse = std::move(pulse)] {
+        if (heartbeat_) complain(heartbeat_->beat(pulse, wall_clock_s()));
+    });
+}
+
+void KioskKeeper::keep(HouseDefaults house) {
+    tasks_.post([this, house = std::move(house)] { complain(keep_house(statistics_, house)); });
 }
 
 void KioskKeeper::complain(std::string words) {
-    answer({.kind = KeeperAnswer::Kind::kRemark, .words = std::move(words), .is_trouble = true});
+    answer({.words = std::move(words), .is_trouble = true});
 }
 
 // What could not be written down is said, and no more.
@@ -238,34 +269,37 @@ void KioskKeeper::complain(const Result<void>& done) {
     if (!done) complain(done.error().message);
 }
 
-void KioskKeeper::survey_now() {
-    KeeperAnswer found{.kind = KeeperAnswer::Kind::kSurvey,
-                       .free_mb = gallery_.free_mb(),
-                       .celsius = hottest_celsius(),
-                       .use = use_of(statistics_, today())};
+void KioskKeeper::answer_survey() {
+    KeeperAnswer::Survey found{
+        .free_mb = gallery_.free_mb(), .celsius = hottest_celsius(), .use = use_of(statistics_, today())};
     std::string trouble;
     std::vector<KeptPot> pots = gallery_.pots(&trouble);
-    if (pots.size() > KeeperAnswer::kMostPots) {
-        found.pots_beyond = pots.size() - KeeperAnswer::kMostPots;
-        pots.resize(KeeperAnswer::kMostPots);
+    if (pots.size() > found.kMostPots) {
+        found.pots_beyond = pots.size() - found.kMostPots;
+        pots.resize(found.kMostPots);
     }
     for (KeptPot& pot : pots)
         found.pots.push_back(std::move(pot.name));
     // Once, not with every look at the panel.
     if (trouble != gallery_trouble_ && !trouble.empty()) complain("gallery: " + trouble);
     gallery_trouble_ = std::move(trouble);
-    answer(std::move(found));
+    answer({.what = std::move(found)});
 }
 
-void KioskKeeper::remove_now(const std::string& name) {
-    show_wall(wall_.take(name));
-    for (const KeptPot& pot : gallery_.pots()) {
-        if (pot.name != name) continue;
-        const auto removed = gallery_.remove(pot);
-        answer({.kind = KeeperAnswer::Kind::kRemark,
-                .words = removed ? "removed " + name : removed.error().message});
-    }
-    survey_now();
+void KioskKeeper::survey() {
+    tasks_.post([this] { answer_survey(); });
+}
+
+void KioskKeeper::remove(std::string pot) {
+    tasks_.post([this, name = std::move(pot)] {
+        show_wall(wall_.take(name));
+        for (const KeptPot& kept : gallery_.pots()) {
+            if (kept.name != name) continue;
+            const auto removed = gallery_.remove(kept);
+            answer({.words = removed ? "removed " + name : removed.error().message});
+        }
+        answer_survey();
+    });
 }
 
 // At the start for what an earlier one left; then for midnight.
@@ -287,40 +321,54 @@ void KioskKeeper::show_wall(const Result<void>& changed) {
     auto seen = std::make_shared<std::vector<screens::ShelfPot>>();
     for (const WallPot& pot : wall_.pots())
         seen->push_back({pot.shape, pot.glaze});
-    answer({.kind = KeeperAnswer::Kind::kWall, .wall = std::move(seen)});
+    answer({.what = KeeperAnswer::Wall{std::move(seen)}});
 }
 
-void KioskKeeper::write_session_now(const std::filesystem::path& place) {
-    if (!cut_ || !history_.is_whole()) return;
-    if (const auto saved = history_.save(place); !saved) return complain(saved);
-    answer({.kind = KeeperAnswer::Kind::kSessionWritten, .session = place});
+void KioskKeeper::put_on_wall(WallPot pot) {
+    tasks_.post([this, pot = std::move(pot)] { show_wall(wall_.put(pot, today())); });
 }
 
-void KioskKeeper::save_now(const pot::Section* shape, int glaze) {
-    if (!cut_ || shape == nullptr) return;
-    history_.let_go_of_states();  // a pot that is fired is no clay again
-    give_back_memory();
-    PotToKeep pot{.history = &history_,
-                  .clay = cut_.get(),
-                  .glaze = &finish::glaze_at(glaze),
-                  .portrait = portrait(*shape, glaze, kPortraitPx),
-                  .marks = shape->marks,
-                  .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
-    const std::string day = today();
-    const auto number = gallery_.keep(std::move(pot), day);
-    if (number) {
-        end_journal();
-        jar_.forget();
-        const std::string name = fmt::format("{}/pot-{:03}", day, *number);
-        answer({.kind = KeeperAnswer::Kind::kSaved,
-                .number = *number,
-                .gallery_name = name,
-                .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
-    } else {
-        answer(
-            {.kind = KeeperAnswer::Kind::kSaveFailed, .words = number.error().message, .is_trouble = true});
-    }
-    give_back_memory();  // of what was made for the files
+void KioskKeeper::take_off_wall(std::string pot) {
+    tasks_.post([this, pot = std::move(pot)] { show_wall(wall_.take(pot)); });
+}
+
+void KioskKeeper::clear_wall() {
+    tasks_.post([this] { show_wall(wall_.clear()); });
+}
+
+void KioskKeeper::write_session(std::filesystem::path place) {
+    tasks_.post([this, place = std::move(place)] {
+        if (!cut_ || !history_.is_whole()) return;
+        if (const auto saved = history_.save(place); !saved) return complain(saved);
+        answer({.what = KeeperAnswer::SessionWritten{place}});
+    });
+}
+
+void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
+    tasks_.post([this, shape = std::move(shape), glaze] {
+        if (!cut_ || shape == nullptr) return;
+        history_.let_go_of_states();  // a pot that is fired is no clay again
+        give_back_memory();
+        PotToKeep pot{.history = &history_,
+                      .clay = cut_.get(),
+                      .glaze = &finish::glaze_at(glaze),
+                      .portrait = portrait(*shape, glaze, kPortraitPx),
+                      .marks = shape->marks,
+                      .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
+        const std::string day = today();
+        if (const auto number = gallery_.keep(std::move(pot), day)) {
+            end_journal();
+            jar_.forget();
+            const std::string name = fmt::format("{}/pot-{:03}", day, *number);
+            answer({.what = KeeperAnswer::Saved{*number, name},
+                    .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
+        } else {
+            answer({.what = kiosk::Event{kiosk::Event::Kind::kSaveFailed},
+                    .words = number.error().message,
+                    .is_trouble = true});
+        }
+        give_back_memory();  // of what was made for the files
+    });
 }
 
 }  // namespace onggi::app

@@ -12,6 +12,11 @@
 #include "game/haptic/pot_copy.h"
 
 namespace onggi::app {
+namespace {
+
+using kiosk::Event;
+
+}  // namespace
 
 // True while there is more of the bowls of an interrupted jar to be worked out.
 bool KioskKeeper::find_interrupted_session() {
@@ -49,60 +54,71 @@ void KioskKeeper::tell_all(std::vector<std::string> remarks) {
         complain(std::move(line));
 }
 
-void KioskKeeper::undo_now() {
-    if (arriving_) return;  // what it would take back is not there yet
-    if (const auto tick = history_.before_last_move(); tick && *tick >= trimmed_from_.value_or(0)) {
-        put_state_at(*tick);
-    } else {
-        answer({.kind = KeeperAnswer::Kind::kUndoneAll});
-    }
+void KioskKeeper::undo() {
+    tasks_.post([this] {
+        if (arriving_) return;  // what it would take back is not there yet
+        if (const auto tick = history_.before_last_move(); tick && *tick >= trimmed_from_.value_or(0)) {
+            put_state_at(*tick);
+        } else {
+            answer(Event::Kind::kUndoneAll);
+        }
+    });
 }
 
-void KioskKeeper::set_aside_now() {
-    if (arriving_) return answer({.kind = KeeperAnswer::Kind::kJarStays});
-    if (!history_.is_whole() || history_.state().studio() == nullptr) {
-        answer({.kind = KeeperAnswer::Kind::kJarStays,
-                .words = "jar: a tick's record was lost; the bowl stays on the wheel"});
-        return;
-    }
-    auto bowl = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()));
-    complain(jar_.set_aside(std::move(history_)));
-    journalled_run_.reset();  // it is on the disk as a whole
-    journal_.drop();
-    complain(jar_.note(JarStage::kSecondBowl));
-    history_ = haptic::History(start_, parameters_, {.aside = visits_});  // new clay is about to come
-    answer({.kind = KeeperAnswer::Kind::kSetAside, .pot = std::move(bowl)});
+void KioskKeeper::begin_jar(std::string target) {
+    tasks_.post([this, target = std::move(target)] { complain(jar_.begin(target)); });
 }
 
-void KioskKeeper::hold_together_now(double mouth_mm) {
-    const clay::StudioClay* const second = history_.state().studio();
-    if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr || arriving_)
-        return answer({.kind = KeeperAnswer::Kind::kJarStays});
-    const auto rims_mm = jar_.rims_mm(*second, mouth_mm);
-    if (!rims_mm)
-        return answer({.kind = KeeperAnswer::Kind::kRimsApart, .words = "jar: " + rims_mm.error().message});
-    answer({.kind = KeeperAnswer::Kind::kRims, .number = static_cast<int>(std::lround(*rims_mm))});
+void KioskKeeper::set_aside() {
+    tasks_.post([this] {
+        if (arriving_) return answer(Event::Kind::kJarStays);
+        if (!history_.is_whole() || history_.state().studio() == nullptr)
+            return answer(Event::Kind::kJarStays,
+                          "jar: a tick's record was lost; the bowl stays on the wheel");
+        auto bowl = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()));
+        complain(jar_.set_aside(std::move(history_)));
+        journalled_run_.reset();  // it is on the disk as a whole
+        journal_.drop();
+        complain(jar_.note(JarStage::kSecondBowl));
+        history_ = haptic::History(start_, parameters_, {.aside = visits_});  // new clay is about to come
+        answer({.what = KeeperAnswer::SetAside{std::move(bowl)}});
+    });
 }
 
-void KioskKeeper::join_now(const JarJoin& join) {
-    if (!jar_.has_bowl() || !history_.is_whole() || arriving_)
-        return answer({.kind = KeeperAnswer::Kind::kJarStays});
-    auto jar = jar_.join(history_, join);
-    if (!jar) return answer({.kind = KeeperAnswer::Kind::kJarStays, .words = "jar: " + jar.error().message});
-    if (!job_.put(std::make_unique<haptic::HapticState>(jar->state()), run_)) {
-        history_ = jar_.take_back();
-        return answer({.kind = KeeperAnswer::Kind::kJarStays});
-    }
-    history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's is there
-    arriving_ = std::move(*jar);
-    answer({.kind = KeeperAnswer::Kind::kJoined});
+void KioskKeeper::hold_together(double mouth_mm) {
+    tasks_.post([this, mouth_mm] {
+        const clay::StudioClay* const second = history_.state().studio();
+        if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr || arriving_)
+            return answer(Event::Kind::kJarStays);
+        const auto rims_mm = jar_.rims_mm(*second, mouth_mm);
+        if (!rims_mm) return answer(Event::Kind::kRimsApart, "jar: " + rims_mm.error().message);
+        answer({.what = Event{Event::Kind::kRims, kiosk::Button::kNone,
+                              static_cast<int>(std::lround(*rims_mm))}});
+    });
 }
 
-void KioskKeeper::take_back_now(bool is_second) {
-    const haptic::History* const bowl = jar_.to_take_back(is_second);
-    if (bowl == nullptr || !job_.put(std::make_unique<haptic::HapticState>(bowl->state()), run_))
-        return answer({.kind = KeeperAnswer::Kind::kNotPut});
-    arriving_ = jar_.take_back();
+void KioskKeeper::join_bowls(const JarJoin& join) {
+    tasks_.post([this, join] {
+        if (!jar_.has_bowl() || !history_.is_whole() || arriving_) return answer(Event::Kind::kJarStays);
+        auto jar = jar_.join(history_, join);
+        if (!jar) return answer(Event::Kind::kJarStays, "jar: " + jar.error().message);
+        if (!job_.put(std::make_unique<haptic::HapticState>(jar->state()), run_)) {
+            history_ = jar_.take_back();
+            return answer(Event::Kind::kJarStays);
+        }
+        history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's is there
+        arriving_ = std::move(*jar);
+        answer(Event::Kind::kJoined);
+    });
+}
+
+void KioskKeeper::take_back(int bowl) {
+    tasks_.post([this, is_second = bowl == 2] {
+        const haptic::History* const taken = jar_.to_take_back(is_second);
+        if (taken == nullptr || !job_.put(std::make_unique<haptic::HapticState>(taken->state()), run_))
+            return answer({.what = KeeperAnswer::NotPut{}});
+        arriving_ = jar_.take_back();
+    });
 }
 
 // What is on the wheel from that tick on may be of another history than what was there before.

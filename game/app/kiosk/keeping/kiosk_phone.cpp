@@ -52,19 +52,25 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
 }
 
 // A pot without a film is a pot all the same.
-void KioskPhone::begin_film(const std::filesystem::path& session) {
-    if (const auto begun = film_.begin(session); !begun) answer({.words = begun.error().message});
+void KioskPhone::film(std::filesystem::path session) {
+    tasks_.post([this, session = std::move(session)] {
+        if (const auto begun = film_.begin(session); !begun) answer({.words = begun.error().message});
+    });
 }
 
-void KioskPhone::forget_now() {
-    waiting_.reset();
-    film_.drop();
+void KioskPhone::forget() {
+    tasks_.post([this] {
+        waiting_.reset();
+        film_.drop();
+    });
 }
 
-void KioskPhone::wait_for_film(const PotToShare& pot) {
-    film_.finish_in(finish::glaze_at(pot.glaze).id, pot.pot ? pot.pot->shape.marks.get() : nullptr);
-    waiting_ = pot;
-    waits_until_ns_ = now_ns_ + kFilmWaitNs;
+void KioskPhone::share(PotToShare pot) {
+    tasks_.post([this, pot = std::move(pot)] {
+        film_.finish_in(finish::glaze_at(pot.glaze).id, pot.pot ? pot.pot->shape.marks.get() : nullptr);
+        waiting_ = pot;
+        waits_until_ns_ = now_ns_ + kFilmWaitNs;
+    });
 }
 
 void KioskPhone::share_when_filmed() {
@@ -118,37 +124,38 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
 }
 
 void KioskPhone::share_now(const PotToShare& kept) {
-    PhoneAnswer made{.number = kept.number, .gallery_name = kept.gallery_name};
     auto way = shared(kept);
-    if (way) {
-        made.kind = PhoneAnswer::Kind::kShared;
-        made.way = std::make_shared<const screens::PhoneWay>(std::move(*way));
-        note({.codes = 1});
-    } else {
-        made.kind = PhoneAnswer::Kind::kFailed;
-        made.words = "sharing: " + way.error().message;
-    }
-    answer(std::move(made));
+    if (!way)
+        return answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShareFailed, kept.gallery_name},
+                       .words = "sharing: " + way.error().message});
+    note({.codes = 1});
+    answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShared, kept.gallery_name,
+                                       std::make_shared<const screens::PhoneWay>(std::move(*way))}});
 }
 
-void KioskPhone::withdraw_now(const std::string& gallery_name) {
-    if (auto opened = open(); !opened) return;
-    const auto gone = outbox_->withdraw_named(gallery_name);
-    if (!gone) return answer({.words = "sharing: " + gone.error().message});
-    if (*gone) answer({.kind = PhoneAnswer::Kind::kOver, .gallery_name = gallery_name});
+void KioskPhone::withdraw(std::string gallery_name) {
+    tasks_.post([this, name = std::move(gallery_name)] {
+        if (auto opened = open(); !opened) return;
+        const auto gone = outbox_->withdraw_named(name);
+        if (!gone) return answer({.words = "sharing: " + gone.error().message});
+        if (*gone) answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShareOver, name}});
+    });
 }
 
-void KioskPhone::survey_now() {
-    if (auto opened = open(); !opened) return;  // said when somebody wants it
-    const auto entries = outbox_->list();
-    if (!entries) return answer({.words = "sharing: " + entries.error().message});
-    PhoneAnswer found{.kind = PhoneAnswer::Kind::kSurvey};
-    sharing::ShareTime time = share_time_now(settings_.config);
-    for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
-        time.expires_s = entry->expires_s;
-        found.shared.push_back({.gallery_name = entry->gallery_name, .until = sharing::gone_at(time).text});
-    }
-    answer(std::move(found));
+void KioskPhone::survey() {
+    tasks_.post([this] {
+        if (auto opened = open(); !opened) return;  // said when somebody wants it
+        const auto entries = outbox_->list();
+        if (!entries) return answer({.words = "sharing: " + entries.error().message});
+        PhoneAnswer::Survey found;
+        sharing::ShareTime time = share_time_now(settings_.config);
+        for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
+            time.expires_s = entry->expires_s;
+            found.shared.push_back(
+                {.gallery_name = entry->gallery_name, .until = sharing::gone_at(time).text});
+        }
+        answer({.what = std::move(found)});
+    });
 }
 
 void KioskPhone::look_after() {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "engine/jobs/io_thread.h"
@@ -17,6 +18,7 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/keeping/kiosk_film.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/kiosk/step.h"
 #include "game/screens/page/view.h"
 #include "game/sharing/open_counter.h"
 #include "game/sharing/outbox.h"
@@ -33,7 +35,6 @@ struct SharedPotNote {
 
 // A kept pot, and what its page says of it.
 struct PotToShare {
-    int number = 0;              // of the day
     std::string gallery_name{};  // "2026-11-21/pot-014"
     std::shared_ptr<const screens::FiredPot> pot{};
     int glaze = 0;
@@ -41,13 +42,19 @@ struct PotToShare {
 };
 
 struct PhoneAnswer {
-    enum class Kind { kShared, kFailed, kOver, kRemark, kSurvey };
-    Kind kind = Kind::kRemark;
-    int number = 0;                                  // of the pot
-    std::string gallery_name{};                      // likewise; of kOver: whose code is over
-    std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
-    std::string words{};                             // for the log; never the code
-    std::vector<SharedPotNote> shared{};             // of kSurvey, the newest first
+    // What became of a pot's code: kShared, kShareFailed or kShareOver.
+    struct OfPot {
+        kiosk::Event::Kind event = kiosk::Event::Kind::kShared;
+        std::string gallery_name;
+        std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
+    };
+    struct Survey {
+        std::vector<SharedPotNote> shared{};  // the newest first
+    };
+    struct Remark {};  // words alone
+
+    std::variant<Remark, OfPot, Survey> what{};
+    std::string words{};  // for the log; never the code
 };
 
 class KioskPhone final : private jobs::IoWork {
@@ -68,26 +75,16 @@ class KioskPhone final : private jobs::IoWork {
     }
 
     // Main thread. Begins the film of a pot that may be shared later.
-    void film(std::filesystem::path session) {
-        tasks_.post([this, session = std::move(session)] { begin_film(session); });
-    }
+    void film(std::filesystem::path session);
     // Nobody wants that pot's code any more, nor its film.
-    void forget() {
-        tasks_.post([this] { forget_now(); });
-    }
-    // Answered by kShared once every file is on the disk, or by kFailed. Waits for the film, but not for
+    void forget();
+    // Answered by kShared once every file is on the disk, or by kShareFailed. Waits for the film, but not for
     // long.
-    void share(PotToShare pot) {
-        tasks_.post([this, pot = std::move(pot)] { wait_for_film(pot); });
-    }
-    // The staff has deleted that pot, or will not have it shared. Answered by kOver where it had a code.
-    void withdraw(std::string gallery_name) {
-        tasks_.post([this, name = std::move(gallery_name)] { withdraw_now(name); });
-    }
-    // What is shared now; answered by kSurvey.
-    void survey() {
-        tasks_.post([this] { survey_now(); });
-    }
+    void share(PotToShare pot);
+    // The staff has deleted that pot, or will not have it shared. Answered by kShareOver where it had a code.
+    void withdraw(std::string gallery_name);
+    // What is shared now; answered by Survey.
+    void survey();
     // Null: nothing is answered yet.
     [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer() { return answers_.next(); }
 
@@ -97,13 +94,8 @@ class KioskPhone final : private jobs::IoWork {
     void finish() noexcept override {}
     [[nodiscard]] Result<void> open();
     [[nodiscard]] Result<screens::PhoneWay> shared(const PotToShare& kept);
-    void begin_film(const std::filesystem::path& session);
-    void forget_now();
-    void wait_for_film(const PotToShare& pot);
     void share_when_filmed();
     void share_now(const PotToShare& kept);
-    void withdraw_now(const std::string& gallery_name);
-    void survey_now();
     void look_after();
     void expire();
     void count_opened();

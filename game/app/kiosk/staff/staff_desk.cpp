@@ -23,14 +23,14 @@ int StaffDesk::number_of(const std::string& pot) {
     return known->second;
 }
 
-void StaffDesk::take(const KeeperAnswer& answer) {
-    survey_ = answer;
+void StaffDesk::take(const KeeperAnswer::Survey& survey) {
+    survey_ = survey;
     page_.reset();  // it is news
 }
 
-void StaffDesk::take(const PhoneAnswer& answer) {
-    if (answer.shared == shared_) return;
-    shared_ = answer.shared;
+void StaffDesk::take(const PhoneAnswer::Survey& survey) {
+    if (survey.shared == shared_) return;
+    shared_ = survey.shared;
     page_.reset();
 }
 

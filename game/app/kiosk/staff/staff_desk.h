@@ -39,9 +39,8 @@ class StaffDesk {
     void see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot);
     // What the house's monitoring is told, of the program's health alone.
     [[nodiscard]] KioskPulse pulse(const haptic::Snapshot& snapshot) const;
-    // A survey that the keeper has answered.
-    void take(const KeeperAnswer& answer);
-    void take(const PhoneAnswer& answer);
+    void take(const KeeperAnswer::Survey& survey);
+    void take(const PhoneAnswer::Survey& survey);
     void test_force();
     void test_sound();
     // The pot of that number goes; nothing happens where there is none.
@@ -64,7 +63,7 @@ class StaffDesk {
     HealthMeter meter_;
     std::optional<double> started_s_;
     double now_s_ = 0.0;
-    std::optional<KeeperAnswer> survey_;
+    std::optional<KeeperAnswer::Survey> survey_;
     std::vector<SharedPotNote> shared_;     // as the last survey found them
     std::vector<std::string> pots_;         // all that were ever surveyed; the number is the place
     std::map<std::string, int> numbers_;    // of them

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 #include "game/clay/studio/trimming.h"
 #include "game/heritage/jar.h"
@@ -183,14 +184,14 @@ std::optional<std::size_t> VisitEffects::thrown_after() const {
 }
 
 // Once when the throwing is over, and again where its foot was turned.
-void VisitEffects::take_cut_off(const KeeperAnswer& answer) {
-    const clay::StudioClay& clay = *answer.clay;
+void VisitEffects::take(const KeeperAnswer::CutOff& cut) {
+    const clay::StudioClay& clay = *cut.clay;
     screens::FiredPot pot =
         fired_pot(clay, parts_.settings.targets, parts_.settings.relatives, thrown_after());
     if (flow_.state().throwing.jar.step == kiosk::JarStep::kSeam)
         pot.off_round_mm = heritage::off_round_mm(clay);
     pot_ = std::make_shared<const screens::FiredPot>(std::move(pot));
-    drawing_.take(answer.pot);
+    drawing_.take(cut.pot);
     // A hand control holds no trimmer: whoever throws with one goes on to decorate.
     const bool can_trim =
         clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm && parts_.devices.holder().empty();
@@ -203,38 +204,38 @@ void VisitEffects::write_session() {
     if (parts_.phone != nullptr) parts_.keeper.write_session(parts_.phone->session_place());
 }
 
-void VisitEffects::take_interrupted(const KeeperAnswer& answer) {
+void VisitEffects::take(const KeeperAnswer::Interrupted& found) {
     constexpr std::array kSteps{kiosk::JarStep::kNone, kiosk::JarStep::kFirstBowl,
                                 kiosk::JarStep::kSecondBowl, kiosk::JarStep::kSeam};
-    interrupted_bowl_ = answer.pot;
-    interrupted_drawing_ = answer.drawn;
-    const kiosk::JarStep step = kSteps[static_cast<std::size_t>(answer.jar)];
+    interrupted_bowl_ = found.bowl;
+    interrupted_drawing_ = found.drawn;
+    const kiosk::JarStep step = kSteps[static_cast<std::size_t>(found.jar)];
     const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
     const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t row) {
-        return parts_.settings.targets[row].id == answer.jar_target;
+        return parts_.settings.targets[row].id == found.jar_target;
     });
     const bool is_jar = step != kiosk::JarStep::kNone && place != places.end();
     flow_.dispatch({Event::Kind::kInterruptedSession, Button::kNone,
                     is_jar ? kiosk::interrupted_jar(step, static_cast<int>(place - places.begin())) : 0});
 }
 
-void VisitEffects::take_jar(const KeeperAnswer& answer) {
-    switch (answer.kind) {
-        case KeeperAnswer::Kind::kSetAside:
-            jar_.set_aside(answer.pot);
-            return flow_.dispatch({Event::Kind::kSetAside});
-        case KeeperAnswer::Kind::kRims:
-            return flow_.dispatch({Event::Kind::kRims, Button::kNone, answer.number});
-        case KeeperAnswer::Kind::kRimsApart:
-            return flow_.dispatch({Event::Kind::kRimsApart});
-        case KeeperAnswer::Kind::kJoined:
-            return flow_.dispatch({Event::Kind::kJoined});
-        case KeeperAnswer::Kind::kJarStays:
-            wheel_.clay().expect_nothing();
-            return flow_.dispatch({Event::Kind::kJarStays});
-        default:
-            return flow_.dispatch({Event::Kind::kUndoneAll});
-    }
+void VisitEffects::take(const KeeperAnswer::SetAside& aside) {
+    jar_.set_aside(aside.bowl);
+    flow_.dispatch({Event::Kind::kSetAside});
+}
+
+void VisitEffects::take(const KeeperAnswer::Saved& saved) {
+    if (pot_) day_.insert(day_.begin(), {pot_->shape, flow_.state().glaze});
+    if (day_.size() > kMostOnShelf) day_.pop_back();
+    ++kept_;
+    ++pots_kept_;
+    kept_name_ = saved.gallery_name;
+    flow_.dispatch({Event::Kind::kSaved, Button::kNone, saved.number});
+}
+
+void VisitEffects::take(const Event& event) {
+    if (event.kind == Event::Kind::kJarStays) wheel_.clay().expect_nothing();
+    flow_.dispatch(event);
 }
 
 // What was drawn goes with the pot from here on.
@@ -256,11 +257,8 @@ void VisitEffects::share() {
     const kiosk::State& state = flow_.state();
     if (!pot_ || parts_.phone == nullptr)
         return flow_.dispatch({Event::Kind::kShareFailed, Button::kNone, state.keeping.number});
-    parts_.phone->share({.number = state.keeping.number,
-                         .gallery_name = kept_name_,
-                         .pot = pot_,
-                         .glaze = state.glaze,
-                         .language = state.comfort.language});
+    parts_.phone->share(
+        {.gallery_name = kept_name_, .pot = pot_, .glaze = state.glaze, .language = state.comfort.language});
 }
 
 void VisitEffects::move_on_wall(bool up, double now_s) {
@@ -274,21 +272,11 @@ void VisitEffects::move_on_wall(bool up, double now_s) {
     }
 }
 
-void VisitEffects::take_phone_answers() {
-    if (parts_.phone == nullptr) return;
-    while (const auto answer = parts_.phone->next_answer()) {
-        if (!answer->words.empty()) flow_.say(answer->words);
-        if (answer->kind == PhoneAnswer::Kind::kSurvey) desk_.take(*answer);
-        const bool is_this_pot = answer->gallery_name == kept_name_ && pot_ != nullptr;
-        if (!is_this_pot || answer->kind == PhoneAnswer::Kind::kRemark ||
-            answer->kind == PhoneAnswer::Kind::kSurvey)
-            continue;
-        if (answer->kind == PhoneAnswer::Kind::kShared) phone_way_ = answer->way;
-        const Event::Kind kind = answer->kind == PhoneAnswer::Kind::kShared   ? Event::Kind::kShared
-                                 : answer->kind == PhoneAnswer::Kind::kFailed ? Event::Kind::kShareFailed
-                                                                              : Event::Kind::kShareOver;
-        flow_.dispatch({kind, Button::kNone, flow_.state().keeping.number});
-    }
+// Of a pot whose visitor has gone, nobody here wants to know.
+void VisitEffects::take(const PhoneAnswer::OfPot& shared) {
+    if (shared.gallery_name != kept_name_ || pot_ == nullptr) return;
+    if (shared.event == Event::Kind::kShared) phone_way_ = shared.way;
+    flow_.dispatch({shared.event, Button::kNone, flow_.state().keeping.number});
 }
 
 void VisitEffects::keep_house() {
@@ -302,51 +290,15 @@ void VisitEffects::take_answers() {
         wall_.reset();  // until the keeper says so too
         parts_.keeper.clear_wall();
     }
-    take_phone_answers();
+    const auto take_it = [this](const auto& what) { take(what); };
+    while (const auto answer = parts_.phone != nullptr ? parts_.phone->next_answer() : nullptr) {
+        if (!answer->words.empty()) flow_.say(answer->words);
+        std::visit(take_it, answer->what);
+    }
     if (auto drawn = drawing_.take_to_keep()) parts_.keeper.keep_drawing(std::move(*drawn));
     while (const auto answer = parts_.keeper.next_answer()) {
         if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
-        switch (answer->kind) {
-            case KeeperAnswer::Kind::kCutOff:
-                take_cut_off(*answer);
-                break;
-            case KeeperAnswer::Kind::kUndoneAll:
-            case KeeperAnswer::Kind::kSetAside:
-            case KeeperAnswer::Kind::kRims:
-            case KeeperAnswer::Kind::kRimsApart:
-            case KeeperAnswer::Kind::kJoined:
-            case KeeperAnswer::Kind::kJarStays:
-                take_jar(*answer);
-                break;
-            case KeeperAnswer::Kind::kSessionWritten:
-                parts_.phone->film(answer->session);
-                break;
-            case KeeperAnswer::Kind::kSaved:
-                if (pot_) day_.insert(day_.begin(), {pot_->shape, flow_.state().glaze});
-                if (day_.size() > kMostOnShelf) day_.pop_back();
-                ++kept_;
-                ++pots_kept_;
-                kept_name_ = answer->gallery_name;
-                flow_.dispatch({Event::Kind::kSaved, Button::kNone, answer->number});
-                break;
-            case KeeperAnswer::Kind::kSaveFailed:
-                flow_.dispatch({Event::Kind::kSaveFailed});
-                break;
-            case KeeperAnswer::Kind::kWall:
-                wall_ = answer->wall;
-                break;
-            case KeeperAnswer::Kind::kSurvey:
-                desk_.take(*answer);
-                break;
-            case KeeperAnswer::Kind::kInterruptedSession:
-                take_interrupted(*answer);
-                break;
-            case KeeperAnswer::Kind::kNotPut:
-                wheel_.clay().expect_nothing();
-                break;
-            case KeeperAnswer::Kind::kRemark:
-                break;
-        }
+        std::visit(take_it, answer->what);
     }
 }
 

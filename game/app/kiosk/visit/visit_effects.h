@@ -53,13 +53,24 @@ class VisitEffects {
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
     void write_session();
-    void take_cut_off(const KeeperAnswer& answer);
-    void take_interrupted(const KeeperAnswer& answer);
-    void take_jar(const KeeperAnswer& answer);
+    // One by one, what the keeper answers.
+    void take(const KeeperAnswer::CutOff& cut);
+    void take(const KeeperAnswer::SetAside& aside);
+    void take(const KeeperAnswer::Saved& saved);
+    void take(const KeeperAnswer::SessionWritten& session) { parts_.phone->film(session.place); }
+    void take(const KeeperAnswer::Wall& wall) { wall_ = wall.pots; }
+    void take(const KeeperAnswer::Interrupted& found);
+    void take(const KeeperAnswer::Survey& survey) { desk_.take(survey); }
+    void take(const KeeperAnswer::NotPut&) { wheel_.clay().expect_nothing(); }
+    void take(const kiosk::Event& event);
+    void take(const KeeperAnswer::Remark&) {}
+    // And the phones' keeper.
+    void take(const PhoneAnswer::OfPot& shared);
+    void take(const PhoneAnswer::Survey& survey) { desk_.take(survey); }
+    void take(const PhoneAnswer::Remark&) {}
     void fire_drawing();
     void save();
     void share();
-    void take_phone_answers();
     void keep_house();
     void move_on_wall(bool up, double now_s);
 
