@@ -10,10 +10,16 @@
 
 #include "engine/core/quote.h"
 
-// Whole in this file, because the packaged library throws.
+// Whole in this file, because the packaged library throws. What it asserts of a text holds of good TOML alone
+// ("[!]" fails it), and it has clang optimise by that where nothing asserts; asked for nothing, it reports
+// each as an error.
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
+#define TOML_ASSERT(claim) static_assert(true)
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace onggi::kiosk {
 namespace {

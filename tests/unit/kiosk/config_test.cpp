@@ -89,6 +89,8 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
         {"[staff]\nname = \"\"\"Wheel\"\"\"\n",
          "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found three "
          "quotes"},
+        {"[!]\nidle_s = 60\n", "kiosk.toml, line 1: expected TOML, found "},
+        {"[\x0e\n", "kiosk.toml, line 1: expected TOML, found "},
         {"[sharing]\nport = 8-\"/\xC6\xB3\"\n", "kiosk.toml, line 2: expected TOML, found "},
         {"[visit]\nidle_s = 4.\x01t['i\xEF\xBE\xB7[v\n", "kiosk.toml, line 2: expected TOML, found "},
         {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
