@@ -39,7 +39,7 @@ endif()
 
 if(ONGGI_FUZZ)
     target_compile_options(onggi_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
-        -fno-sanitize-recover=all -fno-omit-frame-pointer)
+        -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
     target_link_options(onggi_options INTERFACE -fsanitize=address,undefined)
 elseif(ONGGI_SANITIZE)
     target_compile_options(onggi_options INTERFACE -fsanitize=${ONGGI_SANITIZE} -fno-omit-frame-pointer -O1)
@@ -57,7 +57,7 @@ endif()
 # What every program links besides its own libraries.
 add_library(onggi_program INTERFACE)
 target_link_libraries(onggi_program INTERFACE onggi_options)
-if(ONGGI_SANITIZE MATCHES "address")
+if(ONGGI_SANITIZE MATCHES "address|fuzzer")
     add_library(onggi_keep_libraries OBJECT ${CMAKE_SOURCE_DIR}/tests/support/keep_libraries.cpp)
     target_link_libraries(onggi_program INTERFACE $<TARGET_OBJECTS:onggi_keep_libraries>)
 endif()
