@@ -16,11 +16,7 @@ using kiosk::Screen;
 class BadTouch : public testing::Test {
   protected:
     void SetUp() override {
-        kiosk.touch();
-        kiosk.frame();
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
-        ASSERT_TRUE(kiosk.press(Button::kFree));
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
+        ASSERT_TRUE(kiosk.begins_to_throw());
     }
     [[nodiscard]] bool presses() { return kiosk.snapshot().tool.guided && kiosk.snapshot().tool.pressing; }
     void point_at(const dvec3& place_mm) {

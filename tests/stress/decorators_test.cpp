@@ -26,10 +26,7 @@ class Decorators : public testing::Test {
   protected:
     void SetUp() override {
         std::mt19937 chance(24);
-        kiosk.touch();
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
-        ASSERT_TRUE(kiosk.press(Button::kFree));
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
+        ASSERT_TRUE(kiosk.begins_to_throw());
         ASSERT_TRUE(kiosk.throw_a_pot(chance));
         ASSERT_TRUE(kiosk.press(Button::kDone));
         ASSERT_TRUE(kiosk.dries());

@@ -23,10 +23,7 @@ clay::StudioClay wet_bowl() {
 class FailedPot : public testing::Test {
   protected:
     void begin() {
-        kiosk.point(0.5 * kWidth, 0.5 * kHeight);
-        kiosk.hold(true);
-        kiosk.frame();
-        kiosk.hold(false);
+        kiosk.touch();
         ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
         ASSERT_TRUE(kiosk.press(Button::kFree));
         ASSERT_TRUE(stays_on_the_wheel(60)) << "it stands as it is";

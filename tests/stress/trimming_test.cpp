@@ -20,10 +20,7 @@ class Trimming : public testing::Test {
   protected:
     void SetUp() override {
         std::mt19937 thrower(24);
-        kiosk.touch();
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kChoose; }));
-        ASSERT_TRUE(kiosk.press(Button::kFree));
-        ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
+        ASSERT_TRUE(kiosk.begins_to_throw());
         ASSERT_TRUE(kiosk.throw_a_pot(thrower));
         ASSERT_TRUE(kiosk.press(Button::kDone));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.state().trimming.is_offered; }, kSlowly));

@@ -213,6 +213,12 @@ class UnseenKiosk {
         point(double{middle.x}, double{middle.y});
         return true;
     }
+    // From attract to clay on the wheel, after no pot of a museum.
+    bool begins_to_throw() {
+        touch();
+        return until([&] { return screen() == kiosk::Screen::kChoose; }) && press(kiosk::Button::kFree) &&
+               until([&] { return shown_screen() == kiosk::Screen::kThrow; }, kSlowly);
+    }
     // To the decorating; a foot that is thick is left as it is.
     bool dries() {
         const auto is_dry = [&] {

@@ -30,10 +30,7 @@ int wanted(const char* name, int usual) {
 bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
     const auto on = [&](Screen screen) { return [&kiosk, screen] { return kiosk.screen() == screen; }; };
     kiosk.until(on(Screen::kAttract));
-    kiosk.point(0.5 * kWidth, 0.5 * kHeight);
-    kiosk.hold(true);
-    kiosk.frame();
-    kiosk.hold(false);
+    kiosk.touch();
     EXPECT_TRUE(kiosk.until(on(Screen::kChoose)));
     if (chance() % 2 == 0) {
         EXPECT_TRUE(kiosk.press(Button::kFree));

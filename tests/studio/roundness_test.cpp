@@ -70,13 +70,19 @@ TEST(Centring, OffCentreClayIsFeltOnceARevolution) {
     EXPECT_GT(strongest, 5.0);
 }
 
-TEST(Sectors, AStandingWheelDentsUnderTheHandOnly) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
+// A wall that a hand has dented from one side, on a standing wheel; the hand is in the dent.
+Bench dented_wall(double held_s, double from_mm = 60.0, double rate_hz = 1000.0) {
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, rate_hz);
     bench.wall(50.0, 8.0, 12.0, 60.0, 600);
     bench.turn_at(0.0);
-    bench.at(60.0, 40.05);
+    bench.at(from_mm, 40.05);
     bench.move({57.0, 40.05, 0.0}, 0.5);
-    bench.hold(2.0);
+    bench.hold(held_s);
+    return bench;
+}
+
+TEST(Sectors, AStandingWheelDentsUnderTheHandOnly) {
+    const Bench bench = dented_wall(2.0);
     const int ring = bench.ring_at(40.05);
     const auto row = bench.clay.residuals_mm(ring);
     ASSERT_EQ(row.size(), 256U);
@@ -93,12 +99,7 @@ TEST(Sectors, AStandingWheelDentsUnderTheHandOnly) {
 }
 
 TEST(Sectors, ATurningWheelUnderAHandRoundsThem) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
-    bench.wall(50.0, 8.0, 12.0, 60.0, 600);
-    bench.turn_at(0.0);
-    bench.at(60.0, 40.05);
-    bench.move({57.0, 40.05, 0.0}, 0.5);
-    bench.hold(1.0);
+    Bench bench = dented_wall(1.0);
     const auto roughness = [&] {
         const auto row = bench.clay.residuals_mm(bench.ring_at(40.05));
         float most = 0.0F;
@@ -122,12 +123,7 @@ TEST(Sectors, ATurningWheelUnderAHandRoundsThem) {
 // A dent pressed while the wheel stands, rounded a little by a hand on the turning wheel, then left: what
 // every point of the wall is at, R + w.
 std::vector<double> dented_wall_at(double rate_hz) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, rate_hz);
-    bench.wall(50.0, 8.0, 12.0, 60.0, 600);
-    bench.turn_at(0.0);
-    bench.at(62.0, 40.05);
-    bench.move({57.0, 40.05, 0.0}, 0.5);
-    bench.hold(0.5);
+    Bench bench = dented_wall(0.5, 62.0, rate_hz);
     bench.lift();
     bench.turn_at(kThrowingSpeed);
     bench.at(59.0, 40.05);
@@ -164,12 +160,7 @@ TEST(Sectors, AreTheSameAtEveryRate) {
 }
 
 TEST(Sectors, ADentIsFeltWhereItIs) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
-    bench.wall(50.0, 8.0, 12.0, 60.0, 600);
-    bench.turn_at(0.0);
-    bench.at(60.0, 40.05);
-    bench.move({57.0, 40.05, 0.0}, 0.5);
-    bench.hold(2.0);
+    Bench bench = dented_wall(2.0);
     const double in_the_dent = bench.at(59.5, 40.05).hand.stiffness_n.x;
     bench.lift();
     const double beside_it = -bench.at(-59.5, 40.05).hand.stiffness_n.x;
