@@ -15,9 +15,7 @@ using kiosk::Screen;
 
 class BadTouch : public testing::Test {
   protected:
-    void SetUp() override {
-        ASSERT_TRUE(kiosk.begins_to_throw());
-    }
+    void SetUp() override { ASSERT_TRUE(kiosk.begins_to_throw()); }
     [[nodiscard]] bool presses() { return kiosk.snapshot().tool.guided && kiosk.snapshot().tool.pressing; }
     void point_at(const dvec3& place_mm) {
         const auto px = kiosk.seen(place_mm);
