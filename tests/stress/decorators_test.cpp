@@ -33,19 +33,18 @@ class Decorators : public testing::Test {
         ASSERT_TRUE(kiosk.press(Button::kTurning));  // it rests
         const pot::Pot& wet = *kiosk.snapshot().pot;
         const double scale = clay::shrunk_scale(wet.body, clay::Firing::kDry);
-        const double radius_mm = scale * double{wet.outer_mm[wet.outer_mm.size() / 2]};
-        const double middle_mm = 0.5 * scale * wet.height_mm;
-        const auto centre = kiosk.seen({0.0, middle_mm, 0.0});
-        const auto side = kiosk.seen({radius_mm, middle_mm, 0.0});
-        ASSERT_TRUE(centre && side);
-        centre_ = *centre;
-        radius_px_ = side->x - centre->x;
-        px_per_mm_ = radius_px_ / radius_mm;
-        height_px_ = scale * wet.height_mm * px_per_mm_;
+        radius_mm_ = scale * double{wet.outer_mm[wet.outer_mm.size() / 2]};
+        height_mm_ = scale * wet.height_mm;
+        px_per_mm_ = (at(1.0, 0.0).x - at(-1.0, 0.0).x) / (2.0 * radius_mm_);
     }
-    // Of the pot as it is seen: across from its middle, 1 is its side; up from its middle, 0.5 is its rim.
+    // Of the half of the wall that is seen: across from its middle, 1 is its side; up from its middle, 0.5 is
+    // its rim.
     [[nodiscard]] dvec2 at(double across, double up) const {
-        return centre_ + dvec2(across * radius_px_, -up * height_px_);
+        const double beside_mm = across * radius_mm_;
+        const auto px = kiosk.seen(
+            {beside_mm, (0.5 + up) * height_mm_, std::sqrt(radius_mm_ * radius_mm_ - beside_mm * beside_mm)});
+        EXPECT_TRUE(px);
+        return px.value_or(dvec2(0.0));
     }
     // The picture, with the pointer on the ledge.
     asset::Image still() {
@@ -70,8 +69,8 @@ class Decorators : public testing::Test {
     [[nodiscard]] std::vector<dvec2> changed(const asset::Image& before, const asset::Image& after) const {
         constexpr int kLevels = 24;
         std::vector<dvec2> found;
-        const dvec2 low = at(-1.0, 0.5);
-        const dvec2 high = at(1.0, -0.5);
+        const dvec2 low(at(-1.0, 0.0).x, at(-1.0, 0.5).y);
+        const dvec2 high(at(1.0, 0.0).x, at(0.0, -0.5).y);
         for (int y = static_cast<int>(low.y); y < static_cast<int>(high.y); ++y) {
             for (int x = static_cast<int>(low.x); x < static_cast<int>(high.x); ++x) {
                 const auto first = static_cast<std::size_t>(4 * (y * before.width + x));
@@ -140,9 +139,8 @@ class Decorators : public testing::Test {
 
     const test::TemporaryFolder folder;
     UnseenKiosk kiosk{folder.path(), {.width = 960, .height = 540}};
-    dvec2 centre_{0.0};
-    double radius_px_ = 0.0;
-    double height_px_ = 0.0;
+    double radius_mm_ = 0.0;  // of the dry pot, half way up
+    double height_mm_ = 0.0;
     double px_per_mm_ = 1.0;
 };
 
