@@ -16,7 +16,8 @@ string(COMPARE EQUAL "${ONGGI_SANITIZE}" "fuzzer" ONGGI_FUZZ)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+    # It keeps nothing of what has precompiled headers, unless it is told that nothing here asks for the time of day.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
 
 add_library(onggi_options INTERFACE)

@@ -2,7 +2,7 @@
 # and files whose names would collide have better names or stand apart. Off, every file is compiled by itself: which
 # proves that each includes what it needs, and an edit compiles one file (preset dev).
 option(ONGGI_BATCHES "Compile the files of a target in batches" ON)
-set(ONGGI_BATCH_SIZE 8)
+set(ONGGI_BATCH_SIZE 16)
 
 # onggi_batches(NAME RESULT SOURCES ... APART ...): the sources as the target NAME compiles them. Those of them that are
 # APART, or have vector loops, stay as they are, with whichever compiler: so all of them see the same batches. A batch
@@ -65,10 +65,46 @@ endfunction()
 # Unoptimised, or under sanitizers, whatever a test does takes several times as long.
 set(ONGGI_UNOPTIMISED OFF)
 set(ONGGI_PATIENCE 1)
+# What a test does itself need not be fast, unless speed is what it is about.
+set(ONGGI_TEST_OPTIONS)
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(ONGGI_TEST_OPTIONS -O1)
+endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR ONGGI_SANITIZE)
     set(ONGGI_UNOPTIMISED ON)
     set(ONGGI_PATIENCE 4)
 endif()
+
+# Of what is left to read for one test, a third is the same in all: GoogleTest and what stands around it. It is read once.
+# Not where every file is compiled by itself: what a test includes has to be enough.
+function(onggi_read_test_headers_once)
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tests/headers.cpp CONTENT "// The headers alone, precompiled.\n")
+    add_library(onggi_test_headers OBJECT ${CMAKE_BINARY_DIR}/tests/headers.cpp)
+    target_link_libraries(onggi_test_headers PRIVATE onggi_options GTest::gtest)
+    # As the tests that read it are compiled: it fits no others.
+    set_target_properties(onggi_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(onggi_test_headers PRIVATE -fPIE ${ONGGI_TEST_OPTIONS})
+    target_precompile_headers(onggi_test_headers PRIVATE
+        <gtest/gtest.h> <algorithm> <array> <chrono> <cmath> <filesystem> <functional> <memory> <optional> <random> <span>
+        <string> <string_view> <thread> <variant> <vector> [["engine/math/math.h"]])
+endfunction()
+
+# onggi_test_program(NAME SOURCES ... APART ... LINKS ... FAST): a program in build/<preset>/tests that a test is, or calls.
+# APART: as in onggi_library. FAST: as optimised as what ships.
+function(onggi_test_program NAME)
+    cmake_parse_arguments(ARG "FAST" "" "SOURCES;APART;LINKS" ${ARGN})
+    onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})
+    add_executable(${NAME} ${sources})
+    target_link_libraries(${NAME} PRIVATE onggi_program ${ARG_LINKS})
+    set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    if(ARG_FAST)
+        return()
+    endif()
+    target_compile_options(${NAME} PRIVATE ${ONGGI_TEST_OPTIONS})
+    if(TARGET onggi_test_headers AND GTest::gtest IN_LIST ARG_LINKS)
+        target_precompile_headers(${NAME} REUSE_FROM onggi_test_headers)
+    endif()
+endfunction()
 
 # onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds LASTS seconds ENVIRONMENT ... SERIAL): one
 # GoogleTest program, one ctest entry. APART: as in onggi_library. LASTS: about how long, of a long one, which then begins
@@ -77,14 +113,12 @@ endif()
 # window, tools, swiftshader, gpu, nightly; and picture for what draws with Vulkan outside golden.
 function(onggi_test NAME)
     cmake_parse_arguments(ARG "SERIAL" "TIMEOUT;LASTS" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
-    onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})
-    add_executable(${NAME} ${sources})
-    target_link_libraries(${NAME} PRIVATE onggi_program onggi_places ${ARG_LINKS} GTest::gtest GTest::gtest_main)
-    # What a test does itself need not be fast, unless speed is what it is about.
-    if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT "bench" IN_LIST ARG_LABELS)
-        target_compile_options(${NAME} PRIVATE -O1)
+    set(fast)
+    if("bench" IN_LIST ARG_LABELS)
+        set(fast FAST)
     endif()
-    set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    onggi_test_program(${NAME} ${fast} SOURCES ${ARG_SOURCES} APART ${ARG_APART}
+        LINKS onggi_places ${ARG_LINKS} GTest::gtest GTest::gtest_main)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 120)
     endif()

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <random>
 
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/kiosk/health/kiosk_statistics.h"
 #include "tests/stress/flat_figures.h"
 #include "tests/stress/unseen_kiosk.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,7 @@
 #include "tests/visitors/filmed_rig.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
