@@ -120,7 +120,7 @@ struct Times {
 Times wheel_at_work(const TemporaryFolder& folder) {
     const std::string stats = (folder / "stats.json").string();
     const ProgramRun run = run_onggi({"live", in_checkout("assets/gestures/attract.csv"), "--headless",
-                                      "--rate", "4000", "--seconds", "8", "--stats", stats});
+                                      "--rate", "4000", "--seconds", "5", "--stats", stats});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     const auto found = nlohmann::json::parse(content_of(stats));
     EXPECT_EQ(found.at("rate_hz"), 4000.0);
