@@ -12,8 +12,10 @@
 
 namespace onggi::asset {
 
-// width x height pixels, rows from the top, four bytes a pixel: red, green, blue (sRGB-encoded), alpha
-// (straight).
+// Of a pixel: red, green, blue (sRGB-encoded), alpha (straight).
+constexpr int kBytesPerPixel = 4;
+
+// width x height pixels, rows from the top.
 struct Image {
     int width = 0;
     int height = 0;

@@ -24,10 +24,8 @@ class PngImage {
     png_image image_{};
 };
 
-constexpr std::size_t kBytesPerPixel = 4;
-
 std::size_t byte_count(int width, int height) {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kBytesPerPixel;
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * std::size_t{kBytesPerPixel};
 }
 
 }  // namespace

@@ -13,7 +13,6 @@ Result<std::vector<std::byte>> encode_webp(const Image& image, int quality) {
             "WebP: expected sides of 1 to {} pixels and a quality of 1 to 100, found {} x {} and {}",
             kMaxImageSide, image.width, image.height, quality));
     }
-    constexpr int kBytesPerPixel = 4;
     std::uint8_t* data = nullptr;
     const std::size_t size = WebPEncodeRGBA(image.rgba.data(), image.width, image.height,
                                             kBytesPerPixel * image.width, static_cast<float>(quality), &data);

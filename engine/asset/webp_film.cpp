@@ -30,8 +30,7 @@ class Picture {
         picture_.use_argb = 1;
         picture_.width = image.width;
         picture_.height = image.height;
-        constexpr int kRgbxBytes = 4;
-        return WebPPictureImportRGBX(&picture_, image.rgba.data(), kRgbxBytes * image.width) != 0;
+        return WebPPictureImportRGBX(&picture_, image.rgba.data(), kBytesPerPixel * image.width) != 0;
     }
     WebPPicture* get() { return &picture_; }
 

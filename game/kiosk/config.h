@@ -10,6 +10,9 @@
 
 namespace onggi::kiosk {
 
+// A megabyte of the settings, and of what the staff reads.
+constexpr double kBytesPerMb = 1e6;
+
 struct Config {
     struct {
         double diagonal_inch = 24.0;

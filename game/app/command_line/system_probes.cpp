@@ -26,7 +26,6 @@ namespace fs = std::filesystem;
 using Verdict = Finding::Verdict;
 
 constexpr double kBytesPerGb = 1e9;
-constexpr double kMb = 1e6;
 constexpr double kEnoughDiskGb = 2.0;
 
 struct FontFamily {
@@ -69,7 +68,7 @@ Finding probe_gallery(const kiosk::Config& config) {
     while (!fs::exists(there, error) && there.has_relative_path())
         there = there.parent_path();
     const fs::space_info space = fs::space(there, error);
-    const double free_mb = error ? 0.0 : static_cast<double>(space.available) / kMb;
+    const double free_mb = error ? 0.0 : static_cast<double>(space.available) / kiosk::kBytesPerMb;
     Finding finding{.subject = "gallery",
                     .found = fmt::format("{:.0f} MB free for pots in {}", free_mb, config.gallery.folder)};
     if (free_mb >= config.gallery.least_free_mb) return finding;

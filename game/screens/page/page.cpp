@@ -144,12 +144,12 @@ float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     const bool from_right = (words.align == ui::Align::kStart) == rtl;
     float x = from_right ? rect.right() - size.width : rect.x;
     if (words.align == ui::Align::kCentre) x = rect.x + 0.5F * (rect.width - size.width);
-    constexpr float kAir = 6.0F;  // letters lean out of their boxes
+    constexpr float kLean = 6.0F;  // letters lean out of their boxes
     const float width = size.width + 2.0F;
     ui::Sketch sketch;
     text.width = width;
-    sketch.add(ui::Writing{.at = {kAir, kAir}, .text = text, .box_width = width});
-    sprite({x - kAir, rect.y - kAir, width + 2.0F * kAir, size.height + 2.0F * kAir}, std::move(sketch));
+    sketch.add(ui::Writing{.at = {kLean, kLean}, .text = text, .box_width = width});
+    sprite({x - kLean, rect.y - kLean, width + 2.0F * kLean, size.height + 2.0F * kLean}, std::move(sketch));
     composition_.items.back().is_words = true;
     const float air = 0.5F * (words.line - words.size);
     composition_.writings.push_back({.words = words.text,

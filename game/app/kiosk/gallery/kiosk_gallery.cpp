@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kBytesPerMb = 1e6;
-
 // The number in "pot-014"; 0 for any other name.
 int number_of(const std::string& name) {
     constexpr std::string_view kPrefix = "pot-";
@@ -81,7 +79,7 @@ void Gallery::clear_parts() const {
 double free_mb_at(const fs::path& folder) {
     std::error_code error;
     const fs::space_info space = fs::space(fs::exists(folder, error) ? folder : fs::path("."), error);
-    return error ? 0.0 : static_cast<double>(space.available) / kBytesPerMb;
+    return error ? 0.0 : static_cast<double>(space.available) / kiosk::kBytesPerMb;
 }
 
 std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {

@@ -134,7 +134,6 @@ std::string json_of(const HouseStatus& status) {
 }
 
 std::string metrics_of(const HouseStatus& status) {
-    constexpr double kBytesPerMb = 1e6;
     constexpr double kMsPerS = 1e3;
     const UseOfHour use = status.use.total();
     Metrics metrics;
@@ -168,10 +167,11 @@ std::string metrics_of(const HouseStatus& status) {
         if (note->celsius)
             metrics.gauge("temperature_celsius", "Of the machine's hottest place.", *note->celsius);
         if (note->resident_mb)
-            metrics.gauge("resident_memory_bytes", "Memory of the kiosk.", *note->resident_mb * kBytesPerMb);
+            metrics.gauge("resident_memory_bytes", "Memory of the kiosk.",
+                          *note->resident_mb * kiosk::kBytesPerMb);
     }
     metrics.gauge("falls", "Falls of the program within ten minutes.", status.falls);
-    metrics.gauge("disk_free_bytes", "Where pots are kept.", status.free_mb * kBytesPerMb);
+    metrics.gauge("disk_free_bytes", "Where pots are kept.", status.free_mb * kiosk::kBytesPerMb);
     metrics.gauge("pots", "Pots in the gallery.", static_cast<double>(status.pots));
     metrics.gauge("visits_today", "Visits that ended today.", use.visits);
     metrics.gauge("visits_thrown_today", "Those of them with clay on the wheel.", use.thrown);

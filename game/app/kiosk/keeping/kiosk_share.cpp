@@ -133,11 +133,10 @@ asset::Image share_surface(const pot::Section& shape, int glaze) {
 }
 
 sharing::OutboxOptions outbox_options(const KioskSettings& settings) {
-    constexpr double kBytesPerMb = 1e6;
     const auto& wanted = settings.config.sharing;
     return {.folder = wanted.outbox,
             .most_pots = static_cast<std::size_t>(wanted.most_pots),
-            .most_bytes = static_cast<std::uint64_t>(wanted.most_mb * kBytesPerMb),
+            .most_bytes = static_cast<std::uint64_t>(wanted.most_mb * kiosk::kBytesPerMb),
             .languages = settings.languages,
             .own_digits = settings.config.languages.own_digits,
             .public_url = wanted.public_url};
