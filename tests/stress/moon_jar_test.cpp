@@ -78,7 +78,9 @@ class MoonJar : public testing::Test {
     }
     // The kept jar's session begins with what joining its two bowls' gives, and is worked out to the end.
     void expect_made_of_its_bowls(const nlohmann::json& note) {
-        const fs::path kept = folder.path() / today() / "pot-001";
+        const auto pots = kept_pots(folder.path());
+        ASSERT_FALSE(pots.empty());
+        const fs::path& kept = pots.front().folder;
         const auto first = start_pot({.on = (kept / "bowl-1.onggi").string()});
         ASSERT_TRUE(first) << first.error().message;
         const auto second = start_pot({.on = (kept / "bowl-2.onggi").string()});

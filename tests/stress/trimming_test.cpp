@@ -61,7 +61,7 @@ class Trimming : public testing::Test {
             [&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; }, kSlowly));
     }
     [[nodiscard]] std::string session() const {
-        return (folder.path() / today() / "pot-001" / "pot.onggi").string();
+        return (kept_pots(folder.path()).at(0).folder / "pot.onggi").string();
     }
 
     const test::TemporaryFolder folder;

@@ -250,8 +250,9 @@ keep_the_pot() {
     press glaze-0 glaze 2; sleep 0.5; on_screen glaze
     press glaze-2 take-glaze; on_screen your-pot
     press your-pot keep; on_screen keep
-    pot=gallery/$(date +%F)/pot-001
-    wait_for "kept pot" test -s "$pot/pot.png"
+    is_kept() { test -s gallery/*-*-*/pot-001/pot.png; }
+    wait_for "kept pot" is_kept
+    pot=$(dirname gallery/*-*-*/pot-001/pot.png)
     local file verdict status=0
     for file in pot.onggi pot.glb pot.stl pot.3mf pot.png; do
         [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"

@@ -83,15 +83,19 @@ Result<void> note_phones(const fs::path& folder, const PhoneNote& note, std::int
         fmt::format(",{},{},{},{},{}", note.codes, note.pages, note.models, note.prints, note.films), now_s);
 }
 
+UseOfHour& UseOfHour::operator+=(const UseOfHour& other) {
+    breaks += other.breaks;
+    visits += other.visits;
+    thrown += other.thrown;
+    kept += other.kept;
+    dwell_s += other.dwell_s;
+    return *this;
+}
+
 UseOfHour UseOfDay::total() const {
     UseOfHour all;
-    for (const UseOfHour& hour : hours) {
-        all.breaks += hour.breaks;
-        all.visits += hour.visits;
-        all.thrown += hour.thrown;
-        all.kept += hour.kept;
-        all.dwell_s += hour.dwell_s;
-    }
+    for (const UseOfHour& hour : hours)
+        all += hour;
     return all;
 }
 

@@ -51,6 +51,7 @@ struct UseOfHour {
     int kept = 0;      // pots, of which a visit may keep several
     long dwell_s = 0;  // of all of them
 
+    UseOfHour& operator+=(const UseOfHour& other);
     friend bool operator==(const UseOfHour&, const UseOfHour&) = default;
 };
 
