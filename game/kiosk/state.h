@@ -226,6 +226,7 @@ struct State : ScreenState {
 // One word for each, for titles and logs: "attract".
 [[nodiscard]] std::string_view name_of(Screen screen);
 [[nodiscard]] std::string_view name_of(Panel panel);  // empty for none
+[[nodiscard]] std::string_view name_of(Held held);    // empty for the bare hand
 
 // Whole seconds left of the idle panel's countdown.
 [[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);

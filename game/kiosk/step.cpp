@@ -21,6 +21,11 @@ std::string_view name_of(Panel panel) {
     return kNames[static_cast<std::size_t>(panel)];
 }
 
+std::string_view name_of(Held held) {
+    constexpr std::array<std::string_view, kHeldCount> kNames{"", "rib", "sponge", "wire"};
+    return kNames[static_cast<std::size_t>(held)];
+}
+
 int seconds_left(const State& state, double countdown_s, double now_s) {
     return std::max(0, static_cast<int>(std::ceil(countdown_s - (now_s - state.panel_s) - 1e-9)));
 }

@@ -45,9 +45,14 @@ ledge() { echo "$1-$([ "$hand" = switch ] && echo scan-)$2"; }
 # take_tool FROM HELD NUMBER: the tray, and what lies there; FROM is the ledge that is seen while HELD is in the hand,
 # NUMBER as screen_targets counts.
 take_tool() {
-    press "$1" tools; on_screen throw
-    press "$(ledge tools "$2")" take-tool "$3"; on_screen throw
+    local tools=("" ", rib" ", sponge" ", wire")
+    press "$1" tools; wait_for "the tray" lies_there "${tools[$2]}, tools"
+    on_screen throw
+    press "$(ledge tools "$2")" take-tool "$3"; wait_for "tool $3 in the hand" lies_there "${tools[$3]}"
+    on_screen throw
 }
+# What is held and whether the tray is open, as the title says it behind the clay's height: ", rib, tools".
+lies_there() { [ "$(title | sed -E 's/.* mm//; s/ .[0-9]+.$//')" = "$1" ]; }
 # Rib, sponge and wire: the wall is faired and wiped, and a ring comes off the rim and back again, and off.
 with_every_tool() {
     local top rib sponge wire

@@ -87,7 +87,7 @@ look_at_memory() {
 settled_s=${UNOPTIMISED:+3}
 settled_s=${settled_s:-0.6}
 on_screen() {
-    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm| - [0-9]+ strokes| - [0-9]+ g)?( .[0-9]+.)?\$"
+    wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm(, (rib|sponge|wire))?(, tools)?| - [0-9]+ strokes| - [0-9]+ g)?( .[0-9]+.)?\$"
     sleep "$settled_s"
     [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
@@ -134,7 +134,6 @@ press() {
     *) click "$x" "$y" ;;
     esac
 }
-title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 # Where the ring is, "[5]"; nothing before it is shown. The rest of the title changes by itself, with the clay.
 ring() { title | grep -oE '\[[0-9]+\]$' || true; }
 is_elsewhere() { [[ "$(title)" != *"[$1]" ]]; }
@@ -168,7 +167,7 @@ take() {
         fail "expected the ring to stay on target $1, found '$after'"
     fi
 }
-# Of a title: "Onggi - throw" of "Onggi - throw - 1 of 3, 56 mm [4]".
+# Of a title: "Onggi - throw, rib" of "Onggi - throw - 3 of 3, 56 mm, rib [4]".
 screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ - [0-9]+ g//; s/ .[0-9]+.$//' <<<"$1"; }
 has_come_to() { [[ "$(title)" = "Onggi - $1"* ]]; }
 fills_the_screen() {

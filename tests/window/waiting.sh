@@ -1,6 +1,9 @@
 # How the scripts of this folder wait, and what they say when it was in vain. Sourced, never run; whoever calls has put
 # the process into `kiosk` and its words into kiosk.log.
 
+# What the window says of what is seen in it.
+title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
+
 fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
 
 # wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
@@ -16,5 +19,5 @@ wait_for() {
         fi
         sleep 0.1
     done
-    fail "no $what after a minute"
+    fail "no $what after a minute, found '$(title)'"
 }

@@ -158,9 +158,14 @@ void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
         title += " " + (*parts_.settings.languages)[static_cast<std::size_t>(shown.comfort.language)].code();
         if (shown.comfort.reach) title += " low";
     }
-    if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone)
-        title += fmt::format(" - {} of {}, {:.0f} mm{}", shown.throwing.steps_done, kiosk::kTeachingSteps,
-                             clay_mm, shown.throwing.shown ? ", shown" : "");
+    if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone) {
+        title +=
+            fmt::format(" - {} of {}, {:.0f} mm", shown.throwing.steps_done, kiosk::kTeachingSteps, clay_mm);
+        for (const std::string_view more :
+             {kiosk::name_of(shown.throwing.held), std::string_view(shown.throwing.tray ? "tools" : ""),
+              std::string_view(shown.throwing.shown ? "shown" : "")})
+            if (!more.empty()) title += ", " + std::string(more);
+    }
     if (shown.screen == Screen::kTrim && shown.panel == Panel::kNone)
         title += fmt::format(" - {} g", state_.trimming.taken_g);
     if (shown.screen == Screen::kDecorate && shown.panel == Panel::kNone)
