@@ -3,7 +3,13 @@
 namespace onggi::haptics {
 
 void SimulatedDevice::set_target(const ToolState& target) noexcept {
-    last_target_ = within_limits(target, last_target_);
+    const WorkCommand before = last_target_.tool.command;
+    const ToolState tool = last_target_.tool = within_limits(target, last_target_.tool);
+    if (tool.command != WorkCommand::kNone && tool.command != before) {
+        last_target_.command = tool.command;
+        last_target_.command_height_mm = tool.command_height_mm;
+        ++last_target_.commands;
+    }
     target_.put(last_target_);
 }
 
@@ -15,6 +21,7 @@ Result<void> SimulatedDevice::open() {
 void SimulatedDevice::rest() noexcept {
     velocity_mm_s_ = force_n_ = dvec3(0.0);
     at_rest_ = true;
+    commands_done_ = target_.latest().commands;
 }
 
 DeviceCapabilities SimulatedDevice::capabilities() const {
@@ -34,7 +41,14 @@ void SimulatedDevice::take_over(const ToolState& tool) noexcept {
 }
 
 ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
-    const ToolState& target = target_.latest();
+    const Target& newest = target_.latest();
+    ToolState target = newest.tool;
+    // Whoever is late for a target has not heard its command.
+    if (newest.commands != commands_done_) {
+        commands_done_ = newest.commands;
+        target.command = newest.command;
+        target.command_height_mm = newest.command_height_mm;
+    }
     // Who lays a finger down does something, also where it lay before.
     is_moving_ = sense_.moved_to(target.position_mm) || target.wheel_button != last_button_ ||
                  target.pressing != last_pressing_;
@@ -58,9 +72,8 @@ ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const dvec3 push_n = model_.coupling_n_per_mm * (target.position_mm - position_mm_) + force_n_;
     velocity_mm_s_ = (velocity_mm_s_ + push_n * step_over_mass) / held_back;
     position_mm_ += velocity_mm_s_ * dt_s;
-    ToolState tool = target;
-    tool.position_mm = position_mm_;
-    return tool;
+    target.position_mm = position_mm_;
+    return target;
 }
 
 }  // namespace onggi::haptics

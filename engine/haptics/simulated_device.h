@@ -12,6 +12,8 @@
 // to spare at every higher rate.
 #pragma once
 
+#include <cstdint>
+
 #include "engine/haptics/hand.h"
 #include "engine/jobs/mailbox.h"
 
@@ -30,7 +32,8 @@ class SimulatedDevice final : public Hand {
     explicit SimulatedDevice(const SimulatedDeviceModel& model = {}) : model_(model) {}
 
     // Main thread, any time, wait-free: where the hand wants the tool to be, its radius and the wheel button.
-    // Brought within the limits of tool_state.h.
+    // Brought within the limits of tool_state.h. A read finds the newest target alone; a command of one that
+    // no read has found is done at the next.
     void set_target(const ToolState& target) noexcept;
 
     // Never fails. The tool starts at rest at the target.
@@ -42,7 +45,8 @@ class SimulatedDevice final : public Hand {
     [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
     void write(const dvec3& force_n) noexcept override { force_n_ = force_n; }
 
-    // Haptic thread, or before open: the next read starts at rest at the target.
+    // Haptic thread, or before open: the next read starts at rest at the target, and knows of no command
+    // before that one's.
     void rest() noexcept;
 
     [[nodiscard]] bool is_here() const noexcept override { return true; }
@@ -50,10 +54,19 @@ class SimulatedDevice final : public Hand {
     void take_over(const ToolState& tool) noexcept override;
 
   private:
+    struct Target {
+        ToolState tool;
+        // The last command that any target had, and how many there have been.
+        WorkCommand command = WorkCommand::kNone;
+        double command_height_mm = 0.0;
+        std::uint64_t commands = 0;
+    };
+
     SimulatedDeviceModel model_;
-    ToolState last_target_;  // main thread only
-    jobs::Mailbox<ToolState> target_;
+    Target last_target_;  // main thread only
+    jobs::Mailbox<Target> target_;
     // Haptic thread only.
+    std::uint64_t commands_done_ = 0;
     dvec3 position_mm_{0.0};
     dvec3 velocity_mm_s_{0.0};
     dvec3 force_n_{0.0};

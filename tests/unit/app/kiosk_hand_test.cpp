@@ -294,37 +294,8 @@ TEST_F(KioskHandTest, PullsTheWireThroughOnce) {
     const auto tool = holding(hand_, kiosk::Held::kHand, shape_);
     EXPECT_EQ(tool.command, haptic::kCutRim);
     EXPECT_EQ(tool.command_height_mm, 94.0);
-    EXPECT_EQ(hand_.request({.told = haptic::kCutRim}, shape_, 1.0 / 60.0).command,
-              haptics::WorkCommand::kNone);
     EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).command, haptics::WorkCommand::kNone);
     EXPECT_FALSE(hand_.wire_mm());
-}
-
-// Each of its requests may be one that a late loop has missed.
-TEST_F(KioskHandTest, PullsTheWireUntilTheLoopWasToldAndLetsGoBeforeItPullsAgain) {
-    const auto asks = [&](haptics::WorkCommand told) {
-        return hand_.request({.held = kiosk::Held::kWire, .told = told}, shape_, 1.0 / 60.0).command;
-    };
-    constexpr auto kNone = haptics::WorkCommand::kNone;
-    asks(kNone);
-    hand_.cut_rim();
-    for (int missed = 0; missed < 5; ++missed)
-        EXPECT_EQ(asks(kNone), haptic::kCutRim) << missed;
-    EXPECT_EQ(asks(haptic::kCutRim), kNone);
-    hand_.cut_rim();
-    EXPECT_EQ(asks(haptic::kCutRim), kNone) << "the loop still pulls the first time";
-    EXPECT_EQ(asks(kNone), haptic::kCutRim);
-    EXPECT_EQ(asks(haptic::kCutRim), kNone);
-    EXPECT_EQ(asks(kNone), kNone);
-}
-
-TEST_F(KioskHandTest, PullsTheWireNoLongerThanSomebodyExpectsItTo) {
-    holding(hand_, kiosk::Held::kWire, shape_);
-    hand_.cut_rim();
-    EXPECT_EQ(holding(hand_, kiosk::Held::kWire, shape_).command, haptic::kCutRim);
-    EXPECT_EQ(hand_.request({.held = kiosk::Held::kWire}, shape_, 0.6).command, haptic::kCutRim);
-    EXPECT_EQ(holding(hand_, kiosk::Held::kWire, shape_).command, haptics::WorkCommand::kNone)
-        << "the loop hears another device";
 }
 
 }  // namespace

@@ -152,6 +152,52 @@ TEST(SimulatedDevice, IgnoresATargetThatIsNoNumberAndStaysWithinTheWorkspace) {
     EXPECT_EQ(tool.radius_mm, kMaxToolRadiusMm);
 }
 
+// A loop that is late for a frame finds the next one's target alone.
+TEST(SimulatedDevice, DoesACommandOnceThoughItsTargetWasReplacedBeforeARead) {
+    constexpr WorkCommand kCommand{1};
+    for (const bool guided : {false, true}) {
+        SimulatedDevice device;
+        start_at_rest(device);
+        const auto asks = [&](WorkCommand command, double height_mm) {
+            device.set_target({.position_mm = {90.0, 100.0, 0.0},
+                               .command = command,
+                               .command_height_mm = height_mm,
+                               .guided = guided});
+        };
+        for (const double height_mm : {94.0, 81.0}) {
+            asks(kCommand, height_mm);
+            asks(WorkCommand::kNone, 0.0);
+            asks(WorkCommand::kNone, 0.0);
+            const ToolState tool = device.read(0, 0.001);
+            EXPECT_EQ(tool.command, kCommand);
+            EXPECT_EQ(tool.command_height_mm, height_mm);
+            EXPECT_EQ(device.read(1, 0.001).command, WorkCommand::kNone);
+            asks(WorkCommand::kNone, 0.0);
+            EXPECT_EQ(device.read(2, 0.001).command, WorkCommand::kNone);
+        }
+    }
+}
+
+TEST(SimulatedDevice, ForgetsACommandThatNobodyReadBeforeItRested) {
+    SimulatedDevice device;
+    start_at_rest(device);
+    device.set_target({.position_mm = {90.0, 100.0, 0.0}, .command = WorkCommand{1}});
+    device.set_target({.position_mm = {90.0, 100.0, 0.0}});
+    device.rest();
+    EXPECT_EQ(device.read(0, 0.001).command, WorkCommand::kNone);
+}
+
+TEST(SimulatedDevice, HoldsACommandOnForAsLongAsItsTargetDoes) {
+    constexpr WorkCommand kCommand{1};
+    SimulatedDevice device;
+    start_at_rest(device);
+    device.set_target({.position_mm = {90.0, 100.0, 0.0}, .command = kCommand, .command_height_mm = 94.0});
+    for (int tick = 0; tick < 16; ++tick)
+        EXPECT_EQ(device.read(0, 0.001).command, kCommand) << tick;
+    device.set_target({.position_mm = {90.0, 100.0, 0.0}});
+    EXPECT_EQ(device.read(0, 0.001).command, WorkCommand::kNone);
+}
+
 TEST(SimulatedDevice, StartsAtRestAgainWhenItIsOpenedAgain) {
     SimulatedDevice device;
     start_at_rest(device);

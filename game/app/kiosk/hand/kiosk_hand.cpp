@@ -27,8 +27,6 @@ constexpr std::array kSpeedsRevMin{50.0, 80.0, 110.0, 145.0, 180.0};
 constexpr double kWireBelowRimMm = 6.0;  // where it is held at first
 constexpr double kWireStepMm = 1.0;      // of a key
 constexpr double kLowestCut = 0.5;       // of the height
-// Where another device leads, the loop hears nothing of the wire: later it would cut when nobody expects it.
-constexpr double kPullPatienceS = 0.5;
 
 haptics::ToolKind kind_of(kiosk::Held held) {
     switch (held) {
@@ -197,23 +195,6 @@ void KioskHand::hold_wire(const pot::Pot& shape) {
     wire_mm_ = std::clamp(*wire_mm_, kLowestCut * shape.height_mm, shape.height_mm);
 }
 
-// The loop takes the newest request alone. On a busy machine it may be late for one, so the wire is pulled
-// until the loop has been told, and not before it has forgotten the pull before. It cuts once, however long
-// that is.
-void KioskHand::pull_wire(haptics::ToolState& tool, haptics::WorkCommand told, double dt_s) {
-    if (!pull_) return;
-    const bool is_told = told != haptics::WorkCommand::kNone;
-    if ((pull_->begun && is_told) || pull_->asked_s > kPullPatienceS) {
-        pull_.reset();
-        return;
-    }
-    pull_->asked_s += dt_s;
-    if (is_told) return;
-    pull_->begun = true;
-    tool.command = haptic::kCutRim;
-    tool.command_height_mm = pull_->height_mm;
-}
-
 haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
     help_.pass_time(dt_s);
     haptics::ToolState tool;
@@ -224,8 +205,10 @@ haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::P
     shown_before_mm_ = finger_mm_;
     marker_mm_ = settings.held == kiosk::Held::kWire ? std::nullopt : marker_.place_mm(shape);
     tool.tool = settings.trims ? haptic::kTrimmer : kind_of(settings.held);
-    if (std::exchange(cuts_, false)) pull_ = Pull{.height_mm = *wire_mm_};
-    pull_wire(tool, settings.told, dt_s);
+    if (std::exchange(cuts_, false)) {
+        tool.command = haptic::kCutRim;
+        tool.command_height_mm = *wire_mm_;
+    }
     if (settings.held != kiosk::Held::kWire) wire_mm_.reset();
     tool.radius_mm = step_of(settings.trims ? kLoopRadiiMm : kToolRadiiMm, settings.tool);
     tool.water = settings.trims ? 0.0 : step_of(kWater, settings.water);

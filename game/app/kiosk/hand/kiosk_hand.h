@@ -23,7 +23,6 @@ struct HandSettings {
     int water = 3;       // 1 to 5
     int speed = 3;       // 1 to 5
     bool trims = false;  // with a trimmer, whose loop is `tool` large, instead of what is held
-    haptics::WorkCommand told = haptics::WorkCommand::kNone;  // what the loop was, as far as is known
 };
 
 // A hand that does nothing, aside of any clay.
@@ -53,7 +52,7 @@ class KioskHand {
 
     // The wire that is held, as high as the line round the wall; none: another thing is held.
     [[nodiscard]] std::optional<double> wire_mm() const { return wire_mm_; }
-    // Pulls it through, once: until the loop has been told.
+    // Pulls it through, once.
     void cut_rim() { cuts_ = wire_mm_.has_value(); }
 
     // Where keys and buttons work; none until the first of them.
@@ -86,7 +85,6 @@ class KioskHand {
     [[nodiscard]] dvec2 finger_now(const pot::Pot& shape, double dt_s);
     [[nodiscard]] bool presses_now();
     void hold_wire(const pot::Pot& shape);
-    void pull_wire(haptics::ToolState& tool, haptics::WorkCommand told, double dt_s);
 
     Presser presser_ = Presser::kNobody;
     dvec2 finger_mm_{0.0};
@@ -103,12 +101,6 @@ class KioskHand {
     std::optional<dvec2> marker_mm_;
     std::optional<double> wire_mm_;
     bool cuts_ = false;
-    struct Pull {
-        double height_mm = 0.0;
-        bool begun = false;
-        double asked_s = 0.0;
-    };
-    std::optional<Pull> pull_;  // of the wire, that the loop may not have been told of yet
     OutlineHelp help_;
 };
 

@@ -117,8 +117,7 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
                                              .tool = trims ? flow_.state().trimming.loop : throwing.tool,
                                              .water = throwing.water,
                                              .speed = throwing.speed,
-                                             .trims = trims,
-                                             .told = moment.snapshot.tool.command},
+                                             .trims = trims},
                                             *moment.snapshot.pot, moment.dt_s);
     const bool throws = trims || flow_.state().screen == Screen::kThrow ||
                         flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
