@@ -23,8 +23,6 @@ std::vector<std::byte> bytes_of(std::string_view text) {
     return {begin, begin + text.size()};
 }
 
-constexpr std::int64_t kDayS = 86400;
-
 // Rounded down, also before 1970.
 std::int64_t day_of(std::int64_t local_s) {
     return (local_s >= 0 ? local_s : local_s - (kDayS - 1)) / kDayS;

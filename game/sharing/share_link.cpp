@@ -39,17 +39,16 @@ std::string wifi_text(const kiosk::Config& config) {
 
 ShareTime share_time(const kiosk::Config& config, std::int64_t now_s, std::int64_t utc_offset_s) {
     constexpr std::int64_t kHourS = 3600;
-    constexpr std::int64_t kWholeDayS = 24 * kHourS;
     ShareTime time{.now_s = now_s, .expires_s = 0, .utc_offset_s = utc_offset_s};
     if (config.sharing.hours > 0) {
         time.expires_s = now_s + config.sharing.hours * kHourS;
         return time;
     }
-    const std::int64_t of_day = ((now_s + utc_offset_s) % kWholeDayS + kWholeDayS) % kWholeDayS;
+    const std::int64_t of_day = ((now_s + utc_offset_s) % kDayS + kDayS) % kDayS;
     const bool closes = config.hours.opens_min != config.hours.closes_min;
     // The next time that the clock says so. Who still throws when the doors close gets an hour.
-    std::int64_t left_s = (closes ? std::int64_t{config.hours.closes_min} * 60 : kWholeDayS) - of_day;
-    if (left_s <= 0) left_s += kWholeDayS;
+    std::int64_t left_s = (closes ? std::int64_t{config.hours.closes_min} * 60 : kDayS) - of_day;
+    if (left_s <= 0) left_s += kDayS;
     if (closes && !kiosk::is_open(config, static_cast<int>(of_day / 60))) left_s = kHourS;
     time.expires_s = now_s + std::max(left_s, kHourS);
     return time;

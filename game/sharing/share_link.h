@@ -22,6 +22,8 @@ namespace onggi::sharing {
 // Empty where the settings name none.
 [[nodiscard]] std::string wifi_text(const kiosk::Config& config);
 
+constexpr std::int64_t kDayS = 24 * 3600;
+
 // A pot that is shared now goes at the end of the day, when the museum closes or at midnight, but an hour
 // from now at the earliest; or after so many hours, where the settings say how many.
 [[nodiscard]] ShareTime share_time(const kiosk::Config& config, std::int64_t now_s,
