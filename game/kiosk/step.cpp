@@ -187,7 +187,7 @@ void press(Turn& turn, const Event& event) {
     press_screen(turn, event);
 }
 
-void touch_clay(Turn& turn) {
+void touch_clay(Turn& turn, bool goes_on) {
     State& state = turn.state;
     wake(turn);
     if (state.panel != Panel::kNone) return;
@@ -199,8 +199,8 @@ void touch_clay(Turn& turn) {
     if (state.screen != Screen::kThrow) return;
     end_show(turn);
     end_aside(turn);
-    state.throwing.tray = false;
-    state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
+    // Hands that a key sent work on for a while. What is asked for meanwhile, and what is said to it, stays.
+    if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     state.pace.touched_s = turn.now_s;
     state.pace.seen_since_touch.reset();
@@ -223,7 +223,7 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             press(turn, event);
             break;
         case Event::Kind::kClayTouched:
-            touch_clay(turn);
+            touch_clay(turn, event.value == 1);
             break;
         case Event::Kind::kHeld:
             // Who has just let go is not shown anything at once.

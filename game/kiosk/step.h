@@ -98,7 +98,7 @@ struct Event {
         kTick,         // time has passed
         kInput,        // a sign of life: pointer, key, or a device's motion above its noise; value 1: a key
         kPressed,      // a button, on its release
-        kClayTouched,  // by the visitor's hand
+        kClayTouched,  // by the visitor's hand; value 1: by a touch that goes on
         kHeld,         // value: 1 while the visitor's hand is at work, 0 when it lets go
         kShowOver,     // the wheel's hands have shown what they were to show
         kSoaked,       // the sponge has gone round once: the hands are a dot less wet

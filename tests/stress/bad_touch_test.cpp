@@ -84,5 +84,18 @@ TEST_F(BadTouch, IsNoneWhileAMouseOnlyPasses) {
     }
 }
 
+// A key's hands work on for a second; who takes up a tool meanwhile need not wait for them.
+TEST_F(BadTouch, LeavesTheTrayOpenThatIsAskedForWhileItGoesOn) {
+    kiosk.press_key(window::Key::kLeft);
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().result.forces.contacts > 0; }, kSlowly));
+    kiosk.press_key(window::Key::kT);
+    for (int frame = 0; frame < 5; ++frame)
+        kiosk.frame(kSlowly);
+    ASSERT_TRUE(presses()) << "it is over already";
+    EXPECT_TRUE(kiosk.state().throwing.tray);
+    kiosk.press_key(window::Key::kUp);
+    EXPECT_FALSE(kiosk.state().throwing.tray) << "another touch";
+}
+
 }  // namespace
 }  // namespace onggi::app

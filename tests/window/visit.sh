@@ -64,7 +64,7 @@ with_every_tool() {
     draw_along "$top" "$sponge"
     on_screen throw
     take_tool "$sponge" 2 3
-    top=$(clay_mm)  # the hands that drew it up may have gone on for a while after it was seen to be high enough
+    top=$(clay_mm)  # as rib and sponge have left it
     press "$wire" hand-down; press "$wire" hand-down
     on_screen throw
     press "$wire" cut

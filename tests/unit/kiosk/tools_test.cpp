@@ -48,6 +48,14 @@ TEST(Tools, TheTrayClosesUnderAHandThatTouchesTheClay) {
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
 }
 
+TEST(Tools, TheTrayStaysOpenUnderATouchThatHadBegunBefore) {
+    Visitor visitor;
+    visitor.starts_to_throw().does(Kind::kClayTouched).presses(Button::kTools).does(Kind::kClayTouched, 1);
+    EXPECT_TRUE(visitor.state.throwing.tray);
+    visitor.does(Kind::kClayTouched);
+    EXPECT_FALSE(visitor.state.throwing.tray) << "another one";
+}
+
 TEST(Tools, TheWireCutsOnceAndIsLaidBack) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kCut);

@@ -68,8 +68,9 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     if (flow_.state().screen != Screen::kThrow) return;
     // What the wheel's own hands do is not the visitor's touch.
     const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
-    if (touches && holds) flow_.dispatch({Event::Kind::kClayTouched});
-    if (holds != flow_.state().pace.held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
+    const bool held = flow_.state().pace.held;
+    if (touches && holds) flow_.dispatch({Event::Kind::kClayTouched, Button::kNone, held ? 1 : 0});
+    if (holds != held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
     if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch({Event::Kind::kShowOver});
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
     clay_is_there_ = news.has_value();
