@@ -60,10 +60,10 @@ vec2 line(Page& page, const Rect& rect, const std::string& name, const std::stri
     const Rect unit_box{rtl ? rect.x : rect.right() - unit_width, rect.y, unit_width, kRow};
     page.fixed_words(
         unit_box,
-        {.text = unit, .size = 26.0F, .line = 32.0F, .colour = design::kSlip2, .align = ui::Align::kStart});
+        {.text = unit, .type = design::kLabel, .colour = design::kSlip2, .align = ui::Align::kStart});
     const Rect name_box{rtl ? rect.x + unit_width + number_width : rect.x + name_x, rect.y,
                         rect.width - name_x - unit_width - number_width, kRow};
-    page.fixed_words(name_box, {.text = name, .size = 26.0F, .line = 32.0F});
+    page.fixed_words(name_box, {.text = name, .type = design::kLabel});
     const float right = rtl ? unit_box.right() + number_width - 6.0F : unit_box.x - 6.0F;
     return {right, rect.y + 16.0F};
 }
@@ -178,7 +178,7 @@ void draw_plot(const ForceTrace& trace, const Rect& plot_u, double full, const u
 
 void add_forces(Page& page) {
     auto parts = std::make_shared<ForceParts>();
-    const Words words{.text = "8", .size = 26.0F, .line = 32.0F, .bold = true, .colour = design::kWhiteSlip};
+    const Words words{.text = "8", .type = design::bold(26.0F, 32.0F), .colour = design::kWhiteSlip};
     float width = 0.0F;
     const auto digit = [&](int value) {
         Words one = words;

@@ -20,15 +20,12 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
     const int count = static_cast<int>(page.view().languages->size());
     for (int place = 0; place < count; ++place) {
         const Words words{.text = page.language(place).shown("attract.touch"),
-                          .size = size,
-                          .line = std::round(1.34F * size),
-                          .title = true,
+                          .type = design::serif(size, std::round(1.34F * size)),
                           .colour = design::kWhiteSlip,
                           .align = align == ui::Align::kStart && page.language(place).right_to_left()
                                        ? ui::Align::kEnd
                                        : align,
-                          .language = place,
-                          .least_size = 40.0F};
+                          .language = place};
         const float used = page.fixed_words(rect, words);
         rect.y += used + gap;
         rect.height -= used + gap;
@@ -41,8 +38,7 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
         const float used = page.fixed_words(
             {rect.x, rect.y, rect.width, 84.0F},
             {.text = page.language(place).shown("attract.line"),
-             .size = 28.0F,
-             .line = 40.0F,
+             .type = design::kLine,
              .colour = design::kSlip3,
              .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
              .language = place});
@@ -54,8 +50,7 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
 void wheel_shows(Page& page, const Rect& rect) {
     const int place = page.view().attract_turn % static_cast<int>(page.view().languages->size());
     page.words(rect, {.text = page.language(place).shown("attract.auto"),
-                      .size = 28.0F,
-                      .line = 40.0F,
+                      .type = design::kLine,
                       .colour = design::kSlip3,
                       .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
                       .language = place});
@@ -66,17 +61,14 @@ void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int la
     const kiosk::Language& tongue = page.language(language);
     const float name =
         page.fixed_words({rect.x, rect.y, rect.width, 38.0F}, {.text = tongue.shown(exhibit.name_key),
-                                                               .size = 30.0F,
-                                                               .line = 38.0F,
-                                                               .bold = true,
+                                                               .type = design::bold(30.0F, 38.0F),
                                                                .align = ui::Align::kCentre,
                                                                .language = language});
     const std::string text =
         fmt::format("{}\n{} \u00b7 {}", tongue.shown(exhibit.museum_key), tongue.shown(exhibit.date_key),
                     page.measure(fmt::format("{:.0f}", exhibit.height_mm), "unit.mm", language));
     page.fixed_words({rect.x, rect.y + name, rect.width, rect.height - name}, {.text = text,
-                                                                               .size = 26.0F,
-                                                                               .line = 32.0F,
+                                                                               .type = design::kLabel,
                                                                                .colour = design::kSlip2,
                                                                                .align = ui::Align::kCentre,
                                                                                .language = language});
@@ -180,7 +172,7 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
                      choice.name);
     const Rect inner{card.x + 11.0F, card.y + 11.0F, card.width - 22.0F, card.height - 18.0F};
     std::vector<Words> lines{
-        {.text = choice.name, .size = 28.0F, .line = 34.0F, .bold = true, .colour = design::kInk},
+        {.text = choice.name, .type = design::bold(28.0F, 34.0F), .colour = design::kInk},
         {.text = choice.second, .colour = free ? design::kInk : design::kInk2},
         {.text = choice.third, .colour = design::kInk2}};
     if (choice.exhibit != nullptr && !choice.exhibit->part.empty()) {
@@ -189,31 +181,16 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
             {.text = part == "1/2" ? page.t("choose.half") : page.t("choose.part", page.digits(part)),
              .colour = design::kInk2});
     }
-    lines.push_back({.text = choice.size, .line = 34.0F, .bold = true, .colour = design::kInk});
+    lines.push_back({.text = choice.size, .type = design::bold(26.0F, 34.0F), .colour = design::kInk});
     std::erase_if(lines, [](const Words& words) { return words.text.empty(); });
-    // All of them as large as the whole card bears, not the first at the cost of the last.
-    float scale = page.text_scale();
-    float size_room = 0.0F;
-    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
-        float room = 8.0F;
-        bool is_too_wide = false;
-        for (const Words& words : lines) {
-            const ui::TextSize size = page.words_size(words, scale, inner.width);
-            room += size.height;
-            is_too_wide = is_too_wide || size.too_wide;
-            size_room = size.height;
-        }
-        if (scale <= 1.0F || (room <= inner.height && !is_too_wide)) break;
+    FittedLines fitted = page.fitted(std::move(lines), {inner.width, inner.height - 8.0F});
+    // A size stands at the card's foot, whatever is above it.
+    if (choice.exhibit != nullptr) {
+        const float room = fitted.heights.back();
+        page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
+        fitted.lines.pop_back();
     }
-    float y = inner.y;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        Words words = lines[i];
-        words.size *= scale;
-        words.line *= scale;
-        const bool is_size = choice.exhibit != nullptr && i + 1 == lines.size();
-        const float top = is_size ? inner.bottom() - size_room : y;
-        y += page.fixed_words({inner.x, top, inner.width, inner.bottom() - top + 2.0F}, words);
-    }
+    page.fitted_words(inner, fitted);
 }
 
 constexpr float kAboutSide = design::kLeastTarget;
@@ -240,12 +217,8 @@ void draw_choose(Page& page) {
                            size_of(page, exhibit), &exhibit});
     }
     page.museum({0.5F * width, 0.4F * height}, {0.6F * width, 0.5F * height}, 0.20F);
-    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}), {.text = page.t("choose.title"),
-                                                                      .size = 46.0F,
-                                                                      .line = 62.0F,
-                                                                      .title = true,
-                                                                      .colour = design::kSlip,
-                                                                      .least_size = 40.0F});
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t("choose.title"), .type = design::kTitle, .colour = design::kSlip});
     const float foot_y = height - 77.0F;
     page.languages_token({width - 182.0F, foot_y, 150.0F, 60.0F});
     // Brought low, a tall screen has its cards side by side, as the others always have.
@@ -336,8 +309,7 @@ void draw_choose(Page& page) {
     page.sprite(bar_rect, std::move(sketch));
     page.words(page.mirrored({scale_right - bar - 132.0F, scale_y + 8.0F, 120.0F, 36.0F}),
                {.text = page.measure("100", "unit.mm"),
-                .size = 26.0F,
-                .line = 34.0F,
+                .type = design::kNote,
                 .colour = design::kSlip2,
                 .align = ui::Align::kEnd});
     const float note_width = scale_right - bar - 132.0F - 220.0F;
@@ -345,8 +317,7 @@ void draw_choose(Page& page) {
         page.words(page.mirrored({212.0F, foot_y - (note_width < 420.0F ? 6.0F : -8.0F), note_width,
                                   note_width < 420.0F ? 68.0F : 36.0F}),
                    {.text = page.t("choose.scale"),
-                    .size = 26.0F,
-                    .line = 34.0F,
+                    .type = design::kNote,
                     .colour = design::kSlip2,
                     .align = ui::Align::kEnd});
     }

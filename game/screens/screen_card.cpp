@@ -32,11 +32,7 @@ std::vector<Words> lines_of(const Page& page, const Exhibit& exhibit) {
     constexpr std::array kKnownBy{"card.record", "card.kind", "card.general"};
     const auto language = static_cast<std::size_t>(page.view().state.comfort.language);
     std::vector<Words> lines{
-        {.text = page.t(exhibit.name_key),
-         .size = 32.0F,
-         .line = 38.0F,
-         .bold = true,
-         .colour = design::kInk},
+        {.text = page.t(exhibit.name_key), .type = design::bold(32.0F, 38.0F), .colour = design::kInk},
         {.text = joined({page.t(exhibit.museum_key), page.t(exhibit.date_key),
                          page.measure(fmt::format("{:.0f}", exhibit.height_mm), "unit.mm")}),
          .colour = design::kInk2}};
@@ -45,8 +41,7 @@ std::vector<Words> lines_of(const Page& page, const Exhibit& exhibit) {
     for (std::size_t line = 0; line < kHeads.size(); ++line) {
         lines.push_back({.text = joined({page.t(kHeads[line]),
                                          page.t(kKnownBy[static_cast<std::size_t>(card.known_by[line])])}),
-                         .line = 34.0F,
-                         .bold = true,
+                         .type = design::bold(26.0F, 34.0F),
                          .colour = design::kRust});
         lines.push_back({.text = card.lines[language][line], .colour = design::kInk});
     }
@@ -57,27 +52,6 @@ std::vector<Words> lines_of(const Page& page, const Exhibit& exhibit) {
     lines.push_back(
         {.text = page.t("card.source") + " \u2066" + card.source + "\u2069", .colour = design::kInk2});
     return lines;
-}
-
-// All of them as large as the whole card bears.
-void add_lines(Page& page, const Rect& inner, const std::vector<Words>& lines) {
-    float scale = page.text_scale();
-    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
-        float room = 0.0F;
-        bool is_too_wide = false;
-        for (const Words& words : lines) {
-            const ui::TextSize size = page.words_size(words, scale, inner.width);
-            room += size.height + 2.0F;
-            is_too_wide = is_too_wide || size.too_wide;
-        }
-        if (scale <= 1.0F || (room <= inner.height && !is_too_wide)) break;
-    }
-    float y = inner.y;
-    for (Words words : lines) {
-        words.size *= scale;
-        words.line *= scale;
-        y += page.fixed_words({inner.x, y, inner.width, inner.bottom() - y + 2.0F}, words) + 2.0F;
-    }
 }
 
 }  // namespace
@@ -104,8 +78,8 @@ void draw_card_panel(Page& page) {
             page.mirrored(tall ? Rect{24.0F, shelf_y + 44.0F, width - 48.0F, foot_y - shelf_y - 60.0F}
                                : Rect{left * width, 24.0F, (1.0F - left) * width - 32.0F, foot_y - 44.0F});
         page.card(card, design::kHanji, design::kHanji);
-        add_lines(page, {card.x + 22.0F, card.y + 14.0F, card.width - 44.0F, card.height - 24.0F},
-                  lines_of(page, *exhibit));
+        const Rect inner{card.x + 22.0F, card.y + 14.0F, card.width - 44.0F, card.height - 24.0F};
+        page.fitted_words(inner, page.fitted(lines_of(page, *exhibit), {inner.width, inner.height}, 2.0F));
     }
     page.token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), Look::kOutline,
                kiosk::Button::kCardClose, page.t("ctl.back"), 0,

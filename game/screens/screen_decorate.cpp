@@ -130,9 +130,8 @@ void way_card(Page& page) {
     const float most = tall ? 186.0F : square ? 290.0F : 264.0F;
     std::vector<Words> lines;
     if (way.title != nullptr)
-        lines.push_back(
-            {.text = page.t(way.title), .size = 28.0F, .line = 38.0F, .bold = true, .colour = design::kInk});
-    lines.push_back({.text = page.t(way.line), .size = 26.0F, .line = 33.0F, .colour = design::kInk2});
+        lines.push_back({.text = page.t(way.title), .type = design::kHeading, .colour = design::kInk});
+    lines.push_back({.text = page.t(way.line), .type = design::kPaper, .colour = design::kInk2});
     add_paper(page, page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide, most}), lines);
 }
 

@@ -32,16 +32,12 @@ void draw_failure(Page& page) {
     const float deep = 128.0F + 24.0F * static_cast<float>(page.view().state.comfort.text_size - 1);
     page.down({0.0F, 0.0F, width, deep}, night(0.93F), night(0.88F));
     page.down({0.0F, deep, width, 92.0F}, night(0.88F), night(0.0F));
-    const float title = page.words({60.0F, 18.0F, width - 120.0F, 76.0F}, {.text = page.t("fail.title"),
-                                                                           .size = 50.0F,
-                                                                           .line = 66.0F,
-                                                                           .title = true,
-                                                                           .align = ui::Align::kCentre,
-                                                                           .least_size = 40.0F});
+    const float title = page.words(
+        {60.0F, 18.0F, width - 120.0F, 76.0F},
+        {.text = page.t("fail.title"), .type = design::serif(50.0F, 66.0F), .align = ui::Align::kCentre});
     page.words({60.0F, 20.0F + title, width - 120.0F, deep - 16.0F - title},
                {.text = page.t(why_of(page.view().state.throwing.collapse)),
-                .size = 30.0F,
-                .line = 40.0F,
+                .type = design::kBody,
                 .colour = design::kSlip3,
                 .align = ui::Align::kCentre});
     const float y = ledge_y(page.shape(), page.height(), page.view().state.comfort);

@@ -135,8 +135,7 @@ GlazePlaces glaze_places(const Page& page, float shelf_y) {
 void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMaterial& glaze) {
     const auto& pot = page.view().pot;
     const bool was_made_for_it = pot && pot->drawn_with.inlaid && glaze.glaze == finish::Glaze::kCeladon;
-    Words words{
-        .text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key), .size = 27.0F, .line = 38.0F};
+    Words words{.text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key), .type = {27.0F, 38.0F}};
     if (page.shape() == Shape::kTall) words.align = ui::Align::kCentre;
     const bool hides = pot && finish::hides(glaze, pot->drawn_with);
     Rect line = places.line;
@@ -144,7 +143,7 @@ void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMater
     page.words(page.mirrored(line), words);
     if (!hides) return;
     words.text = page.t("glz.hides");
-    words.bold = true;
+    words.type = words.type.bold_if(true);
     page.words(page.mirrored(places.hides), words);
 }
 
@@ -186,9 +185,7 @@ void draw_firing(Page& page) {
         const Rect place =
             page.mirrored({left + static_cast<float>(i) * column, words_y + 4.0F, column - 10.0F, 48.0F});
         Words words{.text = page.t(kKeys[static_cast<std::size_t>(i)]),
-                    .size = now ? 34.0F : 28.0F,
-                    .line = 44.0F,
-                    .bold = now,
+                    .type = {now ? 34.0F : 28.0F, 44.0F, now ? design::Face::kBold : design::Face::kPlain},
                     .colour = now ? ui::hex(0xfff3d9) : ui::hex(0xdcc7ac),
                     .align = ui::Align::kCentre};
         if (past) {
@@ -213,8 +210,7 @@ void draw_firing(Page& page) {
     page.words(tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
                     : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}),
                {.text = page.t(is_heard ? view.heard : "fin.note"),
-                .size = 26.0F,
-                .line = 32.0F,
+                .type = design::kLabel,
                 .colour = ui::hex(0xdcc7ac),
                 .align = ui::Align::kCentre});
     const float button = 180.0F;
@@ -242,9 +238,8 @@ void draw_glazes(Page& page) {
     const float pot_x = square ? 0.40F * width : 0.5F * width;
     const float centre_x = page.right_to_left() && square ? width - pot_x : pot_x;
     page.museum({centre_x, 0.38F * height}, {0.34F * width, 0.56F * height}, 0.30F);
-    page.words(
-        page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
-        {.text = page.t("glz.title"), .size = 46.0F, .line = 62.0F, .title = true, .least_size = 40.0F});
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t("glz.title"), .type = design::kTitle});
     const GlazePlaces places = glaze_places(page, shelf_y);
     page.languages_token(places.languages);
     page.shelf(shelf_y, 34.0F);
@@ -273,9 +268,7 @@ void draw_glazes(Page& page) {
         }
         page.words({niche.x + 6.0F, niche.bottom() - 43.0F, niche.width - 12.0F, 38.0F},
                    {.text = page.t(one.name_key),
-                    .size = 27.0F,
-                    .line = 34.0F,
-                    .bold = on,
+                    .type = {27.0F, 34.0F, on ? design::Face::kBold : design::Face::kPlain},
                     .colour = on ? design::kInk : design::kSlip,
                     .align = ui::Align::kCentre});
         if (!on) continue;

@@ -58,19 +58,11 @@ Rect line_below(const Rect& card, float y, float height) {
 
 // What is to be read first, and what goes with it.
 Words strong(std::string text) {
-    return {.text = std::move(text),
-            .size = 28.0F,
-            .line = 38.0F,
-            .bold = true,
-            .colour = design::kInk,
-            .align = Align::kCentre};
+    return {
+        .text = std::move(text), .type = design::kHeading, .colour = design::kInk, .align = Align::kCentre};
 }
 Words quiet(std::string text) {
-    return {.text = std::move(text),
-            .size = 26.0F,
-            .line = 34.0F,
-            .colour = design::kInk2,
-            .align = Align::kCentre};
+    return {.text = std::move(text), .type = design::kNote, .colour = design::kInk2, .align = Align::kCentre};
 }
 
 void add_ready(Page& page, const Rect& card, const PhoneWay& way) {

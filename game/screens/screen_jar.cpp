@@ -72,9 +72,8 @@ void draw_jar_start(Page& page) {
     page.museum({stage.centre().x, 0.42F * height}, {0.46F * width, 0.62F * height}, 0.30F);
     page.shelf(shelf_y, 34.0F);
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x1a120c), ui::hex(0x241a13));
-    page.words(
-        page.mirrored({32.0F, 24.0F, width - 260.0F, tall || square ? 120.0F : 66.0F}),
-        {.text = page.t("moon.title"), .size = 46.0F, .line = 58.0F, .title = true, .least_size = 40.0F});
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, tall || square ? 120.0F : 66.0F}),
+               {.text = page.t("moon.title"), .type = design::serif(46.0F, 58.0F)});
     const Rect languages =
         page.languages_token({width - 182.0F, tall ? height - 190.0F : foot_y - 130.0F, 150.0F, 60.0F});
     const Exhibit* const jar = jar_of(page.view());
@@ -89,8 +88,7 @@ void draw_jar_start(Page& page) {
     const float x = tall ? left : (square ? 450.0F : 650.0F);
     const float top = tall ? shelf_y + 122.0F : square ? 150.0F : 118.0F;
     const Rect most = page.mirrored({x, top, wide, tall ? 230.0F : square ? 230.0F : 220.0F});
-    add_paper(page, most,
-              {{.text = page.t("moon.lead"), .size = 28.0F, .line = 37.0F, .colour = design::kInk}});
+    add_paper(page, most, {{.text = page.t("moon.lead"), .type = {28.0F, 37.0F}, .colour = design::kInk}});
     const float steps_y = most.bottom() + 10.0F;
     const float pitch = std::min(96.0F, (wide - 60.0F) / (kiosk::kJarSteps - 1));
     const float steps_wide = pitch * (kiosk::kJarSteps - 1) + 56.0F;
@@ -100,8 +98,7 @@ void draw_jar_start(Page& page) {
     const float words_end = page.is_low() && !tall ? languages.y - 8.0F : tall ? languages.y - 8.0F : shelf_y;
     page.words(page.mirrored({x, words_y, wide, std::max(40.0F, words_end - words_y)}),
                {.text = page.t("moon.time") + (size.empty() ? "" : " \u00b7 " + size),
-                .size = 27.0F,
-                .line = 36.0F,
+                .type = design::kReading,
                 .colour = design::kSlip,
                 .align = ui::Align::kCentre});
     const Rect name = tall ? Rect{32.0F, shelf_y + 38.0F, width - 64.0F, 76.0F}
@@ -110,8 +107,7 @@ void draw_jar_start(Page& page) {
                {.text = page.t(jar->name_key) + " \u00b7 " +
                         page.measure(fmt::format("{:.0f}", jar->height_mm), "unit.mm") + "\n" +
                         page.t(jar->museum_key) + " \u00b7 " + page.t(jar->date_key),
-                .size = 26.0F,
-                .line = 34.0F,
+                .type = design::kNote,
                 .align = ui::Align::kCentre});
     const float back_x = tall ? 40.0F : x;
     page.token(page.mirrored({back_x, foot_y, 190.0F, 76.0F}), Look::kOutline, Button::kBack,
@@ -131,7 +127,7 @@ void add_jar_card(Page& page) {
                              tall     ? 196.0F
                              : square ? 300.0F
                                       : 240.0F}),
-              {{.text = told_of(page, jar.step), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
+              {{.text = told_of(page, jar.step), .type = design::kPaper, .colour = design::kInk2}});
 }
 
 void draw_join(Page& page) {
@@ -151,11 +147,9 @@ void draw_join(Page& page) {
         page,
         page.mirrored({page.width() - wide - (square ? 20.0F : 32.0F), tall ? 240.0F : y, wide, 190.0F}),
         {{.text = page.t("moon.rim", page.digits(apart)),
-          .size = 28.0F,
-          .line = 36.0F,
-          .bold = true,
+          .type = design::bold(28.0F, 36.0F),
           .colour = design::kInk},
-         {.text = page.t("moon.rimok"), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
+         {.text = page.t("moon.rimok"), .type = design::kPaper, .colour = design::kInk2}});
     add_join_ledge(page);
 }
 

@@ -40,13 +40,11 @@ void measures_card(Page& page, const Rect& card) {
         const Rect name_box = within(name);
         const float name_line = 40.0F;
         page.words({name_box.x, name_box.y + 0.5F * (step - name_line), name_box.width, name_line + 4.0F},
-                   {.text = page.t(rows[i].key), .size = 30.0F, .line = name_line, .colour = design::kInk2},
-                   true);
+                   {.text = page.t(rows[i].key), .type = {30.0F, name_line}, .colour = design::kInk2}, true);
         const Rect value_box = within(value);
         // Number large and unit small, both in one row from the line's end.
         const Words unit{.text = page.t(rows[i].unit),
-                         .size = 28.0F,
-                         .line = 56.0F,
+                         .type = {28.0F, 56.0F},
                          .colour = design::kInk,
                          .align = ui::Align::kEnd};
         const float unit_width = page.words_width(unit) + 2.0F;
@@ -57,9 +55,7 @@ void measures_card(Page& page, const Rect& card) {
         const Rect number_box{rtl ? value_box.x + unit_width + 10.0F : value_box.x, middle,
                               value_box.width - unit_width - 10.0F, 58.0F};
         page.fixed_words(number_box, {.text = page.digits(rows[i].number),
-                                      .size = 46.0F,
-                                      .line = 56.0F,
-                                      .bold = true,
+                                      .type = design::bold(46.0F, 56.0F),
                                       .colour = design::kInk,
                                       .align = ui::Align::kEnd});
         if (i + 1 < rows.size()) {
@@ -115,7 +111,7 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
     const float fraction = is_jar && page.is_low() ? 0.21F : is_jar ? 0.35F : 0.61F;
     const float split = std::min(fraction * rect.height, most * page.text_scale());
     page.words({rtl ? rect.x + about : rect.x, rect.y, rect.width - about, split - 4.0F},
-               {.text = text, .size = 27.0F, .line = 36.0F, .colour = design::kSlip3});
+               {.text = text, .type = design::kReading, .colour = design::kSlip3});
     if (exhibit.card) {
         const Rect beside{rtl ? rect.x : rect.right() - kSide, rect.y + (is_jar ? 2.0F : 23.0F), kSide,
                           kSide};
@@ -127,8 +123,7 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
     page.words({rect.x, rect.y + split, rect.width, rect.height - split},
                {.text = is_jar ? roundness_words(page, *pot.off_round_mm)
                                : page.t(pot.good_key) + "\n" + page.t(pot.next_key),
-                .size = 27.0F,
-                .line = 36.0F,
+                .type = design::kReading,
                 .colour = design::kSlip});
 }
 
@@ -149,11 +144,7 @@ void draw_your_pot(Page& page) {
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
     const bool is_off_round = view.pot && view.pot->off_round_mm.value_or(0.0) >= kRoundMm;
     page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
-               {.text = page.t(is_off_round ? "moon.done.title" : "your.title"),
-                .size = 46.0F,
-                .line = 62.0F,
-                .title = true,
-                .least_size = 40.0F});
+               {.text = page.t(is_off_round ? "moon.done.title" : "your.title"), .type = design::kTitle});
     const Rect languages = page.languages_token(
         {width - 182.0F, tall ? height - 182.0F : page.lower_by() + (square ? 480.0F : 474.0F), 150.0F,
          60.0F});
@@ -188,8 +179,7 @@ void draw_your_pot(Page& page) {
         page.mirrored({own_x - 116.0F < 24.0F ? 24.0F : own_x - 116.0F, names_y, 232.0F, 74.0F});
     page.words(own_name, {.text = page.t("your.title") + "\n" +
                                   page.measure(fmt::format("{:.0f}", view.pot->height_mm), "unit.mm"),
-                          .size = 27.0F,
-                          .line = 34.0F,
+                          .type = {27.0F, 34.0F},
                           .align = ui::Align::kCentre});
     if (relative != nullptr) {
         const float x = 62.0F + own_box + 14.0F + 0.5F * other_box;
@@ -200,8 +190,7 @@ void draw_your_pot(Page& page) {
                    {.text = page.t(relative->name_key) + " \u00b7 " +
                             page.measure(fmt::format("{:.0f}", relative->height_mm), "unit.mm") + "\n" +
                             page.t(relative->museum_key),
-                    .size = 26.0F,
-                    .line = 34.0F,
+                    .type = design::kNote,
                     .align = ui::Align::kCentre});
     }
     const float card_x = tall ? 40.0F : stage.width + 10.0F;
@@ -267,11 +256,7 @@ void draw_keep(Page& page) {
                {.text = full   ? page.t("keep.fail")
                         : kept ? page.t(has_phone ? "home.title" : "keep.title")
                                : "",
-                .size = full ? 34.0F : 46.0F,
-                .line = full ? 44.0F : 62.0F,
-                .bold = full,
-                .title = !full,
-                .least_size = full ? 26.0F : 40.0F});
+                .type = full ? design::bold(34.0F, 44.0F) : design::kTitle});
     // Brought low, the token of languages stands under the phone's card, or beside the last token.
     // A code is only looked at and may stand high; what can be pressed may not.
     const kiosk::Phone phone = view.state.keeping.phone;
@@ -298,8 +283,7 @@ void draw_keep(Page& page) {
         const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");
         const bool one_line = tall ? has_phone : view.has_wall;
         page.words(rect, {.text = one_line ? promise : number + "\n" + promise,
-                          .size = 28.0F,
-                          .line = 40.0F,
+                          .type = design::kLine,
                           .colour = design::kSlip3,
                           .align = tall ? ui::Align::kCentre : ui::Align::kStart});
     }

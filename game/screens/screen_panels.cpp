@@ -45,24 +45,17 @@ void draw_idle(Page& page) {
     page.sprite({centre.x - 180.0F, centre.y - 180.0F, 360.0F, 360.0F}, std::move(sketch));
     page.fixed_words({centre.x - 70.0F, centre.y - 46.0F, 140.0F, 92.0F},
                      {.text = page.digits(std::to_string(view.seconds_left)),
-                      .size = 76.0F,
-                      .line = 92.0F,
-                      .bold = true,
+                      .type = design::bold(76.0F, 92.0F),
                       .colour = design::kWhiteSlip,
                       .align = ui::Align::kCentre});
     const float words_y = centre.y + 196.0F;
     const float button_y = height - (tall ? 330.0F : 120.0F);
-    const float title =
-        page.words({60.0F, words_y, width - 120.0F, tall ? 150.0F : 72.0F}, {.text = page.t("idle.title"),
-                                                                             .size = 52.0F,
-                                                                             .line = 70.0F,
-                                                                             .title = true,
-                                                                             .align = ui::Align::kCentre,
-                                                                             .least_size = 40.0F});
+    const float title = page.words(
+        {60.0F, words_y, width - 120.0F, tall ? 150.0F : 72.0F},
+        {.text = page.t("idle.title"), .type = design::serif(52.0F, 70.0F), .align = ui::Align::kCentre});
     page.words({60.0F, words_y + title + 2.0F, width - 120.0F, button_y - words_y - title - 8.0F},
                {.text = page.t("idle.line"),
-                .size = 30.0F,
-                .line = 40.0F,
+                .type = design::kBody,
                 .colour = design::kSlip3,
                 .align = ui::Align::kCentre});
     const float button = std::min(280.0F, 0.5F * width - 60.0F);
@@ -84,13 +77,9 @@ void draw_language(Page& page) {
     std::string title;
     for (const kiosk::Language& language : languages)
         title += (title.empty() ? "" : " \u00b7 ") + language.shown("lang.title");
-    page.words({60.0F, 48.0F, width - 120.0F, 76.0F}, {.text = title,
-                                                       .size = 40.0F,
-                                                       .line = 56.0F,
-                                                       .title = true,
-                                                       .align = ui::Align::kCentre,
-                                                       .language = 0,
-                                                       .least_size = 40.0F});
+    page.words(
+        {60.0F, 48.0F, width - 120.0F, 76.0F},
+        {.text = title, .type = design::serif(40.0F, 56.0F), .align = ui::Align::kCentre, .language = 0});
     // Brought low, all of it stands close together in the lower half; more than four languages need more.
     const bool low = page.is_low();
     const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
@@ -172,12 +161,9 @@ void draw_resume(Page& page) {
     page.shelf(shelf_y, 30.0F);
     page.keep_clear(
         page.pot(pot::fresh_lump(), finish::wet_clay(), tall ? 2.2F : 1.6F, {0.5F * width, shelf_y + 9.0F}));
-    page.words({60.0F, tall ? 250.0F : 70.0F, width - 120.0F, 160.0F}, {.text = page.t("resume.title"),
-                                                                        .size = 50.0F,
-                                                                        .line = 68.0F,
-                                                                        .title = true,
-                                                                        .align = ui::Align::kCentre,
-                                                                        .least_size = 40.0F});
+    page.words(
+        {60.0F, tall ? 250.0F : 70.0F, width - 120.0F, 160.0F},
+        {.text = page.t("resume.title"), .type = design::serif(50.0F, 68.0F), .align = ui::Align::kCentre});
     const float y = height - (tall ? 330.0F : 150.0F);
     const float button = std::min(330.0F, 0.5F * width - 60.0F);
     page.token(page.mirrored({0.5F * width - 14.0F - button, y, button, 84.0F}), Look::kOutline,
@@ -216,16 +202,12 @@ void draw_fault(Page& page) {
                 : Rect{24.0F + column * static_cast<float>(i) + 8.0F, words_y + 4.0F, column - 16.0F, 150.0F};
         const float title =
             page.words({rect.x, rect.y, rect.width, 50.0F}, {.text = page.language(i).shown("fault.title"),
-                                                             .size = 33.0F,
-                                                             .line = 46.0F,
-                                                             .title = true,
+                                                             .type = design::serif(33.0F, 46.0F, 26.0F),
                                                              .align = ui::Align::kCentre,
-                                                             .language = i,
-                                                             .least_size = 26.0F});
+                                                             .language = i});
         page.words({rect.x, rect.y + title + 2.0F, rect.width, 76.0F},
                    {.text = page.language(i).shown("fault.line"),
-                    .size = 26.0F,
-                    .line = 34.0F,
+                    .type = design::kNote,
                     .colour = ui::hex(0xe6d8c0),
                     .align = ui::Align::kCentre,
                     .language = i});

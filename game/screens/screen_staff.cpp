@@ -39,22 +39,20 @@ void key(Page& page, const Rect& rect, Button button, int value, const std::stri
     page.sprite(rect, std::move(sketch), target);
     page.fixed_words({rect.x + 8.0F, rect.y + 0.5F * rect.height - 17.0F, rect.width - 16.0F, 36.0F},
                      {.text = name,
-                      .size = 26.0F,
-                      .line = 34.0F,
-                      .bold = strong,
+                      .type = design::kNote.bold_if(strong),
                       .colour = kPale,
                       .align = ui::Align::kCentre,
                       .language = page.english()});
 }
 
 Words plain(const std::string& text, const Page& page, const ui::Colour& colour = kPale) {
-    return {.text = text, .size = 26.0F, .line = 34.0F, .colour = colour, .language = page.english()};
+    return {.text = text, .type = design::kNote, .colour = colour, .language = page.english()};
 }
 
 void title_bar(Page& page) {
     page.box({0.0F, 0.0F, page.width(), 62.0F}, {kBar, kBar, kBar, kBar});
     Words title = plain("Staff panel", page);
-    title.bold = true;
+    title.type = title.type.bold_if(true);
     page.fixed_words({24.0F, 13.0F, 0.4F * page.width(), 40.0F}, title);
     Words name = plain(page.view().staff_title, page);
     name.align = ui::Align::kEnd;
@@ -143,7 +141,7 @@ int draw_lines(Page& page, const Rect& rect) {
                                             page.words_size(value, 1.0F, value_width).height);
         constexpr float kRoom = 10.0F;
         const float height = has_key ? std::max(kKeyHeight, words_height) + kRoom
-                                     : std::max(kStep, words_height + kStep - value.line);
+                                     : std::max(kStep, words_height + kStep - value.type.line);
         if (y + height > rect.bottom() + 4.0F) break;
         page.fixed_words({rect.x, y, name_width, words_height}, name);
         page.fixed_words({rect.x + name_width + kGap, y, value_width, words_height}, value);
@@ -160,7 +158,7 @@ int draw_lines(Page& page, const Rect& rect) {
                                  line->status == "ok"     ? kOk
                                  : line->status == "warn" ? kWarn
                                                           : kFault);
-            status.bold = true;
+            status.type = status.type.bold_if(true);
             status.align = ui::Align::kEnd;
             page.fixed_words({rect.right() - status_width, y, status_width, 38.0F}, status);
         }
@@ -195,8 +193,7 @@ void draw_pin(Page& page) {
                      {.text = wait_s > 0        ? fmt::format("Not the PIN. Try again in {} s", wait_s)
                               : staff.was_wrong ? "That was not the PIN"
                                                 : "Staff PIN",
-                      .size = 30.0F,
-                      .line = 40.0F,
+                      .type = design::kBody,
                       .colour = kPale,
                       .align = ui::Align::kCentre,
                       .language = english});
@@ -204,8 +201,7 @@ void draw_pin(Page& page) {
     for (int i = 0; i < staff.digits; ++i)
         dots += "\u2022 ";
     page.fixed_words({middle - 300.0F, 92.0F, 600.0F, 60.0F}, {.text = dots.empty() ? "\u2013" : dots,
-                                                               .size = 44.0F,
-                                                               .line = 56.0F,
+                                                               .type = {44.0F, 56.0F},
                                                                .colour = kPale,
                                                                .align = ui::Align::kCentre,
                                                                .language = english});

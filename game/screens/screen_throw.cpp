@@ -121,31 +121,17 @@ void warning_card(Page& page) {
                             : view.state.throwing.warning == kiosk::Warning::kWet ? "warn.wet"
                                                                                   : "warn.fast";
     page.card(card, design::kHanji, design::kHanji);
-    Words head{.text = page.t(key), .size = 30.0F, .line = 40.0F, .bold = true, .colour = design::kRust};
-    Words advice{
-        .text = page.t(std::string(key) + "2"), .size = 28.0F, .line = 38.0F, .colour = design::kInk};
-    // Both as large as the card bears, not the first at the cost of the second.
     const Rect inner{card.x + 20.0F, card.y + 14.0F, card.width - 40.0F, card.height - 22.0F};
-    float scale = page.text_scale();
-    float head_height = 0.0F;
-    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
-        const ui::TextSize one = page.words_size(head, scale, inner.width);
-        const ui::TextSize other = page.words_size(advice, scale, inner.width);
-        head_height = one.height + 4.0F;
-        if (scale <= 1.0F) break;
-        if (head_height + other.height <= inner.height && !one.too_wide && !other.too_wide) break;
-    }
-    for (Words* words : {&head, &advice}) {
-        words->size *= scale;
-        words->line *= scale;
-    }
-    page.fixed_words({inner.x, inner.y, inner.width, inner.height - 40.0F}, head);
-    page.fixed_words({inner.x, inner.y + head_height, inner.width, inner.height - head_height}, advice);
+    page.fitted_words(
+        inner, page.fitted(
+                   {{.text = page.t(key), .type = design::bold(30.0F, 40.0F), .colour = design::kRust},
+                    {.text = page.t(std::string(key) + "2"), .type = {28.0F, 38.0F}, .colour = design::kInk}},
+                   {inner.width, inner.height + 4.0F}, 4.0F));
 }
 
 // As wide as its words, up to that; where they need more lines than it has room for, it grows down.
 void chip(Page& page, const Rect& rect, const std::string& text) {
-    const Words words{.text = text, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre};
+    const Words words{.text = text, .type = design::kLabel, .align = ui::Align::kCentre};
     const float wide = std::min(rect.width, page.words_width(words) * page.text_scale() + 44.0F);
     const float least = page.words_size(words, 1.0F, wide - 36.0F).height + 16.0F;
     const Rect body{rect.centre().x - 0.5F * wide, rect.y, wide, std::max(rect.height, least)};
@@ -160,10 +146,9 @@ void chip(Page& page, const Rect& rect, const std::string& text) {
 void add_guards(Page& page) {
     for (int guard = 1; guard < kCueGuardCount; ++guard) {
         constexpr float kMostWide = 420.0F;
-        Words words{.text = page.t(key_of(static_cast<CueGuard>(guard))), .size = 26.0F, .line = 32.0F};
+        Words words{.text = page.t(key_of(static_cast<CueGuard>(guard))), .type = design::kLabel};
         const float scale = std::max(1.0F, std::min(page.text_scale(), kMostWide / page.words_width(words)));
-        words.size *= scale;
-        words.line *= scale;
+        words.type = words.type.times(scale);
         page.keep_guard_words(static_cast<CueGuard>(guard), page.loose_words(words, 0.0F, true));
     }
 }

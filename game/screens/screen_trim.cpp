@@ -28,14 +28,11 @@ void words_on_ledge(Page& page, const Rect& grams, const Rect& line) {
     if (trimming.touched) {
         page.words(page.on_ledge(grams),
                    {.text = page.t("trim.weight", page.digits(std::to_string(trimming.taken_g))),
-                    .size = 30.0F,
-                    .line = 40.0F,
-                    .bold = true,
+                    .type = design::bold(30.0F, 40.0F),
                     .align = along_ledge(page)});
     }
     page.words(page.on_ledge(line), {.text = page.t("trim.sub"),
-                                     .size = 26.0F,
-                                     .line = 33.0F,
+                                     .type = design::kPaper,
                                      .colour = design::kSlip3,
                                      .align = along_ledge(page)});
 }
@@ -61,12 +58,8 @@ void draw_trim(Page& page) {
                                  : 304.0F,
                         tall ? 196.0F : 300.0F};
         add_paper(page, page.mirrored(most),
-                  {{.text = page.t("trim.title"),
-                    .size = 28.0F,
-                    .line = 38.0F,
-                    .bold = true,
-                    .colour = design::kInk},
-                   {.text = page.t("trim.line"), .size = 26.0F, .line = 33.0F, .colour = design::kInk2}});
+                  {{.text = page.t("trim.title"), .type = design::kHeading, .colour = design::kInk},
+                   {.text = page.t("trim.line"), .type = design::kPaper, .colour = design::kInk2}});
     }
     if (view.scans || page.is_low()) add_hand_pad(page);
     const Setting loop{Icon::kTrimmer, "trim.tool",       kiosk::kMostTool,

@@ -54,9 +54,7 @@ float scale_of(const Page& page, const std::vector<ShelfPot>& pots, const Boards
 
 void just_made(Page& page, vec2 foot, int language) {
     const Words words{.text = page.language(language).shown("wall.new"),
-                      .size = 26.0F,
-                      .line = 36.0F,
-                      .bold = true,
+                      .type = design::bold(26.0F, 36.0F),
                       .colour = design::kSlip,
                       .align = ui::Align::kCentre,
                       .language = language};
@@ -122,24 +120,18 @@ void draw_wall(Page& page) {
     const auto start = tall ? ui::Align::kCentre : ui::Align::kStart;
     page.words({kSide, 22.0F, width - 2.0F * kSide, 66.0F},
                {.text = page.language(language).shown("wall.title"),
-                .size = 46.0F,
-                .line = 62.0F,
-                .title = true,
+                .type = design::serif(46.0F, 62.0F, 34.0F),
                 .colour = design::kSlip,
                 .align = start,
-                .language = language,
-                .least_size = 34.0F});
+                .language = language});
     const float y = page.height() - (tall ? 112.0F : 74.0F);
     const float half = tall ? width - 2.0F * kSide : 0.5F * width - kSide - 10.0F;
     const auto line = [&](const Rect& rect, std::string text, ui::Align align, bool bold) {
         page.words(rect, {.text = std::move(text),
-                          .size = 28.0F,
-                          .line = 38.0F,
-                          .bold = bold,
+                          .type = {28.0F, 38.0F, bold ? design::Face::kBold : design::Face::kPlain, 20.0F},
                           .colour = bold ? design::kSlip : design::kSlip2,
                           .align = align,
-                          .language = language,
-                          .least_size = 20.0F});
+                          .language = language});
     };
     line({rtl && !tall ? width - kSide - half : kSide, y, half, 42.0F},
          page.language(language).shown("wall.count", page.digits(std::to_string(pots.size()), language)),

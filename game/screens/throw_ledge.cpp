@@ -75,9 +75,7 @@ void gauge(Page& page, const Rect& rect) {
     page.sprite({rect.x, rect.y, rect.width, 70.0F * scale}, std::move(sketch));
     page.words({rect.x, rect.y + 70.0F, rect.width, 36.0F},
                {.text = page.measure(fmt::format("{:.1f}", page.view().thinnest_mm), "unit.mm"),
-                .size = 27.0F,
-                .line = 34.0F,
-                .bold = true,
+                .type = design::kName,
                 .colour = ui::hex(0xffd9b8),
                 .align = ui::Align::kCentre});
 }
@@ -137,8 +135,7 @@ void show_controls(Page& page) {
     const float width = page.width();
     const float y = row_y(page);
     const Words line{.text = page.t("show.line"),
-                     .size = 26.0F,
-                     .line = 33.0F,
+                     .type = design::kPaper,
                      .colour = design::kSlip3,
                      .align = along_ledge(page)};
     const auto my_turn = [&](const Rect& place) {

@@ -32,13 +32,12 @@ void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
 // What is to be done, and one line on what is in the hand.
 void add_lines(Page& page, const Rect& place, const std::string& title, const std::string& line) {
     const Rect rect = page.on_ledge(place);
-    const Words head{.text = title, .size = 27.0F, .line = 34.0F, .bold = true, .align = along_ledge(page)};
+    const Words head{.text = title, .type = design::kName, .align = along_ledge(page)};
     const float room = line.empty() ? rect.height : 0.46F * rect.height;
     const float height = page.words({rect.x, rect.y, rect.width, room}, head);
     if (line.empty()) return;
-    page.words(
-        {rect.x, rect.y + height + 2.0F, rect.width, rect.height - height - 2.0F},
-        {.text = line, .size = 26.0F, .line = 32.0F, .colour = design::kSlip3, .align = along_ledge(page)});
+    page.words({rect.x, rect.y + height + 2.0F, rect.width, rect.height - height - 2.0F},
+               {.text = line, .type = design::kLabel, .colour = design::kSlip3, .align = along_ledge(page)});
 }
 
 void add_back(Page& page, const Rect& place) {

@@ -52,6 +52,38 @@ inline constexpr Colour kFriction = hex(0x8fd67a);
 
 inline constexpr float kMargin = 32.0F;
 inline constexpr float kLeastTextSize = 26.0F;
+
+// How words are set, before the visitor asks for larger ones.
+enum class Face { kPlain, kBold, kSerif };
+struct Type {
+    float size;
+    float line;
+    Face face = Face::kPlain;
+    float least_size = kLeastTextSize;  // may shrink to this to fit its box
+
+    [[nodiscard]] constexpr Type times(float scale) const {
+        return {size * scale, line * scale, face, least_size};
+    }
+    [[nodiscard]] constexpr Type bold_if(bool is_bold) const {
+        return {size, line, is_bold ? Face::kBold : face, least_size};
+    }
+};
+constexpr Type bold(float size, float line) {
+    return {size, line, Face::kBold};
+}
+constexpr Type serif(float size, float line, float least_size = 40.0F) {
+    return {size, line, Face::kSerif, least_size};
+}
+inline constexpr Type kTitle = serif(46.0F, 62.0F);
+inline constexpr Type kHeading = bold(28.0F, 38.0F);
+inline constexpr Type kBody{30.0F, 40.0F};
+inline constexpr Type kLine{28.0F, 40.0F};
+inline constexpr Type kReading{27.0F, 36.0F};
+inline constexpr Type kName = bold(27.0F, 34.0F);  // of a step, beside its controls
+inline constexpr Type kNote{26.0F, 34.0F};
+inline constexpr Type kPaper{26.0F, 33.0F};  // on a card of paper
+inline constexpr Type kLabel{26.0F, 32.0F};  // below a control
+
 inline constexpr float kLeastTarget = 50.0F;  // the ends of a stepper, the staff's keys
 // A 24 inch panel of 1080 lines, on which u was chosen.
 inline constexpr float kMmPerU = 0.4151F;

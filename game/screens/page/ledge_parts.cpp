@@ -84,9 +84,7 @@ void add_choice(Page& page, const Rect& place, const LedgeChoice& choice, float 
         page.token(rect, Look::kToken, choice.button, page.t(choice.key), choice.value, choice.icon, false);
     page.words({rect.x - spread, rect.bottom() + kBelow, rect.width + 2.0F * spread, name_height},
                {.text = page.t(choice.key),
-                .size = 26.0F,
-                .line = 32.0F,
-                .bold = choice.chosen,
+                .type = design::kLabel.bold_if(choice.chosen),
                 .align = ui::Align::kCentre});
     if (!choice.chosen) return;
     ui::Sketch bar;
@@ -102,17 +100,13 @@ void add_step_caption(Page& page, const std::string& text, float wide, float bes
     const float y = ledge_top(page);
     if (page.shape() == Shape::kWide) {
         page.words(page.on_ledge({34.0F, y + 94.0F, wide, 36.0F + growth(page).caption}),
-                   {.text = text, .size = 27.0F, .line = 34.0F, .bold = true, .align = along_ledge(page)});
+                   {.text = text, .type = design::kName, .align = along_ledge(page)});
         return;
     }
     const bool tall = page.shape() == Shape::kTall;
     page.words(page.on_ledge({beside, y + (tall ? 30.0F : 28.0F), page.width() - 32.0F - beside,
                               (tall ? 84.0F : 44.0F) + growth(page).caption}),
-               {.text = text,
-                .size = tall ? 32.0F : 30.0F,
-                .line = 42.0F,
-                .bold = true,
-                .align = along_ledge(page)});
+               {.text = text, .type = design::bold(tall ? 32.0F : 30.0F, 42.0F), .align = along_ledge(page)});
 }
 
 Rect add_paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
@@ -120,32 +114,10 @@ Rect add_paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
     constexpr float kAbove = 12.0F;
     constexpr float kBetween = 4.0F;
     const float wide = most.width - 2.0F * kMargin;
-    // All of them as large as the whole card bears, not the first at the cost of the last.
-    float scale = page.text_scale();
-    std::vector<float> needs;
-    float all = 0.0F;
-    for (;; scale = std::max(1.0F, page.smaller(scale, 1.0F))) {
-        needs.clear();
-        all = 0.0F;
-        bool is_too_wide = false;
-        for (const Words& words : lines) {
-            const ui::TextSize size = page.words_size(words, scale, wide);
-            needs.push_back(size.height + kBetween);
-            all += needs.back();
-            is_too_wide = is_too_wide || size.too_wide;
-        }
-        if (scale <= 1.0F || (all + 2.0F * kAbove <= most.height && !is_too_wide)) break;
-    }
-    const Rect rect{most.x, most.y, most.width, std::min(most.height, all + 2.0F * kAbove)};
+    const FittedLines fitted = page.fitted(lines, {wide, most.height - 2.0F * kAbove}, kBetween);
+    const Rect rect{most.x, most.y, most.width, std::min(most.height, fitted.height + 2.0F * kAbove)};
     page.card(rect, design::kHanji, design::kHanji);
-    float y = rect.y + kAbove;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        Words words = lines[i];
-        words.size *= scale;
-        words.line *= scale;
-        page.fixed_words({rect.x + kMargin, y, wide, needs[i]}, words);
-        y += needs[i];
-    }
+    page.fitted_words({rect.x + kMargin, rect.y + kAbove, wide, rect.height - 2.0F * kAbove}, fitted);
     return rect;
 }
 

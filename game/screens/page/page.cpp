@@ -104,11 +104,12 @@ ui::TextStyle Page::style(const Words& words) const {
     const kiosk::Language& tongue = language(words.language);
     const bool arabic = tongue.is_arabic();
     ui::TextStyle style;
-    style.family = words.title ? (arabic ? design::kTitleFamilyArabic : design::kTitleFamily)
-                               : (arabic ? design::kUiFamilyArabic : design::kUiFamily);
-    style.bold = words.bold || words.title;
-    style.size = words.size;
-    style.line_height = words.line;
+    const design::Face face = words.type.face;
+    style.family = face == design::Face::kSerif ? (arabic ? design::kTitleFamilyArabic : design::kTitleFamily)
+                                                : (arabic ? design::kUiFamilyArabic : design::kUiFamily);
+    style.bold = face != design::Face::kPlain;
+    style.size = words.type.size;
+    style.line_height = words.type.line;
     style.colour = words.colour;
     style.align = words.align;
     style.right_to_left = tongue.right_to_left();
@@ -121,24 +122,23 @@ float Page::words_width(const Words& words) {
 }
 
 ui::TextSize Page::words_size(Words words, float scale, float width) {
-    words.size *= scale;
-    words.line *= scale;
+    words.type = words.type.times(scale);
     return painter_.measure({.words = words.text, .style = style(words), .width = width});
 }
 
 float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     Words words = wanted;
-    const float least = words.least_size > 0.0F ? words.least_size : design::kLeastTextSize;
-    const float line_ratio = wanted.line / wanted.size;
-    words.size = wanted.size * text_scale_;
+    design::Type& type = words.type;
+    const float line_ratio = type.line / type.size;
+    type.size *= text_scale_;
     ui::Text text;
     ui::TextSize size;
     // As large as asked for, or as large as fits.
-    for (;; words.size = std::max(least, smaller(words.size, wanted.size))) {
-        words.line = words.size * line_ratio;
+    for (;; type.size = std::max(type.least_size, smaller(type.size, wanted.type.size))) {
+        type.line = type.size * line_ratio;
         text = {.words = words.text, .style = style(words), .width = rect.width};
         size = painter_.measure(text);
-        if ((!size.too_wide && size.height <= rect.height + 0.5F) || words.size <= least) break;
+        if ((!size.too_wide && size.height <= rect.height + 0.5F) || type.size <= type.least_size) break;
     }
     const bool rtl = text.style.right_to_left;
     const bool from_right = (words.align == ui::Align::kStart) == rtl;
@@ -151,10 +151,10 @@ float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     sketch.add(ui::Writing{.at = {kLean, kLean}, .text = text, .box_width = width});
     sprite({x - kLean, rect.y - kLean, width + 2.0F * kLean, size.height + 2.0F * kLean}, std::move(sketch));
     composition_.items.back().is_words = true;
-    const float air = 0.5F * (words.line - words.size);
+    const float air = 0.5F * (type.line - type.size);
     composition_.writings.push_back({.words = words.text,
                                      .rect = {x, rect.y + air, size.width, size.height - 2.0F * air},
-                                     .size = words.size,
+                                     .size = type.size,
                                      .colour = words.colour,
                                      .within = rect,
                                      .unknown_glyphs = size.unknown_glyphs,
@@ -168,6 +168,32 @@ float Page::fixed_words(const Rect& rect, const Words& wanted) {
     const float height = words(rect, wanted, true);
     text_scale_ = scale;
     return height;
+}
+
+FittedLines Page::fitted(std::vector<Words> lines, vec2 room, float between) {
+    FittedLines made;
+    float scale = text_scale_;
+    for (;; scale = std::max(1.0F, smaller(scale, 1.0F))) {
+        made = {};
+        bool is_too_wide = false;
+        for (const Words& words : lines) {
+            const ui::TextSize size = words_size(words, scale, room.x);
+            made.heights.push_back(size.height + between);
+            made.height += made.heights.back();
+            is_too_wide = is_too_wide || size.too_wide;
+        }
+        if (scale <= 1.0F || (made.height <= room.y && !is_too_wide)) break;
+    }
+    for (Words& words : lines)
+        words.type = words.type.times(scale);
+    made.lines = std::move(lines);
+    return made;
+}
+
+void Page::fitted_words(const Rect& rect, const FittedLines& fitted) {
+    float y = rect.y;
+    for (std::size_t i = 0; i < fitted.lines.size(); y += fitted.heights[i++])
+        fixed_words({rect.x, y, rect.width, rect.bottom() - y + 2.0F}, fitted.lines[i]);
 }
 
 Item Page::loose_words(const Words& words, float least_width, bool on_chip) {
@@ -211,7 +237,7 @@ void Page::name_ring(const Rect& ring, const std::string& name) {
     const float high = 20.0F + 32.0F * text_scale_;
     const float most = width() - 2.0F * kEdge;
     const float wide =
-        std::min(most, words_width({.text = name, .size = 26.0F}) * text_scale_ * 1.02F + 44.0F);
+        std::min(most, words_width({.text = name, .type = design::kLabel}) * text_scale_ * 1.02F + 44.0F);
     const float x = std::clamp(ring.centre().x - 0.5F * wide, kEdge, width() - kEdge - wide);
     const float above = ring.y - 8.0F - high;
     const float below = std::min(ring.bottom() + 8.0F, height() - high - 8.0F);
@@ -228,7 +254,7 @@ void Page::name_ring(const Rect& ring, const std::string& name) {
     sketch.add(ui::Box{{0.0F, 0.0F, wide, high}, 24.0F, Fill::flat(design::kNight.with_alpha(0.94F))});
     sprite({x, y, wide, high}, std::move(sketch));
     words({x + 18.0F, y + 8.0F, wide - 36.0F, high - 12.0F},
-          {.text = name, .size = 26.0F, .line = 32.0F, .align = ui::Align::kCentre}, true);
+          {.text = name, .type = design::kLabel, .align = ui::Align::kCentre}, true);
     composition_.writings.back().over = true;
 }
 

@@ -51,14 +51,17 @@ class PaintingStore {
 
 struct Words {
     std::string text;
-    float size = 26.0F;
-    float line = 32.0F;
-    bool bold = false;
-    bool title = false;  // in the serif
+    design::Type type = design::kLabel;
     ui::Colour colour = design::kSlip;
     ui::Align align = ui::Align::kStart;
-    int language = -1;        // another than the visitor's
-    float least_size = 0.0F;  // may shrink to this to fit its box; 0: design::kLeastTextSize
+    int language = -1;  // another than the visitor's
+};
+
+// Lines one below the other, all as large as their room bears, not the first at the cost of the last.
+struct FittedLines {
+    std::vector<Words> lines;
+    std::vector<float> heights;  // each with what lies between it and the next
+    float height = 0.0F;
 };
 
 enum class Look { kToken, kPrimary, kOutline };
@@ -126,6 +129,8 @@ class Page {
     [[nodiscard]] ui::TextSize words_size(Words words, float scale, float width);
     // Words that keep their size whatever the visitor's: numbers on cards, the staff's panel.
     float fixed_words(const ui::Rect& rect, const Words& words);
+    [[nodiscard]] FittedLines fitted(std::vector<Words> lines, vec2 room, float between = 0.0F);
+    void fitted_words(const ui::Rect& rect, const FittedLines& fitted);
 
     // Buttons. `rect` is final.
     int token(const ui::Rect& rect, Look look, kiosk::Button button, std::string_view name, int value = 0,

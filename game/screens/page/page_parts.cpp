@@ -74,16 +74,15 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
     const float icon_side = icon ? (rect.height > 75.0F ? 44.0F : 36.0F) : 0.0F;
     const bool is_narrow = icon && rect.width < 200.0F;
     const float gap = is_narrow ? 6.0F : icon ? 12.0F : 0.0F;
-    Words words{.text = std::string(name), .size = 30.0F, .line = 38.0F, .bold = true, .colour = ink};
+    Words words{.text = std::string(name), .type = design::bold(30.0F, 38.0F), .colour = ink};
     const float room = rect.width - (is_narrow ? 20.0F : 36.0F) - icon_side - gap;
     // One line, as large as it can be, clear of the rounded corners.
-    const float base = words.size;
-    words.size *= text_scale_;
-    while (words.size > design::kLeastTextSize &&
-           (words_width(words) > room || words.size * 1.25F > rect.height - 8.0F)) {
-        words.size = std::max(design::kLeastTextSize, smaller(words.size, base));
-    }
-    words.line = words.size * 1.26F;
+    float& size = words.type.size;
+    const float base = size;
+    size *= text_scale_;
+    while (size > design::kLeastTextSize && (words_width(words) > room || size * 1.25F > rect.height - 8.0F))
+        size = std::max(design::kLeastTextSize, smaller(size, base));
+    words.type.line = size * 1.26F;
     const float wide = words_width(words);
     float x = rect.x + 0.5F * (rect.width - wide - icon_side - gap);
     const float middle = rect.y + 0.5F * rect.height - lift;
@@ -99,7 +98,7 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
     const float scale = std::exchange(text_scale_, 1.0F);  // the size is found already
     words.align = right_to_left() ? ui::Align::kEnd : ui::Align::kStart;
     const float box_width = std::max(wide, std::min(room, wide + 1.0F)) + 1.0F;
-    this->words({x, middle - 0.5F * words.line, box_width, words.line + 1.0F}, words);
+    this->words({x, middle - 0.5F * words.type.line, box_width, words.type.line + 1.0F}, words);
     text_scale_ = scale;
     for (std::size_t i = first; i < composition_.items.size(); ++i)
         composition_.items[i].target = target;
@@ -168,7 +167,7 @@ void Page::stepper(const Rect& rect, Icon icon, int dots, int on, kiosk::Button 
 }
 
 void Page::label(const Rect& rect, const std::string& text, const Colour& colour) {
-    words(rect, {.text = text, .size = 26.0F, .line = 32.0F, .colour = colour, .align = ui::Align::kCentre});
+    words(rect, {.text = text, .type = design::kLabel, .colour = colour, .align = ui::Align::kCentre});
 }
 
 void Page::card(const Rect& rect, const Colour& top, const Colour& bottom, int target) {
@@ -254,13 +253,10 @@ void Page::language_token(const Rect& rect, int place, bool chosen) {
     const float line = 66.0F;
     fixed_words({rect.x + 60.0F, rect.centre().y - 0.5F * line - 4.0F, rect.width - 120.0F, line},
                 {.text = tongue.shown("name"),
-                 .size = 46.0F,
-                 .line = line,
-                 .title = true,
+                 .type = design::serif(46.0F, line),
                  .colour = design::kInk,
                  .align = ui::Align::kCentre,
-                 .language = place,
-                 .least_size = 40.0F});
+                 .language = place});
     composition_.items.back().target = target;
 }
 
