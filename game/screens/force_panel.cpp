@@ -30,7 +30,7 @@ struct Places {
 
 // Beside the pot on a wide screen, above it on a tall one.
 Places places_on(const Page& page) {
-    if (page.shape() == Shape::kTall) {
+    if (page.is_tall()) {
         const Rect panel{24.0F, 124.0F, page.width() - 48.0F, 4.0F * kRow + 2.0F * kAir};
         const float half = 0.5F * (panel.width - 3.0F * kAir);
         const float plot_y = panel.y + kAir;
@@ -40,7 +40,7 @@ Places places_on(const Page& page) {
                 {plot_x, plot_y + 34.0F, half, 38.0F},
                 {plot_x, plot_y + 114.0F, half, 38.0F}};
     }
-    const float width = page.shape() == Shape::kSquare ? 308.0F : 330.0F;
+    const float width = page.is_square() ? 308.0F : 330.0F;
     // Larger text lifts the ledge, and what stands on it is not to be covered.
     constexpr float kTop = 124.0F;
     constexpr float kRows = 2.0F * kAir + 6.0F * kRow + 20.0F;

@@ -22,8 +22,8 @@ int step_of(const Page& page) {
 
 // Where the last token begins on a wide or square ledge, and on a tall one below.
 Rect last_token(const Page& page, float wide) {
-    if (page.shape() == Shape::kTall) return {page.width() - 300.0F, second_row_y(page), 268.0F, 80.0F};
-    const float edge = page.shape() == Shape::kSquare ? 20.0F : 32.0F;
+    if (page.is_tall()) return {page.width() - 300.0F, second_row_y(page), 268.0F, 80.0F};
+    const float edge = page.is_square() ? 20.0F : 32.0F;
     return {page.width() - edge - wide, row_y(page) - 4.0F, wide, 74.0F};
 }
 
@@ -58,9 +58,7 @@ void add_jar_pictograms(Page& page, vec2 at, float pitch, int current) {
 void add_jar_steps(Page& page) {
     constexpr float kPitch = 46.0F;
     const vec2 at(page.shape() == Shape::kWide ? 26.0F : 30.0F,
-                  ledge_top(page) + (page.shape() == Shape::kTall     ? 26.0F
-                                     : page.shape() == Shape::kSquare ? 18.0F
-                                                                      : 20.0F));
+                  ledge_top(page) + page.by_shape(20.0F, 18.0F, 26.0F));
     add_jar_pictograms(page, at, kPitch, step_of(page));
     add_step_caption(page, page.t(kStepKeys[static_cast<std::size_t>(step_of(page))]), 232.0F, 290.0F);
 }
@@ -69,15 +67,15 @@ void add_aside_ledge(Page& page) {
     add_jar_steps(page);
     const Rect next = last_token(page, 268.0F);
     page.token(page.on_ledge(next), Look::kPrimary, Button::kDone, page.t("moon.next"));
-    const float x = page.shape() == Shape::kTall ? 32.0F : next.x - 120.0F;
-    const float y = page.shape() == Shape::kTall ? second_row_y(page) : row_y(page);
+    const float x = page.is_tall() ? 32.0F : next.x - 120.0F;
+    const float y = page.is_tall() ? second_row_y(page) : row_y(page);
     add_round(page, {x, y, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 112.0F);
 }
 
 void add_join_ledge(Page& page) {
     add_jar_steps(page);
     const Rect join = last_token(page, 236.0F);
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     const float y = row_y(page);
     // Named once, below both.
     const float side_x = tall ? page.width() - 300.0F : join.x - 236.0F;

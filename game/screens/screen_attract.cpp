@@ -66,7 +66,7 @@ void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int la
                                                                .language = language});
     const std::string text =
         fmt::format("{}\n{} \u00b7 {}", tongue.shown(exhibit.museum_key), tongue.shown(exhibit.date_key),
-                    page.measure(fmt::format("{:.0f}", exhibit.height_mm), "unit.mm", language));
+                    page.whole_mm(exhibit.height_mm, language));
     page.fixed_words({rect.x, rect.y + name, rect.width, rect.height - name}, {.text = text,
                                                                                .type = design::kLabel,
                                                                                .colour = design::kSlip2,
@@ -97,18 +97,18 @@ void attract_heritage(Page& page, const Exhibit& exhibit) {
     const float width = page.width();
     const float height = page.height();
     const bool wide = page.shape() == Shape::kWide;
-    const float shelf_y = wide ? 556.0F : page.shape() == Shape::kSquare ? 428.0F : 780.0F;
+    const float shelf_y = page.by_shape(556.0F, 428.0F, 780.0F);
     const vec2 foot(wide ? 0.64F * width : 0.5F * width, shelf_y + 8.0F);
     page.museum({foot.x, 0.42F * height}, {0.46F * width, 0.62F * height}, 0.26F);
     page.shelf(shelf_y, 40.0F);
     page.down({0.0F, shelf_y + 40.0F, width, height - shelf_y - 40.0F}, ui::hex(0x1a120c), ui::hex(0x241a13));
-    const float most = wide ? 460.0F : page.shape() == Shape::kSquare ? 340.0F : 560.0F;
+    const float most = page.by_shape(460.0F, 340.0F, 560.0F);
     const float scale = std::min(1.58F, most / static_cast<float>(exhibit.height_mm));
     page.keep_clear(page.turning_pot(exhibit.shape, finish::glaze_at(exhibit.glaze), scale, foot));
     if (wide) {
         begin_lines(page, {64.0F, 80.0F, 330.0F, 440.0F}, 50.0F, ui::Align::kStart, 22.0F);
     } else {
-        const bool tall = page.shape() == Shape::kTall;
+        const bool tall = page.is_tall();
         begin_lines(page, {50.0F, tall ? 960.0F : 592.0F, width - 100.0F, tall ? 250.0F : 172.0F},
                     tall ? 50.0F : 40.0F, ui::Align::kCentre, 0.0F);
     }
@@ -136,7 +136,7 @@ void draw_attract(Page& page) {
         page.down({0.0F, 0.7F * height, width, 0.3F * height}, kClear, night(0.55F));
         begin_lines(page, {64.0F, 128.0F, 400.0F, 400.0F}, 50.0F, ui::Align::kStart, 26.0F);
         wheel_shows(page, {64.0F, height - 104.0F, 400.0F, 80.0F});
-    } else if (page.shape() == Shape::kTall) {
+    } else if (page.is_tall()) {
         page.down({0.0F, 0.0F, width, 0.22F * height}, night(0.30F), kClear);
         page.down({0.0F, 0.56F * height, width, 0.17F * height}, kClear, night(0.94F));
         page.down({0.0F, 0.73F * height, width, 0.27F * height}, night(0.94F), night(1.0F));
@@ -161,8 +161,7 @@ struct Choice {
 
 std::string size_of(const Page& page, const Exhibit& exhibit) {
     const auto whole = [](double value) { return fmt::format("{:.0f}", value); };
-    if (exhibit.diameter_mm <= 0.0)
-        return page.t("dim.high", page.measure(whole(exhibit.height_mm), "unit.mm"));
+    if (exhibit.diameter_mm <= 0.0) return page.t("dim.high", page.whole_mm(exhibit.height_mm));
     return page.measure(whole(exhibit.height_mm) + " \u00d7 " + whole(exhibit.diameter_mm), "unit.mm");
 }
 
@@ -209,8 +208,8 @@ void draw_choose(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
     std::vector<Choice> choices{{page.t("choose.free"), page.t("choose.free2"), "", "", nullptr}};
     for (const Exhibit& exhibit : *view.exhibits) {
         choices.push_back({page.t(exhibit.name_key), page.t(exhibit.museum_key), page.t(exhibit.date_key),
@@ -285,8 +284,7 @@ void draw_choose(Page& page) {
                   first + i);
         }
     }
-    page.token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}), Look::kOutline, kiosk::Button::kBack,
-               page.t("ctl.back"), 0, page.right_to_left() ? Icon::kRight : Icon::kLeft);
+    page.back_token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}));
     if (is_paged) {
         const bool rtl = page.right_to_left();
         page.token(page.mirrored({222.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfBefore,

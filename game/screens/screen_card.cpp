@@ -33,8 +33,8 @@ std::vector<Words> lines_of(const Page& page, const Exhibit& exhibit) {
     const auto language = static_cast<std::size_t>(page.view().state.comfort.language);
     std::vector<Words> lines{
         {.text = page.t(exhibit.name_key), .type = design::bold(32.0F, 38.0F), .colour = design::kInk},
-        {.text = joined({page.t(exhibit.museum_key), page.t(exhibit.date_key),
-                         page.measure(fmt::format("{:.0f}", exhibit.height_mm), "unit.mm")}),
+        {.text =
+             joined({page.t(exhibit.museum_key), page.t(exhibit.date_key), page.whole_mm(exhibit.height_mm)}),
          .colour = design::kInk2}};
     if (!exhibit.card || language >= exhibit.card->lines.size()) return lines;
     const ExhibitCard& card = *exhibit.card;
@@ -60,9 +60,9 @@ void draw_card_panel(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     // A squarer picture leaves the words more of its width.
-    const float left = tall ? 1.0F : page.shape() == Shape::kSquare ? 0.26F : 0.34F;
+    const float left = page.by_shape(0.34F, 0.26F, 1.0F);
     const float foot_y = height - 96.0F;
     const float shelf_y = tall ? 300.0F : foot_y - 50.0F;
     const Rect stage = page.mirrored({0.0F, 0.0F, left * width, shelf_y});
@@ -81,9 +81,7 @@ void draw_card_panel(Page& page) {
         const Rect inner{card.x + 22.0F, card.y + 14.0F, card.width - 44.0F, card.height - 24.0F};
         page.fitted_words(inner, page.fitted(lines_of(page, *exhibit), {inner.width, inner.height}, 2.0F));
     }
-    page.token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), Look::kOutline,
-               kiosk::Button::kCardClose, page.t("ctl.back"), 0,
-               page.right_to_left() ? Icon::kRight : Icon::kLeft);
+    page.back_token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), kiosk::Button::kCardClose);
     if (view.state.card == kiosk::kRelativesCard) return;  // a pot is being looked at already
     page.token(page.mirrored({width - 332.0F, foot_y + 2.0F, 300.0F, 76.0F}), Look::kPrimary,
                kiosk::Button::kCardThrow, page.t("card.throw"));

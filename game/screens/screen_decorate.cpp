@@ -124,10 +124,10 @@ void way_card(Page& page) {
     const kiosk::Decorating& decorating = page.view().state.decorating;
     if (decorating.touched) return;
     const WayWords& way = kWayWords[static_cast<std::size_t>(decorating.tool)];
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
-    const float wide = tall ? 430.0F : square ? 244.0F : 304.0F;
-    const float most = tall ? 186.0F : square ? 290.0F : 264.0F;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
+    const float wide = page.by_shape(304.0F, 244.0F, 430.0F);
+    const float most = page.by_shape(264.0F, 290.0F, 186.0F);
     std::vector<Words> lines;
     if (way.title != nullptr)
         lines.push_back({.text = page.t(way.title), .type = design::kHeading, .colour = design::kInk});
@@ -137,7 +137,7 @@ void way_card(Page& page) {
 
 // For who cannot point at the pot: a dot that goes up, down and round, and the brush.
 void brush_pad(Page& page, float top) {
-    const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
+    const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, top - 172.0F, 264.0F, 164.0F});
     const auto arrow = [&](float x, float y, Button button, const char* key, Icon icon) {
         page.token({pad.x + x, pad.y + y, 80.0F, 76.0F}, Look::kToken, button, page.t(key), 0, icon, false,
@@ -152,15 +152,9 @@ void brush_pad(Page& page, float top) {
 }
 
 Rect decorate_box(const Page& page, float top) {
-    switch (page.shape()) {
-        case Shape::kTall:
-            return {90.0F, 240.0F, page.view().scans || page.is_low() ? 330.0F : 550.0F, top - 260.0F};
-        case Shape::kSquare:
-            return {280.0F, 114.0F, 430.0F, top - 124.0F};
-        case Shape::kWide:
-            break;
-    }
-    return {350.0F, 56.0F, 580.0F, top - 70.0F};
+    const bool padded = page.view().scans || page.is_low();
+    return page.by_shape(Rect{350.0F, 56.0F, 580.0F, top - 70.0F}, Rect{280.0F, 114.0F, 430.0F, top - 124.0F},
+                         Rect{90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F});
 }
 
 }  // namespace
@@ -170,7 +164,7 @@ void draw_decorate(Page& page) {
     const kiosk::Decorating& decorating = view.state.decorating;
     const float top = ledge_y(page.shape(), page.height(), view.state.comfort);
     const bool is_motif = decorating.tool == kiosk::kMotifTool;
-    const bool is_square = page.shape() == Shape::kSquare;
+    const bool is_square = page.is_square();
     page.keep_clear(decorate_box(page, top));
     page.scene_ends();
     page.ledge(top);

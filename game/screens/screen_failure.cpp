@@ -43,7 +43,7 @@ void draw_failure(Page& page) {
     const float y = ledge_y(page.shape(), page.height(), page.view().state.comfort);
     page.ledge(y);
     const auto place = [&](int i) {
-        if (page.shape() == Shape::kTall) {
+        if (page.is_tall()) {
             return Rect{60.0F, y + 240.0F - 100.0F * static_cast<float>(i), width - 120.0F, 84.0F};
         }
         const float gap = 24.0F;

@@ -136,7 +136,7 @@ void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMater
     const auto& pot = page.view().pot;
     const bool was_made_for_it = pot && pot->drawn_with.inlaid && glaze.glaze == finish::Glaze::kCeladon;
     Words words{.text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key), .type = {27.0F, 38.0F}};
-    if (page.shape() == Shape::kTall) words.align = ui::Align::kCentre;
+    if (page.is_tall()) words.align = ui::Align::kCentre;
     const bool hides = pot && finish::hides(glaze, pot->drawn_with);
     Rect line = places.line;
     if (!hides) line.height = places.hides.bottom() - line.y;  // nothing comes below
@@ -154,7 +154,7 @@ void draw_firing(Page& page) {
     const FiringStage stage = view.state.firing;
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     const float words_y = height - (tall ? 330.0F : 124.0F);
     const vec2 floor(0.5F * width, tall ? 820.0F : height - 160.0F);
     const float kiln_scale = tall ? 0.95F : 1.0F;
@@ -223,8 +223,8 @@ void draw_glazes(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
     const int glaze = view.state.glaze;
     const int columns = tall ? 3 : kiosk::Rules().glaze_count;
     const int rows = (finish::kGlazeCount + columns - 1) / columns;
@@ -244,7 +244,7 @@ void draw_glazes(Page& page) {
     page.languages_token(places.languages);
     page.shelf(shelf_y, 34.0F);
     const finish::GlazeMaterial& chosen = finish::glaze_at(glaze);
-    const float box_width = tall ? 560.0F : square ? 420.0F : 360.0F;
+    const float box_width = page.by_shape(360.0F, 420.0F, 560.0F);
     if (view.pot) {
         const float scale = fitting_scale(view.pot->shape, box_width, shelf_y - (tall ? 110.0F : 80.0F));
         page.keep_clear(

@@ -48,15 +48,8 @@ std::string told_of(const Page& page, JarStep step) {
 // Where the two bowls are to be seen.
 Rect bowls_box(const Page& page) {
     const float top = ledge_top(page);
-    switch (page.shape()) {
-        case Shape::kTall:
-            return {150.0F, 440.0F, 420.0F, top - 460.0F};
-        case Shape::kSquare:
-            return {290.0F, 114.0F, 400.0F, top - 124.0F};
-        case Shape::kWide:
-            break;
-    }
-    return {400.0F, 56.0F, 480.0F, top - 70.0F};
+    return page.by_shape(Rect{400.0F, 56.0F, 480.0F, top - 70.0F}, Rect{290.0F, 114.0F, 400.0F, top - 124.0F},
+                         Rect{150.0F, 440.0F, 420.0F, top - 460.0F});
 }
 
 }  // namespace
@@ -64,11 +57,11 @@ Rect bowls_box(const Page& page) {
 void draw_jar_start(Page& page) {
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
     const float foot_y = height - 96.0F;
     const float shelf_y = tall ? 590.0F : foot_y - 60.0F;
-    const Rect stage = page.mirrored({0.0F, 0.0F, tall ? width : square ? 440.0F : 640.0F, shelf_y});
+    const Rect stage = page.mirrored({0.0F, 0.0F, page.by_shape(640.0F, 440.0F, width), shelf_y});
     page.museum({stage.centre().x, 0.42F * height}, {0.46F * width, 0.62F * height}, 0.30F);
     page.shelf(shelf_y, 34.0F);
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x1a120c), ui::hex(0x241a13));
@@ -86,8 +79,8 @@ void draw_jar_start(Page& page) {
     const float left = tall ? 40.0F : stage.width + 10.0F;
     const float wide = tall ? width - 80.0F : width - 32.0F - (square ? 440.0F : 640.0F) - 10.0F;
     const float x = tall ? left : (square ? 450.0F : 650.0F);
-    const float top = tall ? shelf_y + 122.0F : square ? 150.0F : 118.0F;
-    const Rect most = page.mirrored({x, top, wide, tall ? 230.0F : square ? 230.0F : 220.0F});
+    const float top = page.by_shape(118.0F, 150.0F, shelf_y + 122.0F);
+    const Rect most = page.mirrored({x, top, wide, page.by_shape(220.0F, 230.0F, 230.0F)});
     add_paper(page, most, {{.text = page.t("moon.lead"), .type = {28.0F, 37.0F}, .colour = design::kInk}});
     const float steps_y = most.bottom() + 10.0F;
     const float pitch = std::min(96.0F, (wide - 60.0F) / (kiosk::kJarSteps - 1));
@@ -104,14 +97,12 @@ void draw_jar_start(Page& page) {
     const Rect name = tall ? Rect{32.0F, shelf_y + 38.0F, width - 64.0F, 76.0F}
                            : Rect{32.0F, foot_y - 22.0F, (square ? 440.0F : 640.0F) - 64.0F, 112.0F};
     page.words(page.mirrored(name),
-               {.text = page.t(jar->name_key) + " \u00b7 " +
-                        page.measure(fmt::format("{:.0f}", jar->height_mm), "unit.mm") + "\n" +
+               {.text = page.t(jar->name_key) + " \u00b7 " + page.whole_mm(jar->height_mm) + "\n" +
                         page.t(jar->museum_key) + " \u00b7 " + page.t(jar->date_key),
                 .type = design::kNote,
                 .align = ui::Align::kCentre});
     const float back_x = tall ? 40.0F : x;
-    page.token(page.mirrored({back_x, foot_y, 190.0F, 76.0F}), Look::kOutline, Button::kBack,
-               page.t("ctl.back"), 0, page.right_to_left() ? Icon::kRight : Icon::kLeft);
+    page.back_token(page.mirrored({back_x, foot_y, 190.0F, 76.0F}));
     page.token(page.mirrored({back_x + 208.0F, foot_y, wide - 208.0F, 76.0F}), Look::kPrimary, Button::kBegin,
                page.t("moon.begin"));
 }
@@ -119,28 +110,26 @@ void draw_jar_start(Page& page) {
 void add_jar_card(Page& page) {
     const kiosk::JarMaking& jar = page.view().state.throwing.jar;
     if (jar.step == JarStep::kNone || jar.touched || jar.is_low || jar.rims_apart) return;
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
-    const float wide = tall ? 390.0F : square ? 250.0F : 304.0F;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
+    const float wide = page.by_shape(304.0F, 250.0F, 390.0F);
     add_paper(page,
               page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide,
-                             tall     ? 196.0F
-                             : square ? 300.0F
-                                      : 240.0F}),
+                             page.by_shape(240.0F, 300.0F, 196.0F)}),
               {{.text = told_of(page, jar.step), .type = design::kPaper, .colour = design::kInk2}});
 }
 
 void draw_join(Page& page) {
     const View& view = page.view();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
     const float top = ledge_top(page);
     page.keep_clear(bowls_box(page));
     page.scene_ends();
     page.ledge(top);
     add_jar_card(page);
     const Rect languages = page.languages_token(low_languages(page));
-    const float wide = tall ? 320.0F : square ? 270.0F : 320.0F;
+    const float wide = page.by_shape(320.0F, 270.0F, 320.0F);
     const std::string apart = std::to_string(view.state.throwing.jar.rims_mm);
     const float y = tall ? std::max(languages.bottom(), 92.0F) + 20.0F : 112.0F;
     add_paper(

@@ -133,12 +133,12 @@ void draw_your_pot(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
     const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the token of languages, brought low
     const float shelf_y = tall ? 590.0F - raised : 546.0F;
     const float foot_y = shelf_y + 14.0F;
-    const Rect stage = page.mirrored({0.0F, 0.0F, tall ? width : square ? 560.0F : 760.0F, shelf_y});
+    const Rect stage = page.mirrored({0.0F, 0.0F, page.by_shape(760.0F, 560.0F, width), shelf_y});
     page.museum({stage.centre().x, 0.42F * height}, {0.44F * width, 0.62F * height}, 0.30F);
     page.shelf(shelf_y, 34.0F);
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
@@ -151,10 +151,7 @@ void draw_your_pot(Page& page) {
     if (!view.pot) return;
 
     const Exhibit* const relative = view.pot->relative.get();
-    const float own_box = relative == nullptr ? stage.width - 100.0F
-                          : tall              ? 250.0F
-                          : square            ? 190.0F
-                                              : 230.0F;
+    const float own_box = relative == nullptr ? stage.width - 100.0F : page.by_shape(230.0F, 190.0F, 250.0F);
     const float other_box = stage.width - own_box - 100.0F;
     float scale = std::min((own_box - 12.0F) / (2.0F * view.pot->shape.radius_mm()),
                            (foot_y - 108.0F) / (view.pot->shape.height_mm() * 1.12F));
@@ -177,8 +174,7 @@ void draw_your_pot(Page& page) {
     const float names_y = shelf_y + 40.0F;
     const Rect own_name =
         page.mirrored({own_x - 116.0F < 24.0F ? 24.0F : own_x - 116.0F, names_y, 232.0F, 74.0F});
-    page.words(own_name, {.text = page.t("your.title") + "\n" +
-                                  page.measure(fmt::format("{:.0f}", view.pot->height_mm), "unit.mm"),
+    page.words(own_name, {.text = page.t("your.title") + "\n" + page.whole_mm(view.pot->height_mm),
                           .type = {27.0F, 34.0F},
                           .align = ui::Align::kCentre});
     if (relative != nullptr) {
@@ -187,9 +183,8 @@ void draw_your_pot(Page& page) {
                                          {mirrored_x(x), foot_y}));
         const float name_width = std::min(other_box + 40.0F, 400.0F);
         page.words(page.mirrored({x - 0.5F * name_width, names_y, name_width, 106.0F}),
-                   {.text = page.t(relative->name_key) + " \u00b7 " +
-                            page.measure(fmt::format("{:.0f}", relative->height_mm), "unit.mm") + "\n" +
-                            page.t(relative->museum_key),
+                   {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) +
+                            "\n" + page.t(relative->museum_key),
                     .type = design::kNote,
                     .align = ui::Align::kCentre});
     }
@@ -216,9 +211,9 @@ void draw_keep(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
-    const float shelf_y = tall ? 560.0F : square ? 548.0F : 508.0F;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
+    const float shelf_y = page.by_shape(508.0F, 548.0F, 560.0F);
     const float foot_y = shelf_y + 12.0F;
     const bool has_phone = view.state.keeping.phone != kiosk::Phone::kNone &&
                            view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
@@ -274,10 +269,7 @@ void draw_keep(Page& page) {
     const float words_y =
         tall ? (has_phone ? 1028.0F : 930.0F) + down : shelf_y + (view.has_wall ? 36.0F : 54.0F);
     if (kept) {
-        const Rect rect = page.mirrored({36.0F, words_y,
-                                         tall     ? width - 72.0F
-                                         : square ? 480.0F
-                                                  : 620.0F,
+        const Rect rect = page.mirrored({36.0F, words_y, page.by_shape(620.0F, 480.0F, width - 72.0F),
                                          (has_phone && tall) || (view.has_wall && !tall) ? 44.0F : 84.0F});
         const std::string number = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number)));
         const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");

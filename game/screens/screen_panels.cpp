@@ -25,7 +25,7 @@ void draw_idle(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     veil(page, 0.90F, 0.95F);
     const vec2 centre(0.5F * width, tall ? 400.0F : 0.36F * height - 10.0F);
     const float fraction = std::clamp(static_cast<float>(view.seconds_left / view.countdown_s), 0.0F, 1.0F);
@@ -70,7 +70,7 @@ void draw_language(Page& page) {
     const kiosk::Comfort& comfort = view.state.comfort;
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     const auto& languages = *view.languages;
     const int count = static_cast<int>(languages.size());
     veil(page, 0.86F, 0.96F);
@@ -153,7 +153,7 @@ void draw_language(Page& page) {
 void draw_resume(Page& page) {
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     // The clay as it was left, waiting on a shelf: by its kind, for it is put on the wheel only when it is
     // wanted.
     page.museum({0.5F * width, 0.45F * height}, {0.5F * width, 0.55F * height}, 0.18F);
@@ -176,7 +176,7 @@ void draw_fault(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     const int count = static_cast<int>(view.languages->size());
     page.museum({0.5F * width, 0.42F * height}, {0.4F * width, 0.55F * height}, 0.16F);
     const float shelf_y = tall ? 640.0F : height - 196.0F;

@@ -238,8 +238,8 @@ void draw_staff(Page& page) {
         key(page, {24.0F + static_cast<float>(i) * 168.0F, 74.0F, 156.0F, 60.0F}, Button::kStaffPage, i,
             kPages[static_cast<std::size_t>(i)], i == static_cast<int>(staff.page));
     }
-    const bool tall = page.shape() == Shape::kTall;
-    const float side = page.shape() == Shape::kSquare ? 290.0F : 320.0F;
+    const bool tall = page.is_tall();
+    const float side = page.is_square() ? 290.0F : 320.0F;
     const float actions_top = tall ? page.height() - 400.0F : 152.0F;
     Rect list{24.0F, 152.0F, tall ? width - 48.0F : width - side - 72.0F, 0.0F};
     list.height = (tall ? actions_top - 16.0F : page.height() - 12.0F) - list.y;

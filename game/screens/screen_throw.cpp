@@ -28,15 +28,10 @@ Rect pot_box(const Page& page) {
         return {0.38F * page.width(), 0.42F * page.height(), 0.2F * page.width(),
                 ledge_y(page) - 0.42F * page.height()};
     const bool padded = has_hand_pad(page.view());  // it stands beside the pot, over the wheel's edge
-    switch (page.shape()) {
-        case Shape::kTall:
-            return {90.0F, 240.0F, padded ? 330.0F : 550.0F, ledge_y(page) - 260.0F};
-        case Shape::kSquare:
-            return {260.0F, 114.0F, padded ? 450.0F : 510.0F, ledge_y(page) - 124.0F};
-        case Shape::kWide:
-            break;
-    }
-    return {340.0F, 56.0F, 600.0F, ledge_y(page) - 70.0F};
+    const float top = ledge_y(page);
+    return page.by_shape(Rect{340.0F, 56.0F, 600.0F, top - 70.0F},
+                         Rect{260.0F, 114.0F, padded ? 450.0F : 510.0F, top - 124.0F},
+                         Rect{90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F});
 }
 
 // Along the target's outline. Drawn in the scene's pixels, never mirrored.
@@ -94,8 +89,8 @@ void bench_rings(Page& page) {
 
 void warning_card(Page& page) {
     const View& view = page.view();
-    const bool tall = page.shape() == Shape::kTall;
-    const bool square = page.shape() == Shape::kSquare;
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
     const bool low = has_hand_pad(view) && page.shape() == Shape::kWide;
     const float width = page.width();
     // Brought low, it stands across from the hand's keys.
@@ -191,18 +186,18 @@ void draw_throw(Page& page) {
              page.t("wire.off", page.digits(std::to_string(view.wire_off_mm))));
     }
     if (view.state.device_lost || view.state.force_rests) {
-        const bool tall = page.shape() == Shape::kTall;
+        const bool tall = page.is_tall();
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
              page.t(view.state.device_lost ? "dev.lost" : "dev.rest"));
     } else if (throwing.jar.is_low || throwing.jar.rims_apart) {
-        const bool tall = page.shape() == Shape::kTall;
+        const bool tall = page.is_tall();
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
              page.t(throwing.jar.is_low ? "moon.low" : "moon.more"));
     } else if (!view.heard.empty()) {
         // Where hand pad and caption have no room beside each other, the caption stands across from the pad.
-        const bool beside = page.shape() == Shape::kTall && has_hand_pad(view);
+        const bool beside = page.is_tall() && has_hand_pad(view);
         chip(page,
              beside ? page.mirrored({24.0F, y - 58.0F, 390.0F, 48.0F})
                     : Rect{middle - 200.0F, y - 58.0F, 400.0F, 48.0F},

@@ -11,15 +11,9 @@ using ui::Rect;
 Rect foot_box(const Page& page) {
     const float top = ledge_top(page);
     const bool padded = page.view().scans || page.is_low();
-    switch (page.shape()) {
-        case Shape::kTall:
-            return {90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F};
-        case Shape::kSquare:
-            return {290.0F, 114.0F, padded ? 420.0F : 480.0F, top - 124.0F};
-        case Shape::kWide:
-            break;
-    }
-    return {350.0F, 56.0F, padded ? 530.0F : 580.0F, top - 70.0F};
+    return page.by_shape(Rect{350.0F, 56.0F, padded ? 530.0F : 580.0F, top - 70.0F},
+                         Rect{290.0F, 114.0F, padded ? 420.0F : 480.0F, top - 124.0F},
+                         Rect{90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F});
 }
 
 // Beside what was taken, where the shape of the ledge has room for it.
@@ -50,12 +44,9 @@ void draw_trim(Page& page) {
     page.ledge(top);
     page.allow_cue();
     if (!trimming.touched) {
-        const bool tall = page.shape() == Shape::kTall;
-        const bool square = page.shape() == Shape::kSquare;
-        const Rect most{square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F,
-                        tall     ? 430.0F
-                        : square ? 250.0F
-                                 : 304.0F,
+        const bool tall = page.is_tall();
+        const bool square = page.is_square();
+        const Rect most{square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, page.by_shape(304.0F, 250.0F, 430.0F),
                         tall ? 196.0F : 300.0F};
         add_paper(page, page.mirrored(most),
                   {{.text = page.t("trim.title"), .type = design::kHeading, .colour = design::kInk},

@@ -26,14 +26,13 @@ struct Boards {
 };
 
 Boards boards_of(const Page& page, int pots) {
-    const bool wide = page.shape() == Shape::kWide;
-    const int a_row = wide ? 9 : page.shape() == Shape::kSquare ? 7 : 4;
-    const int most = page.shape() == Shape::kTall ? 4 : 3;
-    const int rows = std::clamp((pots + a_row - 1) / a_row, page.shape() == Shape::kTall ? 3 : 2, most);
-    const float top = page.shape() == Shape::kTall ? 120.0F : 88.0F;
-    const float bottom = page.height() - (page.shape() == Shape::kTall ? 200.0F : 156.0F);
+    const int a_row = page.by_shape(9, 7, 4);
+    const int most = page.is_tall() ? 4 : 3;
+    const int rows = std::clamp((pots + a_row - 1) / a_row, page.is_tall() ? 3 : 2, most);
+    const float top = page.is_tall() ? 120.0F : 88.0F;
+    const float bottom = page.height() - (page.is_tall() ? 200.0F : 156.0F);
     const float step = (bottom - top) / static_cast<float>(rows);
-    return {rows, a_row, top + step, step, page.shape() == Shape::kTall ? 0.92F : 0.8F};
+    return {rows, a_row, top + step, step, page.is_tall() ? 0.92F : 0.8F};
 }
 
 // One scale for all, so that the highest fits under the next board and the widest row on its own.
@@ -116,7 +115,7 @@ void draw_wall(Page& page) {
         }
     }
     if (view.wall_is_new) just_made(page, lit, language);
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     const auto start = tall ? ui::Align::kCentre : ui::Align::kStart;
     page.words({kSide, 22.0F, width - 2.0F * kSide, 66.0F},
                {.text = page.language(language).shown("wall.title"),

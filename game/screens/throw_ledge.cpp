@@ -50,7 +50,7 @@ void teaching(Page& page, const std::string& text) {
     if (page.shape() == Shape::kWide) {
         steps(page, 28.0F, y + 16.0F, 64.0F, done);
     } else {
-        steps(page, 32.0F, y + (page.shape() == Shape::kTall ? 24.0F : 16.0F), 74.0F, done);
+        steps(page, 32.0F, y + (page.is_tall() ? 24.0F : 16.0F), 74.0F, done);
     }
     add_step_caption(page, text, 350.0F, 282.0F);
 }
@@ -91,7 +91,7 @@ void controls(Page& page) {
     const Look done_look = is_bowl_to_come ? Look::kToken : Look::kPrimary;
     const float width = page.width();
     const float y = row_y(page);
-    if (page.shape() == Shape::kTall) {
+    if (page.is_tall()) {
         const float below = second_row_y(page);
         add_round(page, {280.0F, below, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
         add_round(page, {32.0F, below, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 120.0F);
@@ -103,7 +103,7 @@ void controls(Page& page) {
         add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
         return;
     }
-    if (page.shape() == Shape::kSquare) {
+    if (page.is_square()) {
         add_round(page, {32.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
         add_round(page, {153.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
         add_round(page, {255.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
@@ -142,7 +142,7 @@ void show_controls(Page& page) {
         page.token(page.on_ledge(place), Look::kPrimary, Button::kMyTurn, page.t("show.mine"), 0,
                    Icon::kHand);
     };
-    if (page.shape() == Shape::kTall) {
+    if (page.is_tall()) {
         add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, true);
         add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, true);
         const float below = second_row_y(page);
@@ -150,7 +150,7 @@ void show_controls(Page& page) {
         my_turn({width - 300.0F, below, 268.0F, 80.0F});
         return;
     }
-    const bool square = page.shape() == Shape::kSquare;
+    const bool square = page.is_square();
     const float right = width - (square ? 20.0F : 32.0F);
     add_stepper(page, {right - 584.0F, y, 164.0F, 66.0F}, water, true);
     add_stepper(page, {right - 408.0F, y, 164.0F, 66.0F}, speed, true);

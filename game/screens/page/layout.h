@@ -17,13 +17,16 @@ enum class Shape { kWide, kTall, kSquare };  // 16:9, 9:16, 4:3
     return aspect < 1.5F ? Shape::kSquare : Shape::kWide;
 }
 
+template <typename T>
+[[nodiscard]] T by_shape(Shape shape, const T& wide, const T& square, const T& tall) {
+    return shape == Shape::kWide ? wide : shape == Shape::kSquare ? square : tall;
+}
+
 // What the designs of the shapes are drawn on: 1280 x 720 u, 720 x 1280, 1024 x 768. A picture of another
 // shape has at least so much room each way, so that what is laid out from one edge never meets what is laid
 // out from the other.
 [[nodiscard]] inline vec2 design_size(Shape shape) {
-    return shape == Shape::kTall     ? vec2(720.0F, 1280.0F)
-           : shape == Shape::kSquare ? vec2(1024.0F, 768.0F)
-                                     : vec2(1280.0F, 720.0F);
+    return by_shape(shape, vec2(1280.0F, 720.0F), vec2(1024.0F, 768.0F), vec2(720.0F, 1280.0F));
 }
 
 [[nodiscard]] inline float px_per_u_of(int width_px, int height_px) {
@@ -40,8 +43,7 @@ enum class Shape { kWide, kTall, kSquare };  // 16:9, 9:16, 4:3
 
 // The ledge's upper edge on a picture that is so many u high.
 [[nodiscard]] inline float ledge_y(Shape shape, float height, const kiosk::Comfort& comfort) {
-    const float deep = shape == Shape::kTall ? 380.0F : shape == Shape::kSquare ? 210.0F : 146.0F;
-    return height - deep - ledge_growth(comfort);
+    return height - by_shape(shape, 146.0F, 210.0F, 380.0F) - ledge_growth(comfort);
 }
 
 }  // namespace onggi::screens

@@ -21,11 +21,11 @@ LedgeGrowth growth(const Page& page) {
 }
 
 float label_height(const Page& page) {
-    return 36.0F + growth(page).labels * (page.shape() == Shape::kTall ? 0.5F : 1.0F);
+    return 36.0F + growth(page).labels * (page.is_tall() ? 0.5F : 1.0F);
 }
 
 ui::Rect low_languages(const Page& page, float tall_x) {
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     return {tall ? tall_x : design::kMargin, page.lower_by() + (tall ? 648.0F : 478.0F), 150.0F, 60.0F};
 }
 
@@ -34,9 +34,7 @@ float ledge_top(const Page& page) {
 }
 
 float row_y(const Page& page) {
-    const float above = page.shape() == Shape::kTall     ? 116.0F + growth(page).caption
-                        : page.shape() == Shape::kSquare ? 92.0F + growth(page).caption
-                                                         : 22.0F;
+    const float above = page.by_shape(22.0F, 92.0F + growth(page).caption, 116.0F + growth(page).caption);
     return ledge_top(page) + above;
 }
 float second_row_y(const Page& page) {
@@ -103,7 +101,7 @@ void add_step_caption(Page& page, const std::string& text, float wide, float bes
                    {.text = text, .type = design::kName, .align = along_ledge(page)});
         return;
     }
-    const bool tall = page.shape() == Shape::kTall;
+    const bool tall = page.is_tall();
     page.words(page.on_ledge({beside, y + (tall ? 30.0F : 28.0F), page.width() - 32.0F - beside,
                               (tall ? 84.0F : 44.0F) + growth(page).caption}),
                {.text = text, .type = design::bold(tall ? 32.0F : 30.0F, 42.0F), .align = along_ledge(page)});
@@ -123,7 +121,7 @@ Rect add_paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
 
 void add_hand_pad(Page& page) {
     // Right above the ledge and as on a keyboard, because a cross would leave the lower half.
-    const float edge = page.shape() == Shape::kTall ? 24.0F : 32.0F;
+    const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_top(page) - 172.0F, 264.0F, 164.0F});
     const bool out_is_right = !page.view().state.comfort.left_hand;
     page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,

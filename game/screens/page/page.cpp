@@ -57,6 +57,10 @@ std::string Page::measure(std::string_view number, std::string_view unit_key, in
     return "\u2066" + digits(number, place) + "\u2069\u00a0" + language(place).shown(unit_key);
 }
 
+std::string Page::whole_mm(double length_mm, int place) const {
+    return measure(fmt::format("{:.0f}", length_mm), "unit.mm", place);
+}
+
 Rect Page::mirrored(const Rect& rect) const {
     if (!right_to_left()) return rect;
     return {width() - rect.x - rect.width, rect.y, rect.width, rect.height};

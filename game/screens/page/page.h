@@ -71,6 +71,12 @@ class Page {
     Page(const View& view, ui::Painter& painter, PaintingStore& store);
 
     [[nodiscard]] Shape shape() const { return shape_; }
+    [[nodiscard]] bool is_tall() const { return shape_ == Shape::kTall; }
+    [[nodiscard]] bool is_square() const { return shape_ == Shape::kSquare; }
+    template <typename T>
+    [[nodiscard]] T by_shape(const T& wide, const T& square, const T& tall) const {
+        return screens::by_shape(shape_, wide, square, tall);
+    }
     [[nodiscard]] float width() const { return composition_.bounds.width; }
     [[nodiscard]] float height() const { return composition_.bounds.height; }
     [[nodiscard]] bool right_to_left() const { return language().right_to_left(); }
@@ -98,6 +104,7 @@ class Page {
     // "305 mm", as a left-to-right piece inside whatever line.
     [[nodiscard]] std::string measure(std::string_view number, std::string_view unit_key,
                                       int place = -1) const;
+    [[nodiscard]] std::string whole_mm(double length_mm, int place = -1) const;
 
     // The rect mirrored when the screen is (ledge: also by left hand).
     [[nodiscard]] ui::Rect mirrored(const ui::Rect& rect) const;
@@ -135,6 +142,9 @@ class Page {
     // Buttons. `rect` is final.
     int token(const ui::Rect& rect, Look look, kiosk::Button button, std::string_view name, int value = 0,
               std::optional<Icon> icon = {}, bool with_words = true, bool repeats = false);
+    void back_token(const ui::Rect& rect, kiosk::Button button = kiosk::Button::kBack) {
+        token(rect, Look::kOutline, button, t("ctl.back"), 0, right_to_left() ? Icon::kRight : Icon::kLeft);
+    }
     // Dots along a line that joins those places, cream over dark.
     void dotted(std::span<const vec2> points);
     // No `less`: it rests, to be seen and not to be pressed.
