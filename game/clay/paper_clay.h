@@ -142,6 +142,9 @@ class PaperClay {
   private:
     double deformation_fraction(double tool_radius_mm, const PaperParameters& parameters) noexcept;
     void update_largest_radius();
+    // Visits every number of the state but the clay's size, in one order.
+    template <typename Self, typename Visitor>
+    static void visit_state(Self& self, Visitor& visitor);
 
     int element_count_ = 0;
     double height_mm_ = 0.0;

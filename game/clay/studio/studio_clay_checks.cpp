@@ -1,34 +1,11 @@
 // What a lump and the clay's parameters must be to be taken, and what is said of a pot that gave way.
 #include <fmt/format.h>
 
-#include <span>
-#include <string_view>
-
 #include "engine/core/units.h"
+#include "game/clay/bounds.h"
 #include "game/clay/studio/studio_clay.h"
 
 namespace onggi::clay {
-namespace {
-
-struct Bound {
-    std::string_view name;
-    double value;
-    double least;
-    double most;
-};
-
-Result<void> check_bounds(std::string_view what, std::span<const Bound> bounds) {
-    for (const Bound& bound : bounds) {
-        if (!(bound.value >= bound.least && bound.value <= bound.most)) {
-            return bad_input(fmt::format("{} {}: expected {} to {}, found {}", what, bound.name, bound.least,
-                                         bound.most, bound.value));
-        }
-    }
-    return {};
-}
-
-}  // namespace
-
 Result<void> check(const StudioLump& lump) {
     const Bound bounds[] = {
         {"mass, g", lump.mass_g, kLeastLumpG, kLargestLumpG},

@@ -2,12 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string_view>
 
-#include "engine/core/hash.h"
-#include "engine/core/little_endian.h"
+#include "game/clay/state_numbers.h"
 #include "game/clay/studio/roundness.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/clay/studio/volume_grid.h"
@@ -21,121 +19,27 @@ using studio::Rings;
 constexpr std::uint32_t kStateTag = 0x334c4353;  // "SCL3"
 constexpr std::size_t kHeadBytes = 4 + 8 + 4 + 8 + 4 + 4 + 8 + 4;
 
-// Takes every number of a state as words.
-class Hasher {
-  public:
-    void number(const double& value) { hash_.add(value); }
-    void number(const float& value) { hash_.add_word(std::bit_cast<std::uint32_t>(value)); }
-    void number(const bool& value) { hash_.add_word(value ? 1 : 0); }
-    void number(const int& value) { hash_.add_word(static_cast<std::uint32_t>(value)); }
-    void number(const std::uint64_t& value) { hash_.add_word(value); }
-    void numbers(std::span<const double> values) { hash_.add_bytes(std::as_bytes(values)); }
-    void numbers(std::span<const float> values) { hash_.add(values); }
-    [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
-
-  private:
-    StateHash hash_;
-};
-
-class Writer {
-  public:
-    void number(const double& value) { little_endian::put(bytes_, value); }
-    void number(const float& value) { little_endian::put(bytes_, value); }
-    void number(const bool& value) { little_endian::put(bytes_, std::uint32_t{value ? 1U : 0U}); }
-    void number(const int& value) { little_endian::put(bytes_, static_cast<std::uint32_t>(value)); }
-    void number(const std::uint64_t& value) { little_endian::put(bytes_, value); }
-    template <typename T>
-    void numbers(std::span<const T> values) {
-        for (const T& value : values)
-            number(value);
-    }
-    std::vector<std::byte> take() { return std::move(bytes_); }
-
-  private:
-    std::vector<std::byte> bytes_;
-};
-
-// Reading past the end gives zeros and is remembered.
-class Reader {
-  public:
-    explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-
-    void number(double& value) { value = std::bit_cast<double>(take<std::uint64_t>()); }
-    void number(float& value) { value = std::bit_cast<float>(take<std::uint32_t>()); }
-    void number(bool& value) {
-        const auto word = take<std::uint32_t>();
-        strange_ = strange_ || word > 1;
-        value = word == 1;
-    }
-    void number(int& value) { value = static_cast<int>(take<std::uint32_t>()); }
-    void number(std::uint64_t& value) { value = take<std::uint64_t>(); }
-    template <typename T>
-    void numbers(std::span<T> values) {
-        for (T& value : values)
-            number(value);
-    }
-    [[nodiscard]] bool is_short() const { return short_; }
-    [[nodiscard]] bool is_strange() const { return strange_; }
-    [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
-
-  private:
-    template <typename Word>
-    Word take() {
-        if (left() < sizeof(Word)) {
-            short_ = true;
-            return 0;
-        }
-        at_ += sizeof(Word);
-        return little_endian::get<Word>(bytes_.data() + at_ - sizeof(Word));
-    }
-
-    std::span<const std::byte> bytes_;
-    std::size_t at_ = 0;
-    bool short_ = false;
-    bool strange_ = false;
-};
-
-template <typename Visitor, typename Enum>
-void visit_enum(Visitor& visitor, Enum& value) {
-    int number = static_cast<int>(value);
-    visitor.number(number);
-    if constexpr (!std::is_const_v<Enum>) {
-        // A word larger than the enumeration's own bits must not pass for one that fits them.
-        constexpr int kUnknown = 0xff;
-        value = static_cast<Enum>(number);
-        if (static_cast<int>(value) != number) value = static_cast<Enum>(kUnknown);
-    }
-}
-
-template <typename Visitor, typename Vector>
-void visit_vector(Visitor& visitor, Vector& v) {
-    visitor.number(v.x);
-    visitor.number(v.y);
-    if constexpr (requires { v.z; }) visitor.number(v.z);
+template <typename Visitor, typename Lump>
+void visit_lump(Visitor& visitor, Lump& lump) {
+    visit(visitor, lump.mass_g, lump.body, lump.liquidity_index, lump.rings, lump.sectors,
+          lump.off_centre_mm);
 }
 
 // The trail as what of it is meant, oldest first.
 template <typename Visitor, typename Grip>
 void visit_grip(Visitor& visitor, Grip& grip) {
-    visitor.number(grip.presses);
+    visit(visitor, grip.presses);
     if (!grip.presses) return;
-    visit_enum(visitor, grip.grip);
-    visit_enum(visitor, grip.guard);
-    visit_enum(visitor, grip.shown_guard);
-    for (auto* flag : {&grip.is_spent, &grip.pulls, &grip.opens_by_itself})
-        visitor.number(*flag);
-    for (auto* place : {&grip.finger_mm, &grip.hand_mm, &grip.landed_mm})
-        visit_vector(visitor, *place);
-    for (auto* number : {&grip.side, &grip.landed_top_mm, &grip.offset_mm, &grip.offset_way_mm,
-                         &grip.travel_mm, &grip.heading, &grip.still_s, &grip.rests_mm, &grip.wants_s,
-                         &grip.pulled_mm, &grip.sunk_mm, &grip.bottom_mm, &grip.bore_mm, &grip.press_mm,
-                         &grip.bears_n_mm, &grip.low_mm, &grip.high_mm, &grip.credit_s})
-        visitor.number(*number);
+    visit(visitor, grip.grip, grip.guard, grip.shown_guard, grip.is_spent, grip.pulls, grip.opens_by_itself,
+          grip.finger_mm, grip.hand_mm, grip.landed_mm, grip.side, grip.landed_top_mm, grip.offset_mm,
+          grip.offset_way_mm, grip.travel_mm, grip.heading, grip.still_s, grip.rests_mm, grip.wants_s,
+          grip.pulled_mm, grip.sunk_mm, grip.bottom_mm, grip.bore_mm, grip.press_mm, grip.bears_n_mm,
+          grip.low_mm, grip.high_mm, grip.credit_s);
     for (auto& radius : grip.landed_outer_mm)
-        visitor.number(radius);
-    visitor.number(grip.stage);
+        visit(visitor, radius);
+    visit(visitor, grip.stage);
     int count = grip.trail.count;
-    visitor.number(count);
+    visit(visitor, count);
     const int points = std::clamp(count, 0, studio::GripTrail::kMost);
     if constexpr (!std::is_const_v<Grip>) {
         grip.trail.first = 0;
@@ -143,7 +47,7 @@ void visit_grip(Visitor& visitor, Grip& grip) {
     }
     for (int i = 0; i < points; ++i) {
         const int place = (grip.trail.first + i) % studio::GripTrail::kMost;
-        visit_vector(visitor, grip.trail.point_mm[static_cast<std::size_t>(place)]);
+        visit(visitor, grip.trail.point_mm[static_cast<std::size_t>(place)]);
     }
 }
 
@@ -194,79 +98,40 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
         if (rings.rough_mm[Rings::at(i)] > 0.0F)
             visitor.numbers(std::span(rings.row_of(i), static_cast<std::size_t>(rings.sectors)));
     }
-    for (auto* volume : {&self.ledger_.lump_mm3, &self.ledger_.trimmings_mm3, &self.ledger_.slip_mm3})
-        visitor.number(*volume);
+    visit(visitor, self.ledger_.lump_mm3, self.ledger_.trimmings_mm3, self.ledger_.slip_mm3);
 
     auto& sweep = self.sweep_;
-    visitor.number(sweep.goes_up);
-    visitor.number(sweep.next);
-    visitor.number(sweep.credit);
-    visitor.number(sweep.round);
-    visitor.number(sweep.above.volume_mm3);
-    visitor.number(sweep.above.volume_radius_mm4);
-    visitor.number(sweep.running);
-    visitor.number(sweep.last_hollow);
-    visitor.number(sweep.slumps);
-    visitor.number(sweep.peak_index);
-    visitor.number(sweep.peak_height_mm);
-    visit_enum(visitor, sweep.peak_cause);
-    visitor.number(sweep.growing_peak);
-    visitor.number(sweep.growing_height_mm);
-    visit_enum(visitor, sweep.growing_cause);
-    visit_enum(visitor, sweep.failure.cause);
-    for (auto* number :
-         {&sweep.failure.height_mm, &sweep.failure.radius_mm, &sweep.failure.load_index,
-          &sweep.failure.stress_kpa, &sweep.failure.strength_kpa, &sweep.failure.wheel_speed_rad_s})
-        visitor.number(*number);
-    visitor.number(sweep.failure.torn);
-
-    for (auto& hand : self.hands_) {
-        visit_enum(visitor, hand.side);
-        visit_vector(visitor, hand.direction);
-        visitor.number(hand.has_mean);
-        visitor.number(hand.mean_distance_mm);
-        visit_vector(visitor, hand.wobble_mm);
-        visit_vector(visitor, hand.previous_position_mm);
-        visitor.number(hand.has_previous);
-        visitor.number(hand.has_slow_height);
-        visitor.number(hand.slow_height_mm);
-    }
+    auto& failure = sweep.failure;
+    visit(visitor, sweep.goes_up, sweep.next, sweep.credit, sweep.round, sweep.above.volume_mm3,
+          sweep.above.volume_radius_mm4, sweep.running, sweep.last_hollow, sweep.slumps, sweep.peak_index,
+          sweep.peak_height_mm, sweep.peak_cause, sweep.growing_peak, sweep.growing_height_mm,
+          sweep.growing_cause, failure.cause, failure.height_mm, failure.radius_mm, failure.load_index,
+          failure.stress_kpa, failure.strength_kpa, failure.wheel_speed_rad_s, failure.torn);
+    for (auto& hand : self.hands_)
+        visit(visitor, hand.side, hand.direction, hand.has_mean, hand.mean_distance_mm, hand.wobble_mm,
+              hand.previous_position_mm, hand.has_previous, hand.has_slow_height, hand.slow_height_mm);
     visit_grip(visitor, self.grip_);
-    for (auto* number : {&self.film_, &self.tend_credit_, &self.change_credit_, &self.wheel_load_n_mm_,
-                         &self.load_height_mm_})
-        visitor.number(*number);
-    visitor.number(self.tend_next_);
-    visitor.number(self.stripe_);
-    visitor.number(self.owes_cursors_);
-    visitor.number(self.cut_off_);
-    visitor.number(self.wire_was_used_);
-    visitor.number(self.splits_);
-    visitor.number(self.joins_);
+    visit(visitor, self.film_, self.tend_credit_, self.change_credit_, self.wheel_load_n_mm_,
+          self.load_height_mm_, self.tend_next_, self.stripe_, self.owes_cursors_, self.cut_off_,
+          self.wire_was_used_, self.splits_, self.joins_);
 }
 
 std::uint64_t StudioClay::state_hash() const {
-    Hasher hash;
-    hash.number(rings_.count);
-    hash.number(wheel_.heading().cosine);
-    hash.number(wheel_.heading().sine);
-    hash.number(wheel_.speed_rad_s());
+    StateHasher hash;
+    const Rotation heading = wheel_.heading();
+    const double speed = wheel_.speed_rad_s();
+    visit(hash, rings_.count, heading.cosine, heading.sine, speed);
     visit_state(*this, hash);
     return hash.value();
 }
 
 std::vector<std::byte> StudioClay::start_state() const {
-    Writer out;
-    out.number(static_cast<int>(kStateTag));
-    out.number(lump_.mass_g);
-    out.number(static_cast<int>(lump_.body));
-    out.number(lump_.liquidity_index);
-    out.number(lump_.rings);
-    out.number(lump_.sectors);
-    out.number(lump_.off_centre_mm);
-    out.number(rings_.count);
-    out.number(wheel_.heading().cosine);
-    out.number(wheel_.heading().sine);
-    out.number(wheel_.speed_rad_s());
+    StateWriter out;
+    const Rotation heading = wheel_.heading();
+    const double speed = wheel_.speed_rad_s();
+    visit(out, kStateTag);
+    visit_lump(out, lump_);
+    visit(out, rings_.count, heading.cosine, heading.sine, speed);
     visit_state(*this, out);
     return out.take();
 }
@@ -277,22 +142,16 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
     };
     if (bytes.size() < kHeadBytes)
         return damaged(fmt::format("size: expected at least {} bytes, found {}", kHeadBytes, bytes.size()));
-    Reader in(bytes);
-    int tag = 0;
-    in.number(tag);
-    if (static_cast<std::uint32_t>(tag) != kStateTag)
-        return damaged(fmt::format("tag: expected {:#010x}, found {:#010x}", kStateTag,
-                                   static_cast<std::uint32_t>(tag)));
+    StateReader in(bytes);
+    std::uint32_t tag = 0;
+    visit(in, tag);
+    if (tag != kStateTag)
+        return damaged(fmt::format("tag: expected {:#010x}, found {:#010x}", kStateTag, tag));
     StudioLump lump;
-    in.number(lump.mass_g);
-    visit_enum(in, lump.body);
-    in.number(lump.liquidity_index);
-    in.number(lump.rings);
-    in.number(lump.sectors);
-    in.number(lump.off_centre_mm);
+    visit_lump(in, lump);
     if (const auto checked = check(lump); !checked) return damaged(checked.error().message);
     int count = 0;
-    in.number(count);
+    visit(in, count);
     if (count < 0 || count > studio::ring_capacity(lump))
         return damaged(fmt::format("rings: expected 0 to {}, found {}", studio::ring_capacity(lump), count));
 
@@ -300,9 +159,7 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
     clay.rings_.reset(count);
     Rotation heading;
     double speed = 0.0;
-    in.number(heading.cosine);
-    in.number(heading.sine);
-    in.number(speed);
+    visit(in, heading.cosine, heading.sine, speed);
     visit_state(clay, in);
     if (in.is_short() || in.left() != 0)
         return damaged(fmt::format("size: expected {} {} bytes for {} rings",
