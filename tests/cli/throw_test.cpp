@@ -17,16 +17,20 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(Throw, IsSilentInAPipe) {
+class Throw : public testing::Test {
+  protected:
+    const TemporaryFolder folder_;
+};
+
+TEST_F(Throw, IsSilentInAPipe) {
     expect_silent_success(run_onggi({"throw", kPressAndHold}));
 }
 
-TEST(Throw, WritesAProfileRowForEachElement) {
-    const TemporaryFolder folder;
+TEST_F(Throw, WritesAProfileRowForEachElement) {
     expect_silent_success(
         run_onggi({"throw", kPressAndHold, "--clay", "paper", "--elements", "500", "--profile", "p.csv"},
-                  {.folder = folder.path()}));
-    const auto lines = lines_of(content_of(folder / "p.csv"));
+                  {.folder = folder_.path()}));
+    const auto lines = lines_of(content_of(folder_ / "p.csv"));
     ASSERT_EQ(lines.size(), 501U);
     EXPECT_EQ(lines[0], "y_mm,outer_mm");
     EXPECT_EQ(lines[1], "0.2,60");
@@ -36,11 +40,10 @@ TEST(Throw, WritesAProfileRowForEachElement) {
     EXPECT_NEAR(pressed_mm, 59.0, 0.01);
 }
 
-TEST(Throw, WritesAForcesRowForEachTick) {
-    const TemporaryFolder folder;
+TEST_F(Throw, WritesAForcesRowForEachTick) {
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--clay", "paper", "--forces", "f.csv"},
-                                    {.folder = folder.path()}));
-    const auto lines = lines_of(content_of(folder / "f.csv"));
+                                    {.folder = folder_.path()}));
+    const auto lines = lines_of(content_of(folder_ / "f.csv"));
     ASSERT_EQ(lines.size(), 1402U);
     EXPECT_EQ(lines[0], "tick,t_s,contacts,fs_x_N,fs_y_N,fs_z_N,fv_x_N,fv_y_N,fv_z_N,ff_x_N,ff_y_N,ff_z_N");
     EXPECT_EQ(lines[1], "0,0,0,0,0,0,0,0,0,0,0,0");
@@ -50,12 +53,11 @@ TEST(Throw, WritesAForcesRowForEachTick) {
     EXPECT_TRUE(lines[301].ends_with(",0,0,-0.0867079572")) << lines[301];
 }
 
-TEST(Throw, WritesStatsOthersCanRead) {
-    const TemporaryFolder folder;
+TEST_F(Throw, WritesStatsOthersCanRead) {
     expect_silent_success(
         run_onggi({"throw", kPressAndHold, "--clay", "paper", "--rate", "500", "--stats", "s.json"},
-                  {.folder = folder.path()}));
-    const auto stats = nlohmann::json::parse(content_of(folder / "s.json"));
+                  {.folder = folder_.path()}));
+    const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
     EXPECT_EQ(stats.at("ticks"), 701);
     EXPECT_EQ(stats.at("rate_hz"), 500.0);
     EXPECT_TRUE(stats.at("ledger_error").is_null());
@@ -68,84 +70,78 @@ TEST(Throw, WritesStatsOthersCanRead) {
     EXPECT_NEAR(stats.at("clay_volume_mm3").get<double>(), 2.2619e6, 0.02e6);
 }
 
-TEST(Throw, WritesEverythingAtOnceAndNothingElse) {
-    const TemporaryFolder folder;
+TEST_F(Throw, WritesEverythingAtOnceAndNothingElse) {
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--profile", "p.csv", "--forces", "f.csv",
                                      "--export", "pot.glb", "--save", "s.onggi", "--stats", "s.json"},
-                                    {.folder = folder.path()}));
-    EXPECT_EQ(folder.names(), (Words{"f.csv", "p.csv", "pot.glb", "s.json", "s.onggi"}));
-    EXPECT_TRUE(content_of(folder / "pot.glb").starts_with("glTF"));
+                                    {.folder = folder_.path()}));
+    EXPECT_EQ(folder_.names(), (Words{"f.csv", "p.csv", "pot.glb", "s.json", "s.onggi"}));
+    EXPECT_TRUE(content_of(folder_ / "pot.glb").starts_with("glTF"));
     expect_silent_success(
-        run_onggi({"throw", kPressAndHold, "--export", "pot.stl"}, {.folder = folder.path()}));
-    EXPECT_GT(content_of(folder / "pot.stl").size(), 1000U);
+        run_onggi({"throw", kPressAndHold, "--export", "pot.stl"}, {.folder = folder_.path()}));
+    EXPECT_GT(content_of(folder_ / "pot.stl").size(), 1000U);
 }
 
-TEST(Throw, ReplacesAnOlderFile) {
-    const TemporaryFolder folder;
-    put_file(folder / "p.csv", "old");
+TEST_F(Throw, ReplacesAnOlderFile) {
+    put_file(folder_ / "p.csv", "old");
     expect_silent_success(
-        run_onggi({"throw", kPressAndHold, "--profile", "p.csv"}, {.folder = folder.path()}));
-    EXPECT_TRUE(content_of(folder / "p.csv").starts_with("y_mm,outer_mm"));
+        run_onggi({"throw", kPressAndHold, "--profile", "p.csv"}, {.folder = folder_.path()}));
+    EXPECT_TRUE(content_of(folder_ / "p.csv").starts_with("y_mm,outer_mm"));
 }
 
-TEST(Throw, GivesTheSameBytesEveryTime) {
-    const TemporaryFolder folder;
+TEST_F(Throw, GivesTheSameBytesEveryTime) {
     for (const char* name : {"a", "b"}) {
         const std::string n = name;
         expect_silent_success(run_onggi({"throw", kPressAndHold, "--profile", n + ".csv", "--forces",
                                          n + "-f.csv", "--save", n + ".onggi", "--export", n + ".glb"},
-                                        {.folder = folder.path()}));
+                                        {.folder = folder_.path()}));
     }
     for (const char* ending : {".csv", "-f.csv", ".onggi", ".glb"}) {
-        EXPECT_TRUE(content_of(folder / (std::string("a") + ending)) ==
-                    content_of(folder / (std::string("b") + ending)))
+        EXPECT_TRUE(content_of(folder_ / (std::string("a") + ending)) ==
+                    content_of(folder_ / (std::string("b") + ending)))
             << ending;
     }
 }
 
-TEST(Throw, OfASessionIsThatOfItsGesture) {
-    const TemporaryFolder folder;
-    const ProgramOptions here{.folder = folder.path()};
+TEST_F(Throw, OfASessionIsThatOfItsGesture) {
+    const ProgramOptions here{.folder = folder_.path()};
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--rate", "400", "--elements", "700", "--save",
                                      "a.onggi", "--forces", "a.csv"},
                                     here));
     // Told apart by content: the name says nothing.
-    std::filesystem::rename(folder / "a.onggi", folder / "gesture.csv");
+    std::filesystem::rename(folder_ / "a.onggi", folder_ / "gesture.csv");
     expect_silent_success(
         run_onggi({"throw", "gesture.csv", "--save", "b.onggi", "--forces", "b.csv"}, here));
-    EXPECT_TRUE(content_of(folder / "gesture.csv") == content_of(folder / "b.onggi"));
-    EXPECT_TRUE(content_of(folder / "a.csv") == content_of(folder / "b.csv"));
+    EXPECT_TRUE(content_of(folder_ / "gesture.csv") == content_of(folder_ / "b.onggi"));
+    EXPECT_TRUE(content_of(folder_ / "a.csv") == content_of(folder_ / "b.csv"));
 }
 
-TEST(Throw, ShowsProgressOnATerminalWithoutColours) {
-    const TemporaryFolder folder;
+TEST_F(Throw, ShowsProgressOnATerminalWithoutColours) {
     // An hour in the clay takes about a second in Release: several times what goes by before progress is
     // shown.
-    put_file(folder / "long.csv", kGestureHeaderLine + "0,65,100,0,1,20\n3600,65,100,0,1,20\n");
+    put_file(folder_ / "long.csv", kGestureHeaderLine + "0,65,100,0,1,20\n3600,65,100,0,1,20\n");
     const ProgramRun run = run_onggi_on_terminal({"throw", "long.csv", "--clay", "paper"},
-                                                 {.folder = folder.path(), .environment = {"NO_COLOR=1"}});
+                                                 {.folder = folder_.path(), .environment = {"NO_COLOR=1"}});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_NE(run.out.find("throwing "), std::string::npos) << run.out;
     EXPECT_EQ(run.out.find('\x1b'), std::string::npos);
     EXPECT_TRUE(run.out.ends_with('\r')) << "the line is taken away at the end";
 }
 
-TEST(Throw, NeedsNoVulkanWithoutAPicture) {
+TEST_F(Throw, NeedsNoVulkanWithoutAPicture) {
     expect_silent_success(
         run_onggi({"throw", kPressAndHold},
                   {.environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}}));
 }
 
-TEST(Throw, WithoutVulkanRefusesAPictureAndLeavesNothing) {
-    const TemporaryFolder folder;
+TEST_F(Throw, WithoutVulkanRefusesAPictureAndLeavesNothing) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--screenshot", "p.png", "--profile", "p.csv"},
-                              {.folder = folder.path(),
+                              {.folder = folder_.path(),
                                .environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}}),
                     3, "Vulkan");
-    EXPECT_TRUE(folder.names().empty());
+    EXPECT_TRUE(folder_.names().empty());
 }
 
-TEST(Throw, DrawsAPictureOfTheSizeAsked) {
+TEST_F(Throw, DrawsAPictureOfTheSizeAsked) {
 #if defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "the software Vulkan driver has races of its own, which ThreadSanitizer reports";
 #endif
@@ -159,13 +155,12 @@ TEST(Throw, DrawsAPictureOfTheSizeAsked) {
     EXPECT_EQ(png.substr(12, 12), std::string("IHDR\0\0\0\x50\0\0\0\x30", 12));
 }
 
-TEST(Throw, LeavesNothingBehindWhenItIsKilled) {
-    const TemporaryFolder folder;
-    put_file(folder / "hour.csv", kGestureHeaderLine + "0,90,100,0,1,10\n3600,61,150,0,1,10\n");
+TEST_F(Throw, LeavesNothingBehindWhenItIsKilled) {
+    put_file(folder_ / "hour.csv", kGestureHeaderLine + "0,90,100,0,1,10\n3600,61,150,0,1,10\n");
     EXPECT_TRUE(run_onggi_and_kill(
         {"throw", "hour.csv", "--clay", "paper", "--rate", "10000", "--save", "s.onggi", "--forces", "f.csv"},
-        300, {.folder = folder.path()}));
-    EXPECT_EQ(folder.names(), Words{"hour.csv"});
+        300, {.folder = folder_.path()}));
+    EXPECT_EQ(folder_.names(), Words{"hour.csv"});
 }
 
 }  // namespace

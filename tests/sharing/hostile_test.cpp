@@ -37,31 +37,35 @@ void expect_honest(ServedOutbox& served, const std::string& code) {
     EXPECT_EQ(page.body, content_of(served.box() / code / "pot.3mf"));
 }
 
-TEST(HostileClients, GetRefusalsOrSilence) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
+class HostileClients : public testing::Test {
+  protected:
+    ServedOutbox served_;
+    const std::string code_ = served_.put(support::full_pot("one"));
+};
+
+TEST_F(HostileClients, GetRefusalsOrSilence) {
     const std::string head = " HTTP/1.1\r\nHost: pots\r\n";
     const std::vector<std::string> requests{
         "GET /../../../../etc/passwd" + head + "\r\n",
         "GET /%2e%2e/%2e%2e/etc/passwd" + head + "\r\n",
         "GET /..%2f..%2fetc%2fpasswd" + head + "\r\n",
-        "GET /" + code + "/..%2f" + code + "%2fpot.glb" + head + "\r\n",
-        "GET /" + code + "/%2e%2e%5cpot.glb" + head + "\r\n",
-        "GET /" + code + "/pot.glb%00.png" + head + "\r\n",
-        "GET /" + code + "/\xc0\xae\xc0\xae/pot.glb" + head + "\r\n",
-        "GET /" + code + "/.kept" + head + "\r\n",
-        "GET /" + code + "/pot.glb.gz" + head + "\r\n",
-        "GET /" + code + ".part/" + head + "\r\n",
+        "GET /" + code_ + "/..%2f" + code_ + "%2fpot.glb" + head + "\r\n",
+        "GET /" + code_ + "/%2e%2e%5cpot.glb" + head + "\r\n",
+        "GET /" + code_ + "/pot.glb%00.png" + head + "\r\n",
+        "GET /" + code_ + "/\xc0\xae\xc0\xae/pot.glb" + head + "\r\n",
+        "GET /" + code_ + "/.kept" + head + "\r\n",
+        "GET /" + code_ + "/pot.glb.gz" + head + "\r\n",
+        "GET /" + code_ + ".part/" + head + "\r\n",
         "GET /" + std::string(5000, 'A') + head + "\r\n",
         "GET /" + std::string(100'000, 'A') + head + "\r\n",
-        "GET http://elsewhere/" + code + "/" + head + "\r\n",
+        "GET http://elsewhere/" + code_ + "/" + head + "\r\n",
         "GET * HTTP/1.1\r\nHost: pots\r\n\r\n",
-        "POST /" + code + "/" + head + "Content-Length: 1000000000\r\n\r\nx",
-        "PUT /" + code + "/pot.glb" + head + "Content-Length: 3\r\n\r\nbad",
-        "DELETE /" + code + "/" + head + "\r\n",
+        "POST /" + code_ + "/" + head + "Content-Length: 1000000000\r\n\r\nx",
+        "PUT /" + code_ + "/pot.glb" + head + "Content-Length: 3\r\n\r\nbad",
+        "DELETE /" + code_ + "/" + head + "\r\n",
         "CONNECT elsewhere:443" + head + "\r\n",
         "TRACE /" + head + "\r\n",
-        "GET /" + code + "/nothing" + head + "Content-Length: 5\r\n\r\nhello",
+        "GET /" + code_ + "/nothing" + head + "Content-Length: 5\r\n\r\nhello",
         "GET /7777ZZZZ/" + head + "Transfer-Encoding: chunked\r\n\r\nffffffffffffffff\r\n",
         "GET /7777ZZZZ/" + head + "Content-Length: -1\r\n\r\n",
         "GET /7777ZZZZ/" + head + "Content-Length: 5\r\nContent-Length: 6\r\n\r\n",
@@ -80,7 +84,7 @@ TEST(HostileClients, GetRefusalsOrSilence) {
         bomb += "X-" + std::to_string(i) + ": y\r\n";
     for (std::size_t i = 0; i <= requests.size(); ++i) {
         const std::string& request = i < requests.size() ? requests[i] : bomb;
-        HttpClient client(served.port(), 300);
+        HttpClient client(served_.port(), 300);
         client.say(request);
         const std::string answer = client.rest();
         const bool is_refused = answer.starts_with("HTTP/1.1 4") || answer.starts_with("HTTP/1.0 4") ||
@@ -89,37 +93,33 @@ TEST(HostileClients, GetRefusalsOrSilence) {
         EXPECT_EQ(answer.find("root:"), std::string::npos);
         EXPECT_EQ(answer.find("expires "), std::string::npos);
     }
-    expect_honest(served, code);
+    expect_honest(served_, code_);
 }
 
-TEST(HostileClients, SendAnyBytes) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
+TEST_F(HostileClients, SendAnyBytes) {
     std::mt19937 chance(7);  // NOLINT: the same bytes each time
     for (int i = 0; i < 200; ++i) {
         std::string bytes(chance() % 3000, '\0');
         for (char& byte : bytes)
             byte = static_cast<char>(chance());
         // Half of them begin as a request does.
-        if (i % 2 == 0) bytes = "GET /" + code + "/" + bytes;
-        HttpClient client(served.port(), 50);
+        if (i % 2 == 0) bytes = "GET /" + code_ + "/" + bytes;
+        HttpClient client(served_.port(), 50);
         client.say(bytes + "\r\n\r\n");
         EXPECT_EQ(client.rest().find("HTTP/1.1 2"), std::string::npos);
     }
-    ASSERT_TRUE(served.server().at_work()) << served.server().printed();
+    ASSERT_TRUE(served_.server().at_work()) << served_.server().printed();
     ::usleep(1'500'000);  // the misses were dear
-    expect_honest(served, code);
+    expect_honest(served_, code_);
 }
 
-TEST(HostileClients, ThatAreSlowOrSilentHoldNothing) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
+TEST_F(HostileClients, ThatAreSlowOrSilentHoldNothing) {
     const double begun = now_s();
     std::vector<HttpClient> silent;
     for (int i = 0; i < 20; ++i)
-        silent.emplace_back(served.port(), 100);
-    HttpClient slow(served.port(), 100);
-    slow.say("GET /" + code + "/ HTTP/1.1\r\n");
+        silent.emplace_back(served_.port(), 100);
+    HttpClient slow(served_.port(), 100);
+    slow.say("GET /" + code_ + "/ HTTP/1.1\r\n");
     // A letter every quarter second, for as long as the server bears it.
     double held_s = 0.0;
     bool closed = false;
@@ -137,55 +137,47 @@ TEST(HostileClients, ThatAreSlowOrSilentHoldNothing) {
         EXPECT_EQ(client.rest(&was_closed), "");
         EXPECT_TRUE(was_closed);
     }
-    expect_honest(served, code);
+    expect_honest(served_, code_);
 }
 
-TEST(HostileClients, ThatAskTooOftenAreToldToWait) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
+TEST_F(HostileClients, ThatAskTooOftenAreToldToWait) {
     std::map<int, int> answers;
     for (int i = 0; i < 120; ++i)
-        ++answers[get(served.port(), "/7777ZZZZ/").status];
+        ++answers[get(served_.port(), "/7777ZZZZ/").status];
     EXPECT_GT(answers[429], 10) << "guesses are dear";
     EXPECT_GT(answers[404], 10);
     EXPECT_EQ(answers[404] + answers[429], 120);
     ::usleep(1'000'000);
-    expect_honest(served, code);
+    expect_honest(served_, code_);
 }
 
 // Each from an address of its own, so that no limit of an address holds them: more than the server takes.
-TEST(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
+TEST_F(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
     std::vector<HttpClient> crowd;
     for (std::uint32_t i = 0; i < 700; ++i)
-        crowd.emplace_back(served.port(), 100, 0x7f010101 + i * 256);
+        crowd.emplace_back(served_.port(), 100, 0x7f010101 + i * 256);
     const double begun = now_s();
-    expect_honest(served, code);
+    expect_honest(served_, code_);
     EXPECT_LT(now_s() - begun, 5.0) << "ten seconds of silence are for who has room";
 }
 
 // More than one address may have, and all that they ever say lies there when the server looks: a part of a
 // request, and that they are gone.
-TEST(HostileClients, ThatLeaveBeforeTheyAreHeardAreNotInTheWay) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
-    expect_honest(served, code);
-    served.server().signal(SIGSTOP);
+TEST_F(HostileClients, ThatLeaveBeforeTheyAreHeardAreNotInTheWay) {
+    expect_honest(served_, code_);
+    served_.server().signal(SIGSTOP);
     for (int i = 0; i < 200; ++i) {
-        const HttpClient hasty(served.port(), 1000);
-        ASSERT_TRUE(hasty.is_open() && hasty.say("GET /" + code + "/ HTTP/1.1\r\n")) << i;
+        const HttpClient hasty(served_.port(), 1000);
+        ASSERT_TRUE(hasty.is_open() && hasty.say("GET /" + code_ + "/ HTTP/1.1\r\n")) << i;
     }
-    served.server().signal(SIGCONT);
-    expect_honest(served, code);
+    served_.server().signal(SIGCONT);
+    expect_honest(served_, code_);
 }
 
 // As many as the system lets one process open; the report of the suite says how many that were.
-TEST(HostileClients, ThatComeInThousandsTakeLittleMemoryAndGoAgain) {
-    ServedOutbox served;
-    const std::string code = served.put(support::full_pot("one"));
-    expect_honest(served, code);
-    const long before_kb = resident_kb(served.server().process());
+TEST_F(HostileClients, ThatComeInThousandsTakeLittleMemoryAndGoAgain) {
+    expect_honest(served_, code_);
+    const long before_kb = resident_kb(served_.server().process());
     rlimit limit{};
     ::getrlimit(RLIMIT_NOFILE, &limit);
     limit.rlim_cur = limit.rlim_max;
@@ -195,18 +187,18 @@ TEST(HostileClients, ThatComeInThousandsTakeLittleMemoryAndGoAgain) {
     {
         std::vector<HttpClient> crowd;
         for (std::size_t i = 0; i < wanted; ++i) {
-            crowd.emplace_back(served.port(), 100);
-            if (crowd.back().is_open()) crowd.back().say("GET /" + code + "/ HTTP/1.1\r\nX: y\r\n");
-            if (i % 500 == 0) most_kb = std::max(most_kb, resident_kb(served.server().process()));
+            crowd.emplace_back(served_.port(), 100);
+            if (crowd.back().is_open()) crowd.back().say("GET /" + code_ + "/ HTTP/1.1\r\nX: y\r\n");
+            if (i % 500 == 0) most_kb = std::max(most_kb, resident_kb(served_.server().process()));
         }
-        most_kb = std::max(most_kb, resident_kb(served.server().process()));
-        ASSERT_TRUE(served.server().at_work()) << served.server().printed();
+        most_kb = std::max(most_kb, resident_kb(served_.server().process()));
+        ASSERT_TRUE(served_.server().at_work()) << served_.server().printed();
     }
     RecordProperty("connections", static_cast<int>(wanted));
     RecordProperty("most_memory_kb", static_cast<int>(most_kb));
     std::printf("%zu connections: %ld kB, %ld kB before\n", wanted, most_kb, before_kb);
     EXPECT_TRUE(is_sanitized() || most_kb - before_kb < 20'000) << most_kb;
-    expect_honest(served, code);
+    expect_honest(served_, code_);
 }
 
 }  // namespace

@@ -74,80 +74,72 @@ Recovered recover(const fs::path& folder, double rate_hz = kRateHz) {
     return found;
 }
 
-// What a killed program would leave, while the journal goes on.
-void copy_of(const fs::path& from, const fs::path& to) {
-    fs::copy(from, to, fs::copy_options::recursive);
-}
+class InterruptedVisit : public testing::Test {
+  protected:
+    // From what a killed program would leave, while the journal goes on.
+    Recovered recover_after_a_kill(const fs::path& copy) {
+        fs::copy(state_, copy, fs::copy_options::recursive);
+        return recover(copy);
+    }
 
-TEST(InterruptedVisit, LosesNoMoreThanABlock) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(2345);
-    copy_of(folder / "state", folder / "after");
-    const Recovered found = recover(folder / "after");
+    const test::TemporaryFolder folder_;
+    const fs::path state_ = folder_ / "state";
+    Visit visit_{state_};
+};
+
+TEST_F(InterruptedVisit, LosesNoMoreThanABlock) {
+    visit_.throw_until(2345);
+    const Recovered found = recover_after_a_kill(folder_ / "after");
     ASSERT_TRUE(found.pot);
     EXPECT_TRUE(found.remarks.empty());
     EXPECT_TRUE(found.pot->is_worth_it());
     EXPECT_EQ(found.pot->history().ticks(), 2000U);
-    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).value().hash())
+    EXPECT_EQ(found.pot->history().state().hash(), visit_.history.state_at(2000).value().hash())
         << "to the bit";
 }
 
-TEST(InterruptedVisit, IsAsItWasAfterAnUndo) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(3100);
-    visit.state = visit.history.state_at(1500).value();
-    visit.tick(haptic::TickRecord::kStatePut);
-    visit.follow();
-    visit.throw_until(2400);
-    copy_of(folder / "state", folder / "after");
-    const Recovered found = recover(folder / "after");
+TEST_F(InterruptedVisit, IsAsItWasAfterAnUndo) {
+    visit_.throw_until(3100);
+    visit_.state = visit_.history.state_at(1500).value();
+    visit_.tick(haptic::TickRecord::kStatePut);
+    visit_.follow();
+    visit_.throw_until(2400);
+    const Recovered found = recover_after_a_kill(folder_ / "after");
     ASSERT_TRUE(found.pot);
     EXPECT_EQ(found.pot->history().ticks(), 2000U);
-    EXPECT_EQ(found.pot->history().state().hash(), visit.history.state_at(2000).value().hash());
+    EXPECT_EQ(found.pot->history().state().hash(), visit_.history.state_at(2000).value().hash());
 }
 
-TEST(InterruptedVisit, IsGoneWhenItsLumpIsThrownAway) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(3100);
-    visit.state = test::studio_start();
-    visit.tick(haptic::TickRecord::kFreshLump);
-    visit.follow();
-    copy_of(folder / "state", folder / "after");
-    EXPECT_FALSE(recover(folder / "after").pot) << "the pot before was not wanted";
-    visit.throw_until(1400);
-    copy_of(folder / "state", folder / "later");
-    const Recovered found = recover(folder / "later");
+TEST_F(InterruptedVisit, IsGoneWhenItsLumpIsThrownAway) {
+    visit_.throw_until(3100);
+    visit_.state = test::studio_start();
+    visit_.tick(haptic::TickRecord::kFreshLump);
+    visit_.follow();
+    EXPECT_FALSE(recover_after_a_kill(folder_ / "after").pot) << "the pot before was not wanted";
+    visit_.throw_until(1400);
+    const Recovered found = recover_after_a_kill(folder_ / "later");
     ASSERT_TRUE(found.pot);
     EXPECT_EQ(found.pot->history().ticks(), 1000U);
 }
 
-TEST(InterruptedVisit, LeavesNothingWhenItIsOver) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(3100);
-    EXPECT_FALSE(fs::is_empty(folder / "state"));
-    visit.journal.drop();
-    EXPECT_TRUE(fs::is_empty(folder / "state"));
+TEST_F(InterruptedVisit, LeavesNothingWhenItIsOver) {
+    visit_.throw_until(3100);
+    EXPECT_FALSE(fs::is_empty(state_));
+    visit_.journal.drop();
+    EXPECT_TRUE(fs::is_empty(state_));
 }
 
-TEST(InterruptedVisit, StaysWhenTheProgramIsAskedToEnd) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(3100);
-    ASSERT_TRUE(visit.journal.leave());
-    const Recovered found = recover(folder / "state");
+TEST_F(InterruptedVisit, StaysWhenTheProgramIsAskedToEnd) {
+    visit_.throw_until(3100);
+    ASSERT_TRUE(visit_.journal.leave());
+    const Recovered found = recover(state_);
     ASSERT_TRUE(found.pot);
     EXPECT_EQ(found.pot->history().ticks(), 3000U);
 }
 
-TEST(InterruptedVisit, ResumesAsFarAsItIsWhole) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(3100);
-    const fs::path journal = folder / "state/visit-2.onggi.part";
+TEST_F(InterruptedVisit, ResumesAsFarAsItIsWhole) {
+    visit_.throw_until(3100);
+    const fs::path journal = folder_ / "state/visit-2.onggi.part";
     const std::string whole = test::content_of(journal);
     const auto session = record::parse_session(whole, "whole");
     ASSERT_TRUE(session);
@@ -155,76 +147,69 @@ TEST(InterruptedVisit, ResumesAsFarAsItIsWhole) {
         std::string bytes = whole;
         bytes[session->blocks()[block].records_at + 30] ^= 1;  // as a bad sector would
         test::put_file(journal, bytes);
-        copy_of(folder / "state", folder / "after");
-        const Recovered found = recover(folder / "after");
+        const Recovered found = recover_after_a_kill(folder_ / "after");
         ASSERT_EQ(found.remarks.size(), 1U);
         EXPECT_NE(found.remarks[0].find("then damaged: "), std::string::npos) << found.remarks[0];
         EXPECT_EQ(found.pot != nullptr, block > 0);
         if (found.pot) {
             EXPECT_EQ(found.pot->history().ticks(), 1000 * block);
         }
-        fs::remove_all(folder / "after");
+        fs::remove_all(folder_ / "after");
     }
     // A power cut leaves blocks of nothing.
     test::put_file(journal, whole.substr(0, session->blocks()[1].records_at) + std::string(5000, '\0'));
-    EXPECT_EQ(recover(folder / "state").pot->history().ticks(), 1000U);
+    EXPECT_EQ(recover(state_).pot->history().ticks(), 1000U);
 }
 
-TEST(InterruptedVisit, IsDroppedWithALineWhereNothingIsWhole) {
-    const test::TemporaryFolder folder;
+TEST_F(InterruptedVisit, IsDroppedWithALineWhereNothingIsWhole) {
     constexpr std::size_t kMuch = std::size_t{1} << 20U;
     for (const std::string& bytes : {"not a session" + std::string(kMuch, ' '), std::string(kMuch, '\0')}) {
-        fs::create_directories(folder / "state");
-        test::put_file(folder / "state/visit-1.onggi.part", bytes);
-        const Recovered found = recover(folder / "state");
+        fs::create_directories(state_);
+        test::put_file(folder_ / "state/visit-1.onggi.part", bytes);
+        const Recovered found = recover(state_);
         EXPECT_FALSE(found.pot);
         ASSERT_EQ(found.remarks.size(), 1U);
         EXPECT_TRUE(found.remarks[0].starts_with("interrupted visit: dropped: ")) << found.remarks[0];
         EXPECT_EQ(found.remarks[0].find('\n'), std::string::npos);
-        EXPECT_TRUE(fs::is_empty(folder / "state")) << "and it is not met a second time";
+        EXPECT_TRUE(fs::is_empty(state_)) << "and it is not met a second time";
     }
 }
 
-TEST(InterruptedVisit, IsFoundAndLosesNothingWhereTheDiskFailsInTheMiddleOfItsFolder) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(2345);
-    const std::string journal = test::content_of(folder / "state/visit-2.onggi.part");
-    fs::create_directories(folder / "after");
+TEST_F(InterruptedVisit, IsFoundAndLosesNothingWhereTheDiskFailsInTheMiddleOfItsFolder) {
+    visit_.throw_until(2345);
+    const std::string journal = test::content_of(folder_ / "state/visit-2.onggi.part");
+    fs::create_directories(folder_ / "after");
     for (int i = 1; i <= 30; ++i)
-        test::put_file(folder / "after" / fmt::format("visit-{:02}.onggi", i), journal);
+        test::put_file(folder_ / "after" / fmt::format("visit-{:02}.onggi", i), journal);
     const std::string told = test::in_child([&]() -> std::string {
         if (!test::fail_listings_after(2)) return "no such kernel";
         std::vector<std::string> remarks;
-        const auto pot =
-            InterruptedSession::find(folder / "after", test::studio_start(), parameters_at(kRateHz), remarks);
+        const auto pot = InterruptedSession::find(folder_ / "after", test::studio_start(),
+                                                  parameters_at(kRateHz), remarks);
         return fmt::format("{}; {}", pot ? "found" : "lost", fmt::join(remarks, "; "));
     });
     EXPECT_EQ(told, fmt::format("found; interrupted visit: {}: expected to list all that is in this folder, "
                                 "found: Input/output error",
-                                (folder / "after").string()));
-    const FolderListing left = list_folder(folder / "after");
+                                (folder_ / "after").string()));
+    const FolderListing left = list_folder(folder_ / "after");
     EXPECT_EQ(left.entries.size(), 30U) << "what the disk did not tell of may be the longest";
-    EXPECT_TRUE(fs::exists(folder / "after/left-over.onggi"));
+    EXPECT_TRUE(fs::exists(folder_ / "after/left-over.onggi"));
 }
 
-TEST(InterruptedVisit, IsNoneWhereItEndedBeforeItsFirstBlock) {
-    const test::TemporaryFolder folder;
+TEST_F(InterruptedVisit, IsNoneWhereItEndedBeforeItsFirstBlock) {
     for (const std::size_t size : {std::size_t{0}, std::size_t{72}}) {
-        fs::create_directories(folder / "state");
-        test::put_file(folder / "state/visit-1.onggi.part", std::string(size, '\0'));
-        const Recovered found = recover(folder / "state");
+        fs::create_directories(state_);
+        test::put_file(folder_ / "state/visit-1.onggi.part", std::string(size, '\0'));
+        const Recovered found = recover(state_);
         EXPECT_FALSE(found.pot);
         EXPECT_TRUE(found.remarks.empty()) << "nothing was lost";
-        EXPECT_TRUE(fs::is_empty(folder / "state"));
+        EXPECT_TRUE(fs::is_empty(state_));
     }
 }
 
-TEST(InterruptedVisit, IsDroppedWhereTheWheelIsAnother) {
-    const test::TemporaryFolder folder;
-    Visit visit(folder / "state");
-    visit.throw_until(2100);
-    const Recovered found = recover(folder / "state", 2.0 * kRateHz);
+TEST_F(InterruptedVisit, IsDroppedWhereTheWheelIsAnother) {
+    visit_.throw_until(2100);
+    const Recovered found = recover(state_, 2.0 * kRateHz);
     EXPECT_FALSE(found.pot);
     ASSERT_EQ(found.remarks.size(), 1U);
     EXPECT_NE(found.remarks[0].find("rate of 1000 Hz of this kiosk, found others at 500 Hz"),
@@ -232,15 +217,13 @@ TEST(InterruptedVisit, IsDroppedWhereTheWheelIsAnother) {
         << found.remarks[0];
 }
 
-TEST(InterruptedVisit, GivesUpWithOneLineWhereNothingCanBeWritten) {
-    const test::TemporaryFolder folder;
-    test::put_file(folder / "state", "a file where a folder is wanted");
-    Visit visit(folder / "state");
-    visit.tick(0);
-    const auto written = visit.journal.follow(visit.history, 0);
+TEST_F(InterruptedVisit, GivesUpWithOneLineWhereNothingCanBeWritten) {
+    test::put_file(state_, "a file where a folder is wanted");
+    visit_.tick(0);
+    const auto written = visit_.journal.follow(visit_.history, 0);
     ASSERT_FALSE(written);
     EXPECT_TRUE(written.error().message.starts_with("journal: ")) << written.error().message;
-    EXPECT_TRUE(visit.journal.follow(visit.history, 1)) << "said once";
+    EXPECT_TRUE(visit_.journal.follow(visit_.history, 1)) << "said once";
 }
 
 // The loop, the keeper and the disk as they are in a kiosk, on the real clock.
@@ -283,7 +266,7 @@ struct Wheel {
     std::string words;
 };
 
-TEST(InterruptedVisit, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
+TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
     const test::TemporaryFolder gallery;
     {
         Wheel wheel(gallery.path());
@@ -319,7 +302,7 @@ TEST(InterruptedVisit, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
     EXPECT_TRUE(wheel.waits_for([&] { return fs::is_empty(gallery / "state"); })) << "the visitor has left";
 }
 
-TEST(InterruptedVisit, IsNoneWhereTheVisitorHasLeft) {
+TEST(InterruptedWheel, IsNoneWhereTheVisitorHasLeft) {
     const test::TemporaryFolder gallery;
     {
         Wheel wheel(gallery.path());

@@ -42,25 +42,28 @@ std::vector<std::string> names_of(const Gallery& gallery) {
     return names;
 }
 
-TEST(Gallery, ListsThePotsTheNewestFirst) {
-    const test::TemporaryFolder folder;
+class GalleryTest : public testing::Test {
+  protected:
+    const test::TemporaryFolder folder_;
+};
+
+TEST_F(GalleryTest, ListsThePotsTheNewestFirst) {
     for (const char* name : {"2026-11-21/pot-002", "2026-11-22/pot-999", "2026-11-22/pot-1000",
                              "2026-11-22/pot-007", "2026-11-22/notes", "statistics"})
-        put_pot(folder.path(), name);
-    const Gallery gallery(config_of(folder.path()));
+        put_pot(folder_.path(), name);
+    const Gallery gallery(config_of(folder_.path()));
     EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-1000", "2026-11-22/pot-999",
                                                            "2026-11-22/pot-007", "2026-11-21/pot-002"}));
 }
 
-TEST(Gallery, DeletesOnePotWithAllItsFilesAndNoOther) {
-    const test::TemporaryFolder folder;
-    put_pot(folder.path(), "2026-11-22/pot-001");
-    put_pot(folder.path(), "2026-11-22/pot-002");
-    Gallery gallery(config_of(folder.path()));
+TEST_F(GalleryTest, DeletesOnePotWithAllItsFilesAndNoOther) {
+    put_pot(folder_.path(), "2026-11-22/pot-001");
+    put_pot(folder_.path(), "2026-11-22/pot-002");
+    Gallery gallery(config_of(folder_.path()));
     ASSERT_EQ(gallery.pots().size(), 2U);
     ASSERT_TRUE(gallery.remove(gallery.pots().front()));
-    EXPECT_FALSE(fs::exists(folder.path() / "2026-11-22/pot-002"));
-    EXPECT_TRUE(fs::exists(folder.path() / "2026-11-22/pot-001/pot.onggi"));
+    EXPECT_FALSE(fs::exists(folder_.path() / "2026-11-22/pot-002"));
+    EXPECT_TRUE(fs::exists(folder_.path() / "2026-11-22/pot-001/pot.onggi"));
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-22/pot-001"});
 }
 
@@ -88,23 +91,21 @@ struct Cut {
     }
 };
 
-TEST(Gallery, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
-    const test::TemporaryFolder folder;
-    put_pot(folder.path(), "2026-11-22/pot-007");
-    Gallery gallery(config_of(folder.path()));
+TEST_F(GalleryTest, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
+    put_pot(folder_.path(), "2026-11-22/pot-007");
+    Gallery gallery(config_of(folder_.path()));
     const Cut cut;
     const auto number = gallery.keep(cut.pot(), "2026-11-22");
     ASSERT_TRUE(number) << number.error().message;
     EXPECT_EQ(*number, 8);
     for (const char* file : {"pot.onggi", "pot.glb", "pot.stl", "pot.3mf", "pot.png"})
-        EXPECT_GT(fs::file_size(folder.path() / "2026-11-22/pot-008" / file), 50U) << file;
+        EXPECT_GT(fs::file_size(folder_.path() / "2026-11-22/pot-008" / file), 50U) << file;
 }
 
-TEST(Gallery, LetsTheOldestGoWhereThereIsRoomForNoMore) {
-    const test::TemporaryFolder folder;
+TEST_F(GalleryTest, LetsTheOldestGoWhereThereIsRoomForNoMore) {
     for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
-        put_pot(folder.path(), name);
-    kiosk::Config config = config_of(folder.path());
+        put_pot(folder_.path(), name);
+    kiosk::Config config = config_of(folder_.path());
     config.gallery.most_pots = 2;
     Gallery gallery(config);
     const Cut cut;
@@ -112,10 +113,9 @@ TEST(Gallery, LetsTheOldestGoWhereThereIsRoomForNoMore) {
     EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-001", "2026-11-21/pot-002"}));
 }
 
-TEST(Gallery, LetsNoneGoForAPotThatCannotBeKept) {
-    const test::TemporaryFolder folder;
-    put_pot(folder.path(), "2026-11-21/pot-001");
-    kiosk::Config config = config_of(folder.path());
+TEST_F(GalleryTest, LetsNoneGoForAPotThatCannotBeKept) {
+    put_pot(folder_.path(), "2026-11-21/pot-001");
+    kiosk::Config config = config_of(folder_.path());
     config.gallery.most_pots = 1;
     Gallery gallery(config);
     Cut cut;
@@ -124,10 +124,9 @@ TEST(Gallery, LetsNoneGoForAPotThatCannotBeKept) {
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-21/pot-001"});
 }
 
-TEST(Gallery, KeepsTheNewcomerHoweverWrongTheClockIs) {
-    const test::TemporaryFolder folder;
-    put_pot(folder.path(), "2026-11-21/pot-001");
-    kiosk::Config config = config_of(folder.path());
+TEST_F(GalleryTest, KeepsTheNewcomerHoweverWrongTheClockIs) {
+    put_pot(folder_.path(), "2026-11-21/pot-001");
+    kiosk::Config config = config_of(folder_.path());
     config.gallery.most_pots = 1;
     Gallery gallery(config);
     const Cut cut;
@@ -135,16 +134,15 @@ TEST(Gallery, KeepsTheNewcomerHoweverWrongTheClockIs) {
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"1970-01-01/pot-001"});
 }
 
-TEST(Gallery, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
-    const test::TemporaryFolder folder;
+TEST_F(GalleryTest, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
     Cut cut;
     haptic::TickRecord late;
     late.tick = 60;  // ten are missing
     cut.history.add(late);
     ASSERT_FALSE(cut.history.is_whole());
-    Gallery gallery(config_of(folder.path()));
+    Gallery gallery(config_of(folder_.path()));
     ASSERT_TRUE(gallery.keep(cut.pot(), "2026-11-22"));
-    const auto bytes = files::read_file(folder.path() / "2026-11-22/pot-001/pot.onggi", 1U << 26U);
+    const auto bytes = files::read_file(folder_.path() / "2026-11-22/pot-001/pot.onggi", 1U << 26U);
     ASSERT_TRUE(bytes) << bytes.error().message;
     const auto session = record::parse_session(*bytes, "pot.onggi");
     ASSERT_TRUE(session) << session.error().message;
@@ -154,10 +152,9 @@ TEST(Gallery, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
     EXPECT_EQ(start->state.hash(), cut.history.state().hash());
 }
 
-TEST(Gallery, KeepsNothingAtAllOnADiskThatIsFull) {
-    const test::TemporaryFolder folder;
-    put_pot(folder.path(), "2026-11-21/pot-001");
-    kiosk::Config config = config_of(folder.path());
+TEST_F(GalleryTest, KeepsNothingAtAllOnADiskThatIsFull) {
+    put_pot(folder_.path(), "2026-11-21/pot-001");
+    kiosk::Config config = config_of(folder_.path());
     config.gallery.least_free_mb = 1e12;
     Gallery gallery(config);
     const Cut cut;
@@ -167,13 +164,12 @@ TEST(Gallery, KeepsNothingAtAllOnADiskThatIsFull) {
     EXPECT_NE(kept.error().message.find("MB free, found"), std::string::npos) << kept.error().message;
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-21/pot-001"})
         << "nor is any let go for it";
-    EXPECT_TRUE(fs::is_empty(folder.path() / "2026-11-22"));
+    EXPECT_TRUE(fs::is_empty(folder_.path() / "2026-11-22"));
 }
 
-TEST(Gallery, SaysWhereItCannotSave) {
-    const test::TemporaryFolder folder;
-    std::ofstream(folder.path() / "taken") << "a file where a folder is wanted";
-    Gallery gallery(config_of(folder.path() / "taken"));
+TEST_F(GalleryTest, SaysWhereItCannotSave) {
+    std::ofstream(folder_.path() / "taken") << "a file where a folder is wanted";
+    Gallery gallery(config_of(folder_.path() / "taken"));
     const Cut cut;
     const auto kept = gallery.keep(cut.pot(), "2026-11-22");
     ASSERT_FALSE(kept);
@@ -181,11 +177,10 @@ TEST(Gallery, SaysWhereItCannotSave) {
     EXPECT_EQ(kept.error().message.find('\n'), std::string::npos);
 }
 
-TEST(Gallery, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
-    const test::TemporaryFolder folder;
+TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
     for (int number = 1; number <= 30; ++number)
-        put_pot(folder.path(), fmt::format("2026-11-21/pot-{:03}", number));
-    kiosk::Config config = config_of(folder.path());
+        put_pot(folder_.path(), fmt::format("2026-11-21/pot-{:03}", number));
+    kiosk::Config config = config_of(folder_.path());
     config.gallery.most_pots = 3;
     Gallery gallery(config);
     const Cut cut;
@@ -200,7 +195,7 @@ TEST(Gallery, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
     });
     EXPECT_EQ(told, fmt::format("some of 30; {}/2026-11-21: expected to list all that is in this folder, "
                                 "found: Input/output error; kept as 31",
-                                folder.path().string()));
+                                folder_.path().string()));
     EXPECT_EQ(gallery.pots().size(), 31U) << "none had to go, none was written over";
 }
 

@@ -19,64 +19,64 @@ using Names = std::vector<std::string>;
 
 const std::string kLarge(std::size_t{3} << 20U, 'x');
 
-TEST(AtomicFile, AppearsOnCommitAndNotBefore) {
-    const TemporaryFolder folder;
-    auto file = AtomicFile::create(folder / "out");
+class AtomicFileTest : public testing::Test {
+  protected:
+    const TemporaryFolder folder_;
+};
+
+TEST_F(AtomicFileTest, AppearsOnCommitAndNotBefore) {
+    auto file = AtomicFile::create(folder_ / "out");
     ASSERT_TRUE(file) << file.error().message;
     ASSERT_TRUE(file->write("hello, "));
     ASSERT_TRUE(file->write("clay"));
     ASSERT_TRUE(file->prepare());
-    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
     ASSERT_TRUE(file->commit());
-    EXPECT_EQ(folder.names(), Names{"out"});
-    EXPECT_EQ(content_of(folder / "out"), "hello, clay");
+    EXPECT_EQ(folder_.names(), Names{"out"});
+    EXPECT_EQ(content_of(folder_ / "out"), "hello, clay");
 }
 
-TEST(AtomicFile, LeavesTheOldFileUntilCommit) {
-    const TemporaryFolder folder;
-    put_file(folder / "out", "old");
-    auto file = AtomicFile::create(folder / "out");
+TEST_F(AtomicFileTest, LeavesTheOldFileUntilCommit) {
+    put_file(folder_ / "out", "old");
+    auto file = AtomicFile::create(folder_ / "out");
     ASSERT_TRUE(file);
     ASSERT_TRUE(file->write("new"));
     ASSERT_TRUE(file->prepare());
-    EXPECT_EQ(content_of(folder / "out"), "old");
+    EXPECT_EQ(content_of(folder_ / "out"), "old");
     ASSERT_TRUE(file->commit());
-    EXPECT_EQ(content_of(folder / "out"), "new");
-    EXPECT_EQ(folder.names(), Names{"out"});
+    EXPECT_EQ(content_of(folder_ / "out"), "new");
+    EXPECT_EQ(folder_.names(), Names{"out"});
 }
 
-TEST(AtomicFile, LeavesNothingWhenItIsDestroyedOrDiscarded) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, LeavesNothingWhenItIsDestroyedOrDiscarded) {
     for (const Beside beside : {Beside::kNameless, Beside::kNamed}) {
         {
-            auto file = AtomicFile::create(folder / "out", beside);
+            auto file = AtomicFile::create(folder_ / "out", beside);
             ASSERT_TRUE(file);
             ASSERT_TRUE(file->write(kLarge));
         }
-        EXPECT_EQ(folder.names(), Names{});
-        auto file = AtomicFile::create(folder / "out", beside);
+        EXPECT_EQ(folder_.names(), Names{});
+        auto file = AtomicFile::create(folder_ / "out", beside);
         ASSERT_TRUE(file);
         ASSERT_TRUE(file->write(kLarge));
         file->discard();
-        EXPECT_EQ(folder.names(), Names{});
+        EXPECT_EQ(folder_.names(), Names{});
         EXPECT_FALSE(file->write("more"));
         EXPECT_FALSE(file->commit());
     }
 }
 
-TEST(AtomicFile, CannotBeWrittenAfterCommit) {
-    const TemporaryFolder folder;
-    auto file = AtomicFile::create(folder / "out");
+TEST_F(AtomicFileTest, CannotBeWrittenAfterCommit) {
+    auto file = AtomicFile::create(folder_ / "out");
     ASSERT_TRUE(file);
     ASSERT_TRUE(file->commit());
     EXPECT_FALSE(file->write("late"));
     EXPECT_FALSE(file->commit());
-    EXPECT_EQ(content_of(folder / "out"), "");
+    EXPECT_EQ(content_of(folder_ / "out"), "");
 }
 
-TEST(AtomicFile, TakesMoreThanItsBuffer) {
-    const TemporaryFolder folder;
-    auto file = AtomicFile::create(folder / "out");
+TEST_F(AtomicFileTest, TakesMoreThanItsBuffer) {
+    auto file = AtomicFile::create(folder_ / "out");
     ASSERT_TRUE(file);
     std::string expected;
     for (int i = 0; i < 30000; ++i) {
@@ -87,82 +87,75 @@ TEST(AtomicFile, TakesMoreThanItsBuffer) {
     ASSERT_TRUE(file->write(kLarge));
     expected += kLarge;
     ASSERT_TRUE(file->commit());
-    EXPECT_TRUE(content_of(folder / "out") == expected);
+    EXPECT_TRUE(content_of(folder_ / "out") == expected);
 }
 
-TEST(AtomicFile, KeepsThePermissionsOfTheFileItReplaces) {
-    const TemporaryFolder folder;
-    put_file(folder / "out", "old");
-    std::filesystem::permissions(folder / "out", std::filesystem::perms(0640));
-    ASSERT_TRUE(write_file_atomically(folder / "out", "new"));
-    EXPECT_EQ(std::filesystem::status(folder / "out").permissions(), std::filesystem::perms(0640));
+TEST_F(AtomicFileTest, KeepsThePermissionsOfTheFileItReplaces) {
+    put_file(folder_ / "out", "old");
+    std::filesystem::permissions(folder_ / "out", std::filesystem::perms(0640));
+    ASSERT_TRUE(write_file_atomically(folder_ / "out", "new"));
+    EXPECT_EQ(std::filesystem::status(folder_ / "out").permissions(), std::filesystem::perms(0640));
 }
 
-TEST(AtomicFile, GivesANewFileThePermissionsTheUserLikes) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, GivesANewFileThePermissionsTheUserLikes) {
     const mode_t before = ::umask(0027);
     for (const Beside beside : {Beside::kNameless, Beside::kNamed}) {
-        auto file = AtomicFile::create(folder / "out", beside);
+        auto file = AtomicFile::create(folder_ / "out", beside);
         ASSERT_TRUE(file && file->commit());
-        EXPECT_EQ(std::filesystem::status(folder / "out").permissions(), std::filesystem::perms(0640));
-        std::filesystem::remove(folder / "out");
+        EXPECT_EQ(std::filesystem::status(folder_ / "out").permissions(), std::filesystem::perms(0640));
+        std::filesystem::remove(folder_ / "out");
     }
     ::umask(before);
 }
 
-TEST(AtomicFile, WritesTheFileBehindALink) {
-    const TemporaryFolder folder;
-    put_file(folder / "real", "old");
-    std::filesystem::create_symlink("real", folder / "link");
-    ASSERT_TRUE(write_file_atomically(folder / "link", "new"));
-    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
-    EXPECT_EQ(content_of(folder / "real"), "new");
+TEST_F(AtomicFileTest, WritesTheFileBehindALink) {
+    put_file(folder_ / "real", "old");
+    std::filesystem::create_symlink("real", folder_ / "link");
+    ASSERT_TRUE(write_file_atomically(folder_ / "link", "new"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link"));
+    EXPECT_EQ(content_of(folder_ / "real"), "new");
 }
 
-TEST(AtomicFile, CanTakeTheLongestNameThereIs) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, CanTakeTheLongestNameThereIs) {
     const std::string name(255, 'n');
-    ASSERT_TRUE(write_file_atomically(folder / name, "x"));
-    EXPECT_EQ(folder.names(), Names{name});
+    ASSERT_TRUE(write_file_atomically(folder_ / name, "x"));
+    EXPECT_EQ(folder_.names(), Names{name});
 }
 
-TEST(AtomicFile, CanBeMoved) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, CanBeMoved) {
     std::optional<AtomicFile> kept;
     {
-        auto file = AtomicFile::create(folder / "out", Beside::kNamed);
+        auto file = AtomicFile::create(folder_ / "out", Beside::kNamed);
         ASSERT_TRUE(file);
         ASSERT_TRUE(file->write("moved"));
         kept.emplace(std::move(file).value());
     }
     ASSERT_TRUE(kept->commit());
-    EXPECT_EQ(folder.names(), Names{"out"});
-    EXPECT_EQ(content_of(folder / "out"), "moved");
+    EXPECT_EQ(folder_.names(), Names{"out"});
+    EXPECT_EQ(content_of(folder_ / "out"), "moved");
 }
 
-TEST(AtomicFile, WithoutANameVanishesWithAKilledProgram) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, WithoutANameVanishesWithAKilledProgram) {
     const std::string answer = test::in_child([&] {
-        auto file = AtomicFile::create(folder / "out");
+        auto file = AtomicFile::create(folder_ / "out");
         if (!file || !file->write(kLarge) || !file->prepare()) return std::string("failed");
         ::kill(::getpid(), SIGKILL);
         return std::string("alive");
     });
     EXPECT_EQ(answer, "killed by signal 9");
-    EXPECT_EQ(folder.names(), Names{});
+    EXPECT_EQ(folder_.names(), Names{});
 }
 
-TEST(AtomicFile, WithANameSurvivesAKilledProgram) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, WithANameSurvivesAKilledProgram) {
     for (const char* left : {"out.part", "out.part1"}) {
         EXPECT_EQ(test::in_child([&] {
-                      auto file = AtomicFile::create(folder / "out", Beside::kNamed);
+                      auto file = AtomicFile::create(folder_ / "out", Beside::kNamed);
                       if (!file || !file->write("recorded") || !file->flush()) return std::string("failed");
                       ::kill(::getpid(), SIGKILL);
                       return std::string("alive");
                   }),
                   "killed by signal 9");
-        EXPECT_EQ(content_of(folder / left), "recorded");  // nor does the second take the first one's away
+        EXPECT_EQ(content_of(folder_ / left), "recorded");  // nor does the second take the first one's away
     }
 }
 
@@ -183,35 +176,32 @@ std::string write_to_full_disk(const TemporaryFolder& folder, Beside beside) {
     return answer + " " + content_of(folder / "out");
 }
 
-TEST(AtomicFile, OnAFullDiskKeepsTheOldFileAndLeavesNothing) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, OnAFullDiskKeepsTheOldFileAndLeavesNothing) {
     for (const Beside beside : {Beside::kNameless, Beside::kNamed}) {
-        EXPECT_EQ(test::in_child([&] { return write_to_full_disk(folder, beside); }),
-                  "lacks: " + (folder / "out").string() + " out old");
+        EXPECT_EQ(test::in_child([&] { return write_to_full_disk(folder_, beside); }),
+                  "lacks: " + (folder_ / "out").string() + " out old");
     }
 }
 
-TEST(AtomicFile, BeyondTheLimitOfFileSizesKeepsTheOldFileAndLeavesNothing) {
-    const TemporaryFolder folder;
-    put_file(folder / "out", "old");
+TEST_F(AtomicFileTest, BeyondTheLimitOfFileSizesKeepsTheOldFileAndLeavesNothing) {
+    put_file(folder_ / "out", "old");
     EXPECT_EQ(test::in_child([&] {
                   test::limit_file_size(1000);
-                  const auto written = write_file_atomically(folder / "out", kLarge);
+                  const auto written = write_file_atomically(folder_ / "out", kLarge);
                   if (written) return std::string("written");
                   return std::to_string(exit_code(written.error().kind)) + written.error().message;
               }),
-              "3" + (folder / "out").string() + ": cannot write: File too large");
-    EXPECT_EQ(folder.names(), Names{"out"});
-    EXPECT_EQ(content_of(folder / "out"), "old");
+              "3" + (folder_ / "out").string() + ": cannot write: File too large");
+    EXPECT_EQ(folder_.names(), Names{"out"});
+    EXPECT_EQ(content_of(folder_ / "out"), "old");
 }
 
-TEST(AtomicFile, UsesAHiddenNameWhereNamelessFilesCannotBeNamed) {
-    const TemporaryFolder folder;
+TEST_F(AtomicFileTest, UsesAHiddenNameWhereNamelessFilesCannotBeNamed) {
     const std::string answer = test::in_child([&] {
         // Without /proc a nameless file can get no name.
         if (!test::enter_own_mounts() || ::mount("none", "/proc", "tmpfs", 0, nullptr) != 0)
             return std::string("no mounts");
-        auto file = AtomicFile::create(folder / "out");
+        auto file = AtomicFile::create(folder_ / "out");
         if (!file || !file->write("x")) return std::string("failed");
         const std::string beside = file->beside().filename();
         if (!file->commit()) return std::string("failed");
@@ -219,8 +209,8 @@ TEST(AtomicFile, UsesAHiddenNameWhereNamelessFilesCannotBeNamed) {
     });
     if (answer == "no mounts") GTEST_SKIP() << "this system lets nobody have mounts of their own";
     EXPECT_EQ(answer, ".onggi- gone");
-    EXPECT_EQ(folder.names(), Names{"out"});
-    EXPECT_EQ(content_of(folder / "out"), "x");
+    EXPECT_EQ(folder_.names(), Names{"out"});
+    EXPECT_EQ(content_of(folder_ / "out"), "x");
 }
 
 }  // namespace

@@ -24,80 +24,75 @@ void expect_refused(const std::filesystem::path& place, ErrorKind kind, std::str
     EXPECT_EQ(file.error().message, checked.error().message);
 }
 
-TEST(OutputPlace, IsGoodWhereAFileIsOrCouldBe) {
-    const TemporaryFolder folder;
-    put_file(folder / "old", "old");
-    EXPECT_TRUE(check_output_place(folder / "new"));
-    EXPECT_TRUE(check_output_place(folder / "old"));
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"old"});
-    EXPECT_EQ(content_of(folder / "old"), "old");
+class OutputPlaceTest : public testing::Test {
+  protected:
+    const TemporaryFolder folder_;
+};
+
+TEST_F(OutputPlaceTest, IsGoodWhereAFileIsOrCouldBe) {
+    put_file(folder_ / "old", "old");
+    EXPECT_TRUE(check_output_place(folder_ / "new"));
+    EXPECT_TRUE(check_output_place(folder_ / "old"));
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"old"});
+    EXPECT_EQ(content_of(folder_ / "old"), "old");
 }
 
-TEST(OutputPlace, IsGoodWithANameAlone) {
-    const TemporaryFolder folder;
+TEST_F(OutputPlaceTest, IsGoodWithANameAlone) {
     const auto before = std::filesystem::current_path();
-    std::filesystem::current_path(folder.path());
+    std::filesystem::current_path(folder_.path());
     EXPECT_TRUE(check_output_place("new"));
     std::filesystem::current_path(before);
 }
 
-TEST(OutputPlace, RejectsAnEmptyName) {
+TEST_F(OutputPlaceTest, RejectsAnEmptyName) {
     expect_refused("", ErrorKind::kBadInput, "found an empty one");
 }
 
-TEST(OutputPlace, RejectsAFolderThatIsNotThere) {
-    const TemporaryFolder folder;
-    expect_refused(folder / "none" / "file", ErrorKind::kBadInput,
-                   "the folder " + (folder / "none").string() + " is not there");
+TEST_F(OutputPlaceTest, RejectsAFolderThatIsNotThere) {
+    expect_refused(folder_ / "none" / "file", ErrorKind::kBadInput,
+                   "the folder " + (folder_ / "none").string() + " is not there");
 }
 
-TEST(OutputPlace, RejectsAFolderInTheFilesPlace) {
-    const TemporaryFolder folder;
-    expect_refused(folder.path(), ErrorKind::kBadInput, "expected the place of a file, found a folder");
-    expect_refused(folder.path() / "", ErrorKind::kBadInput, "found a folder");
+TEST_F(OutputPlaceTest, RejectsAFolderInTheFilesPlace) {
+    expect_refused(folder_.path(), ErrorKind::kBadInput, "expected the place of a file, found a folder");
+    expect_refused(folder_.path() / "", ErrorKind::kBadInput, "found a folder");
 }
 
-TEST(OutputPlace, RejectsAFileInTheFoldersPlace) {
-    const TemporaryFolder folder;
-    put_file(folder / "file", "x");
-    expect_refused(folder / "file" / "deeper", ErrorKind::kBadInput, "expected a folder at");
+TEST_F(OutputPlaceTest, RejectsAFileInTheFoldersPlace) {
+    put_file(folder_ / "file", "x");
+    expect_refused(folder_ / "file" / "deeper", ErrorKind::kBadInput, "expected a folder at");
 }
 
-TEST(OutputPlace, RejectsDevicesAndPipesAndLeavesThemBe) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    expect_refused(folder / "pipe", ErrorKind::kBadInput, "found a pipe");
+TEST_F(OutputPlaceTest, RejectsDevicesAndPipesAndLeavesThemBe) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    expect_refused(folder_ / "pipe", ErrorKind::kBadInput, "found a pipe");
     expect_refused("/dev/full", ErrorKind::kBadInput, "found a device");
     expect_refused("/dev/null", ErrorKind::kBadInput, "found a device");
-    EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+    EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "pipe"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(OutputPlace, RejectsALinkToNothing) {
-    const TemporaryFolder folder;
-    std::filesystem::create_symlink(folder / "none", folder / "link");
-    expect_refused(folder / "link", ErrorKind::kBadInput, "is a link to a file that is not there");
+TEST_F(OutputPlaceTest, RejectsALinkToNothing) {
+    std::filesystem::create_symlink(folder_ / "none", folder_ / "link");
+    expect_refused(folder_ / "link", ErrorKind::kBadInput, "is a link to a file that is not there");
 }
 
-TEST(OutputPlace, RejectsANameTooLongToBe) {
-    const TemporaryFolder folder;
-    expect_refused(folder / std::string(300, 'n'), ErrorKind::kBadInput, "File name too long");
+TEST_F(OutputPlaceTest, RejectsANameTooLongToBe) {
+    expect_refused(folder_ / std::string(300, 'n'), ErrorKind::kBadInput, "File name too long");
 }
 
-TEST(OutputPlace, SaysThatTheFolderMayNotBeWrittenIn) {
-    const TemporaryFolder folder;
-    std::filesystem::permissions(folder.path(),
+TEST_F(OutputPlaceTest, SaysThatTheFolderMayNotBeWrittenIn) {
+    std::filesystem::permissions(folder_.path(),
                                  std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
     const test::WithoutRootRights bound;
-    expect_refused(folder / "new", ErrorKind::kSystemLacks, "Permission denied");
+    expect_refused(folder_ / "new", ErrorKind::kSystemLacks, "Permission denied");
 }
 
-TEST(OutputPlace, SaysThatTheFileMayNotBeWritten) {
-    const TemporaryFolder folder;
-    put_file(folder / "kept", "kept");
-    std::filesystem::permissions(folder / "kept", std::filesystem::perms::owner_read);
+TEST_F(OutputPlaceTest, SaysThatTheFileMayNotBeWritten) {
+    put_file(folder_ / "kept", "kept");
+    std::filesystem::permissions(folder_ / "kept", std::filesystem::perms::owner_read);
     const test::WithoutRootRights bound;
-    expect_refused(folder / "kept", ErrorKind::kSystemLacks, "Permission denied");
+    expect_refused(folder_ / "kept", ErrorKind::kSystemLacks, "Permission denied");
 }
 
 }  // namespace

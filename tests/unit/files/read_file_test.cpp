@@ -25,33 +25,35 @@ void expect_refused(const std::filesystem::path& path, ErrorKind kind, std::stri
     EXPECT_EQ(bytes.error().message.find('\n'), std::string::npos);
 }
 
-TEST(ReadFile, GivesEveryByte) {
-    const TemporaryFolder folder;
+class ReadFile : public testing::Test {
+  protected:
+    const TemporaryFolder folder_;
+};
+
+TEST_F(ReadFile, GivesEveryByte) {
     const std::string content("a\0b\r\n\xff", 6);
-    put_file(folder / "bytes", content);
-    const auto bytes = read_file(folder / "bytes", kMegabyte);
+    put_file(folder_ / "bytes", content);
+    const auto bytes = read_file(folder_ / "bytes", kMegabyte);
     ASSERT_TRUE(bytes);
     EXPECT_EQ(*bytes, content);
 }
 
-TEST(ReadFile, GivesNothingOfAnEmptyFile) {
-    const TemporaryFolder folder;
-    put_file(folder / "empty", "");
-    const auto bytes = read_file(folder / "empty", kMegabyte);
+TEST_F(ReadFile, GivesNothingOfAnEmptyFile) {
+    put_file(folder_ / "empty", "");
+    const auto bytes = read_file(folder_ / "empty", kMegabyte);
     ASSERT_TRUE(bytes);
     EXPECT_TRUE(bytes->empty());
 }
 
-TEST(ReadFile, TakesAFileOfExactlyTheSizeAllowed) {
-    const TemporaryFolder folder;
-    put_file(folder / "ten", "0123456789");
-    const auto bytes = read_file(folder / "ten", 10);
+TEST_F(ReadFile, TakesAFileOfExactlyTheSizeAllowed) {
+    put_file(folder_ / "ten", "0123456789");
+    const auto bytes = read_file(folder_ / "ten", 10);
     ASSERT_TRUE(bytes);
     EXPECT_EQ(*bytes, "0123456789");
-    expect_refused(folder / "ten", ErrorKind::kBadInput, "expected at most 9 bytes, found 10", 9);
+    expect_refused(folder_ / "ten", ErrorKind::kBadInput, "expected at most 9 bytes, found 10", 9);
 }
 
-TEST(ReadFile, ReadsAFileThatDoesNotSayItsSize) {
+TEST_F(ReadFile, ReadsAFileThatDoesNotSayItsSize) {
     const auto bytes = read_file("/proc/self/status", kMegabyte);
     ASSERT_TRUE(bytes) << bytes.error().message;
     EXPECT_TRUE(bytes->starts_with("Name:")) << *bytes;
@@ -59,47 +61,41 @@ TEST(ReadFile, ReadsAFileThatDoesNotSayItsSize) {
     expect_refused("/proc/self/status", ErrorKind::kBadInput, "expected at most 10 bytes", 10);
 }
 
-TEST(ReadFile, RejectsAFileThatIsNotThere) {
-    const TemporaryFolder folder;
-    expect_refused(folder / "none", ErrorKind::kBadInput, "no such file");
-    expect_refused(folder / "none" / "deeper", ErrorKind::kBadInput, "no such file");
+TEST_F(ReadFile, RejectsAFileThatIsNotThere) {
+    expect_refused(folder_ / "none", ErrorKind::kBadInput, "no such file");
+    expect_refused(folder_ / "none" / "deeper", ErrorKind::kBadInput, "no such file");
 }
 
-TEST(ReadFile, RejectsAFolder) {
-    const TemporaryFolder folder;
-    expect_refused(folder.path(), ErrorKind::kBadInput, "expected a file, found a folder");
+TEST_F(ReadFile, RejectsAFolder) {
+    expect_refused(folder_.path(), ErrorKind::kBadInput, "expected a file, found a folder");
 }
 
-TEST(ReadFile, RejectsAPipeWithoutWaitingForItsWriter) {
-    const TemporaryFolder folder;
-    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    expect_refused(folder / "pipe", ErrorKind::kBadInput, "expected a file, found a pipe");
+TEST_F(ReadFile, RejectsAPipeWithoutWaitingForItsWriter) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    expect_refused(folder_ / "pipe", ErrorKind::kBadInput, "expected a file, found a pipe");
 }
 
-TEST(ReadFile, RejectsADeviceThatNeverEnds) {
+TEST_F(ReadFile, RejectsADeviceThatNeverEnds) {
     expect_refused("/dev/zero", ErrorKind::kBadInput, "expected a file, found a device");
 }
 
-TEST(ReadFile, RejectsATerabyteWithoutReadingIt) {
-    const TemporaryFolder folder;
-    put_file(folder / "huge", "x");
-    std::filesystem::resize_file(folder / "huge", std::uintmax_t{1} << 40U);
-    expect_refused(folder / "huge", ErrorKind::kBadInput, "found 1099511627776");
+TEST_F(ReadFile, RejectsATerabyteWithoutReadingIt) {
+    put_file(folder_ / "huge", "x");
+    std::filesystem::resize_file(folder_ / "huge", std::uintmax_t{1} << 40U);
+    expect_refused(folder_ / "huge", ErrorKind::kBadInput, "found 1099511627776");
 }
 
-TEST(ReadFile, SaysThatPermissionIsDenied) {
-    const TemporaryFolder folder;
-    put_file(folder / "secret", "x");
-    std::filesystem::permissions(folder / "secret", std::filesystem::perms::none);
+TEST_F(ReadFile, SaysThatPermissionIsDenied) {
+    put_file(folder_ / "secret", "x");
+    std::filesystem::permissions(folder_ / "secret", std::filesystem::perms::none);
     const test::WithoutRootRights bound;
-    expect_refused(folder / "secret", ErrorKind::kSystemLacks, "Permission denied");
+    expect_refused(folder_ / "secret", ErrorKind::kSystemLacks, "Permission denied");
 }
 
-TEST(ReadFile, KeepsItsMessageToOneLineWhateverTheName) {
-    const TemporaryFolder folder;
-    const auto bytes = read_file(folder / "two\nlines", kMegabyte);
+TEST_F(ReadFile, KeepsItsMessageToOneLineWhateverTheName) {
+    const auto bytes = read_file(folder_ / "two\nlines", kMegabyte);
     ASSERT_FALSE(bytes);
-    EXPECT_EQ(bytes.error().message, (folder / "two\\x0alines").string() + ": no such file");
+    EXPECT_EQ(bytes.error().message, (folder_ / "two\\x0alines").string() + ": no such file");
 }
 
 TEST(ReadFileStart, GivesTheFirstBytesOfWhateverLength) {

@@ -5,103 +5,63 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <string>
+#include <string_view>
 
 #include "game/screens/screens.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace {
 
-const char* word_of(onggi::kiosk::Button button) {
-    using onggi::kiosk::Button;
-    switch (button) {
-        case Button::kBegin:
-            return "begin";
-        case Button::kShelfNext:
-            return "shelf-next";
-        case Button::kJoinBowls:
-            return "join-bowls";
-        case Button::kFree:
-            return "free";
-        case Button::kTarget:
-            return "target";
-        case Button::kLanguages:
-            return "languages";
-        case Button::kLanguage:
-            return "language";
-        case Button::kTextMore:
-            return "text-more";
-        case Button::kReach:
-            return "reach";
-        case Button::kStill:
-            return "still";
-        case Button::kComfortDone:
-            return "comfort-done";
-        case Button::kUndo:
-            return "undo";
-        case Button::kNewClay:
-            return "new-clay";
-        case Button::kShowMe:
-            return "show-me";
-        case Button::kMyTurn:
-            return "my-turn";
-        case Button::kLookIn:
-            return "look-in";
-        case Button::kHandUp:
-            return "hand-up";
-        case Button::kHandDown:
-            return "hand-down";
-        case Button::kHandLeft:
-            return "hand-left";
-        case Button::kHandRight:
-            return "hand-right";
-        case Button::kTools:
-            return "tools";
-        case Button::kTakeTool:
-            return "take-tool";
-        case Button::kCut:
-            return "cut";
-        case Button::kWaterMore:
-            return "water-more";
-        case Button::kSpeedMore:
-            return "speed-more";
-        case Button::kDone:
-            return "done";
-        case Button::kDrawingTool:
-            return "drawing-tool";
-        case Button::kMotif:
-            return "motif";
-        case Button::kAllRound:
-            return "all-round";
-        case Button::kTurning:
-            return "turning";
-        case Button::kPutBrush:
-            return "put-brush";
-        case Button::kClear:
-            return "clear";
-        case Button::kSkip:
-            return "skip";
-        case Button::kGlaze:
-            return "glaze";
-        case Button::kTakeGlaze:
-            return "take-glaze";
-        case Button::kKeep:
-            return "keep";
-        case Button::kAnother:
-            return "another";
-        case Button::kFinish:
-            return "finish";
-        case Button::kOnWall:
-            return "on-wall";
-        case Button::kResumeGo:
-            return "resume-go";
-        case Button::kResumeFresh:
-            return "resume-fresh";
-        case Button::kBeforeCollapse:
-            return "before-collapse";
-        default:
-            return "other";
-    }
+using onggi::kiosk::Button;
+
+const std::map<Button, std::string_view> kWords{{Button::kBegin, "begin"},
+                                                {Button::kShelfNext, "shelf-next"},
+                                                {Button::kJoinBowls, "join-bowls"},
+                                                {Button::kFree, "free"},
+                                                {Button::kTarget, "target"},
+                                                {Button::kLanguages, "languages"},
+                                                {Button::kLanguage, "language"},
+                                                {Button::kTextMore, "text-more"},
+                                                {Button::kReach, "reach"},
+                                                {Button::kStill, "still"},
+                                                {Button::kComfortDone, "comfort-done"},
+                                                {Button::kUndo, "undo"},
+                                                {Button::kNewClay, "new-clay"},
+                                                {Button::kShowMe, "show-me"},
+                                                {Button::kMyTurn, "my-turn"},
+                                                {Button::kLookIn, "look-in"},
+                                                {Button::kHandUp, "hand-up"},
+                                                {Button::kHandDown, "hand-down"},
+                                                {Button::kHandLeft, "hand-left"},
+                                                {Button::kHandRight, "hand-right"},
+                                                {Button::kTools, "tools"},
+                                                {Button::kTakeTool, "take-tool"},
+                                                {Button::kCut, "cut"},
+                                                {Button::kWaterMore, "water-more"},
+                                                {Button::kSpeedMore, "speed-more"},
+                                                {Button::kDone, "done"},
+                                                {Button::kDrawingTool, "drawing-tool"},
+                                                {Button::kMotif, "motif"},
+                                                {Button::kAllRound, "all-round"},
+                                                {Button::kTurning, "turning"},
+                                                {Button::kPutBrush, "put-brush"},
+                                                {Button::kClear, "clear"},
+                                                {Button::kSkip, "skip"},
+                                                {Button::kGlaze, "glaze"},
+                                                {Button::kTakeGlaze, "take-glaze"},
+                                                {Button::kKeep, "keep"},
+                                                {Button::kAnother, "another"},
+                                                {Button::kFinish, "finish"},
+                                                {Button::kOnWall, "on-wall"},
+                                                {Button::kResumeGo, "resume-go"},
+                                                {Button::kResumeFresh, "resume-fresh"},
+                                                {Button::kBeforeCollapse, "before-collapse"}};
+
+std::string_view word_of(Button button) {
+    const auto word = kWords.find(button);
+    return word == kWords.end() ? "other" : word->second;
 }
 
 }  // namespace

@@ -31,17 +31,21 @@ std::string text_of(const std::vector<std::byte>& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-TEST(Outbox, KeepsAPotWholeAndFindsItAfterARestart) {
-    const test::TemporaryFolder folder;
+class OutboxTest : public testing::Test {
+  protected:
+    const test::TemporaryFolder folder_;
+};
+
+TEST_F(OutboxTest, KeepsAPotWholeAndFindsItAfterARestart) {
     const SharedPot pot = support::full_pot("one");
     std::string code;
     {
-        Outbox outbox = open_in(folder / "box");
+        Outbox outbox = open_in(folder_ / "box");
         const auto put = outbox.put(pot, kNoon);
         ASSERT_TRUE(put) << put.error().message;
         code = put->text();
     }
-    const fs::path place = folder / "box" / code;
+    const fs::path place = folder_ / "box" / code;
     EXPECT_EQ(test::content_of(place / "pot.glb"), text_of(pot.model_glb.bytes));
     EXPECT_EQ(test::content_of(place / "pot.png"), text_of(pot.picture.bytes));
     for (const char* name :
@@ -53,7 +57,7 @@ TEST(Outbox, KeepsAPotWholeAndFindsItAfterARestart) {
         EXPECT_FALSE(fs::exists(place / name)) << name;
     EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "en.html"));
 
-    const Outbox again = open_in(folder / "box");
+    const Outbox again = open_in(folder_ / "box");
     const auto all = again.list();
     ASSERT_TRUE(all);
     ASSERT_EQ(all->size(), 1U);
@@ -65,43 +69,39 @@ TEST(Outbox, KeepsAPotWholeAndFindsItAfterARestart) {
     EXPECT_EQ(all->front().bytes, bytes);
 }
 
-TEST(Outbox, OpensWithTheVisitorsLanguage) {
-    const test::TemporaryFolder folder;
-    Outbox outbox = open_in(folder / "box");
+TEST_F(OutboxTest, OpensWithTheVisitorsLanguage) {
+    Outbox outbox = open_in(folder_ / "box");
     SharedPot pot = support::full_pot("one");
     pot.first_language = 2;
     const auto code = outbox.put(pot, kNoon);
     ASSERT_TRUE(code);
-    const fs::path place = folder / "box" / code->text();
+    const fs::path place = folder_ / "box" / code->text();
     EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "ar.html"));
 }
 
-TEST(Outbox, TakesFilesFromTheDisk) {
-    const test::TemporaryFolder folder;
-    test::put_file(folder / "mine.stl", "triangles");
-    Outbox outbox = open_in(folder / "box");
+TEST_F(OutboxTest, TakesFilesFromTheDisk) {
+    test::put_file(folder_ / "mine.stl", "triangles");
+    Outbox outbox = open_in(folder_ / "box");
     SharedPot pot;
-    pot.print_stl.path = folder / "mine.stl";
+    pot.print_stl.path = folder_ / "mine.stl";
     const auto code = outbox.put(pot, kNoon);
     ASSERT_TRUE(code) << code.error().message;
-    EXPECT_EQ(test::content_of(folder / "box" / code->text() / "pot.stl"), "triangles");
+    EXPECT_EQ(test::content_of(folder_ / "box" / code->text() / "pot.stl"), "triangles");
 }
 
-TEST(Outbox, LaysSomethingAtItsDoorSoThatNobodyListsIt) {
-    const test::TemporaryFolder folder;
-    static_cast<void>(open_in(folder / "box"));
-    EXPECT_NE(test::content_of(folder / "box/index.html").find("name=\"code\""), std::string::npos);
-    EXPECT_NE(test::content_of(folder / "box/404.html").find("There is no pot here"), std::string::npos);
-    const auto written = fs::last_write_time(folder / "box/404.html");
-    test::put_file(folder / "box/index.html", "somebody else's");
-    static_cast<void>(open_in(folder / "box"));
-    EXPECT_EQ(fs::last_write_time(folder / "box/404.html"), written) << "what is right is not written again";
-    EXPECT_NE(test::content_of(folder / "box/index.html").find("name=\"code\""), std::string::npos);
+TEST_F(OutboxTest, LaysSomethingAtItsDoorSoThatNobodyListsIt) {
+    static_cast<void>(open_in(folder_ / "box"));
+    EXPECT_NE(test::content_of(folder_ / "box/index.html").find("name=\"code\""), std::string::npos);
+    EXPECT_NE(test::content_of(folder_ / "box/404.html").find("There is no pot here"), std::string::npos);
+    const auto written = fs::last_write_time(folder_ / "box/404.html");
+    test::put_file(folder_ / "box/index.html", "somebody else's");
+    static_cast<void>(open_in(folder_ / "box"));
+    EXPECT_EQ(fs::last_write_time(folder_ / "box/404.html"), written) << "what is right is not written again";
+    EXPECT_NE(test::content_of(folder_ / "box/index.html").find("name=\"code\""), std::string::npos);
 }
 
-TEST(Outbox, WithdrawsByCodeAndByTheGallerysName) {
-    const test::TemporaryFolder folder;
-    Outbox outbox = open_in(folder / "box");
+TEST_F(OutboxTest, WithdrawsByCodeAndByTheGallerysName) {
+    Outbox outbox = open_in(folder_ / "box");
     SharedPot pot = support::full_pot("one");
     pot.gallery_name = "2026-11-24/pot-003";
     const auto named = outbox.put(pot, kNoon);
@@ -110,15 +110,14 @@ TEST(Outbox, WithdrawsByCodeAndByTheGallerysName) {
     EXPECT_FALSE(*outbox.withdraw_named("2026-11-24/pot-004"));
     EXPECT_FALSE(*outbox.withdraw_named("")) << "no name is nobody's";
     EXPECT_TRUE(*outbox.withdraw_named("2026-11-24/pot-003"));
-    EXPECT_FALSE(fs::exists(folder / "box" / named->text()));
+    EXPECT_FALSE(fs::exists(folder_ / "box" / named->text()));
     EXPECT_TRUE(*outbox.withdraw(*plain));
     EXPECT_FALSE(*outbox.withdraw(*plain)) << "it is gone";
     EXPECT_TRUE(outbox.list()->empty());
 }
 
-TEST(Outbox, KeepsNoMoreThanItMay) {
-    const test::TemporaryFolder folder;
-    Outbox outbox = open_in(folder / "box", 3);
+TEST_F(OutboxTest, KeepsNoMoreThanItMay) {
+    Outbox outbox = open_in(folder_ / "box", 3);
     std::vector<std::string> codes;
     for (int i = 0; i < 5; ++i) {
         const auto code =
@@ -133,18 +132,17 @@ TEST(Outbox, KeepsNoMoreThanItMay) {
     EXPECT_EQ(left, std::vector<std::string>(codes.begin() + 2, codes.end())) << "the oldest leave first";
 
     const std::uint64_t one = outbox.list()->front().bytes;
-    Outbox narrow = open_in(folder / "narrow", 200, 2 * one + one / 2);
+    Outbox narrow = open_in(folder_ / "narrow", 200, 2 * one + one / 2);
     for (int i = 0; i < 4; ++i)
         ASSERT_TRUE(narrow.put(support::full_pot("pot"), {.now_s = 1'000'000 + i, .expires_s = 1'020'000}));
     EXPECT_EQ(narrow.list()->size(), 2U);
-    Outbox tiny = open_in(folder / "tiny", 200, one / 2);
+    Outbox tiny = open_in(folder_ / "tiny", 200, one / 2);
     EXPECT_FALSE(tiny.put(support::full_pot("pot"), kNoon));
     EXPECT_TRUE(tiny.list()->empty());
 }
 
-TEST(Outbox, NeverThrowsTheNewcomerOut) {
-    const test::TemporaryFolder folder;
-    Outbox outbox = open_in(folder / "box", 1);
+TEST_F(OutboxTest, NeverThrowsTheNewcomerOut) {
+    Outbox outbox = open_in(folder_ / "box", 1);
     ASSERT_TRUE(outbox.put(support::full_pot("late"), {.now_s = 2'000'000, .expires_s = 2'020'000}));
     // The machine's clock was put back.
     const auto newcomer = outbox.put(support::full_pot("new"), kNoon);
@@ -153,9 +151,8 @@ TEST(Outbox, NeverThrowsTheNewcomerOut) {
     EXPECT_EQ(outbox.list()->front().code, *newcomer);
 }
 
-TEST(Outbox, RejectsWhatCannotBeShared) {
-    const test::TemporaryFolder folder;
-    Outbox outbox = open_in(folder / "box");
+TEST_F(OutboxTest, RejectsWhatCannotBeShared) {
+    Outbox outbox = open_in(folder_ / "box");
     SharedPot no_picture = support::full_pot("x");
     no_picture.picture.bytes = support::bytes_of("GIF89a");
     const auto refused = outbox.put(no_picture, kNoon);
@@ -163,29 +160,29 @@ TEST(Outbox, RejectsWhatCannotBeShared) {
     EXPECT_EQ(refused.error().message,
               "the shared pot's pot: expected a PNG, JPEG or WebP picture, found none");
     SharedPot no_file;
-    no_file.model_glb.path = folder / "none.glb";
+    no_file.model_glb.path = folder_ / "none.glb";
     EXPECT_FALSE(outbox.put(no_file, kNoon));
     EXPECT_FALSE(outbox.put(support::full_pot("x"), {.now_s = 5, .expires_s = 5}));
     EXPECT_TRUE(outbox.list()->empty());
-    EXPECT_EQ(fs::exists(folder / "box/.kept"), false);
-    test::put_file(folder / "file", "no folder");
-    const auto no_folder = Outbox::open({.folder = folder / "file", .languages = support::three_languages()});
+    EXPECT_EQ(fs::exists(folder_ / "box/.kept"), false);
+    test::put_file(folder_ / "file", "no folder");
+    const auto no_folder =
+        Outbox::open({.folder = folder_ / "file", .languages = support::three_languages()});
     ASSERT_FALSE(no_folder);
     EXPECT_NE(no_folder.error().message.find("expected a folder for shared pots, found "), std::string::npos);
-    EXPECT_FALSE(Outbox::open({.folder = folder / "box"})) << "no language";
+    EXPECT_FALSE(Outbox::open({.folder = folder_ / "box"})) << "no language";
 }
 
-TEST(Outbox, LeavesNothingWhereTheDiskRefuses) {
-    const test::TemporaryFolder folder;
-    Outbox outbox = open_in(folder / "box");
-    fs::permissions(folder / "box", fs::perms::owner_read | fs::perms::owner_exec);
+TEST_F(OutboxTest, LeavesNothingWhereTheDiskRefuses) {
+    Outbox outbox = open_in(folder_ / "box");
+    fs::permissions(folder_ / "box", fs::perms::owner_read | fs::perms::owner_exec);
     {
         const test::WithoutRootRights bound;
         const auto refused = outbox.put(support::full_pot("x"), kNoon);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().kind, ErrorKind::kSystemLacks);
     }
-    fs::permissions(folder / "box", fs::perms::owner_all);
+    fs::permissions(folder_ / "box", fs::perms::owner_all);
     EXPECT_TRUE(outbox.list()->empty());
     // A disk that is full in the middle of a pot.
     EXPECT_EQ(test::in_child([&]() -> std::string {
@@ -196,22 +193,21 @@ TEST(Outbox, LeavesNothingWhereTheDiskRefuses) {
                                                                         : full.error().message;
               }),
               "lacks");
-    for (const auto& entry : fs::directory_iterator(folder / "box"))
+    for (const auto& entry : fs::directory_iterator(folder_ / "box"))
         EXPECT_FALSE(entry.is_directory()) << entry.path();
 }
 
-TEST(Outbox, TakesAwayWhatAKilledWriterLeft) {
-    const test::TemporaryFolder folder;
-    fs::create_directories(folder / "box/K73FQ9TX.part");
-    test::put_file(folder / "box/K73FQ9TX.part/pot.glb", "half");
-    fs::create_directories(folder / "box/K73FQ9TY");  // without a note: nobody can be told when it goes
-    test::put_file(folder / "box/K73FQ9TY/pot.glb", "half");
-    fs::create_directories(folder / "box/precious");
-    Outbox outbox = open_in(folder / "box");
-    EXPECT_FALSE(fs::exists(folder / "box/K73FQ9TX.part"));
+TEST_F(OutboxTest, TakesAwayWhatAKilledWriterLeft) {
+    fs::create_directories(folder_ / "box/K73FQ9TX.part");
+    test::put_file(folder_ / "box/K73FQ9TX.part/pot.glb", "half");
+    fs::create_directories(folder_ / "box/K73FQ9TY");  // without a note: nobody can be told when it goes
+    test::put_file(folder_ / "box/K73FQ9TY/pot.glb", "half");
+    fs::create_directories(folder_ / "box/precious");
+    Outbox outbox = open_in(folder_ / "box");
+    EXPECT_FALSE(fs::exists(folder_ / "box/K73FQ9TX.part"));
     EXPECT_EQ(*outbox.expire(1), 1);
-    EXPECT_FALSE(fs::exists(folder / "box/K73FQ9TY"));
-    EXPECT_TRUE(fs::exists(folder / "box/precious")) << "what is no pot is nobody's to take";
+    EXPECT_FALSE(fs::exists(folder_ / "box/K73FQ9TY"));
+    EXPECT_TRUE(fs::exists(folder_ / "box/precious")) << "what is no pot is nobody's to take";
 }
 
 TEST(KeptNote, IsReadAsItIsWritten) {
