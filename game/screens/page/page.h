@@ -21,8 +21,9 @@ namespace onggi::screens {
 // Paintings by the hash of their sketch, kept while they are used.
 class PaintingStore {
   public:
-    // kNothing: every painting is empty, and only places and words count.
-    enum class Paints { kAll, kNothing };
+    // kAllForGood: what is no longer used stays too. kNothing: every painting is empty, and only places and
+    // words count.
+    enum class Paints { kAll, kAllForGood, kNothing };
 
     explicit PaintingStore(ui::Painter& painter, Paints paints = Paints::kAll)
         : painter_(painter),

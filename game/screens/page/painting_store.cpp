@@ -76,6 +76,7 @@ std::shared_ptr<const TurningPot> PaintingStore::turning(const pot::Section& sha
 
 // The bytes of what has sat out that many compositions, by that number.
 void PaintingStore::forget_unused() {
+    if (paints_ != Paints::kAll) return;
     std::array<std::size_t, kPatience + 1> unused_bytes{};
     const auto look = [&](auto& kept) {
         for (auto& [key, entry] : kept) {

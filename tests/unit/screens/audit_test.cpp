@@ -29,12 +29,20 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return fmt::format("{}_{}x{}", one.language, one.width_px, one.height_px);
 }
 
-// One painter for all: its fonts take as long to find as a layout to judge.
+// One painter for all: its fonts take as long to find as a layout to judge. And one store: the same pots stand
+// on a screen in every language.
 class Audit : public testing::TestWithParam<Case> {
   protected:
-    static void SetUpTestSuite() { painter_ = std::make_unique<ui::Painter>(); }
-    static void TearDownTestSuite() { painter_.reset(); }
+    static void SetUpTestSuite() {
+        painter_ = std::make_unique<ui::Painter>();
+        store_ = std::make_unique<PaintingStore>(*painter_, PaintingStore::Paints::kAllForGood);
+    }
+    static void TearDownTestSuite() {
+        store_.reset();
+        painter_.reset();
+    }
     inline static std::unique_ptr<ui::Painter> painter_;
+    inline static std::unique_ptr<PaintingStore> store_;
 };
 
 // Every way in which a visitor may have set the screens up.
@@ -133,7 +141,6 @@ TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
 
 TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
     const Case& one = GetParam();
-    PaintingStore store(*painter_);
     // A quarter of the size each way, and the same layout. The staff's panel keeps its size of text.
     const auto audit = [&](SampleRequest request) {
         request.width_px = one.width_px / 4;
@@ -143,7 +150,7 @@ TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
         for (const SampleView& sample : sample_views(request)) {
             SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(request)));
             const SampleView ringed = request.scans ? with_ring(sample, ++ring, 12) : sample;
-            const Composition composition = compose(*ringed.view, *painter_, store);
+            const Composition composition = compose(*ringed.view, *painter_, *store_);
             audit_contrast(ringed, composition);
             audit_room(ringed, composition);
         }
