@@ -9,7 +9,7 @@ namespace onggi::test {
 namespace {
 
 // Opens a lump of 500 g at its axis, widens it, and cuts the rim level at 34 mm.
-const std::string kOpening =
+const std::string kBowl =
     "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm,shaft_mm,wire,wire_y_mm\n"
     "0,0,90,0,1,10,0,none,0\n"
     "0.3,0,60,0,1,10,0,none,0\n"
@@ -28,7 +28,7 @@ const std::string kCollar =
 class PotOnTheCommandLine : public testing::Test {
   protected:
     void SetUp() override {
-        put_file(folder_ / "bowl.csv", kOpening);
+        put_file(folder_ / "bowl.csv", kBowl);
         put_file(folder_ / "collar.csv", kCollar);
     }
     ProgramRun onggi(const std::vector<std::string>& words) {

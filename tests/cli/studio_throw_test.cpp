@@ -19,14 +19,6 @@ const std::string kOpening =
     "4.9,10,90,0,1,10,0,1,150,rim,34,\n"
     "5.0,10,90,0,1,10,0,1,150,none,0,\n";
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-        lines.push_back(line);
-    return lines;
-}
-
 std::vector<double> numbers_of(const std::string& line) {
     std::vector<double> numbers;
     std::istringstream in(line);

@@ -1,6 +1,5 @@
 // What `onggi throw` writes when all is well.
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/cli/cli_expectations.h"
 
@@ -8,14 +7,6 @@ namespace onggi::test {
 namespace {
 
 using Words = std::vector<std::string>;
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-        lines.push_back(line);
-    return lines;
-}
 
 class Throw : public testing::Test {
   protected:

@@ -13,21 +13,22 @@
 namespace onggi::golden {
 namespace {
 
-constexpr int kWidth = 160;
-constexpr int kHeight = 90;
+constexpr int kBackgroundWidth = 160;
+constexpr int kBackgroundHeight = 90;
 
 render::Camera camera() {
     return {.eye_mm = {0.0F, 285.0F, 805.0F}, .target_mm = {0.0F, 82.0F, 0.0F}, .vertical_fov_rad = 0.471F};
 }
 
 // All of one grey.
-std::shared_ptr<const render::Background> grey_background(std::uint8_t level, int height_px = kHeight) {
+std::shared_ptr<const render::Background> grey_background(std::uint8_t level,
+                                                          int height_px = kBackgroundHeight) {
     render::Background background;
     background.camera = camera();
-    background.width_px = kWidth;
+    background.width_px = kBackgroundWidth;
     background.height_px = height_px;
-    asset::Image grey{.width = kWidth, .height = height_px, .rgba = {}};
-    grey.rgba.assign(std::size_t{4} * kWidth * static_cast<std::size_t>(height_px), level);
+    asset::Image grey{.width = kBackgroundWidth, .height = height_px, .rgba = {}};
+    grey.rgba.assign(std::size_t{4} * kBackgroundWidth * static_cast<std::size_t>(height_px), level);
     const render::PhotographPair pair{grey, grey};
     background.photographs =
         std::make_shared<render::Photographs>(pair, [pair] { return Result<render::PhotographPair>(pair); });
@@ -39,12 +40,13 @@ class Backgrounds : public DrawingTest {
     void SetUp() override {
         DrawingTest::SetUp();
         make_renderer(render::Backend::kCpu);
-        target_ = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
+        target_ = vk::Offscreen::create(*device_, {kBackgroundWidth, kBackgroundHeight}).value();
     }
     void make_renderer(render::Backend backend) {
-        const render::RendererDesc desc = backend == render::Backend::kCpu
-                                              ? render::live_desc(vk::Offscreen::kFormat, true, kHeight)
-                                              : render::still_desc(vk::Offscreen::kFormat);
+        const render::RendererDesc desc =
+            backend == render::Backend::kCpu
+                ? render::live_desc(vk::Offscreen::kFormat, true, kBackgroundHeight)
+                : render::still_desc(vk::Offscreen::kFormat);
         renderer_ = render::Renderer::create(*device_, desc).value();
     }
     // The level in the picture's middle, with another background at hand.
@@ -61,7 +63,7 @@ class Backgrounds : public DrawingTest {
         const auto shown = renderer_->draw(scene, *target_);
         EXPECT_TRUE(shown && *shown) << (shown ? "" : shown.error().message);
         const std::vector<std::uint8_t> pixels = target_->read_back().value();
-        return pixels[std::size_t{4} * (kHeight / 2 * kWidth + kWidth / 2)];
+        return pixels[std::size_t{4} * (kBackgroundHeight / 2 * kBackgroundWidth + kBackgroundWidth / 2)];
     }
 
     void TearDown() override {

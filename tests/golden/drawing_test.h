@@ -59,6 +59,15 @@ inline render::RendererDesc strictly_alike(render::Backend backend, int height_p
     return desc;
 }
 
+// Of moving pictures.
+constexpr int kWidth = 640;
+constexpr int kHeight = 360;
+constexpr double kFrameS = 1.0 / 60.0;
+
+// A texel of the shadow mask may stay one step of 255 from where it should be: of light, of which dark clay
+// shows three in the picture.
+constexpr int kMaskStep = 3;
+
 class DrawingTest : public testing::Test {
   protected:
     void SetUp() override {

@@ -29,12 +29,12 @@ pot::Pot pot_of(const StudioShape& shape, clay::ClayBody body, clay::Firing stag
     return pot;
 }
 
-double throwing_rings(double y) {
+double finer_rings(double y) {
     return 0.35 * std::sin(y * 0.78 + 2.3 * std::sin(y * 0.026));
 }
 
 double vase(double y) {
-    return 30.0 + 26.0 * bump(y, 70.0, 52.0) + 12.0 * bump(y, 205.0, 26.0) + throwing_rings(y);
+    return 30.0 + 26.0 * bump(y, 70.0, 52.0) + 12.0 * bump(y, 205.0, 26.0) + finer_rings(y);
 }
 
 // A sphere of 16 mm pressed 9 mm deep into a straight wall, and the trace of it higher up.

@@ -16,9 +16,6 @@
 namespace onggi::golden {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
-
 class HeldPicture : public DrawingTest {
   protected:
     void SetUp() override {
@@ -65,9 +62,6 @@ class HeldPicture : public DrawingTest {
 
 // Far enough for the layers to have been read back.
 constexpr int kFrames = 12;
-// A texel of the shadow mask may stay one step of 255 from where it should be: of light, of which dark clay
-// shows three in the picture.
-constexpr int kMaskStep = 3;
 
 TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
     auto chooses = renderer();

@@ -9,13 +9,12 @@
 #include "engine/vk/offscreen.h"
 #include "game/wheel/live_view.h"
 #include "game/wheel/workshop_scene.h"
+#include "tests/golden/drawing_test.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/test_backend.h"
 
 namespace onggi::golden {
 namespace {
-
-constexpr double kFrameS = 1.0 / 60.0;
 
 wheel::View view_of(const GoldenScene& scene) {
     return scene.view == wheel::StillView::kLookingIn ? wheel::View::kLookingIn : wheel::View::kThrowing;

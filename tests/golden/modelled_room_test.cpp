@@ -12,16 +12,16 @@
 namespace onggi::golden {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
+constexpr int kRoomWidth = 320;
+constexpr int kRoomHeight = 180;
 
 class ModelledRoomTest : public DrawingTest {
   protected:
     void SetUp() override {
         DrawingTest::SetUp();
-        opened_ = wheel::open_scene(test::in_checkout("assets/workshop/room.glb"), kWidth, kHeight);
+        opened_ = wheel::open_scene(test::in_checkout("assets/workshop/room.glb"), kRoomWidth, kRoomHeight);
         ASSERT_EQ(opened_.lack, "");
-        target_ = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
+        target_ = vk::Offscreen::create(*device_, {kRoomWidth, kRoomHeight}).value();
     }
     void TearDown() override {
         target_.reset();
@@ -29,7 +29,7 @@ class ModelledRoomTest : public DrawingTest {
     }
     [[nodiscard]] std::unique_ptr<render::Renderer> renderer() const {
         return render::Renderer::create(*device_, render::quality_desc(render::QualityStep::kSlowestGpu,
-                                                                       vk::Offscreen::kFormat, kHeight))
+                                                                       vk::Offscreen::kFormat, kRoomHeight))
             .value();
     }
     // The room in that light, and the pot on its wheel.
@@ -37,8 +37,8 @@ class ModelledRoomTest : public DrawingTest {
         opened_.scene->set_evening(evening);
         // The light has changed by then, and hands are where they go.
         constexpr double kSettledS = 5.0;
-        static_cast<void>(opened_.scene->apply(shown_.shown(), kWidth, kHeight, kSettledS));
-        const render::Scene scene = opened_.scene->apply(shown_.shown(), kWidth, kHeight, 0.0);
+        static_cast<void>(opened_.scene->apply(shown_.shown(), kRoomWidth, kRoomHeight, kSettledS));
+        const render::Scene scene = opened_.scene->apply(shown_.shown(), kRoomWidth, kRoomHeight, 0.0);
         const auto drawn = renderer.draw(scene, *target_, nullptr);
         EXPECT_TRUE(drawn && *drawn);
         return target_->read_back().value();

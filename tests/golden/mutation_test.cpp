@@ -15,8 +15,8 @@
 namespace onggi::golden {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 480;
+constexpr int kGateWidth = 640;
+constexpr int kGateHeight = 480;
 
 class Gate : public testing::Test {
   protected:
@@ -25,7 +25,7 @@ class Gate : public testing::Test {
         device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(),
                                      vk::Presenting::kNone)
                       .value();
-        opened_ = wheel::open_scene({}, kWidth, kHeight);
+        opened_ = wheel::open_scene({}, kGateWidth, kGateHeight);
         options_.golden_folder = folder_ / "golden";
         options_.output_folder = folder_ / "out";
         options_.dirty_paths = [] { return Result<std::string>(std::string()); };
@@ -43,11 +43,11 @@ class Gate : public testing::Test {
         render::RendererDesc desc = render::still_desc(vk::Offscreen::kFormat);
         desc.inside_out = inside_out;
         auto renderer = render::Renderer::create(*device_, desc).value();
-        auto target = vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
-        render::Scene scene = opened_.scene->apply(golden.shown(), kWidth, kHeight);
+        auto target = vk::Offscreen::create(*device_, {kGateWidth, kGateHeight}).value();
+        render::Scene scene = opened_.scene->apply(golden.shown(), kGateWidth, kGateHeight);
         if (change_scene) change_scene(scene);
         EXPECT_TRUE(renderer->draw(scene, *target).value());
-        return {.width = kWidth, .height = kHeight, .rgba = target->read_back().value()};
+        return {.width = kGateWidth, .height = kGateHeight, .rgba = target->read_back().value()};
     }
     [[nodiscard]] testing::AssertionResult check(const asset::Image& image) const {
         return support::matches_golden("vase", image, info_, options_);
@@ -83,7 +83,7 @@ TEST_F(Gate, SeesOnePercentOfLight) {
 
 TEST_F(Gate, SeesAPictureShiftedByOnePixel) {
     const asset::Image whole = draw();
-    for (const std::size_t shift : {std::size_t{4}, std::size_t{4} * kWidth}) {
+    for (const std::size_t shift : {std::size_t{4}, std::size_t{4} * kGateWidth}) {
         asset::Image shifted = whole;
         std::copy(whole.rgba.begin(), whole.rgba.end() - static_cast<std::ptrdiff_t>(shift),
                   shifted.rgba.begin() + static_cast<std::ptrdiff_t>(shift));

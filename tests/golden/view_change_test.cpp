@@ -19,10 +19,6 @@
 namespace onggi::golden {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
-constexpr double kFrameS = 1.0 / 60.0;
-constexpr int kMaskStep = 3;  // see held_picture_test.cpp
 constexpr int kMostFramesToMake = 12;
 using Pixels = std::vector<std::uint8_t>;
 

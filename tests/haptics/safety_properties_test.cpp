@@ -24,12 +24,14 @@
 #include "game/haptic/job.h"
 #include "tests/haptics/device_models.h"
 #include "tests/haptics/obedient_loop.h"
+#include "tests/support/engaged.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::haptic {
 namespace {
 
+using haptics::engaged;
 using haptics::kSafetyChain;
 using haptics::SafetyInput;
 using haptics::SafetyLimits;
@@ -46,13 +48,6 @@ std::vector<SafetyStage> chain_without(std::string_view name) {
         if (stage.name != name) stages.push_back(stage);
     EXPECT_EQ(stages.size() + 1, kSafetyChain.size()) << "there is no stage " << name;
     return stages;
-}
-
-SafetyState engaged() {
-    SafetyState state;
-    state.calm_ticks = 1000;
-    state.ramp = 1.0;
-    return state;
 }
 
 SafetyInput resting() {

@@ -94,12 +94,12 @@ TEST_F(AHouse, IsSilentWhenTheClockWasPutBackAndWellWithTheNextHeartbeat) {
     next.haptic_ticks += 1;
     ASSERT_TRUE(heart.beat(next, 61));
     EXPECT_TRUE(look(62).is_well());
-    constexpr std::int64_t kSecondsOf32Bits = 2'147'483'647;
+    constexpr std::int64_t kMostOf32Bits = 2'147'483'647;
     next.frames_shown += 1;
     next.haptic_ticks += 1;
-    ASSERT_TRUE(heart.beat(next, kSecondsOf32Bits + 10));
-    EXPECT_TRUE(look(kSecondsOf32Bits + 11).is_well());
-    EXPECT_EQ(nlohmann::json::parse(json_of(look(kSecondsOf32Bits + 11))).at("heartbeat").at("at"),
+    ASSERT_TRUE(heart.beat(next, kMostOf32Bits + 10));
+    EXPECT_TRUE(look(kMostOf32Bits + 11).is_well());
+    EXPECT_EQ(nlohmann::json::parse(json_of(look(kMostOf32Bits + 11))).at("heartbeat").at("at"),
               "2038-01-19T03:14:17Z");
 }
 

@@ -227,8 +227,8 @@ TEST_F(InterruptedVisit, GivesUpWithOneLineWhereNothingCanBeWritten) {
 }
 
 // The loop, the keeper and the disk as they are in a kiosk, on the real clock.
-struct Wheel {
-    explicit Wheel(const fs::path& gallery)
+struct VisitedWheel {
+    explicit VisitedWheel(const fs::path& gallery)
         : job(start, parameters, std::make_unique<test::StudioHand>(1000.0), {}) {
         kiosk::Config config;
         config.gallery.folder = gallery.string();
@@ -238,7 +238,7 @@ struct Wheel {
         EXPECT_TRUE(job.start());
         EXPECT_TRUE(keeper->start());
     }
-    ~Wheel() {
+    ~VisitedWheel() {
         keeper->stop();
         job.stop();
     }
@@ -269,7 +269,7 @@ struct Wheel {
 TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
     const test::TemporaryFolder gallery;
     {
-        Wheel wheel(gallery.path());
+        VisitedWheel wheel(gallery.path());
         ASSERT_TRUE(wheel.job.send(haptic::Command::kFreshLump));
         wheel.keeper->journal(1);
         ASSERT_TRUE(
@@ -277,7 +277,7 @@ TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
     }
     std::uint64_t first = 0;
     {
-        Wheel wheel(gallery.path());
+        VisitedWheel wheel(gallery.path());
         ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_interrupted_session; })) << wheel.words;
         EXPECT_TRUE(fs::exists(gallery / "state/left-over.onggi"));
         wheel.keeper->resume(0);
@@ -293,7 +293,7 @@ TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
             << wheel.words;
         ASSERT_TRUE(wheel.waits_for([&] { return wheel.tick() > first + 1200; }));
     }
-    Wheel wheel(gallery.path());
+    VisitedWheel wheel(gallery.path());
     ASSERT_TRUE(wheel.waits_for([&] { return wheel.is_interrupted_session; })) << wheel.words;
     wheel.keeper->resume(0);
     ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 1; }));
@@ -305,7 +305,7 @@ TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
 TEST(InterruptedWheel, IsNoneWhereTheVisitorHasLeft) {
     const test::TemporaryFolder gallery;
     {
-        Wheel wheel(gallery.path());
+        VisitedWheel wheel(gallery.path());
         ASSERT_TRUE(wheel.job.send(haptic::Command::kFreshLump));
         wheel.keeper->journal(1);
         ASSERT_TRUE(
@@ -313,7 +313,7 @@ TEST(InterruptedWheel, IsNoneWhereTheVisitorHasLeft) {
         wheel.keeper->forget();
         ASSERT_TRUE(wheel.waits_for([&] { return fs::is_empty(gallery / "state"); }));
     }
-    Wheel wheel(gallery.path());
+    VisitedWheel wheel(gallery.path());
     EXPECT_TRUE(wheel.waits_for([&] { return wheel.tick() > 500; }));
     EXPECT_FALSE(wheel.is_interrupted_session);
 }

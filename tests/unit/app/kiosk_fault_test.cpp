@@ -88,9 +88,9 @@ constexpr dvec3 kAside(110.0, 100.0, 0.0);
 constexpr double kInwardsMmS = 10.0;  // which keeps a tool about a mm deep in the clay
 
 // The haptic loop with a mouse and a stick, on a virtual clock, and the kiosk's eye on it at 50 Hz.
-class Wheel {
+class MouseAndStick {
   public:
-    Wheel() {
+    MouseAndStick() {
         auto own_mouse = std::make_unique<haptics::SimulatedDevice>();
         mouse_ = own_mouse.get();
         hold_mouse(kAside);
@@ -169,7 +169,7 @@ class Wheel {
 };
 
 TEST(AFaultWhileSomebodyThrows, LeavesTheMouseItsClayAndGivesTheForceBackAfterARest) {
-    Wheel wheel;
+    MouseAndStick wheel;
     wheel.throw_with_the_stick();
     wheel.stick.position_mm.x = std::numeric_limits<double>::quiet_NaN();  // and it goes on moving
     wheel.run(0.1);
@@ -190,7 +190,7 @@ TEST(AFaultWhileSomebodyThrows, LeavesTheMouseItsClayAndGivesTheForceBackAfterAR
 }
 
 TEST(AFaultWhileSomebodyThrows, ThatComesAgainIsTakenBackAgainAndPushesNobody) {
-    Wheel wheel;
+    MouseAndStick wheel;
     wheel.throw_with_the_stick();
     for (int time = 1; time <= 3; ++time) {
         wheel.stick.position_mm = {60.0, 5000.0, 0.0};
@@ -205,7 +205,7 @@ TEST(AFaultWhileSomebodyThrows, ThatComesAgainIsTakenBackAgainAndPushesNobody) {
 }
 
 TEST(ADeviceThatIsLostWhileItThrows, LeavesTheClayAndTheMouseThrowsOn) {
-    Wheel wheel;
+    MouseAndStick wheel;
     wheel.throw_with_the_stick();
     EXPECT_GT(wheel.contacts(), 0);
     wheel.stick.is_here = wheel.stick.is_moving = false;

@@ -12,7 +12,7 @@ using test::content_of;
 using test::put_file;
 using test::TemporaryFolder;
 
-void expect_refused(const std::filesystem::path& place, ErrorKind kind, std::string_view reason) {
+void expect_no_place(const std::filesystem::path& place, ErrorKind kind, std::string_view reason) {
     const auto checked = check_output_place(place);
     ASSERT_FALSE(checked) << place;
     EXPECT_EQ(checked.error().kind, kind) << checked.error().message;
@@ -45,54 +45,54 @@ TEST_F(OutputPlaceTest, IsGoodWithANameAlone) {
 }
 
 TEST_F(OutputPlaceTest, RejectsAnEmptyName) {
-    expect_refused("", ErrorKind::kBadInput, "found an empty one");
+    expect_no_place("", ErrorKind::kBadInput, "found an empty one");
 }
 
 TEST_F(OutputPlaceTest, RejectsAFolderThatIsNotThere) {
-    expect_refused(folder_ / "none" / "file", ErrorKind::kBadInput,
-                   "the folder " + (folder_ / "none").string() + " is not there");
+    expect_no_place(folder_ / "none" / "file", ErrorKind::kBadInput,
+                    "the folder " + (folder_ / "none").string() + " is not there");
 }
 
 TEST_F(OutputPlaceTest, RejectsAFolderInTheFilesPlace) {
-    expect_refused(folder_.path(), ErrorKind::kBadInput, "expected the place of a file, found a folder");
-    expect_refused(folder_.path() / "", ErrorKind::kBadInput, "found a folder");
+    expect_no_place(folder_.path(), ErrorKind::kBadInput, "expected the place of a file, found a folder");
+    expect_no_place(folder_.path() / "", ErrorKind::kBadInput, "found a folder");
 }
 
 TEST_F(OutputPlaceTest, RejectsAFileInTheFoldersPlace) {
     put_file(folder_ / "file", "x");
-    expect_refused(folder_ / "file" / "deeper", ErrorKind::kBadInput, "expected a folder at");
+    expect_no_place(folder_ / "file" / "deeper", ErrorKind::kBadInput, "expected a folder at");
 }
 
 TEST_F(OutputPlaceTest, RejectsDevicesAndPipesAndLeavesThemBe) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    expect_refused(folder_ / "pipe", ErrorKind::kBadInput, "found a pipe");
-    expect_refused("/dev/full", ErrorKind::kBadInput, "found a device");
-    expect_refused("/dev/null", ErrorKind::kBadInput, "found a device");
+    expect_no_place(folder_ / "pipe", ErrorKind::kBadInput, "found a pipe");
+    expect_no_place("/dev/full", ErrorKind::kBadInput, "found a device");
+    expect_no_place("/dev/null", ErrorKind::kBadInput, "found a device");
     EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "pipe"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
 TEST_F(OutputPlaceTest, RejectsALinkToNothing) {
     std::filesystem::create_symlink(folder_ / "none", folder_ / "link");
-    expect_refused(folder_ / "link", ErrorKind::kBadInput, "is a link to a file that is not there");
+    expect_no_place(folder_ / "link", ErrorKind::kBadInput, "is a link to a file that is not there");
 }
 
 TEST_F(OutputPlaceTest, RejectsANameTooLongToBe) {
-    expect_refused(folder_ / std::string(300, 'n'), ErrorKind::kBadInput, "File name too long");
+    expect_no_place(folder_ / std::string(300, 'n'), ErrorKind::kBadInput, "File name too long");
 }
 
 TEST_F(OutputPlaceTest, SaysThatTheFolderMayNotBeWrittenIn) {
     std::filesystem::permissions(folder_.path(),
                                  std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
     const test::WithoutRootRights bound;
-    expect_refused(folder_ / "new", ErrorKind::kSystemLacks, "Permission denied");
+    expect_no_place(folder_ / "new", ErrorKind::kSystemLacks, "Permission denied");
 }
 
 TEST_F(OutputPlaceTest, SaysThatTheFileMayNotBeWritten) {
     put_file(folder_ / "kept", "kept");
     std::filesystem::permissions(folder_ / "kept", std::filesystem::perms::owner_read);
     const test::WithoutRootRights bound;
-    expect_refused(folder_ / "kept", ErrorKind::kSystemLacks, "Permission denied");
+    expect_no_place(folder_ / "kept", ErrorKind::kSystemLacks, "Permission denied");
 }
 
 }  // namespace

@@ -16,8 +16,8 @@
 namespace onggi::haptic {
 namespace {
 
-constexpr double kRateHz = 500.0;
-constexpr auto kTicks = static_cast<std::uint64_t>(test::kStudioHandSeconds * kRateHz);
+constexpr double kHistoryRateHz = 500.0;
+constexpr auto kTicks = static_cast<std::uint64_t>(test::kStudioHandSeconds * kHistoryRateHz);
 
 HapticParameters parameters_at(double rate_hz) {
     HapticParameters parameters;
@@ -30,7 +30,7 @@ struct Wheel {
     explicit Wheel(const HistoryOptions& options = {}) : history(state, parameters, options) {}
 
     void tick(std::uint64_t hand_tick, std::uint32_t flags = 0) {
-        tick(test::studio_hand(hand_tick, kRateHz), flags);
+        tick(test::studio_hand(hand_tick, kHistoryRateHz), flags);
     }
     void tick(const haptics::ToolState& tool, std::uint32_t flags = 0) {
         const TickResult result = haptic::tick(state, tool, parameters);
@@ -45,7 +45,7 @@ struct Wheel {
     }
 
     HapticState state = test::studio_start();
-    HapticParameters parameters = parameters_at(kRateHz);
+    HapticParameters parameters = parameters_at(kHistoryRateHz);
     History history;
 };
 
@@ -130,7 +130,8 @@ TEST(History, BeginsAnewWithAFreshLump) {
 TEST(History, SaysSoWhenARecordIsMissing) {
     Wheel wheel;
     wheel.throw_until(100);
-    haptic::tick(wheel.state, test::studio_hand(100, kRateHz), wheel.parameters);  // nobody recorded it
+    haptic::tick(wheel.state, test::studio_hand(100, kHistoryRateHz),
+                 wheel.parameters);  // nobody recorded it
     wheel.throw_until(200);
     EXPECT_FALSE(wheel.history.is_whole());
     wheel.state.restart_from(test::studio_start());
@@ -164,12 +165,12 @@ TEST(History, LetsGoOfStatesAndCanStillWorkThemOut) {
 
 TEST(History, IsTheSameWhereItIsSpillFile) {
     const test::TemporaryFolder folder;
-    HapticParameters parameters = parameters_at(kRateHz);
+    HapticParameters parameters = parameters_at(kHistoryRateHz);
     History aside(test::studio_start(), parameters, {.aside = folder / "state"});
     History in_memory(test::studio_start(), parameters);
     for (std::uint64_t tick = 0; tick < 10'000; ++tick) {
-        aside.add_played(test::studio_hand(tick, kRateHz));
-        in_memory.add_played(test::studio_hand(tick, kRateHz));
+        aside.add_played(test::studio_hand(tick, kHistoryRateHz));
+        in_memory.add_played(test::studio_hand(tick, kHistoryRateHz));
     }
     for (const std::uint64_t tick : {0U, 4097U, 9'999U, 3U})
         EXPECT_EQ(aside.state_at(tick).value().hash(), in_memory.state_at(tick).value().hash()) << tick;
@@ -205,7 +206,7 @@ TEST(History, IsSavedAsASessionThatReplays) {
 
 // A finger that lands and lifts, and a ball between two touches.
 haptics::ToolState landing_and_lifting(std::uint64_t tick) {
-    haptics::ToolState tool = test::studio_hand(tick, kRateHz);
+    haptics::ToolState tool = test::studio_hand(tick, kHistoryRateHz);
     tool.guided = tick % 900 < 700;
     tool.pressing = tick % 150 < 110;
     return tool;
@@ -268,7 +269,7 @@ TEST(History, IsTheSameWhenItsToolsArePlayedBack) {
     auto session = record::parse_session(test::content_of(folder / "lived.onggi"), "lived.onggi");
     ASSERT_TRUE(session);
     record::SessionCursor cursor(*session);
-    History played(test::studio_start(), parameters_at(kRateHz));
+    History played(test::studio_start(), parameters_at(kHistoryRateHz));
     for (std::uint64_t tick = 0; tick < session->tick_count(); ++tick)
         played.add_played(cursor.at(tick));
     EXPECT_EQ(played.moves().size(), wheel.history.moves().size());

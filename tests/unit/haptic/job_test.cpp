@@ -14,10 +14,10 @@ using test::ScriptedDevice;
 using test::VirtualClock;
 
 // A HapticWork, and the device inside it.
-struct Bench {
-    explicit Bench(const HapticJobOptions& options = {})
-        : Bench(options, std::make_unique<ScriptedDevice>()) {}
-    Bench(const HapticJobOptions& options, std::unique_ptr<ScriptedDevice> owned)
+struct JobBench {
+    explicit JobBench(const HapticJobOptions& options = {})
+        : JobBench(options, std::make_unique<ScriptedDevice>()) {}
+    JobBench(const HapticJobOptions& options, std::unique_ptr<ScriptedDevice> owned)
         : device(*owned),
           work(HapticState(), HapticParameters{}, std::move(owned), options) {}
 
@@ -47,7 +47,7 @@ struct Bench {
 };
 
 TEST(HapticWork, ReadsTicksAndWritesOnceAPeriod) {
-    Bench bench;
+    JobBench bench;
     bench.run(250);
     EXPECT_EQ(bench.device.reads, 250U);
     EXPECT_EQ(bench.device.writes, 250U);
@@ -65,31 +65,31 @@ TEST(HapticWork, NeedsPunctualityWhereSomebodyFeelsIt) {
     };
     for (const bool motors : {false, true}) {
         for (const bool spares : {false, true}) {
-            const Bench bench({.spares_the_core = spares}, std::make_unique<Motors>(motors));
+            const JobBench bench({.spares_the_core = spares}, std::make_unique<Motors>(motors));
             EXPECT_EQ(bench.work.needs_punctuality(), motors || !spares) << motors << ", " << spares;
         }
     }
 }
 
 TEST(HapticWork, EndsWithTheLastTickOfItsRun) {
-    Bench bench({.run_ticks = 1234});
+    JobBench bench({.run_ticks = 1234});
     EXPECT_EQ(bench.run().ticks, 1234U);
     EXPECT_EQ(bench.work.state().ticks, 1234U);
     EXPECT_EQ(bench.work.runs(), 1U);
 }
 
 TEST(HapticWork, StartsAgainOnAFreshLumpUntilItsTimeIsUp) {
-    Bench bench({.run_ticks = 1000, .repeat = true, .end_periods = 2500});
+    JobBench bench({.run_ticks = 1000, .repeat = true, .end_periods = 2500});
     EXPECT_EQ(bench.run().ticks, 2500U);
     EXPECT_EQ(bench.work.runs(), 3U);
     EXPECT_EQ(bench.work.state().ticks, 500U);
-    Bench once({.run_ticks = 500});
+    JobBench once({.run_ticks = 500});
     once.run();
     EXPECT_EQ(bench.work.state().hash(), once.work.state().hash());
 }
 
 TEST(HapticWork, EndsOnTimeAlthoughItSkipsPeriods) {
-    Bench bench({.run_ticks = 100'000, .end_periods = 1000});
+    JobBench bench({.run_ticks = 100'000, .end_periods = 1000});
     const jobs::TickStats stats = bench.run(1'000'000, 2'500'000);  // each tick takes two and a half periods
     EXPECT_LT(stats.ticks, 500U);
     EXPECT_GE(stats.ticks + stats.skipped_periods, 1000U);
@@ -101,7 +101,7 @@ TEST(HapticWork, EndsOnTimeAlthoughItSkipsPeriods) {
 }
 
 TEST(HapticWork, KeepsARecordOfEveryTickThatReplaysToTheSameHashes) {
-    Bench bench({.run_ticks = 2500, .repeat = true, .end_periods = 6000});
+    JobBench bench({.run_ticks = 2500, .repeat = true, .end_periods = 6000});
     bench.run();
     const std::vector<TickRecord> records = bench.take_records();
     ASSERT_EQ(records.size(), 6000U);
@@ -128,7 +128,7 @@ TEST(HapticWork, KeepsARecordOfEveryTickThatReplaysToTheSameHashes) {
 }
 
 TEST(HapticWork, CountsTheRecordsNobodyFetched) {
-    Bench bench({.run_ticks = 100, .record_capacity = 64});
+    JobBench bench({.run_ticks = 100, .record_capacity = 64});
     bench.run();
     EXPECT_EQ(bench.work.dropped_records(), 36U);
     const std::vector<TickRecord> records = bench.take_records();
@@ -137,7 +137,7 @@ TEST(HapticWork, CountsTheRecordsNobodyFetched) {
 }
 
 TEST(HapticWork, PublishesWhatAPictureNeeds) {
-    Bench bench;
+    JobBench bench;
     EXPECT_EQ(bench.work.newest_snapshot().tick, 0U);
     EXPECT_EQ(bench.work.newest_snapshot().pot->outer_mm.size(), 2000U);
     bench.run(1700);
@@ -155,7 +155,7 @@ TEST(HapticWork, PublishesWhatAPictureNeeds) {
 }
 
 TEST(HapticWork, PutsOnAFreshLumpWhenTold) {
-    Bench bench;
+    JobBench bench;
     bench.run(1500);
     EXPECT_TRUE(bench.work.send(Command::kFreshLump));
     bench.run(1);
@@ -176,7 +176,7 @@ class FaultyDevice final : public ScriptedDevice {
 };
 
 TEST(HapticWork, TakesAFaultBackWhenTold) {
-    Bench bench({}, std::make_unique<FaultyDevice>());
+    JobBench bench({}, std::make_unique<FaultyDevice>());
     bench.run(4000);
     EXPECT_GT(bench.device.largest_force_n, 0.0);
     bench.run(1);

@@ -12,11 +12,11 @@
 namespace onggi::haptic {
 namespace {
 
-constexpr double kRateHz = 1000.0;
+constexpr double kStudioRateHz = 1000.0;
 
 struct StudioLoop {
     explicit StudioLoop(const HapticJobOptions& options = {})
-        : work(test::studio_start(), HapticParameters{}, std::make_unique<test::StudioHand>(kRateHz),
+        : work(test::studio_start(), HapticParameters{}, std::make_unique<test::StudioHand>(kStudioRateHz),
                options) {}
 
     void run(std::uint64_t ticks) {
@@ -34,7 +34,7 @@ struct StudioLoop {
     }
 
     HapticWork work;
-    jobs::Period period{.dt_s = 1.0 / kRateHz};
+    jobs::Period period{.dt_s = 1.0 / kStudioRateHz};
     std::vector<TickRecord> records;
     std::vector<BlockHash> hashes;
 };
@@ -151,7 +151,7 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
     loop.run(5000);
     HapticState earlier = test::studio_start();
     for (std::uint64_t k = 0; k < 2500; ++k)
-        tick(earlier, test::studio_hand(k, kRateHz), HapticParameters{});
+        tick(earlier, test::studio_hand(k, kStudioRateHz), HapticParameters{});
     const std::uint64_t hash = earlier.hash();
     ASSERT_TRUE(loop.work.put(std::make_unique<HapticState>(earlier), 0));
     loop.records.clear();
@@ -188,13 +188,13 @@ TEST(StudioLoop, DoesNotTakeAHandThatHasMovedOnForOneThatCameThroughTheWall) {
     for (const double pressing_s : {3.0, 6.0}) {  // inside; outside, from +x
         HapticState at_work = test::studio_start();
         clay::studio::Side side{};
-        for (std::uint64_t k = 0; static_cast<double>(k) < pressing_s * kRateHz; ++k)
-            side = tick(at_work, test::studio_hand(k, kRateHz), HapticParameters{}).side;
+        for (std::uint64_t k = 0; static_cast<double>(k) < pressing_s * kStudioRateHz; ++k)
+            side = tick(at_work, test::studio_hand(k, kStudioRateHz), HapticParameters{}).side;
         ASSERT_EQ(side, pressing_s < 4.0 ? clay::studio::Side::kIn : clay::studio::Side::kOut);
         for (const dvec3& place_mm : {dvec3(145.0, 12.0, 142.0), dvec3(-150.0, 30.0, 1.0)}) {
             HapticWork work(test::studio_start(), parameters, resting(place_mm), {});
             ASSERT_TRUE(work.device().open());
-            jobs::Period period{.dt_s = 1.0 / kRateHz};
+            jobs::Period period{.dt_s = 1.0 / kStudioRateHz};
             ASSERT_TRUE(work.tick(period));
             ASSERT_TRUE(work.put(std::make_unique<HapticState>(at_work), 0));
             double largest_n = 0.0;

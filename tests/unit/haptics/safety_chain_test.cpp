@@ -1,4 +1,5 @@
 #include "engine/haptics/safety_chain.h"
+#include "tests/support/engaged.h"
 #include "tests/support/places.h"
 
 #include <gtest/gtest.h>
@@ -15,21 +16,12 @@
 namespace onggi::haptics {
 namespace {
 
-constexpr double kDt = 1.0 / 4000.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-const SafetyInput kInside{.position_mm = {60.0, 100.0, 0.0}, .dt_s = kDt};
+const SafetyInput kInside{.position_mm = {60.0, 100.0, 0.0}, .dt_s = kSafetyDt};
 
 double length(const dvec3& v) {
     return std::sqrt(glm::dot(v, v));
-}
-
-// Past the ramp, as after a second of calm.
-SafetyState engaged() {
-    SafetyState state;
-    state.calm_ticks = 1000;
-    state.ramp = 1.0;
-    return state;
 }
 
 class RandomForces {
@@ -171,7 +163,7 @@ TEST(SafetyGate, LatchesAFaultOnWhatIsNotFiniteOrOutside) {
     };
     for (const Case& one : cases) {
         SafetyState state = engaged();
-        EXPECT_EQ(apply_safety_chain(one.force_n, {one.position_mm, kDt}, {}, state), dvec3(0.0));
+        EXPECT_EQ(apply_safety_chain(one.force_n, {one.position_mm, kSafetyDt}, {}, state), dvec3(0.0));
         EXPECT_EQ(state.fault, one.fault) << words_for(one.fault);
         EXPECT_EQ(state.fault_count, 1U);
         EXPECT_NE(words_for(one.fault), words_for(Fault::kNone));
@@ -284,7 +276,7 @@ TEST(SafetySlew, RisesAtTwoHundredNewtonsASecond) {
     int ticks = 0;
     while (slew({3.3, 0.0, 0.0}, kInside, {}, state) != dvec3(3.3, 0.0, 0.0) && ticks < 10'000)
         ++ticks;
-    EXPECT_NEAR((ticks + 1) * kDt, 3.3 / 200.0, 2 * kDt);
+    EXPECT_NEAR((ticks + 1) * kSafetyDt, 3.3 / 200.0, 2 * kSafetyDt);
 }
 
 TEST(SafetySlew, LetsGoTenTimesFasterThanItPushes) {
@@ -293,7 +285,7 @@ TEST(SafetySlew, LetsGoTenTimesFasterThanItPushes) {
     int ticks = 1;
     while (slew(dvec3(0.0), kInside, {}, state) != dvec3(0.0) && ticks < 10'000)
         ++ticks;
-    EXPECT_LE(ticks * kDt, 0.002);
+    EXPECT_LE(ticks * kSafetyDt, 0.002);
 }
 
 TEST(SafetySlew, GoesThroughZeroWhenTheForceTurnsAround) {
@@ -305,7 +297,7 @@ TEST(SafetySlew, GoesThroughZeroWhenTheForceTurnsAround) {
         ASSERT_LE(now, before);
         // Below zero it grows, and growing is slow, in the tick in which it changes sign too.
         if (now < 0.0) {
-            ASSERT_GE(now, std::min(before, 0.0) - 200.0 * kDt - 1e-12);
+            ASSERT_GE(now, std::min(before, 0.0) - 200.0 * kSafetyDt - 1e-12);
         }
         before = now;
     }

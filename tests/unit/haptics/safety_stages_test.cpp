@@ -6,23 +6,15 @@
 #include <random>
 
 #include "engine/haptics/safety_chain.h"
+#include "tests/support/engaged.h"
 
 namespace onggi::haptics {
 namespace {
 
-constexpr double kRateHz = 4000.0;
-constexpr double kDt = 1.0 / kRateHz;
 const dvec3 kPush(1.0, 0.0, 0.0);
 
-SafetyState engaged() {
-    SafetyState state;
-    state.calm_ticks = 1000;
-    state.ramp = 1.0;
-    return state;
-}
-
 SafetyInput at_speed(double mm_s) {
-    return {.position_mm = {60.0, 100.0, 0.0}, .dt_s = kDt, .velocity_mm_s = {-mm_s, 0.0, 0.0}};
+    return {.position_mm = {60.0, 100.0, 0.0}, .dt_s = kSafetyDt, .velocity_mm_s = {-mm_s, 0.0, 0.0}};
 }
 
 TEST(SafetySpeed, LeavesAHandsOwnSpeedsAlone) {
@@ -58,9 +50,9 @@ TEST(SafetySpeed, LetsAToolFlyThroughTheAir) {
 double after_missing(SafetyState& state, int every, double seconds) {
     const SafetyLimits limits;
     double left = 0.0;
-    for (int k = 0; k < static_cast<int>(seconds * kRateHz); ++k) {
+    for (int k = 0; k < static_cast<int>(seconds / kSafetyDt); ++k) {
         const bool misses = every > 0 && k % every == 0;
-        const SafetyInput input{.dt_s = misses ? 2.0 * kDt : kDt, .late = misses ? 1U : 0U};
+        const SafetyInput input{.dt_s = misses ? 2.0 * kSafetyDt : kSafetyDt, .late = misses ? 1U : 0U};
         left = late(kPush, input, limits, state).x;
     }
     return left;
@@ -85,8 +77,8 @@ TEST(SafetyLate, SoftensWithoutAJump) {
     const SafetyLimits limits;
     double before = 1.0;
     for (int k = 0; k < 4000; ++k) {
-        const double now = late(kPush, {.dt_s = kDt, .late = 3}, limits, state).x;
-        ASSERT_LE(std::abs(now - before), kDt / limits.soften_s + 1e-12);
+        const double now = late(kPush, {.dt_s = kSafetyDt, .late = 3}, limits, state).x;
+        ASSERT_LE(std::abs(now - before), kSafetyDt / limits.soften_s + 1e-12);
         before = now;
     }
     EXPECT_EQ(before, limits.least_gain);
@@ -99,7 +91,7 @@ TEST(SafetyPassivity, AddsUpTheWorkOfTheForceReallyAppliedExactly) {
     const SafetyLimits limits;
     SafetyState state = engaged();
     dvec3 at(60.0, 100.0, 0.0);
-    passivity(kPush, {.position_mm = at, .dt_s = kDt}, limits, state);
+    passivity(kPush, {.position_mm = at, .dt_s = kSafetyDt}, limits, state);
     double taken = 0.0;
     double given = 0.0;
     for (int k = 0; k < 1000; ++k) {
@@ -108,7 +100,7 @@ TEST(SafetyPassivity, AddsUpTheWorkOfTheForceReallyAppliedExactly) {
         at += step;
         const double work = -glm::dot(state.applied_force_n, step);
         (work > 0.0 ? taken : given) += std::abs(work);
-        passivity({9.0, 9.0, 9.0}, {.position_mm = at, .dt_s = kDt}, limits, state);
+        passivity({9.0, 9.0, 9.0}, {.position_mm = at, .dt_s = kSafetyDt}, limits, state);
         ASSERT_LE(state.energy_mj, limits.energy_credit_mj);
         ASSERT_GE(state.energy_mj, -limits.energy_debt_mj);
     }
@@ -120,9 +112,9 @@ TEST(SafetyPassivity, AddsDampingOnlyWhileMoreWasGivenThanTaken) {
     const SafetyLimits limits;
     SafetyState state = engaged();
     const auto moved = [&](double x_mm, double mm_s) {
-        return passivity(kPush,
-                         {.position_mm = {x_mm, 0.0, 0.0}, .dt_s = kDt, .velocity_mm_s = {mm_s, 0.0, 0.0}},
-                         limits, state);
+        return passivity(
+            kPush, {.position_mm = {x_mm, 0.0, 0.0}, .dt_s = kSafetyDt, .velocity_mm_s = {mm_s, 0.0, 0.0}},
+            limits, state);
     };
     moved(60.0, 0.0);
     state.applied_force_n = kPush;
@@ -136,7 +128,7 @@ TEST(SafetyPassivity, AddsDampingOnlyWhileMoreWasGivenThanTaken) {
     state.energy_mj = 0.0;
     state.applied_force_n = {0.001, 0.0, 0.0};
     moved(60.4, 400.0);
-    EXPECT_NEAR(state.damping_n_s_per_mm * 400.0 * 400.0 * kDt, 0.0001, 1e-12);
+    EXPECT_NEAR(state.damping_n_s_per_mm * 400.0 * 400.0 * kSafetyDt, 0.0001, 1e-12);
 }
 
 TEST(SafetyPassivity, LetsTheMotorOfTheWheelDragTheHand) {
@@ -147,7 +139,7 @@ TEST(SafetyPassivity, LetsTheMotorOfTheWheelDragTheHand) {
     for (int k = 0; k < 4000; ++k) {
         at.z -= 0.01;
         state.applied_force_n = state.applied_driven_n = drag;
-        const SafetyInput input{.position_mm = at, .dt_s = kDt, .velocity_mm_s = {0.0, 0.0, -40.0}};
+        const SafetyInput input{.position_mm = at, .dt_s = kSafetyDt, .velocity_mm_s = {0.0, 0.0, -40.0}};
         ASSERT_EQ(passivity(drag, input, limits, state), drag);
     }
     EXPECT_NEAR(state.given_mj, 0.07 * 40.0, 0.01);
@@ -161,7 +153,7 @@ double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, doub
     for (int k = 0; k < 400; ++k) {
         at.z -= 0.01;
         const SafetyInput input{
-            .position_mm = at, .dt_s = kDt, .driven_force_n = drag, .applied_fraction = fraction};
+            .position_mm = at, .dt_s = kSafetyDt, .driven_force_n = drag, .applied_fraction = fraction};
         apply_safety_chain(drag, input, limits, state);
         if (k == 0) state.energy_mj = -5.0;
     }
@@ -200,7 +192,7 @@ TEST(SafetyPassivity, KnowsTheMotorsPartOfWhateverGoesOut) {
     for (int k = 0; k < 40'000; ++k) {
         if (k > 100 && k % 50 == 0) wanted = {any(random), any(random), any(random)};
         const SafetyInput input{.position_mm = {60.0, 100.0, 0.0},
-                                .dt_s = kDt,
+                                .dt_s = kSafetyDt,
                                 .driven_force_n = wanted / 3.0,
                                 .late = k % 30 == 0 ? 1U : 0U,
                                 .hand_is_there = k % 5000 > 10};
@@ -227,7 +219,7 @@ TEST(SafetyPassivity, DampsNothingInTheAirAndForgetsWhatWasThere) {
     for (int k = 0; k < 4000; ++k) {
         x += 0.1;
         const SafetyInput input{
-            .position_mm = {x, 0.0, 0.0}, .dt_s = kDt, .velocity_mm_s = {400.0, 0.0, 0.0}};
+            .position_mm = {x, 0.0, 0.0}, .dt_s = kSafetyDt, .velocity_mm_s = {400.0, 0.0, 0.0}};
         ASSERT_EQ(passivity(dvec3(0.0), input, limits, state), dvec3(0.0));
     }
     EXPECT_NEAR(state.energy_mj, 0.0, 1e-6);
@@ -235,7 +227,7 @@ TEST(SafetyPassivity, DampsNothingInTheAirAndForgetsWhatWasThere) {
 
 TEST(SafetyHand, LetsGoWithinFiveMillisecondsOfAMissingHand) {
     SafetyState state = engaged();
-    const SafetyInput gone{.dt_s = kDt, .hand_is_there = false};
+    const SafetyInput gone{.dt_s = kSafetyDt, .hand_is_there = false};
     double before = 1.0;
     for (int k = 0; k < 20; ++k) {
         const double now = hand(kPush, gone, {}, state).x;
@@ -248,7 +240,7 @@ TEST(SafetyHand, LetsGoWithinFiveMillisecondsOfAMissingHand) {
 
 TEST(SafetyHand, LetsGoOfAPositionThatIsNotRefreshedForTwoTicks) {
     SafetyState state = engaged();
-    const SafetyInput old{.dt_s = kDt, .position_is_new = false};
+    const SafetyInput old{.dt_s = kSafetyDt, .position_is_new = false};
     EXPECT_EQ(hand(kPush, old, {}, state), kPush);
     EXPECT_LT(hand(kPush, old, {}, state).x, 1.0);
     for (int k = 0; k < 20; ++k)
@@ -264,25 +256,25 @@ TEST(SafetyHand, WaitsForTwoPeriodsOfADeviceThatIsSlowerThanTheLoop) {
                                             .report_rate_hz = 250.0});
     SafetyState state = engaged();
     for (int k = 1; k <= 400; ++k) {
-        const SafetyInput input{.dt_s = kDt, .position_is_new = k % 16 == 0};  // every 4 ms
+        const SafetyInput input{.dt_s = kSafetyDt, .position_is_new = k % 16 == 0};  // every 4 ms
         ASSERT_EQ(hand(kPush, input, limits, state), kPush);
     }
     int ticks = 0;
-    while (hand(kPush, {.dt_s = kDt, .position_is_new = false}, limits, state).x > 0.0 && ticks < 1000)
+    while (hand(kPush, {.dt_s = kSafetyDt, .position_is_new = false}, limits, state).x > 0.0 && ticks < 1000)
         ++ticks;
-    EXPECT_LE(ticks * kDt, 0.008 + 0.005 + 2 * kDt);
+    EXPECT_LE(ticks * kSafetyDt, 0.008 + 0.005 + 2 * kSafetyDt);
 }
 
 TEST(SafetyHand, ComesBackGentlyWhereItNeverWasGone) {
     SafetyState state = engaged();
     for (int k = 0; k < 10; ++k)
-        hand(kPush, {.dt_s = kDt, .hand_is_there = false}, {}, state);
-    const double low = hand(kPush, {.dt_s = kDt}, {}, state).x;
+        hand(kPush, {.dt_s = kSafetyDt, .hand_is_there = false}, {}, state);
+    const double low = hand(kPush, {.dt_s = kSafetyDt}, {}, state).x;
     EXPECT_GT(low, 0.4);
     EXPECT_LT(low, 0.6);
     for (int k = 0; k < 1000; ++k)
-        hand(kPush, {.dt_s = kDt}, {}, state);
-    EXPECT_EQ(hand(kPush, {.dt_s = kDt}, {}, state), kPush);
+        hand(kPush, {.dt_s = kSafetyDt}, {}, state);
+    EXPECT_EQ(hand(kPush, {.dt_s = kSafetyDt}, {}, state), kPush);
     EXPECT_EQ(state.ramp, 1.0);
 }
 

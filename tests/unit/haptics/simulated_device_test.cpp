@@ -137,10 +137,10 @@ TEST(SimulatedDevice, TakesButtonAndRadiusFromTheTargetAtOnce) {
 }
 
 TEST(SimulatedDevice, IgnoresATargetThatIsNoNumberAndStaysWithinTheWorkspace) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
     SimulatedDevice device;
     start_at_rest(device);
-    device.set_target({.position_mm = {kNan, 0.0, 0.0}, .radius_mm = kNan});
+    device.set_target({.position_mm = {kNoNumber, 0.0, 0.0}, .radius_mm = kNoNumber});
     EXPECT_EQ(device.read(1, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
     EXPECT_EQ(device.read(1, 0.001).radius_mm, 10.0);
     device.set_target({.position_mm = {1e9, 0.0, -1e9}, .radius_mm = 1000.0});

@@ -8,7 +8,7 @@
 namespace onggi::haptics {
 namespace {
 
-constexpr double kRates[] = {250.0, 500.0, 1000.0, 4000.0, 10000.0};
+constexpr double kEstimatedRates[] = {250.0, 500.0, 1000.0, 4000.0, 10000.0};
 constexpr double kStepMm = 0.055;
 
 double read(double x_mm) {
@@ -16,7 +16,7 @@ double read(double x_mm) {
 }
 
 TEST(VelocityEstimator, IsExactForAnEvenMotionWithoutSteps) {
-    for (const double rate_hz : kRates) {
+    for (const double rate_hz : kEstimatedRates) {
         VelocityEstimator estimator;
         dvec3 v(0.0);
         for (int k = 0; k < 500; ++k) {
@@ -31,7 +31,7 @@ TEST(VelocityEstimator, IsExactForAnEvenMotionWithoutSteps) {
 
 TEST(VelocityEstimator, MakesOfAnEncodersStepsAFractionOfWhatTheDifferenceMakes) {
     // Half a step over 15 ms is 3.7 mm/s; the difference of two readings is wrong by up to 220 mm/s at 4 kHz.
-    for (const double rate_hz : kRates) {
+    for (const double rate_hz : kEstimatedRates) {
         for (const double v_mm_s : {0.0, 3.0, 20.0, 200.0}) {
             VelocityEstimator estimator(kStepMm);
             double worst = 0.0;

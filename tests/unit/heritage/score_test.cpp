@@ -1,6 +1,6 @@
 // A score in a museum's units, and the nearest pot whatever its size.
 #include "game/heritage/score.h"
-#include "tests/support/places.h"
+#include "tests/unit/heritage/bundled.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,6 @@
 
 namespace onggi::heritage {
 namespace {
-
-std::vector<Target> bundled() {
-    auto targets = load_targets(test::in_checkout("assets/heritage"));
-    EXPECT_TRUE(targets);
-    return targets ? *targets : std::vector<Target>{};
-}
 
 Target target_of(std::string_view id) {
     const auto targets = bundled();

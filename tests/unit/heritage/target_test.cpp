@@ -1,18 +1,12 @@
 // The museum's pots: the bundled ones are sound, and a table that is not is refused with its line.
 #include "game/heritage/target.h"
-#include "tests/support/places.h"
+#include "tests/unit/heritage/bundled.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace onggi::heritage {
 namespace {
-
-std::vector<Target> bundled() {
-    auto targets = load_targets(test::in_checkout("assets/heritage"));
-    EXPECT_TRUE(targets) << (targets ? "" : targets.error().message);
-    return targets ? *targets : std::vector<Target>{};
-}
 
 TEST(HeritageTargets, AreTwentyThreeWithWhatIsPublishedOfEach) {
     const auto targets = bundled();
@@ -78,7 +72,7 @@ TEST(HeritageTargets, RejectAnUnknownIdListingThoseKnown) {
 constexpr std::string_view kGoodOutline =
     "cup,0,20,published\ncup,10,30,drawn\ncup,50,40,published\ncup,80,35,drawn\n";
 
-std::string refusal(std::string_view rows, std::string_view outline = kGoodOutline) {
+std::string refusal_of_rows(std::string_view rows, std::string_view outline = kGoodOutline) {
     const auto targets = parse_targets(fmt::format("{}\n{}", kTargetsHeader, rows),
                                        fmt::format("{}\n{}", kOutlinesHeader, outline), "t.csv", "o.csv");
     EXPECT_FALSE(targets) << rows << outline;
@@ -99,26 +93,26 @@ TEST(HeritageTargets, AreReadFromTables) {
 }
 
 TEST(HeritageTargets, RejectRowsOutOfBounds) {
-    EXPECT_EQ(refusal("Cup,Cup,M,then,80,80,,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("Cup,Cup,M,then,80,80,,40,,,r,\n"),
               "t.csv:2: id: expected letters a to z, digits and -, found 'Cup'");
-    EXPECT_EQ(refusal(fmt::format("{}{}", kGood, kGood)),
+    EXPECT_EQ(refusal_of_rows(fmt::format("{}{}", kGood, kGood)),
               "t.csv:3: id: expected each target once, found cup again");
-    EXPECT_EQ(refusal("cup,,M,then,80,80,,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,,M,then,80,80,,40,,,r,\n"),
               "t.csv:2: name, object and source: expected all three");
-    EXPECT_EQ(refusal("cup,Cup,M,then,,80,,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,,80,,40,,,r,\n"),
               "t.csv:2: height_mm: expected 1 to 2000, found nothing");
-    EXPECT_EQ(refusal("cup,Cup,M,then,80mm,80,,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80mm,80,,40,,,r,\n"),
               "t.csv:2: height_mm: expected nothing or 1 to 2000, found '80mm'");
-    EXPECT_EQ(refusal("cup,Cup,M,then,80,nan,,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80,nan,,40,,,r,\n"),
               "t.csv:2: max_diameter_mm: expected nothing or 1 to 2000, found 'nan'");
-    EXPECT_EQ(refusal("cup,Cup,M,then,80,80,,0,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80,80,,0,,,r,\n"),
               "t.csv:2: foot_mm: expected nothing or 1 to 2000, found '0'");
-    EXPECT_EQ(refusal("cup,Cup,M,then,80,80,90,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80,80,90,40,,,r,\n"),
               "t.csv:2: mouth_mm and foot_mm: expected at most the largest diameter of 80, found 90");
 }
 
 TEST(HeritageTargets, RejectOutlinesThatLeaveWhatIsPublished) {
-    const auto of = [](std::string_view outline) { return refusal(kGood, outline); };
+    const auto of = [](std::string_view outline) { return refusal_of_rows(kGood, outline); };
     EXPECT_EQ(of("jug,0,20,drawn\n"), "o.csv:2: id: expected a target's, found 'jug'");
     EXPECT_EQ(of("cup,0,20,ours\n"), "o.csv:2: basis: expected published or drawn, found 'ours'");
     EXPECT_EQ(of("cup,0,20,published\n"), "o.csv:2: outline of cup: expected at least 4 points, found 1");
@@ -136,7 +130,7 @@ TEST(HeritageTargets, RejectOutlinesThatLeaveWhatIsPublished) {
               "o.csv:5: outline of cup: expected the basis drawn at 10 mm");
     EXPECT_EQ(of("cup,0,20,drawn\ncup,10,30,drawn\ncup,50,40,published\ncup,80,35,drawn\n"),
               "o.csv:5: outline of cup: expected the basis published at 0 mm");
-    EXPECT_EQ(refusal("cup,Cup,M,then,80,80,60,40,,,r,\n"),
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80,80,60,40,,,r,\n"),
               "o.csv:5: outline of cup: expected the published mouth of 60 mm");
 }
 

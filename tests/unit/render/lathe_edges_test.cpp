@@ -9,9 +9,8 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kSectors = 64;
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
+constexpr int kEdgesWidth = 1280;
+constexpr int kEdgesHeight = 720;
 
 struct Outlines {
     explicit Outlines(vec3 eye_mm) : camera{.eye_mm = eye_mm, .target_mm = {0.0F, 50.0F, 0.0F}} {
@@ -27,7 +26,7 @@ struct Outlines {
         fill_vertices(
             {.lathe = lathe, .profile = profile, .samples = samples, .chosen = chosen, .rows = rows}, {},
             even_sectors(lathe, kSectors), vertices);
-        add_grid_edges(vertices, kSectors, false, {camera, kWidth, kHeight}, edges);
+        add_grid_edges(vertices, kSectors, false, {camera, kEdgesWidth, kEdgesHeight}, edges);
     }
     Camera camera;
     std::vector<shaders::VertexData> vertices;
@@ -36,9 +35,9 @@ struct Outlines {
 
 TEST(LatheEdges, RunUpBothSidesOfAWallRoundItsFootAndRoundItsRim) {
     const Outlines outlines({0.0F, 300.0F, 900.0F});
-    const auto left = project(outlines.camera, kWidth, kHeight, {-50.0, 50.0, 0.0});
-    const auto foot = project(outlines.camera, kWidth, kHeight, {0.0, 0.0, 50.0});
-    const auto rim = project(outlines.camera, kWidth, kHeight, {0.0, 100.0, -47.5});
+    const auto left = project(outlines.camera, kEdgesWidth, kEdgesHeight, {-50.0, 50.0, 0.0});
+    const auto foot = project(outlines.camera, kEdgesWidth, kEdgesHeight, {0.0, 0.0, 50.0});
+    const auto rim = project(outlines.camera, kEdgesWidth, kEdgesHeight, {0.0, 100.0, -47.5});
     ASSERT_TRUE(left && foot && rim);
     const auto distance_to = [&](const dvec2& pixel) {
         double least = 1e9;
@@ -53,14 +52,14 @@ TEST(LatheEdges, RunUpBothSidesOfAWallRoundItsFootAndRoundItsRim) {
     EXPECT_LT(distance_to(left->pixel), 1.0);
     EXPECT_LT(distance_to(foot->pixel), 1.0);
     EXPECT_LT(distance_to(rim->pixel), 1.5);
-    const auto middle = project(outlines.camera, kWidth, kHeight, {0.0, 50.0, 50.0});
+    const auto middle = project(outlines.camera, kEdgesWidth, kEdgesHeight, {0.0, 50.0, 50.0});
     EXPECT_GT(distance_to(middle->pixel), 20.0) << "no outline across the face of the pot";
     EXPECT_LT(outlines.edges.size(), 400U);
 }
 
 TEST(LatheEdges, LieALittleNearerThanTheFacesTheyBelongTo) {
     const Outlines outlines({0.0F, 300.0F, 900.0F});
-    const mat4 matrix = view_projection(outlines.camera, kWidth, kHeight);
+    const mat4 matrix = view_projection(outlines.camera, kEdgesWidth, kEdgesHeight);
     float nearest = 1.0F;
     float furthest = 0.0F;
     for (const shaders::VertexData& vertex : outlines.vertices) {
@@ -78,7 +77,7 @@ TEST(LatheEdges, AreNoMoreThanAFrameHasTimeFor) {
     const Outlines outlines({0.0F, 300.0F, 900.0F});
     ASSERT_GT(outlines.edges.size(), 3U);
     std::vector<OutlinePiece> edges(kMaxEdges - 3);
-    add_grid_edges(outlines.vertices, kSectors, false, {outlines.camera, kWidth, kHeight}, edges);
+    add_grid_edges(outlines.vertices, kSectors, false, {outlines.camera, kEdgesWidth, kEdgesHeight}, edges);
     EXPECT_EQ(edges.size(), kMaxEdges);
 }
 

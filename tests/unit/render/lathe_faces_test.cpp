@@ -6,10 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "tests/unit/render/lathe_samples.h"
+
 namespace onggi::render {
 namespace {
 
-constexpr int kSectors = 64;
 constexpr std::size_t kRows = 30;
 using Triangle = std::array<std::uint16_t, 3>;
 

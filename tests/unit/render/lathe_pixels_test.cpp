@@ -18,7 +18,6 @@ namespace onggi::render {
 namespace {
 
 namespace value = lathe_value;
-constexpr std::uint32_t kUntouched = 0x12345678U;
 constexpr float kAwayMm = 500.0F;
 
 float shown(float light) {

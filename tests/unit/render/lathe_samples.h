@@ -7,6 +7,8 @@
 
 namespace onggi::render {
 
+constexpr int kSectors = 64;
+
 // A cylinder with a floor, in rings of equal height.
 struct Cylinder {
     explicit Cylinder(float outer_mm = 50.0F, float wall_mm = 5.0F, float floor_mm = 10.0F,

@@ -10,7 +10,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kSectors = 64;
 constexpr float kHalfTurn = 3.14159265F;
 
 struct Built {

@@ -8,12 +8,12 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kAcross = 37;
-constexpr int kDown = 5;
+constexpr int kMixedAcross = 37;
+constexpr int kMixedDown = 5;
 
 std::vector<std::uint32_t> random_picture(unsigned seed) {
     std::mt19937 random(seed);
-    std::vector<std::uint32_t> pixels(std::size_t{kAcross} * kDown);
+    std::vector<std::uint32_t> pixels(std::size_t{kMixedAcross} * kMixedDown);
     for (std::uint32_t& pixel : pixels)
         pixel = static_cast<std::uint32_t>(random());
     return pixels;
@@ -25,10 +25,10 @@ TEST(MixedPixels, AreEachByteOfBothByTheirShare) {
     constexpr PixelRect kInside{.x = 3, .y = 1, .width = 33, .height = 3};
     for (const float fraction : {0.0F, 1.0F / 256.0F, 0.25F, 0.5F, 0.9F, 1.0F}) {
         std::vector<std::uint32_t> into(from.size(), 0xDEADBEEFU);
-        mix_pixels(from, to, fraction, kInside, kAcross, into);
-        for (int y = 0; y < kDown; ++y) {
-            for (int x = 0; x < kAcross; ++x) {
-                const auto at = static_cast<std::size_t>(y * kAcross + x);
+        mix_pixels(from, to, fraction, kInside, kMixedAcross, into);
+        for (int y = 0; y < kMixedDown; ++y) {
+            for (int x = 0; x < kMixedAcross; ++x) {
+                const auto at = static_cast<std::size_t>(y * kMixedAcross + x);
                 const bool is_inside = x >= 3 && x < 36 && y >= 1 && y < 4;
                 if (!is_inside) {
                     ASSERT_EQ(into[at], 0xDEADBEEFU) << x << ", " << y;
@@ -51,12 +51,12 @@ TEST(MixedPixels, AreOneOrTheOtherAtTheEnds) {
     const std::vector<std::uint32_t> from = random_picture(3);
     const std::vector<std::uint32_t> to = random_picture(4);
     std::vector<std::uint32_t> into(from.size());
-    constexpr PixelRect kAll{.x = 0, .y = 0, .width = kAcross, .height = kDown};
-    mix_pixels(from, to, 0.0F, kAll, kAcross, into);
+    constexpr PixelRect kAll{.x = 0, .y = 0, .width = kMixedAcross, .height = kMixedDown};
+    mix_pixels(from, to, 0.0F, kAll, kMixedAcross, into);
     EXPECT_EQ(into, from);
-    mix_pixels(from, to, 1.0F, kAll, kAcross, into);
+    mix_pixels(from, to, 1.0F, kAll, kMixedAcross, into);
     EXPECT_EQ(into, to);
-    mix_pixels(from, from, 0.3F, kAll, kAcross, into);
+    mix_pixels(from, from, 0.3F, kAll, kMixedAcross, into);
     EXPECT_EQ(into, from) << "of two alike";
 }
 

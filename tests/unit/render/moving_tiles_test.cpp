@@ -10,8 +10,8 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
+constexpr int kMovingWidth = 640;
+constexpr int kMovingHeight = 360;
 
 // A stick that lies aslant: most of the one box about it would be empty.
 PropModel stick() {
@@ -68,27 +68,28 @@ class MovingTiles : public testing::Test {
         scene_.props = {{.model = 0, .place = glm::translate(mat4(1.0F), vec3(70.0F, 60.0F, 0.0F))}};
     }
     const std::vector<std::uint8_t>& find() {
-        build_frame(scene_, {.lowest_mm = -100.0F}, live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, kHeight),
-                    kWidth, kHeight, built_);
+        build_frame(scene_, {.lowest_mm = -100.0F}, live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, kMovingHeight),
+                    kMovingWidth, kMovingHeight, built_);
         if (built_.prop_tiles.empty()) want_stick();
-        find_moving_tiles(scene_, {scene_.camera, kWidth, kHeight}, built_);
+        find_moving_tiles(scene_, {scene_.camera, kMovingWidth, kMovingHeight}, built_);
         return built_.moving_tiles;
     }
     // As whoever draws the stick says.
     void want_stick() {
-        const TileGrid grid{kWidth, kHeight};
+        const TileGrid grid{kMovingWidth, kMovingHeight};
         built_.prop_tiles.assign(grid.count(), 0);
         for (const Box& box : (*scene_.prop_library)[0].boxes_mm) {
             const Box there = placed(box, scene_.props[0].place);
-            want_tiles(grid, pixels_of({&there, 1}, scene_.camera, kWidth, kHeight), built_.prop_tiles);
+            want_tiles(grid, pixels_of({&there, 1}, scene_.camera, kMovingWidth, kMovingHeight),
+                       built_.prop_tiles);
         }
     }
     // Whether the tile that a point of the world is seen in is among them.
     [[nodiscard]] bool holds(vec3 point) const {
-        const Projector project({scene_.camera, kWidth, kHeight});
+        const Projector project({scene_.camera, kMovingWidth, kMovingHeight});
         const vec4 at = project(point);
-        if (at.x < 0.0F || at.y < 0.0F || at.x >= kWidth || at.y >= kHeight) return true;
-        const TileGrid grid{kWidth, kHeight};
+        if (at.x < 0.0F || at.y < 0.0F || at.x >= kMovingWidth || at.y >= kMovingHeight) return true;
+        const TileGrid grid{kMovingWidth, kMovingHeight};
         const int tile =
             static_cast<int>(at.y) / kTileHeightPx * grid.across() + static_cast<int>(at.x) / kTileWidthPx;
         return built_.moving_tiles[static_cast<std::size_t>(tile)] != 0;
@@ -126,24 +127,24 @@ TEST_F(MovingTiles, AreCoveredWhereNoPixelShowsWhatIsBehindThePot) {
     for (std::size_t i = 0; i < radii_.size(); ++i)
         radii_[i] = 50.0F + 25.0F * std::sin(0.005F * static_cast<float>(i));
     const std::vector<std::uint8_t>& tiles = find();
-    std::vector<std::uint8_t> is_pot(static_cast<std::size_t>(kWidth) * kHeight, 0);
-    const Projector project({scene_.camera, kWidth, kHeight});
+    std::vector<std::uint8_t> is_pot(static_cast<std::size_t>(kMovingWidth) * kMovingHeight, 0);
+    const Projector project({scene_.camera, kMovingWidth, kMovingHeight});
     for (int turn = 0; turn < 1800; ++turn) {
         const float angle = 0.00349066F * static_cast<float>(turn);
         for (std::size_t i = 0; i < radii_.size(); i += 4) {
             const vec4 at = project(vec3(radii_[i] * std::cos(angle), 0.1F * (static_cast<float>(i) + 0.5F),
                                          radii_[i] * std::sin(angle)));
-            is_pot.at(static_cast<std::size_t>(at.y) * kWidth + static_cast<std::size_t>(at.x)) = 1;
+            is_pot.at(static_cast<std::size_t>(at.y) * kMovingWidth + static_cast<std::size_t>(at.x)) = 1;
         }
     }
-    const TileGrid grid{kWidth, kHeight};
+    const TileGrid grid{kMovingWidth, kMovingHeight};
     for (int tile = 0; tile < static_cast<int>(grid.count()); ++tile) {
         if (tiles[static_cast<std::size_t>(tile)] != kCovered) continue;
         const int left = tile % grid.across() * kTileWidthPx;
         const int top = tile / grid.across() * kTileHeightPx;
         for (int y = top; y < top + kTileHeightPx; ++y) {
             for (int x = left; x < left + kTileWidthPx; ++x)
-                ASSERT_EQ(is_pot[static_cast<std::size_t>(y * kWidth + x)], 1) << x << ", " << y;
+                ASSERT_EQ(is_pot[static_cast<std::size_t>(y * kMovingWidth + x)], 1) << x << ", " << y;
         }
     }
     EXPECT_GT(std::count(tiles.begin(), tiles.end(), kCovered), 15);

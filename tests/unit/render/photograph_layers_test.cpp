@@ -7,23 +7,23 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kAcross = 320;
-constexpr int kDown = 60;
+constexpr int kLaidAcross = 320;
+constexpr int kLaidDown = 60;
 
 // Red rises to the right and green downwards, without a corner; the unlit one is half of it, but for a column
 // in which compression has left the lit one the darker.
 constexpr int kBadColumn = 100;
 HostPhotograph photograph(bool is_lit, ByteOrder order = ByteOrder::kRedFirst) {
     std::vector<std::uint8_t> rgba;
-    for (int y = 0; y < kDown; ++y) {
-        for (int x = 0; x < kAcross; ++x) {
+    for (int y = 0; y < kLaidDown; ++y) {
+        for (int x = 0; x < kLaidAcross; ++x) {
             const int scale = is_lit ? 2 : 1;
             const int blue = x == kBadColumn ? (is_lit ? 40 : 41) : 20 * scale;
             for (const int value : {x / 4 * scale, y * scale, blue, 255})
                 rgba.push_back(static_cast<std::uint8_t>(value));
         }
     }
-    return {kAcross, kDown, rgba, order};
+    return {kLaidAcross, kLaidDown, rgba, order};
 }
 
 class LaidPhotographs : public testing::Test {
@@ -52,9 +52,9 @@ class LaidPhotographs : public testing::Test {
 };
 
 TEST_F(LaidPhotographs, AreThemselvesInAPictureOfTheirSize) {
-    lay(vec4(1.0F / kAcross, 1.0F / kDown, 0.0F, 0.0F), kAcross, kDown);
-    for (int y = 0; y < kDown; ++y) {
-        for (int x = 0; x < kAcross; ++x) {
+    lay(vec4(1.0F / kLaidAcross, 1.0F / kLaidDown, 0.0F, 0.0F), kLaidAcross, kLaidDown);
+    for (int y = 0; y < kLaidDown; ++y) {
+        for (int x = 0; x < kLaidAcross; ++x) {
             ASSERT_EQ(byte(lit(x, y), 0), x / 4 * 2) << x << ", " << y;
             ASSERT_EQ(byte(lit(x, y), 1), y * 2) << x << ", " << y;
             ASSERT_EQ(byte(lit(x, y), 2), x == kBadColumn ? 41 : 40) << "the key light takes nothing away";
@@ -67,8 +67,8 @@ TEST_F(LaidPhotographs, AreThemselvesInAPictureOfTheirSize) {
 }
 
 TEST_F(LaidPhotographs, AreStretchedOverALargerPicture) {
-    constexpr int kWidth = kAcross * 3 / 2;
-    constexpr int kHeight = kDown * 3 / 2;
+    constexpr int kWidth = kLaidAcross * 3 / 2;
+    constexpr int kHeight = kLaidDown * 3 / 2;
     lay(vec4(1.0F / kWidth, 1.0F / kHeight, 0.0F, 0.0F), kWidth, kHeight);
     for (int y = 2; y + 2 < kHeight; ++y) {
         for (int x = 8; x + 8 < kWidth; ++x) {
@@ -82,10 +82,10 @@ TEST_F(LaidPhotographs, AreStretchedOverALargerPicture) {
 
 TEST_F(LaidPhotographs, GoOnDarkerAsTheirMirrorImageBesideTheirBorder) {
     // A picture half as wide again, the photograph in its middle.
-    constexpr int kWidth = kAcross * 3 / 2;
+    constexpr int kWidth = kLaidAcross * 3 / 2;
     constexpr float kStart = -0.25F;
-    lay(vec4(1.0F / kAcross, 1.0F / kDown, kStart, 0.0F), kWidth, kDown);
-    constexpr int kLeft = kAcross / 4;
+    lay(vec4(1.0F / kLaidAcross, 1.0F / kLaidDown, kStart, 0.0F), kWidth, kLaidDown);
+    constexpr int kLeft = kLaidAcross / 4;
     EXPECT_EQ(byte(lit(kLeft + 40, 30), 0), 20);
     EXPECT_EQ(byte(lit(kLeft + 40, 30), 1), 60);
     EXPECT_NEAR(byte(lit(kLeft - 2, 30), 1), 60, 2) << "at the border it is hardly darker";
@@ -95,7 +95,7 @@ TEST_F(LaidPhotographs, GoOnDarkerAsTheirMirrorImageBesideTheirBorder) {
 
 TEST_F(LaidPhotographs, KeepTheirByteOrder) {
     background_ = {photograph(true, ByteOrder::kBlueFirst), photograph(false, ByteOrder::kBlueFirst)};
-    lay(vec4(1.0F / kAcross, 1.0F / kDown, 0.0F, 0.0F), kAcross, kDown);
+    lay(vec4(1.0F / kLaidAcross, 1.0F / kLaidDown, 0.0F, 0.0F), kLaidAcross, kLaidDown);
     EXPECT_EQ(byte(lit(200, 10), 2), 100);
     EXPECT_EQ(byte(lit(200, 10), 1), 20);
     EXPECT_EQ(byte(lit(200, 10), 0), 40);

@@ -3,22 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "engine/render/profile_mesh.h"
+#include "tests/unit/render/prop_samples.h"
 
 namespace onggi::render {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
-constexpr float kRadiusMm = 40.0F;
-
-PropMesh ball() {
-    const Mesh sphere = sphere_mesh(24, 40);
-    PropMesh mesh;
-    for (const Mesh::Vertex& vertex : sphere.vertices)
-        mesh.vertices.push_back({.position_mm = kRadiusMm * vertex.position_mm, .normal = vertex.normal});
-    mesh.indices = sphere.indices;
-    return mesh;
-}
+constexpr int kOutlineWidth = 640;
+constexpr int kOutlineHeight = 360;
+constexpr float kBallMm = 40.0F;
 
 // A square of two triangles that share no vertex, only places.
 PropMesh square() {
@@ -37,7 +29,7 @@ class PropEdges : public testing::Test {
         const PlacedMesh placed{mesh, planes, place};
         std::vector<OutlinePiece> pieces;
         add_prop_edges(placed, faces_towards(placed, camera_.eye_mm), mesh_edges(mesh), nullptr,
-                       {camera_, kWidth, kHeight}, pieces);
+                       {camera_, kOutlineWidth, kOutlineHeight}, pieces);
         return pieces;
     }
     static float length(const std::vector<OutlinePiece>& pieces) {
@@ -51,13 +43,14 @@ class PropEdges : public testing::Test {
 };
 
 TEST_F(PropEdges, GoOnceRoundABallAndNowhereElse) {
-    const std::vector<OutlinePiece> pieces = outline(ball(), mat4(1.0F));
+    const std::vector<OutlinePiece> pieces = outline(ball(kBallMm, 24, 40), mat4(1.0F));
     ASSERT_FALSE(pieces.empty());
-    const double px_per_mm = pixels_per_mm(camera_, kHeight);
-    const auto radius_px = static_cast<float>(kRadiusMm * px_per_mm);
+    const double px_per_mm = pixels_per_mm(camera_, kOutlineHeight);
+    const auto radius_px = static_cast<float>(kBallMm * px_per_mm);
     for (const OutlinePiece& piece : pieces) {
         for (const vec4& end : {piece.from, piece.to})
-            EXPECT_NEAR(glm::length(vec2(end) - vec2(kWidth / 2, kHeight / 2)), radius_px, 0.05F * radius_px);
+            EXPECT_NEAR(glm::length(vec2(end) - vec2(kOutlineWidth / 2, kOutlineHeight / 2)), radius_px,
+                        0.05F * radius_px);
     }
     // A polygon of the mesh's own edges zigzags about the circle.
     EXPECT_NEAR(length(pieces), 6.2832F * radius_px, 0.12F * 6.2832F * radius_px);
@@ -66,7 +59,8 @@ TEST_F(PropEdges, GoOnceRoundABallAndNowhereElse) {
 TEST_F(PropEdges, AreTheBorderOfASheetAndNotItsDiagonal) {
     const std::vector<OutlinePiece> pieces = outline(square(), mat4(1.0F));
     EXPECT_EQ(pieces.size(), 4U);
-    EXPECT_NEAR(length(pieces), 4.0F * 60.0F * static_cast<float>(pixels_per_mm(camera_, kHeight)), 0.5F);
+    EXPECT_NEAR(length(pieces), 4.0F * 60.0F * static_cast<float>(pixels_per_mm(camera_, kOutlineHeight)),
+                0.5F);
     const mat4 turned = glm::rotate(mat4(1.0F), 3.14159265F, vec3(0.0F, 1.0F, 0.0F));
     EXPECT_TRUE(outline(square(), turned).empty()) << "its back is not drawn";
 }
@@ -75,14 +69,15 @@ TEST_F(PropEdges, PassAllCornersOfAFineMeshInFewerPieces) {
     const Mesh fine = sphere_mesh(120, 200);
     PropMesh mesh;
     for (const Mesh::Vertex& vertex : fine.vertices)
-        mesh.vertices.push_back({.position_mm = kRadiusMm * vertex.position_mm, .normal = vertex.normal});
+        mesh.vertices.push_back({.position_mm = kBallMm * vertex.position_mm, .normal = vertex.normal});
     mesh.indices = fine.indices;
     const std::vector<OutlinePiece> pieces = outline(mesh, mat4(1.0F));
     EXPECT_LT(pieces.size(), 120U);
-    const float px_per_mm = static_cast<float>(pixels_per_mm(camera_, kHeight));
+    const float px_per_mm = static_cast<float>(pixels_per_mm(camera_, kOutlineHeight));
     for (const OutlinePiece& piece : pieces) {
         const vec2 middle = 0.5F * (vec2(piece.from) + vec2(piece.to));
-        EXPECT_NEAR(glm::length(middle - vec2(kWidth / 2, kHeight / 2)), kRadiusMm * px_per_mm, 0.6F);
+        EXPECT_NEAR(glm::length(middle - vec2(kOutlineWidth / 2, kOutlineHeight / 2)), kBallMm * px_per_mm,
+                    0.6F);
     }
 }
 
@@ -96,15 +91,16 @@ TEST_F(PropEdges, OfAHandInsideThePotAreLeftOut) {
     sample_profile(profile, samples);
     camera_.eye_mm = {0.0F, 300.0F, 900.0F};
     const InsidePot inside(lathe, samples, camera_.eye_mm);
-    const PropMesh mesh = ball();
+    const PropMesh mesh = ball(kBallMm, 24, 40);
     const std::vector<vec4> planes = face_planes(mesh);
     const mat4 place = glm::translate(mat4(1.0F), vec3(0.0F, 45.0F, 30.0F));
     const PlacedMesh placed{mesh, planes, place};
     const std::vector<std::uint8_t> towards = faces_towards(placed, camera_.eye_mm);
     std::vector<OutlinePiece> all;
     std::vector<OutlinePiece> seen;
-    add_prop_edges(placed, towards, mesh_edges(mesh), nullptr, {camera_, kWidth, kHeight}, all);
-    add_prop_edges(placed, towards, mesh_edges(mesh), &inside, {camera_, kWidth, kHeight}, seen);
+    add_prop_edges(placed, towards, mesh_edges(mesh), nullptr, {camera_, kOutlineWidth, kOutlineHeight}, all);
+    add_prop_edges(placed, towards, mesh_edges(mesh), &inside, {camera_, kOutlineWidth, kOutlineHeight},
+                   seen);
     EXPECT_FALSE(all.empty());
     EXPECT_LT(length(seen), 0.5F * length(all));
 }

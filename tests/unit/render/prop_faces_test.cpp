@@ -5,20 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "engine/render/profile_mesh.h"
 #include "tests/unit/render/lathe_samples.h"
+#include "tests/unit/render/prop_samples.h"
 
 namespace onggi::render {
 namespace {
-
-PropMesh ball() {
-    const Mesh sphere = sphere_mesh(12, 20);
-    PropMesh mesh;
-    for (const Mesh::Vertex& vertex : sphere.vertices)
-        mesh.vertices.push_back({.position_mm = 20.0F * vertex.position_mm, .normal = vertex.normal});
-    mesh.indices = sphere.indices;
-    return mesh;
-}
 
 std::vector<std::uint32_t> chosen(const PropMesh& mesh, const mat4& place, vec3 eye_mm,
                                   const InsidePot* pot = nullptr) {
@@ -39,7 +30,7 @@ bool looks_at(const PropMesh& mesh, std::size_t first, const mat4& place, vec3 e
 }
 
 TEST(PropFaces, AreThoseThatLookAtTheEye) {
-    const PropMesh mesh = ball();
+    const PropMesh mesh = ball(20.0F, 12, 20);
     const vec3 eye_mm(200.0F, 350.0F, 900.0F);
     const mat4 turned = glm::rotate(glm::translate(mat4(1.0F), vec3(90.0F, 70.0F, -20.0F)), 0.7F,
                                     glm::normalize(vec3(0.3F, 0.8F, -0.2F)));
@@ -60,7 +51,7 @@ TEST(PropFaces, AreThoseThatLookAtTheEye) {
 TEST(PropFaces, LeaveOutAHandThatThePotIsAround) {
     const Cylinder pot(50.0F, 5.0F, 10.0F, 150.0F);
     const LatheSamples samples = samples_of(pot.profile());
-    const PropMesh mesh = ball();
+    const PropMesh mesh = ball(20.0F, 12, 20);
     const vec3 eye_mm(0.0F, 350.0F, 1100.0F);
     const InsidePot inside(pot.lathe(), samples, eye_mm);
     const auto left_out = [&](vec3 place_mm) {

@@ -15,7 +15,7 @@ namespace onggi::render {
 namespace {
 
 // How near the transfer is to the standard is formula_test.cpp's.
-float shown(float light) {
+float lit(float light) {
     return 255.0F * shaders::transferred(std::min(light / (0.8F * light + 0.35F), 1.0F));
 }
 
@@ -65,7 +65,7 @@ TEST_F(PropLight, OfTheSkyIsTheAlbedosShareOfIt) {
     mesh_.albedo = vec3(0.5F, 0.3F, 0.1F);
     for (int channel = 0; channel < 3; ++channel) {
         EXPECT_NEAR(colour()[static_cast<std::size_t>(channel)],
-                    shown(frame_.irradiance[0][channel] * mesh_.albedo[channel] * kTone), 0.02F);
+                    lit(frame_.irradiance[0][channel] * mesh_.albedo[channel] * kTone), 0.02F);
     }
     const auto red_first = colour();
     const auto blue_first = corners(ByteOrder::kBlueFirst).at(0).values;
@@ -77,7 +77,7 @@ TEST_F(PropLight, OfTheSkyIsTheAlbedosShareOfIt) {
 
 TEST_F(PropLight, IsMirroredByAPolishedSkinOfNoColour) {
     frame_.sky_horizon = vec4(1.0F, 1.0F, 1.0F, 0.0F);
-    EXPECT_NEAR(colour()[0], shown(0.04F), 0.02F);
+    EXPECT_NEAR(colour()[0], lit(0.04F), 0.02F);
     // One soft panel: straight in the mirror, and sixty degrees beside it.
     frame_.sky_horizon = vec4(0.0F);
     mesh_.roughness = 0.5F;
@@ -87,7 +87,7 @@ TEST_F(PropLight, IsMirroredByAPolishedSkinOfNoColour) {
     for (const float cosine : {1.0F, 0.5F, -1.0F}) {
         frame_.panel_direction[0] = vec4(std::sqrt(1.0F - cosine * cosine), 0.0F, cosine, 4.0F);
         const float seen = 0.04F * 3.0F * soft / 4.0F * std::exp(soft * (cosine - 1.0F));
-        EXPECT_NEAR(colour()[0], shown(seen), 0.02F) << cosine;
+        EXPECT_NEAR(colour()[0], lit(seen), 0.02F) << cosine;
     }
 }
 
@@ -95,9 +95,9 @@ TEST_F(PropLight, OfTheKeyIsTheColoursAndAGleam) {
     frame_.key_radiance = vec4(2.0F);
     mesh_.albedo = vec3(0.3F);
     // Straight on, at the roughest, the gleam is a quarter of what is mirrored.
-    EXPECT_NEAR(colour()[0], shown(2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F);
+    EXPECT_NEAR(colour()[0], lit(2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F);
     mesh_.vertices[0].open_sky = 0;
-    EXPECT_NEAR(colour()[0], shown(0.55F * 2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F) << "in a corner";
+    EXPECT_NEAR(colour()[0], lit(0.55F * 2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F) << "in a corner";
     frame_.key_direction = vec4(0.0F, 0.0F, -1.0F, 0.05F);
     EXPECT_EQ(colour()[0], 0.0F) << "from behind";
 }
@@ -107,8 +107,8 @@ TEST_F(PropLight, IsTheClaysWhereClayLies) {
     mesh_.albedo = vec3(0.9F);
     mesh_.vertices[0].smear = 255;
     prop_.smear = vec3(0.2F, 0.1F, 0.05F);
-    EXPECT_NEAR(colour()[0], shown(0.2F), 0.02F);
-    EXPECT_NEAR(colour()[2], shown(0.05F), 0.02F);
+    EXPECT_NEAR(colour()[0], lit(0.2F), 0.02F);
+    EXPECT_NEAR(colour()[2], lit(0.05F), 0.02F);
 }
 
 TEST_F(PropLight, OfTheKeyStaysAwayBehindThePot) {

@@ -10,8 +10,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr std::uint32_t kUntouched = 0x12345678U;
-
 class PropPixels : public testing::Test {
   protected:
     // Widths that are no multiple of what is drawn side by side.

@@ -10,9 +10,9 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kWidth = 120;
-constexpr int kHeight = 90;
-constexpr float kAwayMm = 500.0F;
+constexpr int kSectionWidth = 120;
+constexpr int kSectionHeight = 90;
+constexpr float kSectionAwayMm = 500.0F;
 
 // A wall that is cut open, a millimetre to ten pixels: x from 0 to 12 mm from the axis, y from 0 to 9 mm up,
 // its inner face on the left.
@@ -20,10 +20,10 @@ class SectionPixels : public testing::Test {
   protected:
     void draw(float load_below, float load_above, bool shows_load, float depth = 0.5F) {
         const auto corner = [&](float x_mm, float y_mm, float load, float through) {
-            constexpr float kNear = 1.0F / kAwayMm;
+            constexpr float kNear = 1.0F / kSectionAwayMm;
             return SectionCorner{
-                .at_px = {10.0F * x_mm, static_cast<float>(kHeight) - 10.0F * y_mm},
-                .away_mm = kAwayMm,
+                .at_px = {10.0F * x_mm, static_cast<float>(kSectionHeight) - 10.0F * y_mm},
+                .away_mm = kSectionAwayMm,
                 .depth = depth,
                 .values = {x_mm * kNear, y_mm * kNear, load * kNear, through * kNear, kNear}};
         };
@@ -34,17 +34,18 @@ class SectionPixels : public testing::Test {
         // One goes clockwise and the other does not: a cut is seen from either side.
         const std::array corners{low_left, low_right, high_left, low_right, high_left, high_right};
         draw_section(corners, {.colour = vec3(0.3F), .shows_load = shows_load},
-                     {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
+                     {.size = {kSectionWidth, kSectionHeight}, .pixels = pixels_, .depth = depth_});
     }
     [[nodiscard]] int channel(float x_mm, float y_mm, unsigned shift) const {
         const auto x = static_cast<std::size_t>(10.0F * x_mm);
-        const auto y = static_cast<std::size_t>(kHeight) - 1 - static_cast<std::size_t>(10.0F * y_mm);
-        return static_cast<int>(pixels_[y * kWidth + x] >> shift & 255U);
+        const auto y = static_cast<std::size_t>(kSectionHeight) - 1 - static_cast<std::size_t>(10.0F * y_mm);
+        return static_cast<int>(pixels_[y * kSectionWidth + x] >> shift & 255U);
     }
     [[nodiscard]] int red(float x_mm, float y_mm) const { return channel(x_mm, y_mm, 0); }
 
-    std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, 0);
-    std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
+    std::vector<std::uint32_t> pixels_ =
+        std::vector<std::uint32_t>(std::size_t{kSectionWidth} * kSectionHeight, 0);
+    std::vector<float> depth_ = std::vector<float>(std::size_t{kSectionWidth} * kSectionHeight, 1.0F);
 };
 
 TEST_F(SectionPixels, AreHatchedAtFortyFiveDegreesEveryThreeMillimetres) {
@@ -67,11 +68,11 @@ TEST_F(SectionPixels, HaveALineWhereTheWallEnds) {
 }
 
 TEST_F(SectionPixels, LieOnlyWhereNothingIsNearer) {
-    std::fill(depth_.begin(), depth_.begin() + 45 * kWidth, 0.25F);
+    std::fill(depth_.begin(), depth_.begin() + 45 * kSectionWidth, 0.25F);
     draw(0.0F, 0.0F, false);
-    EXPECT_EQ(pixels_[std::size_t{44} * kWidth + 60], 0U);
-    EXPECT_NE(pixels_[std::size_t{45} * kWidth + 60], 0U);
-    EXPECT_EQ(depth_[std::size_t{45} * kWidth + 60], 0.5F);
+    EXPECT_EQ(pixels_[std::size_t{44} * kSectionWidth + 60], 0U);
+    EXPECT_NE(pixels_[std::size_t{45} * kSectionWidth + 60], 0U);
+    EXPECT_EQ(depth_[std::size_t{45} * kSectionWidth + 60], 0.5F);
 }
 
 TEST_F(SectionPixels, ReddenTowardsWhereTheClayGivesWayIfAsked) {
@@ -91,7 +92,7 @@ TEST_F(SectionPixels, OfWhatIsBehindTheEyeAreNone) {
     std::vector<SectionCorner> corners;
     place_section(std::vector<shaders::VertexData>(3), frame, corners);
     ASSERT_EQ(corners.size(), 3U);
-    draw_section(corners, {}, {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
+    draw_section(corners, {}, {.size = {kSectionWidth, kSectionHeight}, .pixels = pixels_, .depth = depth_});
     for (const std::uint32_t pixel : pixels_)
         ASSERT_EQ(pixel, 0U);
 }

@@ -7,13 +7,12 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kWidth = 40;
-constexpr int kHeight = 24;
-constexpr std::uint32_t kAcross = shaders::kMaskTexels;
+constexpr int kShadedWidth = 40;
+constexpr int kShadedHeight = 24;
 
 // Three places far from each other in the mask.
 constexpr std::uint32_t place_of(std::uint32_t u, std::uint32_t v) {
-    return (v * kAcross + u) << 16U;
+    return (v * shaders::kMaskTexels + u) << 16U;
 }
 constexpr std::uint32_t kHead = place_of(30, 30);
 constexpr std::uint32_t kBench = place_of(60, 50);
@@ -23,24 +22,25 @@ class ShadeEdgesOf : public testing::Test {
   protected:
     ShadeEdgesOf() { mask_->fill(kUnshaded); }
     void put_in_shade(std::uint32_t place) { (*mask_)[place >> 16U] = kUnshaded & 0xFFFF0000U; }
-    std::uint32_t& place(int x, int y) { return places_[static_cast<std::size_t>(y * kWidth + x)]; }
-    std::uint32_t& pixel(int x, int y) { return picture_[static_cast<std::size_t>(y * kWidth + x)]; }
-    void smooth(const PixelRect& rect = {0, 0, kWidth, kHeight}) {
-        edges_.find(kWidth, places_);
+    std::uint32_t& place(int x, int y) { return places_[static_cast<std::size_t>(y * kShadedWidth + x)]; }
+    std::uint32_t& pixel(int x, int y) { return picture_[static_cast<std::size_t>(y * kShadedWidth + x)]; }
+    void smooth(const PixelRect& rect = {0, 0, kShadedWidth, kShadedHeight}) {
+        edges_.find(kShadedWidth, places_);
         edges_.smooth(*mask_, std::span(&rect, 1), picture_);
     }
     static std::uint32_t grey(std::uint32_t level) { return 0xFF000000U | level * 0x010101U; }
 
     std::unique_ptr<ShadowMask> mask_ = std::make_unique<ShadowMask>();
-    std::vector<std::uint32_t> places_ = std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, kBench);
+    std::vector<std::uint32_t> places_ =
+        std::vector<std::uint32_t>(std::size_t{kShadedWidth} * kShadedHeight, kBench);
     std::vector<std::uint32_t> picture_ =
-        std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, grey(210));
+        std::vector<std::uint32_t>(std::size_t{kShadedWidth} * kShadedHeight, grey(210));
     ShadeEdges edges_;
 };
 
 TEST_F(ShadeEdgesOf, TwoThingsMixThemWhereOneIsInShade) {
     // The head's outline is upright; its pixel and the bench's there are what a photograph makes of both.
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < kShadedHeight; ++y) {
         for (int x = 0; x < 20; ++x) {
             place(x, y) = kHead;
             pixel(x, y) = grey(90);
@@ -52,7 +52,7 @@ TEST_F(ShadeEdgesOf, TwoThingsMixThemWhereOneIsInShade) {
     smooth();
     EXPECT_EQ(picture_, photograph) << "in the light it is as it was taken";
     put_in_shade(kHead);
-    smooth({0, 8, kWidth, 8});
+    smooth({0, 8, kShadedWidth, 8});
     for (int y = 8; y < 16; ++y) {
         EXPECT_EQ(pixel(18, y), grey(90));
         EXPECT_EQ(pixel(19, y), grey(130));
@@ -64,7 +64,7 @@ TEST_F(ShadeEdgesOf, TwoThingsMixThemWhereOneIsInShade) {
 }
 
 TEST_F(ShadeEdgesOf, AGapHideItsDarkBetweenTwoThingsInTheLight) {
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kShadedWidth; ++x) {
         for (int y = 0; y < 12; ++y) {
             place(x, y) = kHead;
             pixel(x, y) = grey(120);
@@ -74,14 +74,14 @@ TEST_F(ShadeEdgesOf, AGapHideItsDarkBetweenTwoThingsInTheLight) {
     }
     put_in_shade(kGap);
     smooth();
-    for (int x = 4; x < kWidth - 4; ++x) {
+    for (int x = 4; x < kShadedWidth - 4; ++x) {
         for (int y = 8; y < 16; ++y)
             EXPECT_GE(pixel(x, y) & 0xFFU, 120U) << x << ", " << y;
     }
 }
 
 TEST_F(ShadeEdgesOf, AStairGoEvenlyFromStepToStep) {
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kShadedWidth; ++x) {
         for (int y = 0; y < 8 + x / 5; ++y) {
             place(x, y) = kHead;
             pixel(x, y) = grey(90);
@@ -89,7 +89,7 @@ TEST_F(ShadeEdgesOf, AStairGoEvenlyFromStepToStep) {
     }
     put_in_shade(kHead);
     smooth();
-    for (int x = 4; x < kWidth - 4; ++x) {
+    for (int x = 4; x < kShadedWidth - 4; ++x) {
         for (int y = 4; y < 20; ++y) {
             const auto level = static_cast<int>(pixel(x, y) & 0xFFU);
             const auto below = static_cast<int>(pixel(x, y + 1) & 0xFFU);
@@ -106,7 +106,7 @@ TEST_F(ShadeEdgesOf, NothingAreNone) {
     EXPECT_EQ(picture_, photograph) << "one surface";
     // What no shadow reaches lies at the mask's border, wherever it is in the picture.
     std::fill(places_.begin(), places_.end(), place_of(95, 40));
-    for (int y = 0; y < kHeight; ++y)
+    for (int y = 0; y < kShadedHeight; ++y)
         place(20, y) = place_of(0, 40);
     mask_->fill(kUnshaded);
     smooth();

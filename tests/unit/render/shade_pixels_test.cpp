@@ -12,8 +12,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr std::uint32_t kAcross = shaders::kMaskTexels;
-
 // A light from the left, and a mask that holds what stands within 100 mm of the axis.
 shaders::FrameData frame_of(vec3 towards_light) {
     const DirectionalLight light{.towards_light = glm::normalize(towards_light), .angular_radius_rad = 0.05F};
@@ -31,8 +29,10 @@ shaders::FrameData frame_of(vec3 towards_light) {
 
 std::uint32_t texel_at(const shaders::FrameData& frame, const ShadowMask& mask, vec3 ground_mm) {
     const vec4 p(ground_mm, 1.0F);
-    const auto texel = [](float at) { return static_cast<std::size_t>(at * static_cast<float>(kAcross)); };
-    return mask[texel(glm::dot(frame.mask_v, p)) * kAcross + texel(glm::dot(frame.mask_u, p))];
+    const auto texel = [](float at) {
+        return static_cast<std::size_t>(at * static_cast<float>(shaders::kMaskTexels));
+    };
+    return mask[texel(glm::dot(frame.mask_v, p)) * shaders::kMaskTexels + texel(glm::dot(frame.mask_u, p))];
 }
 
 TEST(ShadowMaskOnTheHost, LeavesAnEmptyWheelInTheLight) {
@@ -66,18 +66,18 @@ TEST(ShadowMaskOnTheHost, CastsTheLatheAwayFromTheLightAndShadesItsFoot) {
 TEST(MaskPlace, IsATexelAndTheWayToTheNext) {
     // The middle of texel 10, 20, in sixteen bits.
     const auto middle = [](std::uint32_t texel) {
-        return static_cast<std::uint32_t>(std::ceil((texel + 0.5) / kAcross * 65535.0));
+        return static_cast<std::uint32_t>(std::ceil((texel + 0.5) / shaders::kMaskTexels * 65535.0));
     };
     const auto packed = [](std::uint32_t u, std::uint32_t v) {
         return (u >> 8U) | ((u & 0xFFU) << 8U) | ((v >> 8U) << 16U) | ((v & 0xFFU) << 24U);
     };
     const std::uint32_t place = mask_place(packed(middle(10), middle(20)));
-    EXPECT_EQ(place >> 16U, 20U * kAcross + 10U);
+    EXPECT_EQ(place >> 16U, 20U * shaders::kMaskTexels + 10U);
     EXPECT_LE(place & 0xFFU, 1U);
     EXPECT_LE((place >> 8U) & 0xFFU, 1U);
     EXPECT_EQ(mask_place(packed(0, 0)), 0U);
     // The last texel is reached from the one before it, so that four can always be read.
-    EXPECT_EQ(mask_place(packed(65535, 65535)), (94U * kAcross + 94U) << 16U | 0xFFFFU);
+    EXPECT_EQ(mask_place(packed(65535, 65535)), (94U * shaders::kMaskTexels + 94U) << 16U | 0xFFFFU);
 }
 
 TEST(MaskPlace, IsThatOfEveryCoordinate) {
@@ -90,11 +90,13 @@ TEST(MaskPlace, IsThatOfEveryCoordinate) {
     std::vector<std::uint32_t> places = coords;
     turn_into_places(places);
     for (std::uint32_t across = 0; across < 65536; ++across) {
-        const double texels = across / 65535.0 * kAcross - 0.5;
-        const double steps = std::clamp(std::floor(texels * 256.0), 0.0, 256.0 * (kAcross - 1) - 1.0);
+        const double texels = across / 65535.0 * shaders::kMaskTexels - 0.5;
+        const double steps =
+            std::clamp(std::floor(texels * 256.0), 0.0, 256.0 * (shaders::kMaskTexels - 1) - 1.0);
         const std::uint32_t place = places[across];
         ASSERT_EQ(place, mask_place(coords[across]));
-        ASSERT_EQ((place >> 16U) % kAcross * 256U + (place & 0xFFU), static_cast<std::uint32_t>(steps))
+        ASSERT_EQ((place >> 16U) % shaders::kMaskTexels * 256U + (place & 0xFFU),
+                  static_cast<std::uint32_t>(steps))
             << across;
     }
 }
@@ -151,7 +153,8 @@ TEST_P(ShadePixels, MixesLightAndLeavesTheRestAlone) {
             const auto mixed = [&](unsigned half) {
                 const auto at = [&](std::size_t k) { return byte(texel[k], half) / 255.0; };
                 return std::lerp(std::lerp(at(0), at(1), across),
-                                 std::lerp(at(kAcross), at(kAcross + 1), across), down);
+                                 std::lerp(at(shaders::kMaskTexels), at(shaders::kMaskTexels + 1), across),
+                                 down);
             };
             const double left = std::lerp(1.0, mixed(2), byte(without_key[i], 3) / 255.0);
             for (unsigned channel = 0; channel < 3; ++channel) {

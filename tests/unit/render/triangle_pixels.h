@@ -12,6 +12,8 @@
 
 namespace onggi::render {
 
+constexpr std::uint32_t kUntouched = 0x12345678U;
+
 // How far inside a triangle a point lies, px, if it goes clockwise in a picture whose y points down; below 0:
 // outside.
 inline float inside_px(const std::array<vec2, 3>& corners, vec2 point) {

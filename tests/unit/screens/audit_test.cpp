@@ -29,8 +29,8 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return fmt::format("{}_{}x{}", one.language, one.width_px, one.height_px);
 }
 
-// One painter for all: its fonts take as long to find as a layout to judge. And one store: the same pots stand
-// on a screen in every language.
+// One painter for all: its fonts take as long to find as a layout to judge. And one store: the same pots
+// stand on a screen in every language.
 class Audit : public testing::TestWithParam<Case> {
   protected:
     static void SetUpTestSuite() {

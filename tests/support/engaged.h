@@ -1,0 +1,17 @@
+// The safety chain as tests of it begin: at 4 kHz, past the ramp, as after a second of calm.
+#pragma once
+
+#include "engine/haptics/safety/state.h"
+
+namespace onggi::haptics {
+
+constexpr double kSafetyDt = 1.0 / 4000.0;
+
+inline SafetyState engaged() {
+    SafetyState state;
+    state.calm_ticks = 1000;
+    state.ramp = 1.0;
+    return state;
+}
+
+}  // namespace onggi::haptics
