@@ -6,15 +6,15 @@
 namespace onggi::render {
 namespace {
 
-constexpr std::size_t kAcross = shaders::kMaskTexels;
-constexpr std::size_t kSums = kAcross + 1;
+constexpr std::size_t kTexelsAcross = shaders::kMaskTexels;
+constexpr std::size_t kSums = kTexelsAcross + 1;
 
 }  // namespace
 
 void ShadeTiles::Reach::hold(std::span<const std::uint32_t> places) {
     // Vectors divide by multiplying; so wide that no texel's number is too large.
     constexpr int kShift = 22;
-    constexpr int kOneOver = (1 << kShift) / int{kAcross} + 1;
+    constexpr int kOneOver = (1 << kShift) / int{kTexelsAcross} + 1;
     int least_u = left;
     int most_u = right - 1;
     int least_v = top;
@@ -22,7 +22,7 @@ void ShadeTiles::Reach::hold(std::span<const std::uint32_t> places) {
     for (const std::uint32_t place : places) {
         const int texel = static_cast<int>(place >> 16U);
         const int v = texel * kOneOver >> kShift;
-        const int u = texel - v * int{kAcross};
+        const int u = texel - v * int{kTexelsAcross};
         least_u = std::min(least_u, u);
         most_u = std::max(most_u, u);
         least_v = std::min(least_v, v);
@@ -56,10 +56,11 @@ void ShadeTiles::learn(const TileGrid& grid, std::span<const std::uint32_t> plac
 void ShadeTiles::note_mask(const ShadowMask& before, const ShadowMask& now) {
     // Sums over all texels above and to the left, so that a tile's reach costs four of them.
     changed_above_left_.assign(kSums * kSums, 0);
-    for (std::size_t v = 0; v < kAcross; ++v) {
+    for (std::size_t v = 0; v < kTexelsAcross; ++v) {
         std::uint16_t in_row = 0;
-        for (std::size_t u = 0; u < kAcross; ++u) {
-            in_row = static_cast<std::uint16_t>(in_row + (before[v * kAcross + u] != now[v * kAcross + u]));
+        for (std::size_t u = 0; u < kTexelsAcross; ++u) {
+            in_row = static_cast<std::uint16_t>(
+                in_row + (before[v * kTexelsAcross + u] != now[v * kTexelsAcross + u]));
             changed_above_left_[(v + 1) * kSums + u + 1] =
                 static_cast<std::uint16_t>(changed_above_left_[v * kSums + u + 1] + in_row);
         }

@@ -14,7 +14,7 @@ struct Push {
     vec2 atlas_per_px;
 };
 
-constexpr std::array kAttributes{
+constexpr std::array kCornerAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ui::Vertex, position_px)},
     VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ui::Vertex, atlas_px)},
     VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ui::Vertex, rgba)}};
@@ -45,7 +45,7 @@ Result<void> OverlayPass::create(const VulkanFrame& frame) {
                           .vertex_spirv = shaders::kUiVert,
                           .fragment_spirv = shaders::kUiFrag,
                           .layout = layout_.get(),
-                          .attributes = kAttributes,
+                          .attributes = kCornerAttributes,
                           .vertex_stride = sizeof(ui::Vertex),
                           .colour_formats = formats,
                           .blend = true,
