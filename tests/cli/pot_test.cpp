@@ -83,7 +83,7 @@ TEST_F(PotOnTheCommandLine, IsThrownFromAnotherBody) {
                                  "porcelain", "--stats", "s.json"}));
     EXPECT_NEAR(json_of("s.json").at("fired").at("shrinkage_percent").get<double>(), 14.0, 1e-9);
     expect_one_line(onggi({"throw", "bowl.csv", "--body", "glass"}), 2,
-                    "expected stoneware, porcelain or earthenware, found 'glass'");
+                    "expected stoneware|porcelain|earthenware, found 'glass'");
 }
 
 TEST_F(PotOnTheCommandLine, IsScoredBesideAMuseumsPot) {

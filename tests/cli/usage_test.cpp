@@ -72,7 +72,7 @@ TEST(Usage, NumbersOutsideTheirBoundsAreRefused) {
 
 TEST(Usage, WhatIsNotBuiltIsRefusedNamingWhatIs) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "porridge"}), 2,
-                    "(studio, paper), found 'porridge'");
+                    "expected studio|paper, found 'porridge'");
     const TemporaryFolder folder;
     expect_one_line(run_onggi({"throw", kPressAndHold, "--export", (folder / "pot.obj").string()}), 2,
                     ".glb");
@@ -88,7 +88,7 @@ TEST(Usage, OptionsOfTheStudioClayAreNotThePapers) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "paper", "--wheel", "kick"}), 2,
                     "--wheel: expected the studio clay, found --clay paper");
     expect_one_line(run_onggi({"throw", kPressAndHold, "--wheel", "ferris"}), 2,
-                    "(electric, kick), found 'ferris'");
+                    "expected electric|kick, found 'ferris'");
     for (const char* mass : {"99", "5001", "nan", "heavy"}) {
         expect_one_line(run_onggi({"throw", kPressAndHold, "--clay-mass", mass}), 2,
                         fmt::format("--clay-mass: expected 100 to 5000, found '{}'", mass));

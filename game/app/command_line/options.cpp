@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
-#include <functional>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -46,34 +46,33 @@ CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::option
     return command.add_option(name, read, description)->type_name(kind);
 }
 
-// An option whose value is one of a few words.
-template <typename T>
+// An option whose value is one of a few words, each of which stands for one of T.
+template <typename T, typename Slot>
 CLI::Option* add_choice(CLI::App& command, const std::string& name,
-                        const std::vector<std::pair<std::string, T>>& words, std::function<void(T)> take,
+                        const std::vector<std::pair<std::string, T>>& words, Slot& slot,
                         const std::string& description) {
     std::string kind;
     for (const auto& [word, value] : words)
         kind += (kind.empty() ? "" : "|") + word;
-    const auto read = [words, take = std::move(take), name, kind](const CLI::results_t& given) {
+    const auto read = [words, &slot, name, kind](const CLI::results_t& given) {
         for (const auto& [word, value] : words) {
             if (word != given.at(0)) continue;
-            take(value);
+            slot = value;
             return true;
         }
         throw CLI::ValidationError(name, fmt::format("expected {}, found {}", kind, in_quotes(given.at(0))));
     };
     return command.add_option(name, read, description)->type_name(kind);
 }
+template <typename T, typename Name>
+std::vector<std::pair<std::string, T>> named(std::initializer_list<T> values, Name&& name_of) {
+    std::vector<std::pair<std::string, T>> words;
+    for (const T value : values)
+        words.emplace_back(name_of(value), value);
+    return words;
+}
 
 }  // namespace
-
-std::optional<clay::ClayBody> clay_body_named(std::string_view name) {
-    for (const clay::ClayBody body :
-         {clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware}) {
-        if (exporter::name_of(body) == name) return body;
-    }
-    return std::nullopt;
-}
 
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, std::optional<double>& number,
                                double least, double most, const std::string& description) {
@@ -116,43 +115,20 @@ void add_rate_option(CLI::App& command, InputOptions& options) {
 }
 
 void add_clay_options(CLI::App& command, InputOptions& options) {
-    const auto known = [](const std::string& name) {
-        return name == "paper" || name == "studio"
-                   ? std::string{}
-                   : fmt::format("expected one of the clays there are (studio, paper), found {}",
-                                 in_quotes(name));
-    };
-    command.add_option("--clay", options.clay, "the clay's model, for a gesture: studio or paper (studio)")
-        ->type_name("NAME")
-        ->check(CLI::Validator(known, ""));
+    add_choice<std::string>(command, "--clay", {{"studio", "studio"}, {"paper", "paper"}}, options.clay,
+                            "the clay's model, for a gesture (studio)");
     add_bounded(
         command, "--elements", options.element_count, clay::kMinElements, clay::kMaxElements, "N",
         "elements over 200 mm, 100 to 200000, for a gesture (2000); the studio clay takes the nearest "
         "it can have, 200 to 4000");
     add_bounded(command, "--clay-mass", options.clay_mass_g, clay::kLeastLumpG, clay::kLargestLumpG, "G",
                 "mass of a studio lump in grams, 100 to 5000, for a gesture (1000)");
-    command
-        .add_option("--body", options.body,
-                    "body of a studio lump, for a gesture: stoneware, porcelain or earthenware (stoneware)")
-        ->type_name("NAME")
-        ->check(CLI::Validator(
-            [](const std::string& name) {
-                return clay_body_named(name) ? std::string{}
-                                             : fmt::format(
-                                                   "expected stoneware, porcelain or earthenware, "
-                                                   "found {}",
-                                                   in_quotes(name));
-            },
-            ""));
-    const auto known_wheel = [](const std::string& name) {
-        return name == "electric" || name == "kick"
-                   ? std::string{}
-                   : fmt::format("expected one of the wheels there are (electric, kick), found {}",
-                                 in_quotes(name));
-    };
-    command.add_option("--wheel", options.wheel, "under the studio clay: electric or kick (electric)")
-        ->type_name("NAME")
-        ->check(CLI::Validator(known_wheel, ""));
+    add_choice(command, "--body",
+               named({clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware},
+                     [](clay::ClayBody body) { return exporter::name_of(body); }),
+               options.body, "body of a studio lump, for a gesture (stoneware)");
+    add_choice<std::string>(command, "--wheel", {{"electric", "electric"}, {"kick", "kick"}}, options.wheel,
+                            "under the studio clay (electric)");
     command.add_flag("--forgiving", options.forgiving,
                      "the wheel slows by itself before the studio clay gives way");
 }
@@ -174,13 +150,10 @@ void add_start_pot_options(CLI::App& command, StartPot& options) {
 }
 
 void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string& what) {
-    std::vector<std::pair<std::string, clay::Firing>> stages;
-    for (const clay::Firing known :
-         {clay::Firing::kWet, clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze})
-        stages.emplace_back(exporter::name_of(known), known);
-    add_choice<clay::Firing>(
-        command, "--fired", stages, [&stage](clay::Firing chosen) { stage = chosen; },
-        what + ": wet, dry, bisque or glaze (wet)");
+    add_choice(command, "--fired",
+               named({clay::Firing::kWet, clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze},
+                     [](clay::Firing known) { return exporter::name_of(known); }),
+               stage, what + ": wet, dry, bisque or glaze (wet)");
 }
 
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
@@ -210,8 +183,7 @@ void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* pic
          {"look-in", wheel::StillView::kLookingIn},
          {"portrait", wheel::StillView::kPortrait},
          {"cutaway", wheel::StillView::kCutaway}},
-        [&view](wheel::StillView chosen) { view = chosen; },
-        "what the picture shows: pot and hands, into the pot, the pot alone, its section")
+        view, "what the picture shows: pot and hands, into the pot, the pot alone, its section")
         ->needs(picture);
 }
 
@@ -222,13 +194,11 @@ void add_volume_option(CLI::App& command, std::optional<double>& volume) {
 
 CLI::Option* add_backend_option(CLI::App& command, std::optional<render::BackendChoice>& backend,
                                 const std::string& description) {
-    std::vector<std::pair<std::string, render::BackendChoice>> choices;
-    for (const render::BackendChoice choice :
-         {render::BackendChoice::kGpu, render::BackendChoice::kCpu, render::BackendChoice::kAuto})
-        choices.emplace_back(render::backend_choice_name(choice), choice);
-    return add_choice<render::BackendChoice>(
-        command, "--backend", choices, [&backend](render::BackendChoice chosen) { backend = chosen; },
-        description);
+    return add_choice(
+        command, "--backend",
+        named({render::BackendChoice::kGpu, render::BackendChoice::kCpu, render::BackendChoice::kAuto},
+              render::backend_choice_name),
+        backend, description);
 }
 
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first) {

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "engine/render/quality.h"
 #include "game/app/command_line/cli_names.h"
@@ -24,21 +23,18 @@ struct InputOptions {
     std::string file;  // a gesture or a session, told apart by content
     std::optional<double> rate_hz = {};
     std::optional<int> element_count = {};
-    std::optional<std::string> clay = {};    // "studio" unless it says "paper"
-    std::optional<double> clay_mass_g = {};  // of a studio lump
-    std::optional<std::string> body = {};    // of the same; "stoneware" unless it says otherwise
-    std::optional<std::string> wheel = {};   // "electric" unless it says "kick"
-    bool forgiving = false;                  // the wheel slows before the clay gives way
-    StartPot start = {};                     // in place of a lump
+    std::optional<std::string> clay = {};     // "studio" unless it says "paper"
+    std::optional<double> clay_mass_g = {};   // of a studio lump
+    std::optional<clay::ClayBody> body = {};  // of the same; stoneware unless it says otherwise
+    std::optional<std::string> wheel = {};    // "electric" unless it says "kick"
+    bool forgiving = false;                   // the wheel slows before the clay gives way
+    StartPot start = {};                      // in place of a lump
 };
 
 struct PictureSize {
     int width = 1280;
     int height = 720;
 };
-
-// The body of that name, as --body takes it.
-[[nodiscard]] std::optional<clay::ClayBody> clay_body_named(std::string_view name);
 
 // The file, as the command's one word without dashes.
 void add_input_file(CLI::App& command, InputOptions& options);

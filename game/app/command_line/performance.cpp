@@ -119,7 +119,7 @@ Result<haptic::Start> fresh_start(const InputOptions& options) {
     }
     clay::StudioLump lump;
     lump.mass_g = options.clay_mass_g.value_or(lump.mass_g);
-    if (options.body) lump.body = clay_body_named(*options.body).value_or(lump.body);
+    lump.body = options.body.value_or(lump.body);
     lump.rings = std::clamp(options.element_count.value_or(lump.rings), clay::kFewestRings, clay::kMostRings);
     start.state = haptic::HapticState(clay::StudioClay(lump));
     return start;
