@@ -105,9 +105,9 @@ void shift_at_seam(Rings& rings, int first, int end, double seam_mm, const Joini
 }  // namespace
 
 void StudioClay::put_back() {
-    cut_off_ = wire_was_used_ = false;
+    carried_.cut_off = carried_.wire_was_used = false;
     wheel_.set_speed(0.0);
-    wheel_load_n_mm_ = load_height_mm_ = 0.0;
+    carried_.wheel_load_n_mm = carried_.load_height_mm = 0.0;
     hands_ = {};
 }
 
@@ -180,9 +180,9 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
                    .trimmings_mm3 = a.trimmings_mm3 + b.trimmings_mm3 + cut,
                    .slip_mm3 = a.slip_mm3 + b.slip_mm3};
     pot.wheel_ = studio::PoweredWheel(lower.wheel_.heading(), 0.0);
-    pot.film_ = std::max(lower.film_, upper.film_);
-    pot.splits_ = lower.splits_ + upper.splits_;
-    pot.joins_ = lower.joins_ + upper.joins_;
+    pot.carried_.film = std::max(lower.carried_.film, upper.carried_.film);
+    pot.carried_.splits = lower.carried_.splits + upper.carried_.splits;
+    pot.carried_.joins = lower.carried_.joins + upper.carried_.joins;
     // What gave way before is not undone by joining.
     const bool fell = lower.sweep_.failure.cause != studio::Cause::kNone;
     pot.sweep_ = {};

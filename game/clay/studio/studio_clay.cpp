@@ -67,10 +67,7 @@ void StudioClay::restart() noexcept {
     studio::restart(sweep_, rings_);
     hands_ = {};
     grip_ = {};
-    film_ = tend_credit_ = change_credit_ = wheel_load_n_mm_ = load_height_mm_ = 0.0;
-    tend_next_ = stripe_ = 0;
-    cut_off_ = wire_was_used_ = owes_cursors_ = false;
-    splits_ = joins_ = 0;
+    carried_ = {};
 }
 
 void StudioClay::restart_from(const StudioClay& start) noexcept {
@@ -81,18 +78,7 @@ void StudioClay::restart_from(const StudioClay& start) noexcept {
     sweep_ = start.sweep_;
     hands_ = start.hands_;
     grip_ = start.grip_;
-    film_ = start.film_;
-    tend_credit_ = start.tend_credit_;
-    change_credit_ = start.change_credit_;
-    tend_next_ = start.tend_next_;
-    stripe_ = start.stripe_;
-    owes_cursors_ = start.owes_cursors_;
-    wheel_load_n_mm_ = start.wheel_load_n_mm_;
-    load_height_mm_ = start.load_height_mm_;
-    cut_off_ = start.cut_off_;
-    wire_was_used_ = start.wire_was_used_;
-    splits_ = start.splits_;
-    joins_ = start.joins_;
+    carried_ = start.carried_;
 }
 
 void StudioClay::set_wall(double outer, double wall, double floor, double height, int count) {
@@ -152,17 +138,17 @@ std::span<const float> StudioClay::residuals_mm(int ring) const {
 
 void StudioClay::use_wire(const StudioInput& input) {
     const bool wanted = input.wire != Wire::kNone && std::isfinite(input.wire_height_mm);
-    if (wanted && !wire_was_used_ && !cut_off_ && rings_.count > 0) {
+    if (wanted && !carried_.wire_was_used && !carried_.cut_off && rings_.count > 0) {
         if (input.wire == Wire::kCutRim) {
             studio::cut_above(rings_, ledger_, input.wire_height_mm);
         } else {
             studio::cut_below(rings_, ledger_, input.wire_height_mm);
-            cut_off_ = true;
+            carried_.cut_off = true;
         }
         studio::restart(sweep_, rings_);
-        tend_next_ = 0;
+        carried_.tend_next = 0;
     }
-    wire_was_used_ = wanted;
+    carried_.wire_was_used = wanted;
 }
 
 // What one hand does to the clay. Contact is known; places are not worked out again here.
@@ -187,7 +173,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                 changed = studio::push_rings(rings_, contact, hand, other, fraction, parameters);
                 // Walls take turns with the cursors at 2 kHz and beyond, each for the time of two ticks.
                 const bool takes_turns = studio::stripes_at(parameters.rate_hz) > 1;
-                if (takes_turns && stripe_ % 2 != 0) break;
+                if (takes_turns && carried_.stripe % 2 != 0) break;
                 const double wall_dt = takes_turns ? 2.0 * dt : dt;
                 const double wall_fraction =
                     studio::relaxed_fraction(wall_dt / studio::flow_time_s(su, parameters.flow_time_s));
@@ -214,7 +200,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
             for (int i = contact.range.first; water_g > 0.0 && i < contact.range.end; ++i)
                 studio::wet_ring(rings_, i, water_g);
             // A wet sponge carries a little clay off as slip.
-            const double taken = parameters.slip_mm_s * dt * film_;
+            const double taken = parameters.slip_mm_s * dt * carried_.film;
             if (taken > 0.0) {
                 for (int k = 0; k < contact.range.size(); ++k)
                     scratch_[Rings::at(k)] = contact.depth_mm[Rings::at(k)] > 0.0 ? taken : 0.0;
@@ -234,9 +220,10 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
         studio::centre_rings(rings_, contact, state,
                              studio::relaxed_fraction(dt / parameters.centring_time_s),
                              parameters.yield_depth_mm);
-    studio::round_sectors(rings_, contact, hand, stripe_, parameters);
-    if (film_ > 0.0 && !hand.drinks)
-        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(), film_);
+    studio::round_sectors(rings_, contact, hand, carried_.stripe, parameters);
+    if (carried_.film > 0.0 && !hand.drinks)
+        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(),
+                          carried_.film);
     return changed;
 }
 
@@ -244,25 +231,26 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
 bool StudioClay::tend_rings(double dt) {
     if (rings_.count == 0) return false;
     const double target = studio::target_height_mm(rings_, lump_.rings);
-    tend_credit_ = std::min(tend_credit_ + rings_.count * (dt / kTendS), 1.0 * rings_.count);
-    change_credit_ = std::min(change_credit_ + kChangesPerS * dt, std::max(1.0, kChangesPerS * dt));
+    carried_.tend_credit = std::min(carried_.tend_credit + rings_.count * (dt / kTendS), 1.0 * rings_.count);
+    carried_.change_credit =
+        std::min(carried_.change_credit + kChangesPerS * dt, std::max(1.0, kChangesPerS * dt));
     constexpr int kNoRing = std::numeric_limits<int>::max();
     int lowest = kNoRing;
-    while (tend_credit_ >= 1.0 && change_credit_ >= 1.0) {
-        tend_credit_ -= 1.0;
-        if (tend_next_ >= rings_.count) tend_next_ = 0;
-        const studio::Resplit did = studio::tend_ring(rings_, tend_next_++, target);
+    while (carried_.tend_credit >= 1.0 && carried_.change_credit >= 1.0) {
+        carried_.tend_credit -= 1.0;
+        if (carried_.tend_next >= rings_.count) carried_.tend_next = 0;
+        const studio::Resplit did = studio::tend_ring(rings_, carried_.tend_next++, target);
         if (did.changed_ring < 0) continue;
-        change_credit_ -= 1.0;
+        carried_.change_credit -= 1.0;
         lowest = std::min(lowest, did.changed_ring);
         if (did.was_split) {
             studio::after_split(sweep_, did.changed_ring);
-            ++splits_;
-            ++tend_next_;  // the halves are as they should be
+            ++carried_.splits;
+            ++carried_.tend_next;  // the halves are as they should be
         } else {
             studio::after_join(sweep_, did.changed_ring);
-            ++joins_;
-            tend_next_ = did.changed_ring + 1;
+            ++carried_.joins;
+            carried_.tend_next = did.changed_ring + 1;
         }
     }
     if (lowest == kNoRing) return false;
@@ -295,10 +283,11 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
                                  contact.height_mm - other->position_mm.y)
                   .held;
     // A wet face slides as a wet hand does.
-    const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
+    const double wet = std::max(carried_.film, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     const studio::Feel felt =
         studio::feel(rings_, contact, hand, velocity, wheel_.speed_rad_s(), wet, supported, parameters);
-    if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);
+    if (felt.wheel_load_n_mm > 0.0)
+        carried_.load_height_mm = std::max(carried_.load_height_mm, contact.height_mm);
     load_n_mm += felt.wheel_load_n_mm;
     return felt.forces;
 }
@@ -306,16 +295,17 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
 StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& parameters) noexcept {
     StudioForces result;
     const double dt = parameters.dt_s();
-    wheel_.step(allowed_speed(input.wheel_speed_rad_s, parameters), wheel_load_n_mm_, dt, parameters.wheel);
-    wheel_load_n_mm_ = 0.0;
-    load_height_mm_ = 0.0;
-    if (input.water > film_) film_ = std::min(input.water, 1.0);
-    film_ -= film_ * studio::relaxed_fraction(dt / parameters.film_time_s);
-    stripe_ = (stripe_ + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
-    const std::uint64_t changes_before = splits_ + joins_;
+    wheel_.step(allowed_speed(input.wheel_speed_rad_s, parameters), carried_.wheel_load_n_mm, dt,
+                parameters.wheel);
+    carried_.wheel_load_n_mm = 0.0;
+    carried_.load_height_mm = 0.0;
+    if (input.water > carried_.film) carried_.film = std::min(input.water, 1.0);
+    carried_.film -= carried_.film * studio::relaxed_fraction(dt / parameters.film_time_s);
+    carried_.stripe = (carried_.stripe + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
+    const std::uint64_t changes_before = carried_.splits + carried_.joins;
     const int rings_before = rings_.count;
     use_wire(input);
-    if (rings_.count == 0 || cut_off_) {
+    if (rings_.count == 0 || carried_.cut_off) {
         result.rings_moved = rings_.count != rings_before;
         return result;
     }
@@ -363,7 +353,7 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     for (std::size_t h = 0; h < 2; ++h) {
         if (!present[h] || !contacts_[h].touches()) continue;
         ContactForces& forces = h == 0 ? result.hand : result.second;
-        forces = feel_hand(hands_[h], contacts_[h], hand[h], other[h], parameters, wheel_load_n_mm_);
+        forces = feel_hand(hands_[h], contacts_[h], hand[h], other[h], parameters, carried_.wheel_load_n_mm);
     }
     Changed changed{};
     walls_took_turn_ = false;
@@ -380,10 +370,10 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     if (changed.size() > 0) rings_.place(changed.first, changed.end);
     if (guided) guide(input, parameters, result);
 
-    result.wheel_load_n_mm = wheel_load_n_mm_;
-    const double cursor_dt = owes_cursors_ ? 2.0 * dt : dt;
-    owes_cursors_ = walls_took_turn_;
-    if (owes_cursors_) {
+    result.wheel_load_n_mm = carried_.wheel_load_n_mm;
+    const double cursor_dt = carried_.owes_cursors ? 2.0 * dt : dt;
+    carried_.owes_cursors = walls_took_turn_;
+    if (carried_.owes_cursors) {
         result.rings_moved = rings_.count != rings_before;
         return result;
     }
@@ -392,8 +382,8 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     const bool tended = (touches || sinks) && tend_rings(cursor_dt);
     const Changed slumped = studio::sweep_load(sweep_, rings_,
                                                {.wheel_speed_rad_s = wheel_.speed_rad_s(),
-                                                .twist_n_mm = wheel_load_n_mm_,
-                                                .twist_height_mm = load_height_mm_,
+                                                .twist_n_mm = carried_.wheel_load_n_mm,
+                                                .twist_height_mm = carried_.load_height_mm,
                                                 .evaporation_g_mm2_s = parameters.evaporation_g_mm2_s,
                                                 .film_time_s = parameters.film_time_s,
                                                 .diffusivity_mm2_s = parameters.diffusivity_mm2_s,
@@ -401,7 +391,8 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
                                                 .dt_s = cursor_dt});
     if (slumped.size() > 0) rings_.place(slumped.first, slumped.end);
     if (sweep_.tear_at >= 0) tear();
-    result.rings_moved = tended || splits_ + joins_ != changes_before || rings_.count != rings_before;
+    result.rings_moved =
+        tended || carried_.splits + carried_.joins != changes_before || rings_.count != rings_before;
     return result;
 }
 

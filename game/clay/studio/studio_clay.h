@@ -102,16 +102,16 @@ class StudioClay {
     // The first ring that gave way; Cause::kNone while all stand.
     [[nodiscard]] const studio::Failure& failure() const { return sweep_.failure; }
     // Cut off the wheel: the pot is done, hands no longer move it.
-    [[nodiscard]] bool is_cut_off() const { return cut_off_; }
+    [[nodiscard]] bool is_cut_off() const { return carried_.cut_off; }
     // None of it is softer; a guided trimmer works on no other clay.
     [[nodiscard]] bool is_leather_hard() const;
     // Water on the hands, 0 to 1.
-    [[nodiscard]] double film() const { return film_; }
+    [[nodiscard]] double film() const { return carried_.film; }
     // Puts a pot that was cut off on the wheel again, standing, to be thrown on; and one that was not, as if
     // it had been.
     void put_back();
-    [[nodiscard]] std::uint64_t splits() const { return splits_; }
-    [[nodiscard]] std::uint64_t joins() const { return joins_; }
+    [[nodiscard]] std::uint64_t splits() const { return carried_.splits; }
+    [[nodiscard]] std::uint64_t joins() const { return carried_.joins; }
 
     [[nodiscard]] const studio::PoweredWheel& wheel() const { return wheel_; }
     void set_wheel_speed(double speed_rad_s) { wheel_.set_speed(speed_rad_s); }
@@ -184,18 +184,21 @@ class StudioClay {
     studio::LoadSweep sweep_;
     std::array<studio::HandState, 2> hands_;
     studio::GripState grip_;
-    double film_ = 0.0;           // of water on the hands, 0 to 1
-    double tend_credit_ = 0.0;    // rings to look at that simulated time has paid for
-    double change_credit_ = 0.0;  // splits and joins, the same
-    int tend_next_ = 0;
-    int stripe_ = 0;                // counts ticks round: which rings are rounded, which work is due
-    double wheel_load_n_mm_ = 0.0;  // of the last tick
-    double load_height_mm_ = 0.0;
-    bool owes_cursors_ = false;  // the tick before was the walls' turn
-    bool cut_off_ = false;
-    bool wire_was_used_ = false;  // one cut a pull
-    std::uint64_t splits_ = 0;
-    std::uint64_t joins_ = 0;
+    // What else one tick leaves to the next.
+    struct Carried {
+        double film = 0.0;           // of water on the hands, 0 to 1
+        double tend_credit = 0.0;    // rings to look at that simulated time has paid for
+        double change_credit = 0.0;  // splits and joins, the same
+        int tend_next = 0;
+        int stripe = 0;                // counts ticks round: which rings are rounded, which work is due
+        double wheel_load_n_mm = 0.0;  // of the last tick
+        double load_height_mm = 0.0;
+        bool owes_cursors = false;  // the tick before was the walls' turn
+        bool cut_off = false;
+        bool wire_was_used = false;  // one cut a pull
+        std::uint64_t splits = 0;
+        std::uint64_t joins = 0;
+    } carried_;
 
     // Work space; never hashed.
     bool walls_took_turn_ = false;

@@ -112,13 +112,14 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     }
     if (!contact.touches() || contact.range.size() <= 0) return changed;
     if (turning) {
-        studio::round_sectors(rings_, contact, hand, stripe_, parameters);
+        studio::round_sectors(rings_, contact, hand, carried_.stripe, parameters);
     } else {
         studio::dent_sectors(rings_, contact, hand, studio::relaxed_fraction(dt / parameters.denting_time_s),
                              parameters.yield_depth_mm);
     }
-    if (film_ > 0.0)
-        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(), film_);
+    if (carried_.film > 0.0)
+        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(),
+                          carried_.film);
     feel_guided(contact, hand, turning ? grip_.bears_n_mm : 1e9, parameters, result);
     return changed;
 }
@@ -178,7 +179,7 @@ void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double be
                              const StudioParameters& parameters, StudioForces& result) {
     // The other hand holds against it: a wall does not give way as a whole.
     constexpr double kHeld = 1.0;
-    const double wet = std::max(film_, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
+    const double wet = std::max(carried_.film, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     studio::Feel felt =
         studio::feel(rings_, contact, hand, dvec3(0.0), wheel_.speed_rad_s(), wet, kHeld, parameters);
     if (felt.wheel_load_n_mm > bears_n_mm) {
@@ -187,8 +188,9 @@ void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double be
         felt.forces.friction_n *= fraction;
         felt.wheel_load_n_mm = bears_n_mm;
     }
-    if (felt.wheel_load_n_mm > 0.0) load_height_mm_ = std::max(load_height_mm_, contact.height_mm);
-    wheel_load_n_mm_ += felt.wheel_load_n_mm;
+    if (felt.wheel_load_n_mm > 0.0)
+        carried_.load_height_mm = std::max(carried_.load_height_mm, contact.height_mm);
+    carried_.wheel_load_n_mm += felt.wheel_load_n_mm;
     result.hand = felt.forces;
     result.hand.first_touched = contact.range.first;
     result.hand.touched_count = contact.range.size();

@@ -111,9 +111,10 @@ void StudioClay::visit_state(Self& self, Visitor& visitor) {
         visit(visitor, hand.side, hand.direction, hand.has_mean, hand.mean_distance_mm, hand.wobble_mm,
               hand.previous_position_mm, hand.has_previous, hand.has_slow_height, hand.slow_height_mm);
     visit_grip(visitor, self.grip_);
-    visit(visitor, self.film_, self.tend_credit_, self.change_credit_, self.wheel_load_n_mm_,
-          self.load_height_mm_, self.tend_next_, self.stripe_, self.owes_cursors_, self.cut_off_,
-          self.wire_was_used_, self.splits_, self.joins_);
+    auto& carried = self.carried_;
+    visit(visitor, carried.film, carried.tend_credit, carried.change_credit, carried.wheel_load_n_mm,
+          carried.load_height_mm, carried.tend_next, carried.stripe, carried.owes_cursors, carried.cut_off,
+          carried.wire_was_used, carried.splits, carried.joins);
 }
 
 std::uint64_t StudioClay::state_hash() const {
@@ -240,10 +241,12 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
         if (!sound) return "hand: expected a known side, a unit direction and finite numbers";
     }
     if (!is_sound(clay.grip_)) return "grip: expected numbers within their bounds";
-    if (!is_between(clay.film_, 0.0, 1.0) || !is_between(clay.tend_credit_, 0.0, 1e6) ||
-        !is_between(clay.change_credit_, 0.0, 1e6) || !is_between(clay.wheel_load_n_mm_, 0.0, 1e9) ||
-        !std::isfinite(clay.load_height_mm_) || !is_between(clay.tend_next_, 0, rings.capacity + 2) ||
-        !is_between(clay.stripe_, 0, studio::kMostStripes - 1))
+    if (!is_between(clay.carried_.film, 0.0, 1.0) || !is_between(clay.carried_.tend_credit, 0.0, 1e6) ||
+        !is_between(clay.carried_.change_credit, 0.0, 1e6) ||
+        !is_between(clay.carried_.wheel_load_n_mm, 0.0, 1e9) ||
+        !std::isfinite(clay.carried_.load_height_mm) ||
+        !is_between(clay.carried_.tend_next, 0, rings.capacity + 2) ||
+        !is_between(clay.carried_.stripe, 0, studio::kMostStripes - 1))
         return "cursor: expected numbers within their bounds";
     return {};
 }

@@ -16,7 +16,7 @@ studio::Changed StudioClay::guide_trimmer(const StudioInput& input, const Studio
     if (!is_leather_hard()) {
         studio::dry_to_leather(rings_);
         studio::restart(sweep_, rings_);
-        film_ = 0.0;
+        carried_.film = 0.0;
     }
     studio::Hand hand;
     if (!lay_tool(input, result, hand)) return {};

@@ -7,6 +7,11 @@
 #include "game/app/system/or_null.h"
 
 namespace onggi::app {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(KioskPulse, screen, is_closed, fault, faults, asked_hz, achieved_hz,
+                                   skipped_periods, late_periods, frame_ms, worst_frame_ms, frames_shown,
+                                   haptic_ticks, is_safe_mode)
+
 namespace {
 
 using nlohmann::json;
@@ -19,26 +24,13 @@ std::optional<double> number_or_none(const json& value) {
 }
 
 StatusNote note_of(const json& all) {
-    const json& pulse = all.at("pulse");
     return {.at_s = all.at("at_s").get<std::int64_t>(),
             .has_ended = all.at("has_ended").get<bool>(),
             .running_s = all.at("running_s").get<double>(),
             .picture_moves = all.at("picture_moves").get<bool>(),
             .hand_turns = all.at("hand_turns").get<bool>(),
             .version = all.at("version").get<std::string>(),
-            .pulse = {.screen = pulse.at("screen").get<std::string>(),
-                      .is_closed = pulse.at("is_closed").get<bool>(),
-                      .fault = pulse.at("fault").get<std::string>(),
-                      .faults = pulse.at("faults").get<std::uint64_t>(),
-                      .asked_hz = pulse.at("asked_hz").get<double>(),
-                      .achieved_hz = pulse.at("achieved_hz").get<double>(),
-                      .skipped_periods = pulse.at("skipped_periods").get<std::uint64_t>(),
-                      .late_periods = pulse.at("late_periods").get<std::uint64_t>(),
-                      .frame_ms = pulse.at("frame_ms").get<double>(),
-                      .worst_frame_ms = pulse.at("worst_frame_ms").get<double>(),
-                      .frames_shown = pulse.at("frames_shown").get<std::uint64_t>(),
-                      .haptic_ticks = pulse.at("haptic_ticks").get<std::uint64_t>(),
-                      .is_safe_mode = pulse.at("is_safe_mode").get<bool>()},
+            .pulse = all.at("pulse").get<KioskPulse>(),
             .celsius = number_or_none(all.at("celsius")),
             .resident_mb = number_or_none(all.at("resident_mb"))};
 }
@@ -46,7 +38,6 @@ StatusNote note_of(const json& all) {
 }  // namespace
 
 std::string text_of(const StatusNote& note) {
-    const KioskPulse& pulse = note.pulse;
     const json all{{"format", StatusNote::kFormat},
                    {"at_s", note.at_s},
                    {"has_ended", note.has_ended},
@@ -56,20 +47,7 @@ std::string text_of(const StatusNote& note) {
                    {"version", note.version},
                    {"celsius", or_null<json>(note.celsius)},
                    {"resident_mb", or_null<json>(note.resident_mb)},
-                   {"pulse",
-                    {{"screen", pulse.screen},
-                     {"is_closed", pulse.is_closed},
-                     {"fault", pulse.fault},
-                     {"faults", pulse.faults},
-                     {"asked_hz", pulse.asked_hz},
-                     {"achieved_hz", pulse.achieved_hz},
-                     {"skipped_periods", pulse.skipped_periods},
-                     {"late_periods", pulse.late_periods},
-                     {"frame_ms", pulse.frame_ms},
-                     {"worst_frame_ms", pulse.worst_frame_ms},
-                     {"frames_shown", pulse.frames_shown},
-                     {"haptic_ticks", pulse.haptic_ticks},
-                     {"is_safe_mode", pulse.is_safe_mode}}}};
+                   {"pulse", note.pulse}};
     return all.dump() + "\n";
 }
 
