@@ -139,6 +139,18 @@ Result either(bool is_ours, const Call& call, Do&& go_on) {
     return either<Result>(is_ours, call, go_on, [] {});
 }
 
+// A call that does something to the file or folder at one path.
+template <typename Do>
+int on_path(const char* what, int folder, const char* path, Do&& go_on, bool takes_room = true) {
+    if (faults().folder.empty()) return go_on();
+    const std::string where = path_at(folder, path);
+    return either<int>(is_below(where), {what + where, takes_room}, go_on);
+}
+bool is_there(const char* path) {
+    struct stat status {};
+    return ::lstat(path, &status) == 0;
+}
+
 bool makes_or_writes(int flags) {
     return (flags & (O_CREAT | O_TRUNC)) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
 }
@@ -288,46 +300,34 @@ int rename(const char* from, const char* to) {
 }
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
     static const auto real = next<int (*)(int, const char*, int, const char*, int)>("linkat");
-    if (faults().folder.empty()) return real(from_folder, from, to_folder, to, flags);
-    const std::string where = path_at(to_folder, to);
-    return either<int>(is_below(where), {"name " + where},
-                       [&] { return real(from_folder, from, to_folder, to, flags); });
+    return on_path("name ", to_folder, to, [&] { return real(from_folder, from, to_folder, to, flags); });
 }
 int mkdir(const char* path, mode_t mode) {
     static const auto real = next<int (*)(const char*, mode_t)>("mkdir");
-    if (faults().folder.empty()) return real(path, mode);
     // One that is there already changes nothing.
-    struct stat status {};
-    const std::string where = path_at(AT_FDCWD, path);
-    const bool is_new = ::lstat(path, &status) != 0;
-    return either<int>(is_new && is_below(where), {"make folder " + where}, [&] { return real(path, mode); });
+    if (is_there(path)) return real(path, mode);
+    return on_path("make folder ", AT_FDCWD, path, [&] { return real(path, mode); });
 }
 int unlink(const char* path) {
     static const auto real = next<int (*)(const char*)>("unlink");
-    if (faults().folder.empty()) return real(path);
-    const std::string where = path_at(AT_FDCWD, path);
-    return either<int>(is_below(where), {"unlink " + where, false}, [&] { return real(path); });
+    return on_path(
+        "unlink ", AT_FDCWD, path, [&] { return real(path); }, false);
 }
 int unlinkat(int folder, const char* path, int flags) {
     static const auto real = next<int (*)(int, const char*, int)>("unlinkat");
-    if (faults().folder.empty()) return real(folder, path, flags);
-    const std::string where = path_at(folder, path);
-    return either<int>(is_below(where), {"unlink " + where, false},
-                       [&] { return real(folder, path, flags); });
+    return on_path(
+        "unlink ", folder, path, [&] { return real(folder, path, flags); }, false);
 }
 int rmdir(const char* path) {
     static const auto real = next<int (*)(const char*)>("rmdir");
-    if (faults().folder.empty()) return real(path);
-    const std::string where = path_at(AT_FDCWD, path);
-    return either<int>(is_below(where), {"unlink " + where, false}, [&] { return real(path); });
+    return on_path(
+        "unlink ", AT_FDCWD, path, [&] { return real(path); }, false);
 }
 int remove(const char* path) {
     static const auto real = next<int (*)(const char*)>("remove");
-    if (faults().folder.empty()) return real(path);
-    const std::string where = path_at(AT_FDCWD, path);
-    struct stat status {};
-    const bool is_there = ::lstat(path, &status) == 0;
-    return either<int>(is_there && is_below(where), {"unlink " + where, false}, [&] { return real(path); });
+    if (!is_there(path)) return real(path);
+    return on_path(
+        "unlink ", AT_FDCWD, path, [&] { return real(path); }, false);
 }
 // NOLINTEND
 }
