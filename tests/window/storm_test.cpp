@@ -13,6 +13,7 @@
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/jobs/thread_setup.h"
@@ -131,19 +132,26 @@ TEST_F(AWindow, TakesAThousandSizes) {
 // Without the validation layer, which keeps something of every object there ever was.
 TEST_F(AWindow, HoldsNoMoreAfterAThousandSizesThanAfterHalfOfThem) {
     open(false);
-    double before_kb = 0.0;
-    double after_kb = 0.0;
-    long handles = 0;
-    for (int gust = 0; gust < 20; ++gust) {
-        blow(gust);
-        jobs::give_back_freed_memory();
-        double& least_kb = gust < 10 ? before_kb : after_kb;
-        least_kb = gust % 10 < 3 ? test::resident_kb() : std::min(least_kb, test::resident_kb());
-        if (gust == 9) handles = test::open_handles();
-    }
-    // By the least of either half: what a driver's own allocator keeps varies more than a leak would be.
-    fmt::print("{:.0f} kB after half of them, {:.0f} kB after all\n", before_kb, after_kb);
+    // The least after any of the later gusts of a half: what a driver's own allocator keeps varies more than
+    // a leak would be.
+    const auto least_kb_of = [&](int half) {
+        double least_kb = 0.0;
+        for (int gust = 0; gust < 10; ++gust) {
+            blow(10 * half + gust);
+            jobs::give_back_freed_memory();
+            least_kb = gust < 4 ? test::resident_kb() : std::min(least_kb, test::resident_kb());
+        }
+        return least_kb;
+    };
+    double before_kb = least_kb_of(0);
+    const long handles = test::open_handles();
+    double after_kb = least_kb_of(1);
+    // That allocator grows by a step now and then, on a busy machine in the middle of this: what leaks grows
+    // by as much again.
     constexpr double kMostKb = 32'000.0;  // 64 kB a size; an image that stays is a hundred times that
+    for (int half = 2; half < 4 && after_kb - before_kb > kMostKb; ++half)
+        before_kb = std::exchange(after_kb, least_kb_of(half));
+    fmt::print("{:.0f} kB after half of them, {:.0f} kB after all\n", before_kb, after_kb);
     EXPECT_LE(after_kb - before_kb, kMostKb);
     EXPECT_LE(test::open_handles(), handles);
 }
