@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <span>
+
+#include "engine/core/number_in.h"
 
 namespace onggi::haptics {
 namespace {
@@ -14,12 +15,10 @@ namespace {
 using Complaint = std::optional<std::string>;
 
 Complaint take_number(std::string_view field, double least, double most, double& number) {
-    double found = 0.0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), found);
-    if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(found))
-        return "a finite number";
-    if (found < least || found > most) return fmt::format("{} to {}", least, most);
-    number = found;
+    const auto found = number_in<double>(field);
+    if (!found || !std::isfinite(*found)) return "a finite number";
+    if (*found < least || *found > most) return fmt::format("{} to {}", least, most);
+    number = *found;
     return std::nullopt;
 }
 

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
+
+#include "engine/core/number_in.h"
 
 namespace onggi::vk {
 namespace {
@@ -188,13 +189,9 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
             "Vulkan: expected a device, found none; install a driver (mesa-vulkan-drivers draws without a "
             "GPU)");
     }
-    int requested_index = -1;
-    const char* const request_end = request.data() + request.size();
-    const auto parsed = std::from_chars(request.data(), request_end, requested_index);
-    const bool request_is_index = !request.empty() && parsed.ec == std::errc() && parsed.ptr == request_end;
-
+    const auto requested_index = number_in<int>(request);
     const auto fits = [&](const DeviceDescription& device) {
-        if (request_is_index) return device.index == requested_index;
+        if (requested_index) return device.index == *requested_index;
         return lower(device.name).find(lower(request)) != std::string::npos;
     };
     // What is avoided comes after everything else, of two that are alike the first.

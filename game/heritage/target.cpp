@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "engine/core/number_in.h"
 #include "engine/core/quote.h"
 #include "engine/files/read_file.h"
 #include "game/heritage/table.h"
@@ -28,10 +28,8 @@ class Fields {
     std::optional<double> number(std::size_t column, std::string_view what, double least, double most) {
         const std::string& field = row_.fields[column];
         if (field.empty()) return std::nullopt;
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-        if (error != std::errc{} || end != field.data() + field.size() ||
-            !(value >= least && value <= most)) {
+        const auto value = number_in<double>(field);
+        if (!value || !(*value >= least && *value <= most)) {
             fail(fmt::format("{}: expected nothing or {} to {}, found {}", what, least, most,
                              in_quotes(field)));
             return std::nullopt;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 #include <optional>
 
+#include "engine/core/number_in.h"
 #include "engine/core/quote.h"
 
 // Whole in this file, because the packaged library throws. What it asserts of a text holds of good TOML alone
@@ -118,14 +118,9 @@ Setting time_of_day(int& into) {
     return {"a time as \"HH:MM\"", [&into](const toml::node& node) {
                 const auto text = node.is_string() ? node.value<std::string>() : std::nullopt;
                 if (!text || text->size() != 5 || (*text)[2] != ':') return false;
-                int hours = -1;
-                int minutes = -1;
-                const char* const begin = text->data();
-                const auto first = std::from_chars(begin, begin + 2, hours);
-                const auto second = std::from_chars(begin + 3, begin + 5, minutes);
-                if (first.ptr != begin + 2 || second.ptr != begin + 5) return false;
-                if (hours < 0 || hours > 24 || minutes < 0 || minutes > 59 || hours * 60 + minutes > 24 * 60)
-                    return false;
+                const int hours = number_in<int>(text->substr(0, 2)).value_or(-1);
+                const int minutes = number_in<int>(text->substr(3)).value_or(-1);
+                if (hours < 0 || minutes < 0 || minutes > 59 || hours * 60 + minutes > 24 * 60) return false;
                 into = hours * 60 + minutes;
                 return true;
             }};
@@ -342,7 +337,7 @@ Rules rules_of(const Config& config) {
     rules.locked = config.staff.locked;
     rules.staff_locks_s = config.staff.closes_after_s;
     rules.pin_digits = static_cast<int>(config.staff.pin.size());
-    std::from_chars(config.staff.pin.data(), config.staff.pin.data() + config.staff.pin.size(), rules.pin);
+    rules.pin = number_in<decltype(rules.pin)>(config.staff.pin).value_or(rules.pin);
     return rules;
 }
 

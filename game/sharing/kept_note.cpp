@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+
+#include "engine/core/number_in.h"
 
 namespace onggi::sharing {
 namespace {
@@ -18,12 +19,7 @@ std::optional<std::string_view> take_line(std::string_view& text, std::string_vi
 }
 
 std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
-    std::int64_t value = 0;
-    if (!text) return std::nullopt;
-    const char* const end = text->data() + text->size();
-    const auto read = std::from_chars(text->data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return value;
+    return text ? number_in<std::int64_t>(*text) : std::nullopt;
 }
 
 }  // namespace

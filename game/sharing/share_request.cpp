@@ -1,7 +1,8 @@
 #include "game/sharing/share_request.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "engine/core/number_in.h"
 
 namespace onggi::sharing {
 namespace {
@@ -160,17 +161,10 @@ ByteRange resolve_range(std::string_view range, std::uint64_t size) {
     const std::string_view spec = trimmed(range.substr(kUnit.size()));
     const std::size_t dash = spec.find('-');
     if (dash == std::string_view::npos || spec.find(',') != std::string_view::npos) return whole;
-    const auto number = [](std::string_view text) -> std::optional<std::uint64_t> {
-        std::uint64_t value = 0;
-        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size())
-            return std::nullopt;
-        return value;
-    };
     const std::string_view from_text = spec.substr(0, dash);
     const std::string_view to_text = spec.substr(dash + 1);
-    const auto from = number(from_text);
-    const auto to = number(to_text);
+    const auto from = number_in<std::uint64_t>(from_text);
+    const auto to = number_in<std::uint64_t>(to_text);
     if ((!from && !from_text.empty()) || (!to && !to_text.empty()) || (!from && !to)) return whole;
     if (from && to && *to < *from) return whole;
     if (!from) {  // the last so many

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/core/number_in.h"
 #include "engine/core/quote.h"
 #include "engine/haptics/gesture.h"
 #include "game/app/devices/hand_devices.h"
@@ -22,14 +22,6 @@ namespace {
 // The sides a picture may have: below, nothing can be seen; above, no device promises a target.
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 8192;
-
-template <typename T>
-std::optional<T> number_in(std::string_view text) {
-    T number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return number;
-}
 
 template <typename T>
 CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::optional<T>& number, T least,

@@ -2,9 +2,10 @@
 
 #include <systemd/sd-daemon.h>
 
-#include <charconv>
 #include <cstdlib>
 #include <string_view>
+
+#include "engine/core/number_in.h"
 
 namespace onggi::app {
 namespace {
@@ -14,11 +15,7 @@ double watchdog_s() {
     constexpr double kUsPerSecond = 1e6;
     const char* text = std::getenv("WATCHDOG_USEC");
     if (text == nullptr) return 0.0;
-    const std::string_view digits = text;
-    std::uint64_t us = 0;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), us);
-    const bool is_number = read.ec == std::errc() && read.ptr == digits.data() + digits.size();
-    return is_number ? static_cast<double>(us) / kUsPerSecond : 0.0;
+    return static_cast<double>(number_in<std::uint64_t>(text).value_or(0)) / kUsPerSecond;
 }
 
 // A manager that does not listen is no reason to stop the wheel.

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 
+#include "engine/core/number_in.h"
 #include "engine/core/quote.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
@@ -64,12 +64,10 @@ Result<StartLog> read_start_log(std::string_view text, const std::string& file) 
             log.is_running = line == "running";
         } else {
             constexpr std::string_view kFell = "fell ";
-            std::int64_t fall_s = 0;
-            const std::string_view digits = line.substr(std::min(kFell.size(), line.size()));
-            const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), fall_s);
-            const bool is_whole = read.ec == std::errc() && read.ptr == digits.data() + digits.size();
-            if (!line.starts_with(kFell) || !is_whole) return wrong(number, "'fell' and a time", line);
-            log.falls_s.push_back(fall_s);
+            const auto fall_s =
+                number_in<std::int64_t>(line.substr(line.starts_with(kFell) ? kFell.size() : line.size()));
+            if (!fall_s) return wrong(number, "'fell' and a time", line);
+            log.falls_s.push_back(*fall_s);
         }
     }
     if (number < 2) return wrong(number + 1, "'running' or 'ended'", "");

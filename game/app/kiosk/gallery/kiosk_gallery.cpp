@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <ctime>
 #include <utility>
 
 #include "engine/asset/image.h"
 #include "engine/core/list_folder.h"
+#include "engine/core/number_in.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
 #include "engine/files/read_file.h"
@@ -26,11 +26,8 @@ namespace fs = std::filesystem;
 // The number in "pot-014"; 0 for any other name.
 int number_of(const std::string& name) {
     constexpr std::string_view kPrefix = "pot-";
-    int number = 0;
     if (!name.starts_with(kPrefix)) return 0;
-    const char* const end = name.data() + name.size();
-    const auto read = std::from_chars(name.data() + kPrefix.size(), end, number);
-    return read.ec == std::errc() && read.ptr == end ? number : 0;
+    return number_in<int>(std::string_view(name).substr(kPrefix.size())).value_or(0);
 }
 
 }  // namespace

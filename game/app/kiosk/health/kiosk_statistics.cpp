@@ -3,7 +3,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <ctime>
 #include <fstream>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/cells.h"
+#include "engine/core/number_in.h"
 #include "engine/files/append_line.h"
 
 namespace onggi::app {
@@ -35,11 +35,8 @@ Result<void> append(const fs::path& folder, const char* name, std::string_view h
 }
 
 std::optional<int> number_of(std::string_view cell) {
-    int value = 0;
-    const char* const end = cell.data() + cell.size();
-    const auto read = std::from_chars(cell.data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end || value < 0) return std::nullopt;
-    return value;
+    const auto number = number_in<int>(cell);
+    return number && *number >= 0 ? number : std::nullopt;
 }
 
 // Calls take(hour, cells) for every line of that day that has as many cells as the file's first line, or as
