@@ -6,75 +6,51 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "engine/core/little_endian.h"
 #include "engine/record/tool_bytes.h"
+#include "game/clay/state_numbers.h"
 
 namespace onggi::haptic {
 namespace {
 
 constexpr std::uint32_t kPaperTag = 0x31545348;   // "HST1"
 constexpr std::uint32_t kStudioTag = 0x33545348;  // "HST3"
-constexpr std::size_t kDoubles = 7 + 2 + 4;
-constexpr std::size_t kButtonAt = 4 + kDoubles * 8;
-constexpr std::size_t kTicksAt = kButtonAt + 4;
-constexpr std::size_t kHeadBytes = kTicksAt + 8;
+constexpr std::size_t kHeadBytes = 4 + (7 + 2 + 4) * 8 + 4 + 8;
 
-// The parameters in the order of the file; the rate is not among them.
-template <typename Parameters>
-auto stored_parameters(Parameters& clay) {
-    return std::array{
-        &clay.softness_c1_per_mm,         &clay.viscosity_c2_n_s_per_mm,     &clay.friction_c3_n_s_per_mm,
-        &clay.stiffness_turning_n_per_mm, &clay.stiffness_standing_n_per_mm, &clay.wheel_speed_rad_s,
-        &clay.minimum_radius_mm};
+// What stands before the paper's clay, in the order of the file; the rate is not among it.
+template <typename Visitor, typename Parameters, typename Heading, typename Tool, typename Ticks>
+void visit_head(Visitor& visitor, Parameters& paper, Heading& heading, Tool& tool, Ticks& ticks) {
+    clay::visit(visitor, paper.softness_c1_per_mm, paper.viscosity_c2_n_s_per_mm,
+                paper.friction_c3_n_s_per_mm, paper.stiffness_turning_n_per_mm,
+                paper.stiffness_standing_n_per_mm, paper.wheel_speed_rad_s, paper.minimum_radius_mm,
+                heading.cosine, heading.sine, tool.position_mm, tool.radius_mm, tool.wheel_button, ticks);
 }
 
-template <typename Parameters>
-auto stored_studio_numbers(Parameters& clay) {
-    return std::array{&clay.flow_time_s,
-                      &clay.yield_depth_mm,
-                      &clay.wall_fraction_k0,
-                      &clay.thin_wall_mm,
-                      &clay.hoop_fraction_chi,
-                      &clay.field_length_beta,
-                      &clay.floor_mm,
-                      &clay.largest_strain_rate,
-                      &clay.centring_time_s,
-                      &clay.rounding_time_s,
-                      &clay.denting_time_s,
-                      &clay.sponge_length_mm,
-                      &clay.rib_length_mm,
-                      &clay.trim_time_s,
-                      &clay.sponge_water_ml_s,
-                      &clay.slip_mm_s,
-                      &clay.evaporation_g_mm2_s,
-                      &clay.film_time_s,
-                      &clay.diffusivity_mm2_s,
-                      &clay.bearing_factor_nc,
-                      &clay.viscosity_c2_n_s_per_mm,
-                      &clay.friction_dry,
-                      &clay.friction_wet,
-                      &clay.largest_force_n,
-                      &clay.wheel.inertia_kg_m2,
-                      &clay.wheel.largest_torque_n_mm,
-                      &clay.wheel.drag_n_mm_s,
-                      &clay.wheel.pull_n_mm_s};
+// The same of the studio's: its parameters alone. False where a yes or no is neither 1 nor 0.
+template <typename Visitor, typename Parameters>
+bool visit_head(Visitor& visitor, Parameters& clay) {
+    auto& wheel = clay.wheel;
+    clay::visit(visitor, clay.flow_time_s, clay.yield_depth_mm, clay.wall_fraction_k0, clay.thin_wall_mm,
+                clay.hoop_fraction_chi, clay.field_length_beta, clay.floor_mm, clay.largest_strain_rate,
+                clay.centring_time_s, clay.rounding_time_s, clay.denting_time_s, clay.sponge_length_mm,
+                clay.rib_length_mm, clay.trim_time_s, clay.sponge_water_ml_s, clay.slip_mm_s,
+                clay.evaporation_g_mm2_s, clay.film_time_s, clay.diffusivity_mm2_s, clay.bearing_factor_nc,
+                clay.viscosity_c2_n_s_per_mm, clay.friction_dry, clay.friction_wet, clay.largest_force_n,
+                wheel.inertia_kg_m2, wheel.largest_torque_n_mm, wheel.drag_n_mm_s, wheel.pull_n_mm_s);
+    bool is_sound = true;
+    for (auto* chosen : {&clay.slumps, &clay.forgiving, &wheel.can_brake}) {
+        double word = *chosen ? 1.0 : 0.0;
+        clay::visit(visitor, word);
+        if constexpr (!std::is_const_v<Parameters>) *chosen = word == 1.0;
+        is_sound = is_sound && (word == 0.0 || word == 1.0);
+    }
+    return is_sound;
 }
-
-template <typename Parameters>
-auto stored_studio_switches(Parameters& clay) {
-    return std::array{&clay.slumps, &clay.forgiving, &clay.wheel.can_brake};
-}
-
-constexpr std::size_t kStudioParameters =
-    std::tuple_size_v<decltype(stored_studio_numbers(std::declval<clay::StudioParameters&>()))> +
-    std::tuple_size_v<decltype(stored_studio_switches(std::declval<clay::StudioParameters&>()))>;
-constexpr std::size_t kStudioToolAt = 4 + kStudioParameters * 8;
-constexpr std::size_t kStudioTicksAt = kStudioToolAt + record::kWholeToolBytes;
-constexpr std::size_t kStudioHeadBytes = kStudioTicksAt + 8;
+constexpr std::size_t kStudioTailBytes = record::kWholeToolBytes + 8;  // between those and the clay
 
 Error damaged(std::string_view place, std::string_view expected, std::string_view found) {
     return bad_input(fmt::format("start state, {}: expected {}, found {}", place, expected, found));
@@ -82,18 +58,10 @@ Error damaged(std::string_view place, std::string_view expected, std::string_vie
 
 std::vector<std::byte> paper_bytes(const HapticState& state, const clay::PaperClay& paper,
                                    const HapticParameters& parameters) {
-    std::vector<std::byte> bytes;
-    little_endian::put(bytes, kPaperTag);
-    for (const double* parameter : stored_parameters(parameters.paper))
-        little_endian::put(bytes, *parameter);
-    little_endian::put(bytes, state.wheel.heading().cosine);
-    little_endian::put(bytes, state.wheel.heading().sine);
-    for (const double number : {state.tool.position_mm.x, state.tool.position_mm.y, state.tool.position_mm.z,
-                                state.tool.radius_mm}) {
-        little_endian::put(bytes, number);
-    }
-    little_endian::put(bytes, std::uint32_t{state.tool.wheel_button ? 1U : 0U});
-    little_endian::put(bytes, state.ticks);
+    clay::StateWriter out;
+    out.number(kPaperTag);
+    visit_head(out, parameters.paper, state.wheel.heading(), state.tool, state.ticks);
+    std::vector<std::byte> bytes = out.take();
     const auto clay = paper.start_state();
     bytes.insert(bytes.end(), clay.begin(), clay.end());
     return bytes;
@@ -101,12 +69,10 @@ std::vector<std::byte> paper_bytes(const HapticState& state, const clay::PaperCl
 
 std::vector<std::byte> studio_bytes(const HapticState& state, const clay::StudioClay& studio,
                                     const HapticParameters& parameters) {
-    std::vector<std::byte> bytes;
-    little_endian::put(bytes, kStudioTag);
-    for (const double* parameter : stored_studio_numbers(parameters.studio))
-        little_endian::put(bytes, *parameter);
-    for (const bool* parameter : stored_studio_switches(parameters.studio))
-        little_endian::put(bytes, *parameter ? 1.0 : 0.0);
+    clay::StateWriter out;
+    out.number(kStudioTag);
+    visit_head(out, parameters.studio);
+    std::vector<std::byte> bytes = out.take();
     record::put_whole_tool(bytes, state.tool);
     little_endian::put(bytes, state.ticks);
     const auto clay = studio.start_state();
@@ -114,71 +80,52 @@ std::vector<std::byte> studio_bytes(const HapticState& state, const clay::Studio
     return bytes;
 }
 
-Result<void> check_size(std::span<const std::byte> bytes, std::size_t least) {
-    if (bytes.size() >= least) return {};
-    return damaged("size", fmt::format("at least {} bytes", least), fmt::format("{}", bytes.size()));
-}
-
 Result<Start> paper_start(std::span<const std::byte> bytes, double rate_hz) {
-    std::size_t at = 4;
-    const auto next = [&] { return little_endian::get_double(bytes.data() + std::exchange(at, at + 8)); };
-
     HapticParameters parameters;
     parameters.set_rate_hz(rate_hz);
-    for (double* parameter : stored_parameters(parameters.paper))
-        *parameter = next();
-    if (auto valid = clay::check(parameters.paper); !valid) return valid.error();
-
-    const double cosine = next();
-    const double sine = next();
-    if (const double length2 = cosine * cosine + sine * sine; !(std::fabs(length2 - 1.0) < 1e-9)) {
-        return damaged("wheel direction", "a unit vector", fmt::format("squared length {}", length2));
-    }
+    clay::StateReader in(bytes.subspan(4));
+    clay::Rotation heading;
     haptics::ToolState tool;
-    tool.position_mm.x = next();
-    tool.position_mm.y = next();
-    tool.position_mm.z = next();
-    tool.radius_mm = next();
+    std::uint64_t ticks = 0;
+    visit_head(in, parameters.paper, heading, tool, ticks);
+    if (auto valid = clay::check(parameters.paper); !valid) return valid.error();
+    const double length2 = heading.cosine * heading.cosine + heading.sine * heading.sine;
+    if (!(std::fabs(length2 - 1.0) < 1e-9))
+        return damaged("wheel direction", "a unit vector", fmt::format("squared length {}", length2));
     if (haptics::within_limits(tool, {}) != tool) {
         return damaged("tool", "one within its limits",
                        fmt::format("({}, {}, {}) mm, radius {} mm", tool.position_mm.x, tool.position_mm.y,
                                    tool.position_mm.z, tool.radius_mm));
     }
-    const auto button = little_endian::get<std::uint32_t>(bytes.data() + kButtonAt);
-    if (button > 1) return damaged("button", "0 or 1", fmt::format("{}", button));
-    tool.wheel_button = button == 1;
+    if (in.is_strange()) return damaged("button", "0 or 1", "another");
 
     auto clay = clay::PaperClay::from_start_state(bytes.subspan(kHeadBytes));
     if (!clay) return clay.error();
     Start start{HapticState(std::move(clay).value()), parameters};
-    start.state.wheel = clay::WheelAngle({cosine, sine});
+    start.state.wheel = clay::WheelAngle(heading);
     start.state.tool = tool;
-    start.state.ticks = little_endian::get<std::uint64_t>(bytes.data() + kTicksAt);
+    start.state.ticks = ticks;
     return start;
 }
 
 Result<Start> studio_start(std::span<const std::byte> bytes, double rate_hz) {
-    std::size_t at = 4;
-    const auto next = [&] { return little_endian::get_double(bytes.data() + std::exchange(at, at + 8)); };
-
     HapticParameters parameters;
     parameters.set_rate_hz(rate_hz);
-    for (double* parameter : stored_studio_numbers(parameters.studio))
-        *parameter = next();
-    for (bool* parameter : stored_studio_switches(parameters.studio)) {
-        const double word = next();
-        if (word != 0.0 && word != 1.0) return damaged("switch", "0 or 1", fmt::format("{}", word));
-        *parameter = word == 1.0;
-    }
+    clay::StateReader in(bytes.subspan(4));
+    const bool is_sound = visit_head(in, parameters.studio);
+    const std::size_t tool_at = bytes.size() - in.left();
+    if (in.is_short() || in.left() < kStudioTailBytes)
+        return damaged("size", "parameters, tool and ticks", fmt::format("{} bytes", bytes.size()));
+    if (!is_sound) return damaged("switch", "0 or 1", "another");
     if (auto valid = clay::check(parameters.studio); !valid) return valid.error();
-    if (const auto wrong = record::fault_of_whole_tool(bytes.data() + kStudioToolAt)) {
+    const std::byte* const tool = bytes.data() + tool_at;
+    if (const auto wrong = record::fault_of_whole_tool(tool))
         return damaged("tool", wrong->expected, wrong->found);
-    }
-    auto clay = clay::StudioClay::from_start_state(bytes.subspan(kStudioHeadBytes));
+    auto clay = clay::StudioClay::from_start_state(bytes.subspan(tool_at + kStudioTailBytes));
     if (!clay) return clay.error();
     Start start{HapticState(std::move(clay).value()), parameters};
-    start.state.tool = record::get_whole_tool(bytes.data() + kStudioToolAt);
-    start.state.ticks = little_endian::get<std::uint64_t>(bytes.data() + kStudioTicksAt);
+    start.state.tool = record::get_whole_tool(tool);
+    start.state.ticks = little_endian::get<std::uint64_t>(tool + record::kWholeToolBytes);
     return start;
 }
 
@@ -199,14 +146,14 @@ record::SessionHeader session_header(const Start& start) {
 }
 
 Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz) {
-    if (auto whole = check_size(bytes, kHeadBytes); !whole) return whole.error();
+    if (bytes.size() < kHeadBytes)
+        return damaged("size", fmt::format("at least {} bytes", kHeadBytes), fmt::format("{}", bytes.size()));
     const auto tag = little_endian::get<std::uint32_t>(bytes.data());
     if (tag == kPaperTag) return paper_start(bytes, rate_hz);
     if (tag != kStudioTag) {
         return damaged("tag", fmt::format("{:08x} or {:08x}", kPaperTag, kStudioTag),
                        fmt::format("{:08x}", tag));
     }
-    if (auto whole = check_size(bytes, kStudioHeadBytes); !whole) return whole.error();
     return studio_start(bytes, rate_hz);
 }
 
