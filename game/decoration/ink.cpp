@@ -2,18 +2,11 @@
 
 #include <algorithm>
 
+#include "engine/math/lattice.h"
+#include "engine/math/math.h"
+
 namespace onggi::decoration {
 namespace {
-
-float lattice(int x, int y) {
-    auto n = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U;
-    n = (n ^ (n >> 13U)) * 1274126177U;
-    return static_cast<float>((n ^ (n >> 16U)) & 0xffffU) / 65535.0F;
-}
-
-float eased(float part) {
-    return part * part * (3.0F - 2.0F * part);
-}
 
 // Smooth noise, 0 to 1, of so many cells round the pot, the last of which is the neighbour of the first; and
 // of one every so many rows.
@@ -24,8 +17,8 @@ float grain(int column, int row, int cells_round, float rows_a_cell) {
     const int left = static_cast<int>(x);
     const int low = static_cast<int>(y);
     const int right = (left + 1) % cells_round;
-    const float u = eased(x - static_cast<float>(left));
-    const float v = eased(y - static_cast<float>(low));
+    const float u = glm::smoothstep(0.0F, 1.0F, x - static_cast<float>(left));
+    const float v = glm::smoothstep(0.0F, 1.0F, y - static_cast<float>(low));
     const float below = lattice(left, low) + u * (lattice(right, low) - lattice(left, low));
     const float above = lattice(left, low + 1) + u * (lattice(right, low + 1) - lattice(left, low + 1));
     return below + v * (above - below);

@@ -1,17 +1,12 @@
 #include "game/finish/glaze_surface.h"
 
 #include <cmath>
-#include <cstdint>
 #include <numbers>
+
+#include "engine/math/lattice.h"
 
 namespace onggi::finish {
 namespace {
-
-float hashed(int x, int y) {
-    auto n = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U;
-    n = (n ^ (n >> 13U)) * 1274126177U;
-    return static_cast<float>((n ^ (n >> 16U)) & 0xffffU) / 65535.0F;
-}
 
 // Smooth noise of two numbers, 0 to 1.
 float noise(float x, float y) {
@@ -21,8 +16,8 @@ float noise(float x, float y) {
     const int iy = static_cast<int>(fy);
     const float u = glm::smoothstep(0.0F, 1.0F, x - fx);
     const float v = glm::smoothstep(0.0F, 1.0F, y - fy);
-    return glm::mix(glm::mix(hashed(ix, iy), hashed(ix + 1, iy), u),
-                    glm::mix(hashed(ix, iy + 1), hashed(ix + 1, iy + 1), u), v);
+    return glm::mix(glm::mix(lattice(ix, iy), lattice(ix + 1, iy), u),
+                    glm::mix(lattice(ix, iy + 1), lattice(ix + 1, iy + 1), u), v);
 }
 
 // The noise does not know that a pot is round. Behind it, where both ends of the angle meet, what is seen

@@ -2,16 +2,14 @@
 // describes. Never on hardware.
 #include <gtest/gtest.h>
 #include <netinet/in.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <linux/capability.h>
-
 #include "tests/cli/run_program.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
+#include "tests/support/hostile_system.h"
 
 namespace onggi {
 namespace {
@@ -22,12 +20,6 @@ using testing::kPedal;
 using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
-
-// A super-user to whom file permissions apply as to anybody.
-void give_up_passing_permissions() {
-    ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
-    ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
-}
 
 TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     MockBus bus;
@@ -111,7 +103,8 @@ TEST(DevicesCommand, PrintsTheUdevRuleForADeviceThatMayNotBeOpened) {
     MockBus bus;
     bus.plug_in(kSpaceMouse);
     bus.forbid(kSpaceMouse);
-    const test::ProgramRun run = test::run_onggi({"devices"}, {.in_child = give_up_passing_permissions});
+    const test::ProgramRun run =
+        test::run_onggi({"devices"}, {.in_child = test::bind_permissions_across_exec});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     const std::string expected =
         "lacking  device  /dev/hidraw5 256f:c635 3Dconnexion SpaceMouse Compact: SpaceMouse; may not be "

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -81,13 +80,6 @@ asset::Image screenshot_after(std::uint64_t ticks) {
     return std::move(image).value();
 }
 
-double mean_difference(const asset::Image& a, const asset::Image& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i)
-        sum += std::abs(static_cast<double>(a.rgba[i]) - static_cast<double>(b.rgba[i]));
-    return sum / static_cast<double>(a.rgba.size());
-}
-
 TEST(Film, ShowsTheScreenshotsOfItsTicksToTheByteAndPacksThemInTheirOrder) {
     const auto maker = maker_of(short_film());
     const auto plan = film_plan(two_hands().session.tick_count(), 1.0);
@@ -111,7 +103,7 @@ TEST(Film, ShowsTheScreenshotsOfItsTicksToTheByteAndPacksThemInTheirOrder) {
     const test::WebpFrames frames = test::webp_frames(*film);
     ASSERT_EQ(frames.images.size(), drawn.size());
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        EXPECT_LT(mean_difference(frames.images[i], drawn[i]), 3.0) << i;
+        EXPECT_LT(test::mean_difference(frames.images[i], drawn[i]), 3.0) << i;
         EXPECT_EQ(frames.ends_ms[i], kFilmPictureMs * static_cast<int>(i + 1));
     }
 }
@@ -152,7 +144,7 @@ TEST(Film, DrawnQuicklyShowsTheSame) {
     const auto fine = test::webp_frames(*film_of(short_film()));
     ASSERT_EQ(film.images.size(), fine.images.size());
     for (std::size_t i = 0; i < film.images.size(); ++i)
-        EXPECT_LT(mean_difference(film.images[i], fine.images[i]), 2.0) << i;
+        EXPECT_LT(test::mean_difference(film.images[i], fine.images[i]), 2.0) << i;
 }
 
 TEST(Film, RejectsALengthAndASizeThatCannotBe) {

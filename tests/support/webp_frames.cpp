@@ -2,6 +2,7 @@
 
 #include <webp/demux.h>
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -29,6 +30,13 @@ WebpFrames webp_frames(std::span<const std::byte> file) {
         frames.ends_ms.push_back(end_ms);
     }
     return frames;
+}
+
+double mean_difference(const asset::Image& a, const asset::Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        sum += std::abs(static_cast<double>(a.rgba[i]) - static_cast<double>(b.rgba[i]));
+    return sum / static_cast<double>(a.rgba.size());
 }
 
 }  // namespace onggi::test

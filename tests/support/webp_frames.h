@@ -17,5 +17,7 @@ struct WebpFrames {
 
 // Throws std::runtime_error where libwebp refuses the bytes.
 [[nodiscard]] WebpFrames webp_frames(std::span<const std::byte> file);
+// Of the bytes of two pictures of one size.
+[[nodiscard]] double mean_difference(const asset::Image& a, const asset::Image& b);
 
 }  // namespace onggi::test

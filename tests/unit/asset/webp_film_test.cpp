@@ -37,13 +37,6 @@ std::vector<std::byte> film(double quality, int pictures = 6) {
     return std::move(file).value();
 }
 
-double mean_difference(const Image& a, const Image& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i)
-        sum += std::abs(static_cast<double>(a.rgba[i]) - static_cast<double>(b.rgba[i]));
-    return sum / static_cast<double>(a.rgba.size());
-}
-
 TEST(WebpFilm, WithoutLossGivesBackEveryPixel) {
     const test::WebpFrames frames = test::webp_frames(film(100.0));
     ASSERT_EQ(frames.images.size(), 6U);
@@ -61,7 +54,7 @@ TEST(WebpFilm, WithLossIsSmallerAndLooksTheSame) {
     const test::WebpFrames frames = test::webp_frames(fine);
     ASSERT_EQ(frames.images.size(), 6U);
     for (int i = 0; i < 6; ++i)
-        EXPECT_LT(mean_difference(frames.images[static_cast<std::size_t>(i)], picture(i)), 6.0) << i;
+        EXPECT_LT(test::mean_difference(frames.images[static_cast<std::size_t>(i)], picture(i)), 6.0) << i;
 }
 
 TEST(WebpFilm, IsTheSameBytesEveryTime) {

@@ -53,11 +53,6 @@ double scale_of(const pot::Pot& shape) {
     return std::clamp(wall_at(shape, 1.0).outer_mm / kLumpFootMm, 0.5, 2.0);
 }
 
-// Starts and stops as a hand does.
-double eased(double fraction) {
-    return fraction * fraction * (3.0 - 2.0 * fraction);
-}
-
 }  // namespace
 
 Wall wall_at(const pot::Pot& shape, double y_mm) {
@@ -187,7 +182,7 @@ void KioskTouch::pass_time(double dt_s) {
     } else if (next != points.begin()) {
         const TouchPoint& before = *std::prev(next);
         const double fraction = (since_s_ - before.at_s) / (next->at_s - before.at_s);
-        place_mm_ = glm::mix(before.place_mm, next->place_mm, eased(fraction));
+        place_mm_ = glm::mix(before.place_mm, next->place_mm, glm::smoothstep(0.0, 1.0, fraction));
     }
 }
 
