@@ -20,8 +20,11 @@ JarStep step_of(const Visitor& visitor) {
     return visitor.state.throwing.jar.step;
 }
 
-TEST(Jar, IsToldOfBeforeItIsBegun) {
+struct Jar : testing::Test {
     Visitor visitor = a_visitor();
+};
+
+TEST_F(Jar, IsToldOfBeforeItIsBegun) {
     visitor.chooses_a_jar(kJar);
     EXPECT_EQ(visitor.state.screen, Screen::kJarStart);
     EXPECT_EQ(spoken_key(visitor.state), "moon.title");
@@ -39,8 +42,7 @@ TEST(Jar, IsToldOfBeforeItIsBegun) {
     EXPECT_EQ(step_of(visitor), JarStep::kNone);
 }
 
-TEST(Jar, GoesThroughItsFiveSteps) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, GoesThroughItsFiveSteps) {
     visitor.chooses_a_jar(kJar).presses(Button::kBegin).ends_a_bowl();
     EXPECT_EQ(visitor.count(Ask::kSetAside), 1);
     EXPECT_EQ(step_of(visitor), JarStep::kFirstBowl) << "until it is safe";
@@ -71,8 +73,7 @@ TEST(Jar, GoesThroughItsFiveSteps) {
     EXPECT_EQ(step_of(visitor), JarStep::kSeam) << "what is fired is a jar of two bowls";
 }
 
-TEST(Jar, SetsNoClayAsideThatIsNoBowl) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, SetsNoClayAsideThatIsNoBowl) {
     visitor.chooses_a_jar(kJar).presses(Button::kBegin).presses(Button::kDone);
     EXPECT_FALSE(visitor.caused(Ask::kSetAside));
     EXPECT_TRUE(visitor.state.throwing.jar.is_low);
@@ -82,15 +83,13 @@ TEST(Jar, SetsNoClayAsideThatIsNoBowl) {
     EXPECT_FALSE(visitor.state.throwing.jar.is_low);
 }
 
-TEST(Jar, GoesOnWithTheSecondBowlWhereTheClayIsTouched) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, GoesOnWithTheSecondBowlWhereTheClayIsTouched) {
     visitor.chooses_a_jar(kJar).presses(Button::kBegin).ends_a_bowl().does(Kind::kSetAside);
     visitor.does(Kind::kClayTouched);
     EXPECT_EQ(step_of(visitor), JarStep::kSecondBowl);
 }
 
-TEST(Jar, SaysWhereTheRimsAreTooFarApart) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, SaysWhereTheRimsAreTooFarApart) {
     visitor.chooses_a_jar(kJar).sets_a_bowl_aside().ends_a_bowl().does(Kind::kRimsApart);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(spoken_key(visitor.state), "moon.more");
@@ -98,8 +97,7 @@ TEST(Jar, SaysWhereTheRimsAreTooFarApart) {
     EXPECT_EQ(visitor.state.screen, Screen::kJoin);
 }
 
-TEST(Jar, MovesTheUpperBowlByEightMillimetresAtMost) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, MovesTheUpperBowlByEightMillimetresAtMost) {
     visitor.chooses_a_jar(kJar).holds_two_bowls();
     for (int i = 0; i < 20; ++i)
         visitor.presses(Button::kHandLeft);
@@ -108,8 +106,7 @@ TEST(Jar, MovesTheUpperBowlByEightMillimetresAtMost) {
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kJoinBowls, -kMostShiftMm}})) << "lowered";
 }
 
-TEST(Jar, IsTakenBackStepByStep) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, IsTakenBackStepByStep) {
     visitor.chooses_a_jar(kJar).joins_two_bowls().presses(Button::kUndo);
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kUndo, 0}}));
     EXPECT_EQ(step_of(visitor), JarStep::kSeam) << "a move of the rib, if there was one";
@@ -125,8 +122,7 @@ TEST(Jar, IsTakenBackStepByStep) {
     EXPECT_EQ(step_of(visitor), JarStep::kFirstBowl);
 }
 
-TEST(Jar, IsTakenBackFromTheJoinAndFromTheBowlThatWaits) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, IsTakenBackFromTheJoinAndFromTheBowlThatWaits) {
     visitor.chooses_a_jar(kJar).holds_two_bowls().presses(Button::kUndo);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(step_of(visitor), JarStep::kSecondBowl);
@@ -138,9 +134,9 @@ TEST(Jar, IsTakenBackFromTheJoinAndFromTheBowlThatWaits) {
     EXPECT_EQ(step_of(visitor), JarStep::kFirstBowl);
 }
 
-TEST(Jar, LosesOneBowlAtMostWhereClayGivesWay) {
+TEST_F(Jar, LosesOneBowlAtMostWhereClayGivesWay) {
     for (const bool joined : {false, true}) {
-        Visitor visitor = a_visitor();
+        visitor = a_visitor();
         visitor.chooses_a_jar(kJar);
         joined ? visitor.joins_two_bowls() : visitor.sets_a_bowl_aside();
         visitor.all.clear();
@@ -151,24 +147,21 @@ TEST(Jar, LosesOneBowlAtMostWhereClayGivesWay) {
     }
 }
 
-TEST(Jar, StaysWhereItCannotBeHelped) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, StaysWhereItCannotBeHelped) {
     visitor.chooses_a_jar(kJar).holds_two_bowls().presses(Button::kJoinBowls).does(Kind::kJarStays);
     EXPECT_EQ(visitor.state.screen, Screen::kJoin);
     visitor.presses(Button::kJoinBowls);
     EXPECT_EQ(visitor.count(Ask::kJoinBowls), 2) << "it may be tried again";
 }
 
-TEST(Jar, WaitsForItsMakerForThreeMinutes) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, WaitsForItsMakerForThreeMinutes) {
     visitor.chooses_a_jar(kJar).sets_a_bowl_aside().waits(170.0);
     EXPECT_EQ(visitor.state.panel, Panel::kNone);
     visitor.waits(11.0);
     EXPECT_EQ(visitor.state.panel, Panel::kIdle);
 }
 
-TEST(Jar, OfWhichOneBowlIsCutOffIsAPotLikeAnyOther) {
-    Visitor visitor = a_visitor();
+TEST_F(Jar, OfWhichOneBowlIsCutOffIsAPotLikeAnyOther) {
     visitor.chooses_a_jar(kJar).presses(Button::kBegin).does(Kind::kCollapsed).presses(Button::kKeepSlump);
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
     EXPECT_EQ(step_of(visitor), JarStep::kNone);

@@ -6,15 +6,17 @@
 namespace onggi::kiosk {
 namespace {
 
-TEST(Kiosk, AttractsForEverWhileNobodyIsThere) {
+struct Kiosk : testing::Test {
     Visitor visitor;
+};
+
+TEST_F(Kiosk, AttractsForEverWhileNobodyIsThere) {
     visitor.waits(3600.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_TRUE(visitor.all.empty());
 }
 
-TEST(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
-    Visitor visitor;
+TEST_F(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     visitor.does(Event::Kind::kInput);
     EXPECT_EQ(visitor.state.screen, Screen::kChoose);
     EXPECT_EQ(visitor.count(Effect::Kind::kVisitBegan), 1);
@@ -51,8 +53,7 @@ TEST(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     EXPECT_EQ(visitor.count(Effect::Kind::kForgetPot), 2);  // before the clay, and after the visitor
 }
 
-TEST(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
-    Visitor visitor;
+TEST_F(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
     visitor.decorates();
     const Decorating& decorating = visitor.state.decorating;
     EXPECT_TRUE(decorating.turns);
@@ -73,8 +74,7 @@ TEST(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
 }
 
-TEST(Kiosk, ClearsADrawingOnlyWhereThereIsOne) {
-    Visitor visitor;
+TEST_F(Kiosk, ClearsADrawingOnlyWhereThereIsOne) {
     visitor.decorates().presses(Button::kClear);
     EXPECT_FALSE(visitor.caused(Effect::Kind::kClearDrawing));
     visitor.does(Event::Kind::kDrawn, 1).presses(Button::kClear);
@@ -82,8 +82,7 @@ TEST(Kiosk, ClearsADrawingOnlyWhereThereIsOne) {
     EXPECT_TRUE(visitor.state.decorating.touched);
 }
 
-TEST(Kiosk, AKeysBrushStaysDownUntilItIsLiftedOrSomethingElseIsDone) {
-    Visitor visitor;
+TEST_F(Kiosk, AKeysBrushStaysDownUntilItIsLiftedOrSomethingElseIsDone) {
     visitor.decorates().presses(Button::kPutBrush);
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kPutBrush, 1}}));
     visitor.presses(Button::kHandLeft);
@@ -96,8 +95,7 @@ TEST(Kiosk, AKeysBrushStaysDownUntilItIsLiftedOrSomethingElseIsDone) {
     EXPECT_FALSE(visitor.state.decorating.brush_down) << "a motif is there at once";
 }
 
-TEST(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
-    Visitor visitor;
+TEST_F(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
     visitor.starts_to_throw()
         .presses(Button::kLanguages)
         .presses(Button::kStill)
@@ -107,15 +105,13 @@ TEST(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
     EXPECT_FALSE(visitor.state.decorating.turns);
 }
 
-TEST(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
-    Visitor visitor;
+TEST_F(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
     visitor.does(Event::Kind::kClayTouched);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_FALSE(visitor.state.throwing.target.has_value());
 }
 
-TEST(Kiosk, AsksBeforeItStartsAfresh) {
-    Visitor visitor;
+TEST_F(Kiosk, AsksBeforeItStartsAfresh) {
     visitor.starts_to_throw().waits(44.0);
     EXPECT_EQ(visitor.state.panel, Panel::kNone);
     visitor.waits(1.2);
@@ -128,9 +124,9 @@ TEST(Kiosk, AsksBeforeItStartsAfresh) {
     EXPECT_EQ(visitor.state.panel, Panel::kNone);
 }
 
-TEST(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
+TEST_F(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
     for (const Event::Kind sign : {Event::Kind::kInput, Event::Kind::kClayTouched}) {
-        Visitor visitor;
+        visitor = Visitor();
         visitor.starts_to_throw().waits(60.0);
         ASSERT_EQ(visitor.state.panel, Panel::kIdle);
         visitor.does(sign).waits(40.0);
@@ -139,15 +135,13 @@ TEST(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
     }
 }
 
-TEST(Kiosk, TakesNewClayFromTheCountdownWhenAsked) {
-    Visitor visitor;
+TEST_F(Kiosk, TakesNewClayFromTheCountdownWhenAsked) {
     visitor.keeps().waits(50.0).presses(Button::kFresh);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(visitor.last.back().kind, Effect::Kind::kFreshClay);
 }
 
-TEST(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
-    Visitor visitor;
+TEST_F(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
     visitor.starts_to_throw().presses(Button::kLanguages);
     visitor.presses(Button::kLanguage, 2).presses(Button::kTextMore).presses(Button::kSoundMore);
     visitor.presses(Button::kReach).presses(Button::kLeftHand).presses(Button::kStill);
@@ -168,8 +162,8 @@ TEST(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
     EXPECT_EQ(visitor.all, expected);
 }
 
-TEST(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
-    Visitor visitor({.shows_by_itself = false});
+TEST_F(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
+    visitor = Visitor(Rules{.shows_by_itself = false});
     visitor.starts_to_throw();
     const ScreenState seen = visitor.state;
     visitor.does(Event::Kind::kClayTouched)
@@ -182,8 +176,7 @@ TEST(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
     EXPECT_FALSE(seen == visitor.state);
 }
 
-TEST(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
-    Visitor visitor;
+TEST_F(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
     visitor.starts_to_throw();
     EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
     visitor.waits(1.0).does(Event::Kind::kClayTouched);
@@ -197,8 +190,7 @@ TEST(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
     EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules)) << "there is nothing left to teach";
 }
 
-TEST(Kiosk, LooksIntoThePotAndOutAgain) {
-    Visitor visitor;
+TEST_F(Kiosk, LooksIntoThePotAndOutAgain) {
     visitor.starts_to_throw().presses(Button::kLookIn);
     EXPECT_TRUE(visitor.state.throwing.looks_in);
     visitor.presses(Button::kLookIn);
@@ -207,8 +199,7 @@ TEST(Kiosk, LooksIntoThePotAndOutAgain) {
     EXPECT_FALSE(visitor.state.throwing.looks_in) << "new clay has nothing to look into";
 }
 
-TEST(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
-    Visitor visitor;
+TEST_F(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
     visitor.does(Event::Kind::kInput).presses(Button::kShelfBefore, -4);
     EXPECT_EQ(visitor.state.shelf_first, 0);
     visitor.presses(Button::kShelfNext, 2);
@@ -219,8 +210,7 @@ TEST(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
     EXPECT_EQ(visitor.state.shelf_first, 0);
 }
 
-TEST(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
-    Visitor visitor;
+TEST_F(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
     visitor.does(Event::Kind::kInput).presses(Button::kCard, 2);
     EXPECT_EQ(visitor.state.panel, Panel::kCard);
     EXPECT_EQ(visitor.state.card, 2);
@@ -237,14 +227,12 @@ TEST(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
     EXPECT_EQ(reader.state.screen, Screen::kAttract) << "nobody reads any more";
 }
 
-TEST(Kiosk, NeverTeachesBackwards) {
-    Visitor visitor;
+TEST_F(Kiosk, NeverTeachesBackwards) {
     visitor.starts_to_throw().does(Event::Kind::kProgress, 2).does(Event::Kind::kProgress, 1);
     EXPECT_EQ(visitor.state.throwing.steps_done, 2);
 }
 
-TEST(Kiosk, KeepsTheSettingsWithinTheirSteps) {
-    Visitor visitor;
+TEST_F(Kiosk, KeepsTheSettingsWithinTheirSteps) {
     visitor.starts_to_throw();
     for (int i = 0; i < 9; ++i)
         visitor.presses(Button::kToolMore).presses(Button::kWaterLess).presses(Button::kSpeedMore);
@@ -253,8 +241,7 @@ TEST(Kiosk, KeepsTheSettingsWithinTheirSteps) {
     EXPECT_EQ(visitor.state.throwing.speed, kMostSpeed);
 }
 
-TEST(Kiosk, ForgivesACollapse) {
-    Visitor visitor;
+TEST_F(Kiosk, ForgivesACollapse) {
     visitor.starts_to_throw().does(Event::Kind::kWarned, static_cast<int>(Warning::kThin));
     EXPECT_EQ(visitor.state.throwing.warning, Warning::kThin);
     visitor.does(Event::Kind::kCollapsed);
@@ -267,8 +254,7 @@ TEST(Kiosk, ForgivesACollapse) {
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
 }
 
-TEST(Kiosk, SlowsTheWheelThatSpunThePotApart) {
-    Visitor visitor;
+TEST_F(Kiosk, SlowsTheWheelThatSpunThePotApart) {
     visitor.starts_to_throw().presses(Button::kSpeedMore).presses(Button::kSpeedMore);
     visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kFast)).presses(Button::kBeforeCollapse);
     EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed);
@@ -278,9 +264,9 @@ TEST(Kiosk, SlowsTheWheelThatSpunThePotApart) {
     EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed - 1) << "by no fault of the wheel's";
 }
 
-TEST(Kiosk, SaysWhatThePotGaveWayBy) {
+TEST_F(Kiosk, SaysWhatThePotGaveWayBy) {
     for (const Warning cause : {Warning::kThin, Warning::kWet, Warning::kFast}) {
-        Visitor visitor;
+        visitor = Visitor();
         visitor.starts_to_throw().does(Event::Kind::kCollapsed, static_cast<int>(cause));
         EXPECT_EQ(visitor.state.throwing.collapse, cause);
         visitor.presses(Button::kNewClay);
@@ -288,8 +274,7 @@ TEST(Kiosk, SaysWhatThePotGaveWayBy) {
     }
 }
 
-TEST(Kiosk, SaysThatTheShelfIsFullAndStaysUsable) {
-    Visitor visitor;
+TEST_F(Kiosk, SaysThatTheShelfIsFullAndStaysUsable) {
     visitor.keeps();
     visitor.presses(Button::kFinish);
     EXPECT_EQ(visitor.state.screen, Screen::kKeep) << "not before the pot is known to be safe";
@@ -299,8 +284,7 @@ TEST(Kiosk, SaysThatTheShelfIsFullAndStaysUsable) {
     EXPECT_EQ(visitor.state.screen, Screen::kChoose);
 }
 
-TEST(Kiosk, GoesOnWhenAHandControlIsUnplugged) {
-    Visitor visitor;
+TEST_F(Kiosk, GoesOnWhenAHandControlIsUnplugged) {
     visitor.starts_to_throw().does(Event::Kind::kDeviceLost);
     EXPECT_TRUE(visitor.state.device_lost);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
@@ -310,8 +294,7 @@ TEST(Kiosk, GoesOnWhenAHandControlIsUnplugged) {
     EXPECT_FALSE(visitor.state.device_lost);
 }
 
-TEST(Kiosk, GoesOnThrowingWhileTheForceRests) {
-    Visitor visitor;
+TEST_F(Kiosk, GoesOnThrowingWhileTheForceRests) {
     visitor.starts_to_throw().does(Event::Kind::kClayTouched).does(Event::Kind::kForceRests);
     EXPECT_TRUE(visitor.state.force_rests);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
@@ -324,8 +307,7 @@ TEST(Kiosk, GoesOnThrowingWhileTheForceRests) {
     EXPECT_FALSE(visitor.state.force_rests);
 }
 
-TEST(Kiosk, ShowsTheForcesToWhoAsksUntilTheVisitEnds) {
-    Visitor visitor;
+TEST_F(Kiosk, ShowsTheForcesToWhoAsksUntilTheVisitEnds) {
     visitor.starts_to_throw().presses(Button::kForces);
     EXPECT_TRUE(visitor.state.comfort.forces);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
@@ -338,8 +320,7 @@ TEST(Kiosk, ShowsTheForcesToWhoAsksUntilTheVisitEnds) {
     EXPECT_FALSE(visitor.state.comfort.forces);
 }
 
-TEST(Kiosk, RestsWhileTheWheelCannotWork) {
-    Visitor visitor;
+TEST_F(Kiosk, RestsWhileTheWheelCannotWork) {
     visitor.starts_to_throw().does(Event::Kind::kFault);
     EXPECT_EQ(visitor.state.screen, Screen::kFault);
     visitor.does(Event::Kind::kInput).presses(Button::kFree).presses(Button::kLanguages).waits(200.0);
@@ -349,8 +330,7 @@ TEST(Kiosk, RestsWhileTheWheelCannotWork) {
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
 }
 
-TEST(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
-    Visitor visitor;
+TEST_F(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
     visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput);
     EXPECT_EQ(visitor.state.screen, Screen::kResume);
     visitor.presses(Button::kResumeGo);
@@ -364,8 +344,7 @@ TEST(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
     EXPECT_FALSE(other.state.interrupted_session);
 }
 
-TEST(Kiosk, OffersALeftPotUntilSomebodyHasDecided) {
-    Visitor visitor;
+TEST_F(Kiosk, OffersALeftPotUntilSomebodyHasDecided) {
     visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput).waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract) << "who was asked went away";
     EXPECT_FALSE(visitor.caused(Effect::Kind::kDropInterrupted));
@@ -379,8 +358,7 @@ TEST(Kiosk, OffersALeftPotUntilSomebodyHasDecided) {
     EXPECT_FALSE(visitor.state.interrupted_session);
 }
 
-TEST(Kiosk, ClosesAsAnyWindowUnlessItIsLocked) {
-    Visitor visitor;
+TEST_F(Kiosk, ClosesAsAnyWindowUnlessItIsLocked) {
     visitor.does(Event::Kind::kCloseAsked);
     EXPECT_TRUE(visitor.caused(Effect::Kind::kQuit));
     Visitor locked(Rules{.locked = true});
@@ -388,8 +366,8 @@ TEST(Kiosk, ClosesAsAnyWindowUnlessItIsLocked) {
     EXPECT_FALSE(locked.caused(Effect::Kind::kQuit));
 }
 
-TEST(Kiosk, OpensTheStaffPanelForTheRightPinOnly) {
-    Visitor visitor(Rules{.locked = true, .pin = 472, .pin_digits = 4});  // 0472
+TEST_F(Kiosk, OpensTheStaffPanelForTheRightPinOnly) {
+    visitor = Visitor(Rules{.locked = true, .pin = 472, .pin_digits = 4});  // 0472
     visitor.presses(Button::kDigit, 1);
     EXPECT_EQ(visitor.state.panel, Panel::kNone) << "there is no keypad before the corner was held";
     visitor.does(Event::Kind::kCornerHeld);
@@ -403,14 +381,13 @@ TEST(Kiosk, OpensTheStaffPanelForTheRightPinOnly) {
     EXPECT_EQ(visitor.state.panel, Panel::kStaff);
 }
 
-TEST(Kiosk, HasNoStaffPanelWithoutAPin) {
-    Visitor visitor;
+TEST_F(Kiosk, HasNoStaffPanelWithoutAPin) {
     visitor.does(Event::Kind::kCornerHeld);
     EXPECT_EQ(visitor.state.panel, Panel::kNone);
 }
 
-TEST(Kiosk, LocksTheStaffPanelWhenItIsLeftAlone) {
-    Visitor visitor(Rules{.pin = 1234, .pin_digits = 4});
+TEST_F(Kiosk, LocksTheStaffPanelWhenItIsLeftAlone) {
+    visitor = Visitor(Rules{.pin = 1234, .pin_digits = 4});
     visitor.does(Event::Kind::kCornerHeld);
     for (const int digit : {1, 2, 3, 4})
         visitor.presses(Button::kDigit, digit);
