@@ -1,5 +1,7 @@
 #include "game/screens/page/page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
