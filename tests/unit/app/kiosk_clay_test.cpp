@@ -49,9 +49,13 @@ haptic::Snapshot sunken(const haptic::PotCopy& shape, std::uint64_t tick, double
     return snapshot;
 }
 
-TEST(KioskClay, SaysOnceThatThePotGaveWayAndWhenThatBegan) {
+// It expects the first lump.
+struct KioskClayTest : testing::Test {
+    KioskClayTest() { clay.expect_lump(1); }
     KioskClay clay;
-    clay.expect_lump(1);
+};
+
+TEST_F(KioskClayTest, SaysOnceThatThePotGaveWayAndWhenThatBegan) {
     const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     EXPECT_FALSE(clay.look(seen(standing, 4000), Warning::kNone)->gave_way);
     const haptic::PotCopy sagging = clay_of(1, 95.0, 51.0, true);
@@ -62,9 +66,7 @@ TEST(KioskClay, SaysOnceThatThePotGaveWayAndWhenThatBegan) {
     EXPECT_FALSE(clay.look(sunken(low, 20100), Warning::kNone)->gave_way);
 }
 
-TEST(KioskClay, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
-    KioskClay clay;
-    clay.expect_lump(1);
+TEST_F(KioskClayTest, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
     const haptic::PotCopy standing = clay_of(1, 100.0, 100.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     EXPECT_FALSE(clay.look(sunken(clay_of(1, 99.0, 108.0, true), 5000), Warning::kNone)->gave_way);
@@ -72,9 +74,7 @@ TEST(KioskClay, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
     EXPECT_EQ(clay.began_to_fail_tick(), 5000U);
 }
 
-TEST(KioskClay, JudgesWhatWasPutBackByHowItStandsThenThoughItGaveWayALittleBefore) {
-    KioskClay clay;
-    clay.expect_lump(1);
+TEST_F(KioskClayTest, JudgesWhatWasPutBackByHowItStandsThenThoughItGaveWayALittleBefore) {
     haptic::PotCopy there = clay_of(1, 80.0, 50.0, true);
     clay.expect_state(seen(there, 9000));
     there.stamp.states_put = 1;
@@ -87,9 +87,7 @@ TEST(KioskClay, JudgesWhatWasPutBackByHowItStandsThenThoughItGaveWayALittleBefor
     EXPECT_TRUE(clay.look(sunken(widest, 4200), Warning::kNone)->gave_way);
 }
 
-TEST(KioskClay, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
-    KioskClay clay;
-    clay.expect_lump(1);
+TEST_F(KioskClayTest, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
     const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     (void)clay.look(sunken(clay_of(1, 97.0, 51.0, true), 5000), Warning::kNone);
@@ -103,7 +101,7 @@ TEST(KioskClay, LetsClayThatWasSavedBePressedDownAndDrawnOut) {
 
 // The real clay in the real loop, on a clock of its own: a wide bowl, softened, and the wheel at the speed
 // that the kiosk's highest step asks for.
-TEST(KioskClay, SeesARealBowlSpinApartWhileItStillStandsHigh) {
+TEST_F(KioskClayTest, SeesARealBowlSpinApartWhileItStillStandsHigh) {
     auto loaded = load_session(test::in_checkout("assets/demonstrations/collapse.onggi"));
     ASSERT_TRUE(loaded) << loaded.error().message;
     haptic::HapticState& bowl = loaded->start.state;
@@ -120,7 +118,6 @@ TEST(KioskClay, SeesARealBowlSpinApartWhileItStillStandsHigh) {
         {.position_mm = {250.0, 300.0, 0.0}, .wheel_button = true, .wheel_speed_rev_min = 180.0});
     haptic::HapticWork work(bowl, parameters, std::move(device), {});
     jobs::Period period{.dt_s = parameters.dt_s()};
-    KioskClay clay;
     clay.expect_lump(0);
     std::optional<Warning> gave_way;
     haptic::TickRecord record;
@@ -137,9 +134,7 @@ TEST(KioskClay, SeesARealBowlSpinApartWhileItStillStandsHigh) {
     EXPECT_LT(period.tick, 2500U) << "of a second each thousand";
 }
 
-TEST(KioskClay, IsSilentWhileTheEarlierStateIsOnItsWay) {
-    KioskClay clay;
-    clay.expect_lump(1);
+TEST_F(KioskClayTest, IsSilentWhileTheEarlierStateIsOnItsWay) {
     const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     const haptic::PotCopy low = clay_of(1, 60.0, 60.0, true);
@@ -161,9 +156,7 @@ TEST(KioskClay, IsSilentWhileTheEarlierStateIsOnItsWay) {
     EXPECT_TRUE(clay.look(sunken(again, 9000), Warning::kNone)->gave_way);
 }
 
-TEST(KioskClay, GoesOnWhereTheEarlierStateDoesNotCome) {
-    KioskClay clay;
-    clay.expect_lump(1);
+TEST_F(KioskClayTest, GoesOnWhereTheEarlierStateDoesNotCome) {
     const haptic::PotCopy standing = clay_of(1, 100.0, 50.0, true);
     (void)clay.look(seen(standing, 4000), Warning::kNone);
     clay.expect_state(seen(standing, 4000));
@@ -172,8 +165,7 @@ TEST(KioskClay, GoesOnWhereTheEarlierStateDoesNotCome) {
     EXPECT_TRUE(clay.look(seen(standing, 4002), Warning::kNone));
 }
 
-TEST(KioskClay, TeachesByTheNewLumpAndNotByTheLastVisitorsPot) {
-    KioskClay clay;
+TEST_F(KioskClayTest, TeachesByTheNewLumpAndNotByTheLastVisitorsPot) {
     clay.expect_lump(4);
     const haptic::PotCopy old_pot = clay_of(4, 140.0, 40.0, true);
     EXPECT_GT(clay.look(seen(old_pot, 90000), Warning::kNone)->steps_done, 1);

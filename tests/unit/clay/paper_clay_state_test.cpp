@@ -6,6 +6,7 @@
 
 #include "game/clay/paper_clay.h"
 #include "tests/support/paper_gestures.h"
+#include "tests/support/refusal.h"
 
 namespace onggi::clay {
 namespace {
@@ -33,10 +34,7 @@ std::vector<std::byte> with(std::vector<std::byte> bytes, std::size_t at, T valu
 }
 
 std::string refusal(const std::vector<std::byte>& bytes) {
-    const Result<PaperClay> clay = PaperClay::from_start_state(bytes);
-    if (clay) return "";
-    EXPECT_EQ(clay.error().kind, ErrorKind::kBadInput);
-    return clay.error().message;
+    return test::refusal(PaperClay::from_start_state(bytes));
 }
 
 TEST(StartState, ComesBackAsTheSameClay) {
@@ -61,7 +59,8 @@ TEST(StartState, RejectsAWrongSize) {
     const std::vector<std::byte> bytes = worked_state();
     for (const std::size_t size :
          {std::size_t{0}, std::size_t{7}, kRadiiAt - 1, kRadiiAt, bytes.size() - 1}) {
-        EXPECT_NE(refusal({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}), "") << size;
+        EXPECT_NE(refusal({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}), "accepted")
+            << size;
     }
     std::vector<std::byte> longer = bytes;
     longer.push_back(std::byte{0});
@@ -83,7 +82,7 @@ TEST(StartState, RejectsNumbersThatAreNoClay) {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const std::vector<std::byte> good = worked_state();
-    ASSERT_EQ(refusal(good), "");
+    ASSERT_EQ(refusal(good), "accepted");
     for (const double bad : {kNaN, kInfinity, -kInfinity, 0.0, -1.0}) {
         EXPECT_NE(refusal(with(good, kHeightAt, bad)).find("height"), std::string::npos);
         EXPECT_NE(

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "game/decoration/stroke_bytes.h"
+#include "tests/support/refusal.h"
 #include "tests/unit/decoration/sample_walls.h"
 
 namespace onggi::decoration {
@@ -19,12 +20,7 @@ Recorded sample() {
 }
 
 std::string refusal(std::vector<std::byte> bytes) {
-    const auto read = recorded_from(bytes, "pot.onggi");
-    EXPECT_FALSE(read);
-    if (read) return {};
-    EXPECT_EQ(read.error().kind, ErrorKind::kBadInput);
-    EXPECT_EQ(read.error().message.find('\n'), std::string::npos);
-    return read.error().message;
+    return test::refusal(recorded_from(bytes, "pot.onggi"));
 }
 
 void overwrite(std::vector<std::byte>& bytes, std::size_t at, std::uint16_t number) {

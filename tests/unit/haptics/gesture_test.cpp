@@ -10,6 +10,7 @@
 
 #include "game/haptic/tools.h"
 #include "tests/support/places.h"
+#include "tests/support/refusal.h"
 
 namespace onggi::haptics {
 namespace {
@@ -28,12 +29,9 @@ Gesture gesture_of(const std::string& rows, const std::string& header = kHeader)
 
 // The one line with which a text is refused.
 std::string refusal(const std::string& text) {
-    const auto gesture = parse_gesture(text, "g.csv", haptic::kGestureWords);
-    if (gesture) return "accepted";
-    EXPECT_EQ(gesture.error().kind, ErrorKind::kBadInput);
-    EXPECT_EQ(gesture.error().message.find_first_of("\n\r"), std::string::npos);
-    EXPECT_LT(gesture.error().message.size(), 300U);
-    return gesture.error().message;
+    const std::string line = test::refusal(parse_gesture(text, "g.csv", haptic::kGestureWords));
+    EXPECT_LT(line.size(), 300U);
+    return line;
 }
 
 TEST(Gesture, IsReadRowByRow) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/support/places.h"
+#include "tests/support/refusal.h"
 
 namespace onggi::heritage {
 namespace {
@@ -22,8 +23,7 @@ std::vector<Target> a_bowl() {
 }
 
 std::string refusal_of_cards(const std::string& table) {
-    const auto cards = parse_cards(table, "cards.csv", a_bowl());
-    return cards ? "taken" : cards.error().message;
+    return test::refusal(parse_cards(table, "cards.csv", a_bowl()));
 }
 
 TEST(Cards, TellInALanguageOrElseInEnglish) {
@@ -60,8 +60,8 @@ TEST(Cards, SayWhereTheyAreWrongAndHow) {
               "cards.csv:2: making_en: expected a sentence, found nothing");
     EXPECT_EQ(refusal_of_cards(head + "bowl,A,B,C,,,,sure,record,record,s\n"),
               "cards.csv:2: use_known_by: expected record, kind or general, found 'sure'");
-    EXPECT_NE(refusal_of_cards(head + "bowl,A,B\n"), "taken");
-    EXPECT_NE(refusal_of_cards(head), "taken");
+    EXPECT_NE(refusal_of_cards(head + "bowl,A,B\n"), "accepted");
+    EXPECT_NE(refusal_of_cards(head), "accepted");
 }
 
 TEST(Cards, AreThereForEveryPotThatIsShippedInEveryLanguage) {

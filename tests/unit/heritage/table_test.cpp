@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/refusal.h"
+
 namespace onggi::heritage {
 namespace {
 
 std::string refusal(std::string_view text) {
-    const auto rows = parse_table(text, "a,b,c", "t.csv");
-    EXPECT_FALSE(rows) << text;
-    if (rows) return {};
-    EXPECT_EQ(rows.error().kind, ErrorKind::kBadInput);
-    EXPECT_EQ(rows.error().message.find('\n'), std::string::npos);
-    return rows.error().message;
+    return test::refusal(parse_table(text, "a,b,c", "t.csv"));
 }
 
 TEST(Table, GivesFieldsAsTheyAreWritten) {

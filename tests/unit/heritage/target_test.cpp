@@ -1,5 +1,6 @@
 // The museum's pots: the bundled ones are sound, and a table that is not is refused with its line.
 #include "game/heritage/target.h"
+#include "tests/support/refusal.h"
 #include "tests/unit/heritage/bundled.h"
 
 #include <fmt/format.h>
@@ -73,12 +74,8 @@ constexpr std::string_view kGoodOutline =
     "cup,0,20,published\ncup,10,30,drawn\ncup,50,40,published\ncup,80,35,drawn\n";
 
 std::string refusal_of_rows(std::string_view rows, std::string_view outline = kGoodOutline) {
-    const auto targets = parse_targets(fmt::format("{}\n{}", kTargetsHeader, rows),
-                                       fmt::format("{}\n{}", kOutlinesHeader, outline), "t.csv", "o.csv");
-    EXPECT_FALSE(targets) << rows << outline;
-    if (targets) return {};
-    EXPECT_EQ(targets.error().kind, ErrorKind::kBadInput);
-    return targets.error().message;
+    return test::refusal(parse_targets(fmt::format("{}\n{}", kTargetsHeader, rows),
+                                       fmt::format("{}\n{}", kOutlinesHeader, outline), "t.csv", "o.csv"));
 }
 
 constexpr std::string_view kGood = "cup,Cup,Museum 1,then,80,80,,40,,,record 1,\n";

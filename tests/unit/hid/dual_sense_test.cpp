@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
 
 #include "tests/support/hex.h"
 
@@ -23,14 +26,19 @@ std::array<std::uint8_t, kTriggerZones> from_zone(std::size_t first, std::uint8_
     return strengths;
 }
 
-// A report at rest; the tests set what they look at.
-std::vector<std::uint8_t> resting_report() {
+// A report at rest, but for what a test looks at: bytes from a place on.
+std::vector<std::uint8_t> resting_report(
+    std::initializer_list<std::pair<std::size_t, std::string_view>> patches = {}) {
     std::vector<std::uint8_t> report(64, 0);
     report[0] = 0x01;
     for (const std::size_t stick : {1U, 2U, 3U, 4U})
         report[stick] = 0x80;
     report[8] = 0x08;
     report[33] = report[37] = 0x80;
+    for (const auto& [at, bytes] : patches) {
+        const auto values = hex(bytes);
+        std::copy(values.begin(), values.end(), report.begin() + static_cast<std::ptrdiff_t>(at));
+    }
     return report;
 }
 
@@ -77,15 +85,7 @@ TEST(DualSenseOrders, RumbleWithTheStrongMotorOnTheLeft) {
 }
 
 TEST(DualSense, ReadsSticksTriggersAndButtons) {
-    auto report = resting_report();
-    report[1] = 0x00;
-    report[2] = 0xff;
-    report[5] = 0x10;
-    report[6] = 0xf0;
-    report[8] = 0x22;
-    report[9] = 0x01;
-    report[10] = 0x80;
-    const auto state = dual_sense_state(report);
+    const auto state = dual_sense_state(resting_report({{1, "00 ff"}, {5, "10 f0"}, {8, "22 01 80"}}));
     ASSERT_TRUE(state);
     EXPECT_EQ(state->left_stick, (std::array<std::uint8_t, 2>{0x00, 0xff}));
     EXPECT_EQ(state->right_stick, (std::array<std::uint8_t, 2>{0x80, 0x80}));
@@ -100,17 +100,11 @@ TEST(DualSense, ReadsSticksTriggersAndButtons) {
 
 TEST(DualSense, ReadsTheSensorsOfAPublicSample) {
     // Field values of a ViGEm DualSense sample, put where the table has them.
-    auto report = resting_report();
-    const auto put = [&](std::size_t at, std::string_view bytes) {
-        const auto values = hex(bytes);
-        std::copy(values.begin(), values.end(), report.begin() + static_cast<std::ptrdiff_t>(at));
-    };
-    put(16, "6b 00 07 00 04 00");
-    put(22, "39 01 bc 25 57 eb");  // 313, 9660, -5289
-    put(28, "84 ff 6b 01");
-    put(42, "09 09");
-    put(53, "29 08");
-    const auto state = dual_sense_state(report);
+    const auto state = dual_sense_state(resting_report({{16, "6b 00 07 00 04 00"},
+                                                        {22, "39 01 bc 25 57 eb"},  // 313, 9660, -5289
+                                                        {28, "84 ff 6b 01"},
+                                                        {42, "09 09"},
+                                                        {53, "29 08"}}));
     ASSERT_TRUE(state);
     EXPECT_EQ(state->gyro, (std::array<std::int16_t, 3>{0x6b, 0x07, 0x04}));
     EXPECT_EQ(state->accel, (std::array<std::int16_t, 3>{313, 9660, -5289}));
@@ -122,16 +116,8 @@ TEST(DualSense, ReadsTheSensorsOfAPublicSample) {
 }
 
 TEST(DualSense, ReadsTouchesAndWhatTheTriggersFeel) {
-    auto report = resting_report();
     // Finger 5 at 0x123, 0x345.
-    report[33] = 0x05;
-    report[34] = 0x23;
-    report[35] = 0x51;
-    report[36] = 0x34;
-    report[42] = 0x13;
-    report[43] = 0x02;
-    report[48] = 0x31;
-    const auto state = dual_sense_state(report);
+    const auto state = dual_sense_state(resting_report({{33, "05 23 51 34"}, {42, "13 02"}, {48, "31"}}));
     ASSERT_TRUE(state);
     EXPECT_TRUE(state->touches[0].touching);
     EXPECT_EQ(state->touches[0].x, 0x123);
@@ -191,14 +177,8 @@ TEST(DualSenseByRadio, IsToldTheBytesOfTheVectors) {
 }
 
 TEST(DualSenseByRadio, SaysTheSameAsByCable) {
-    auto report = resting_report();
-    report[1] = 0x12;
-    report[6] = 0xfe;
-    report[16] = 0x6b;
-    report[28] = 0x84;
-    report[33] = 0x05;
-    report[34] = 0x23;
-    report[53] = 0x29;
+    const auto report =
+        resting_report({{1, "12"}, {6, "fe"}, {16, "6b"}, {28, "84"}, {33, "05 23"}, {53, "29"}});
     const auto cable = dual_sense_state(report);
     const auto radio = dual_sense_state(radio_report(report));
     ASSERT_TRUE(cable);

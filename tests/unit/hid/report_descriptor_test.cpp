@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/support/hid_descriptor_builder.h"
+#include "tests/support/refusal.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -19,8 +20,7 @@ ReportDescriptor parsed(const HidDescriptorBuilder& builder) {
 }
 
 std::string refusal_of(const std::vector<std::uint8_t>& bytes) {
-    const auto descriptor = ReportDescriptor::parse(bytes);
-    return descriptor ? "accepted" : descriptor.error().message;
+    return test::refusal(ReportDescriptor::parse(bytes));
 }
 
 TEST(ReportDescriptor, PlacesEachFieldBehindTheOneBefore) {

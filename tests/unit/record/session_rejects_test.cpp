@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "tests/support/refusal.h"
 #include "tests/unit/record/recordings.h"
 
 namespace onggi::record {
@@ -9,11 +10,7 @@ namespace {
 
 // The one line with which these bytes are refused.
 std::string refusal(const std::string& bytes) {
-    const auto session = parse_session(bytes, "s.onggi");
-    if (session) return "accepted";
-    EXPECT_EQ(session.error().kind, ErrorKind::kBadInput);
-    EXPECT_EQ(session.error().message.find_first_of("\n\r"), std::string::npos);
-    return session.error().message;
+    return test::refusal(parse_session(bytes, "s.onggi"));
 }
 
 // A session with a number changed, and checksums that do not give it away.
