@@ -39,8 +39,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 if(ONGGI_FUZZ)
+    # Every check builds it, and its traces need no more than the lines.
     target_compile_options(onggi_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
-        -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+        -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
     target_link_options(onggi_options INTERFACE -fsanitize=address,undefined)
 elseif(ONGGI_SANITIZE)
     target_compile_options(onggi_options INTERFACE -fsanitize=${ONGGI_SANITIZE} -fno-omit-frame-pointer -O1)
