@@ -94,7 +94,7 @@ Result<PaperClay> PaperClay::from_start_state(std::span<const std::byte> bytes) 
     const double length2 = radial.x * radial.x + radial.z * radial.z;
     if (!(std::fabs(length2 - 1.0) < 1e-9))
         return damaged("radial direction", "a unit vector", fmt::format("squared length {}", length2));
-    if (in.is_strange()) return damaged("first tick flag", "0 or 1", "another");
+    if (const auto flag = in.strange()) return damaged("first tick flag", "0 or 1", *flag);
     for (std::size_t i = 0; i < count; ++i) {
         const float radius = clay.radii_mm_[i];
         if (!(radius > 0.0F && radius <= static_cast<float>(kFarthestMm))) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -60,7 +61,7 @@ class StateReader {
     void number(float& value) { value = std::bit_cast<float>(take<std::uint32_t>()); }
     void number(bool& value) {
         const auto word = take<std::uint32_t>();
-        strange_ = strange_ || word > 1;
+        if (word > 1 && !strange_) strange_ = word;
         value = word == 1;
     }
     void number(int& value) { value = static_cast<int>(take<std::uint32_t>()); }
@@ -72,12 +73,16 @@ class StateReader {
             number(value);
     }
     [[nodiscard]] bool is_short() const { return short_; }
-    [[nodiscard]] bool is_strange() const { return strange_; }
+    // The first word that should have been yes or no.
+    [[nodiscard]] std::optional<std::uint32_t> strange() const { return strange_; }
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
+    // Of all that was asked for, whether it was there or not.
+    [[nodiscard]] std::size_t asked() const { return asked_; }
 
   private:
     template <typename Word>
     Word take() {
+        asked_ += sizeof(Word);
         if (left() < sizeof(Word)) {
             short_ = true;
             return 0;
@@ -88,8 +93,9 @@ class StateReader {
 
     std::span<const std::byte> bytes_;
     std::size_t at_ = 0;
+    std::size_t asked_ = 0;
     bool short_ = false;
-    bool strange_ = false;
+    std::optional<std::uint32_t> strange_;
 };
 
 // A number, a word of an enumeration, or a vector by its coordinates.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -30,9 +31,9 @@ void visit_head(Visitor& visitor, Parameters& paper, Heading& heading, Tool& too
                 heading.cosine, heading.sine, tool.position_mm, tool.radius_mm, tool.wheel_button, ticks);
 }
 
-// The same of the studio's: its parameters alone. False where a yes or no is neither 1 nor 0.
+// The same of the studio's: its parameters alone. Gives the first number that should have been yes or no.
 template <typename Visitor, typename Parameters>
-bool visit_head(Visitor& visitor, Parameters& clay) {
+std::optional<double> visit_head(Visitor& visitor, Parameters& clay) {
     auto& wheel = clay.wheel;
     clay::visit(visitor, clay.flow_time_s, clay.yield_depth_mm, clay.wall_fraction_k0, clay.thin_wall_mm,
                 clay.hoop_fraction_chi, clay.field_length_beta, clay.floor_mm, clay.largest_strain_rate,
@@ -41,14 +42,14 @@ bool visit_head(Visitor& visitor, Parameters& clay) {
                 clay.evaporation_g_mm2_s, clay.film_time_s, clay.diffusivity_mm2_s, clay.bearing_factor_nc,
                 clay.viscosity_c2_n_s_per_mm, clay.friction_dry, clay.friction_wet, clay.largest_force_n,
                 wheel.inertia_kg_m2, wheel.largest_torque_n_mm, wheel.drag_n_mm_s, wheel.pull_n_mm_s);
-    bool is_sound = true;
+    std::optional<double> strange;
     for (auto* chosen : {&clay.slumps, &clay.forgiving, &wheel.can_brake}) {
         double word = *chosen ? 1.0 : 0.0;
         clay::visit(visitor, word);
         if constexpr (!std::is_const_v<Parameters>) *chosen = word == 1.0;
-        is_sound = is_sound && (word == 0.0 || word == 1.0);
+        if (word != 0.0 && word != 1.0 && !strange) strange = word;
     }
-    return is_sound;
+    return strange;
 }
 constexpr std::size_t kStudioTailBytes = record::kWholeToolBytes + 8;  // between those and the clay
 
@@ -80,6 +81,11 @@ std::vector<std::byte> studio_bytes(const HapticState& state, const clay::Studio
     return bytes;
 }
 
+Result<void> check_size(std::span<const std::byte> bytes, std::size_t least) {
+    if (bytes.size() >= least) return {};
+    return damaged("size", fmt::format("at least {} bytes", least), fmt::format("{}", bytes.size()));
+}
+
 Result<Start> paper_start(std::span<const std::byte> bytes, double rate_hz) {
     HapticParameters parameters;
     parameters.set_rate_hz(rate_hz);
@@ -97,7 +103,7 @@ Result<Start> paper_start(std::span<const std::byte> bytes, double rate_hz) {
                        fmt::format("({}, {}, {}) mm, radius {} mm", tool.position_mm.x, tool.position_mm.y,
                                    tool.position_mm.z, tool.radius_mm));
     }
-    if (in.is_strange()) return damaged("button", "0 or 1", "another");
+    if (const auto button = in.strange()) return damaged("button", "0 or 1", fmt::format("{}", *button));
 
     auto clay = clay::PaperClay::from_start_state(bytes.subspan(kHeadBytes));
     if (!clay) return clay.error();
@@ -112,11 +118,10 @@ Result<Start> studio_start(std::span<const std::byte> bytes, double rate_hz) {
     HapticParameters parameters;
     parameters.set_rate_hz(rate_hz);
     clay::StateReader in(bytes.subspan(4));
-    const bool is_sound = visit_head(in, parameters.studio);
-    const std::size_t tool_at = bytes.size() - in.left();
-    if (in.is_short() || in.left() < kStudioTailBytes)
-        return damaged("size", "parameters, tool and ticks", fmt::format("{} bytes", bytes.size()));
-    if (!is_sound) return damaged("switch", "0 or 1", "another");
+    const auto strange = visit_head(in, parameters.studio);
+    const std::size_t tool_at = 4 + in.asked();
+    if (auto whole = check_size(bytes, tool_at + kStudioTailBytes); !whole) return whole.error();
+    if (strange) return damaged("switch", "0 or 1", fmt::format("{}", *strange));
     if (auto valid = clay::check(parameters.studio); !valid) return valid.error();
     const std::byte* const tool = bytes.data() + tool_at;
     if (const auto wrong = record::fault_of_whole_tool(tool))
@@ -146,8 +151,7 @@ record::SessionHeader session_header(const Start& start) {
 }
 
 Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz) {
-    if (bytes.size() < kHeadBytes)
-        return damaged("size", fmt::format("at least {} bytes", kHeadBytes), fmt::format("{}", bytes.size()));
+    if (auto whole = check_size(bytes, kHeadBytes); !whole) return whole.error();
     const auto tag = little_endian::get<std::uint32_t>(bytes.data());
     if (tag == kPaperTag) return paper_start(bytes, rate_hz);
     if (tag != kStudioTag) {

@@ -109,6 +109,9 @@ TEST(RejectsStudioStartState, WhatNoTickCouldHaveLeft) {
     };
     EXPECT_NE(refusal(0, 'X').find("tag"), std::string::npos);
     EXPECT_NE(refusal(4 + 7, 0xff).find("flow time"), std::string::npos) << refusal(4 + 7, 0xff);
+    constexpr std::size_t kFirstSwitchAt = 4 + 28 * 8;
+    EXPECT_NE(refusal(kFirstSwitchAt + 7, 0x40).find("switch: expected 0 or 1, found "), std::string::npos)
+        << refusal(kFirstSwitchAt + 7, 0x40);
     constexpr std::size_t kToolBytes = 112;
     const std::size_t tool_at = bytes.size() - original.state.studio()->start_state().size() - 8 - kToolBytes;
     EXPECT_NE(refusal(tool_at + 7, 0x7f).find("tool"), std::string::npos) << refusal(tool_at + 7, 0x7f);
@@ -168,7 +171,8 @@ TEST_F(DamagedStartState, IsRefusedWithWhatIsWrong) {
     EXPECT_NE(refusal(76, 1000.5).find("start state, tool"), std::string::npos);
     EXPECT_NE(refusal(84, nan).find("start state, tool"), std::string::npos);
     EXPECT_NE(refusal(100, 41.0).find("start state, tool"), std::string::npos);
-    EXPECT_NE(refusal(108, std::uint32_t{2}).find("start state, button"), std::string::npos);
+    EXPECT_NE(refusal(108, std::uint32_t{2}).find("start state, button: expected 0 or 1, found 2"),
+              std::string::npos);
     EXPECT_NE(refusal(bytes_, 99.0).find("rate"), std::string::npos);
     EXPECT_NE(refusal(bytes_, nan).find("rate"), std::string::npos);
 }

@@ -172,8 +172,8 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
         return damaged(fmt::format("wheel speed: expected 0 to {:.4g} rad/s, found {}",
                                    studio::kFastestWheelRadS, speed));
     clay.wheel_ = studio::PoweredWheel(heading, speed);
-    std::string damage = in.is_strange() ? "flag: expected 0 or 1" : damage_of(clay);
-    if (!damage.empty()) return damaged(damage);
+    if (const auto flag = in.strange()) return damaged(fmt::format("flag: expected 0 or 1, found {}", *flag));
+    if (const std::string damage = damage_of(clay); !damage.empty()) return damaged(damage);
     clay.rings_.find_floor();
     clay.rings_.settle(0, count);
     if (!std::isfinite(clay.height_mm())) return damaged("height: expected a finite number");

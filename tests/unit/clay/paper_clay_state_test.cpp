@@ -101,7 +101,9 @@ TEST(StartState, RejectsNumbersThatAreNoClay) {
     for (const float bad : {1.0F, -0.01F, std::numeric_limits<float>::quiet_NaN()}) {
         EXPECT_NE(refusal(with(good, kRadiiAt + 4 * 100, bad)).find("carry of element 0"), std::string::npos);
     }
-    EXPECT_NE(refusal(with(good, kFlagAt, std::uint32_t{2})).find("first tick"), std::string::npos);
+    EXPECT_NE(
+        refusal(with(good, kFlagAt, std::uint32_t{2})).find("first tick flag: expected 0 or 1, found 2"),
+        std::string::npos);
 }
 
 TEST(StateHash, ChangesWithEverythingALaterTickDependsOn) {

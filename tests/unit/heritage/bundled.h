@@ -12,7 +12,7 @@ namespace onggi::heritage {
 
 inline std::vector<Target> bundled() {
     auto targets = load_targets(test::in_checkout("assets/heritage"));
-    EXPECT_TRUE(targets);
+    EXPECT_TRUE(targets) << (targets ? "" : targets.error().message);
     return targets ? *targets : std::vector<Target>{};
 }
 
