@@ -5,7 +5,8 @@
 
 namespace onggi::haptics {
 
-constexpr double kSafetyDt = 1.0 / 4000.0;
+constexpr double kSafetyRateHz = 4000.0;
+constexpr double kSafetyDt = 1.0 / kSafetyRateHz;
 
 inline SafetyState engaged() {
     SafetyState state;

@@ -50,7 +50,7 @@ TEST(SafetySpeed, LetsAToolFlyThroughTheAir) {
 double after_missing(SafetyState& state, int every, double seconds) {
     const SafetyLimits limits;
     double left = 0.0;
-    for (int k = 0; k < static_cast<int>(seconds / kSafetyDt); ++k) {
+    for (int k = 0; k < static_cast<int>(seconds * kSafetyRateHz); ++k) {
         const bool misses = every > 0 && k % every == 0;
         const SafetyInput input{.dt_s = misses ? 2.0 * kSafetyDt : kSafetyDt, .late = misses ? 1U : 0U};
         left = late(kPush, input, limits, state).x;
