@@ -11,11 +11,10 @@ Result<Buffer> Buffer::create(const Device& device, const BufferDesc& desc) {
     Buffer buffer;
     buffer.device_ = &device;
     buffer.size_ = desc.size;
-    VkBufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = desc.size;
-    info.usage = desc.usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                  .size = desc.size,
+                                  .usage = desc.usage,
+                                  .sharingMode = VK_SHARING_MODE_EXCLUSIVE};
     ONGGI_VK_TRY_ON(device, vkCreateBuffer(device.handle(), &info, nullptr, &buffer.buffer_));
 
     VkMemoryRequirements needs{};

@@ -8,13 +8,11 @@ namespace {
 
 // Of what, its writer adds.
 VkWriteDescriptorSet one_write(VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = type;
-    return write;
+    return {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+            .dstSet = set,
+            .dstBinding = binding,
+            .descriptorCount = 1,
+            .descriptorType = type};
 }
 
 }  // namespace
@@ -27,10 +25,10 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
         layout_bindings.push_back({number, binding.type, 1, binding.stages, nullptr});
         ++counts[binding.type];
     }
-    VkDescriptorSetLayoutCreateInfo layout_info{};
-    layout_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    layout_info.bindingCount = static_cast<std::uint32_t>(layout_bindings.size());
-    layout_info.pBindings = layout_bindings.data();
+    const VkDescriptorSetLayoutCreateInfo layout_info{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .bindingCount = static_cast<std::uint32_t>(layout_bindings.size()),
+        .pBindings = layout_bindings.data()};
     BoundSet result;
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout));
@@ -40,21 +38,19 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
     std::vector<VkDescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts)
         sizes.push_back({type, count});
-    VkDescriptorPoolCreateInfo pool_info{};
-    pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool_info.maxSets = 1;
-    pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
-    pool_info.pPoolSizes = sizes.data();
+    const VkDescriptorPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                               .maxSets = 1,
+                                               .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+                                               .pPoolSizes = sizes.data()};
     VkDescriptorPool pool = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool));
     result.pool = DescriptorPool(device.handle(), pool);
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, name);
 
-    VkDescriptorSetAllocateInfo set_info{};
-    set_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    set_info.descriptorPool = pool;
-    set_info.descriptorSetCount = 1;
-    set_info.pSetLayouts = &layout;
+    const VkDescriptorSetAllocateInfo set_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                               .descriptorPool = pool,
+                                               .descriptorSetCount = 1,
+                                               .pSetLayouts = &layout};
     ONGGI_VK_TRY_ON(device, vkAllocateDescriptorSets(device.handle(), &set_info, &result.set));
     device.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, result.set, name);
     return result;
@@ -78,11 +74,10 @@ void write_image(const Device& device, VkDescriptorSet set, std::uint32_t bindin
 
 Result<BufferView> create_texels(const Device& device, VkBuffer buffer, VkFormat format,
                                  std::string_view name) {
-    VkBufferViewCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
-    info.buffer = buffer;
-    info.format = format;
-    info.range = VK_WHOLE_SIZE;
+    const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                                      .buffer = buffer,
+                                      .format = format,
+                                      .range = VK_WHOLE_SIZE};
     VkBufferView view = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateBufferView(device.handle(), &info, nullptr, &view));
     device.name(VK_OBJECT_TYPE_BUFFER_VIEW, view, name);

@@ -18,31 +18,28 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
     vkGetPhysicalDeviceProperties(chosen.handle, &properties);
     self->limits_ = properties.limits;
 
-    VkPhysicalDeviceVulkan13Features features13{};
-    features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    features13.dynamicRendering = VK_TRUE;
-    features13.synchronization2 = VK_TRUE;
-    VkPhysicalDeviceVulkan12Features features12{};
-    features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    features12.pNext = &features13;
-    features12.timelineSemaphore = VK_TRUE;
+    VkPhysicalDeviceVulkan13Features features13{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+        .synchronization2 = VK_TRUE,
+        .dynamicRendering = VK_TRUE};
+    VkPhysicalDeviceVulkan12Features features12{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
+        .pNext = &features13,
+        .timelineSemaphore = VK_TRUE};
 
     const float priority = 1.0F;
     const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                        .pNext = nullptr,
-                                        .flags = 0,
                                         .queueFamilyIndex = chosen.queue_family,
                                         .queueCount = 1,
                                         .pQueuePriorities = &priority};
     std::vector<const char*> extensions;
     if (presenting != Presenting::kNone) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-    VkPhysicalDevicePresentIdFeaturesKHR present_id{};
-    present_id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR;
-    present_id.presentId = VK_TRUE;
-    VkPhysicalDevicePresentWaitFeaturesKHR present_wait{};
-    present_wait.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR;
-    present_wait.pNext = &present_id;
-    present_wait.presentWait = VK_TRUE;
+    VkPhysicalDevicePresentIdFeaturesKHR present_id{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR, .presentId = VK_TRUE};
+    VkPhysicalDevicePresentWaitFeaturesKHR present_wait{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR,
+        .pNext = &present_id,
+        .presentWait = VK_TRUE};
     const bool tells = presenting == Presenting::kImagesInStep && tells_when_shown(chosen.handle);
     if (tells) {
         extensions.push_back(VK_KHR_PRESENT_ID_EXTENSION_NAME);
@@ -51,14 +48,10 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
     }
     const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                   .pNext = &features12,
-                                  .flags = 0,
                                   .queueCreateInfoCount = 1,
                                   .pQueueCreateInfos = &queue,
-                                  .enabledLayerCount = 0,
-                                  .ppEnabledLayerNames = nullptr,
                                   .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
-                                  .ppEnabledExtensionNames = extensions.data(),
-                                  .pEnabledFeatures = nullptr};
+                                  .ppEnabledExtensionNames = extensions.data()};
     ONGGI_VK_TRY(vkCreateDevice(chosen.handle, &info, nullptr, &self->device_));
     vkGetDeviceQueue(self->device_, chosen.queue_family, 0, &self->queue_);
     if (tells) {
@@ -75,7 +68,6 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
     }
 
     const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                       .pNext = nullptr,
                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
                                        .queueFamilyIndex = chosen.queue_family};
     ONGGI_VK_TRY(vkCreateCommandPool(self->device_, &pool, nullptr, &self->pool_));
@@ -96,7 +88,6 @@ void Device::name(VkObjectType type, std::uint64_t object, std::string_view name
     if (set_name_ == nullptr) return;
     const std::string text(name);
     const VkDebugUtilsObjectNameInfoEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
-                                             .pNext = nullptr,
                                              .objectType = type,
                                              .objectHandle = object,
                                              .pObjectName = text.c_str()};
@@ -105,8 +96,7 @@ void Device::name(VkObjectType type, std::uint64_t object, std::string_view name
 
 void Device::begin_region(VkCommandBuffer commands, const char* text) const {
     if (begin_label_ == nullptr) return;
-    const VkDebugUtilsLabelEXT label{
-        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pNext = nullptr, .pLabelName = text, .color = {}};
+    const VkDebugUtilsLabelEXT label{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, .pLabelName = text};
     begin_label_(commands, &label);
 }
 
@@ -121,7 +111,6 @@ std::span<const std::uint32_t> Device::in_place_of(std::span<const std::uint32_t
 
 Result<VkCommandBuffer> Device::allocate_commands(std::string_view text) const {
     const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                           .pNext = nullptr,
                                            .commandPool = pool_,
                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                            .commandBufferCount = 1};
@@ -138,22 +127,19 @@ void Device::free_commands(VkCommandBuffer commands) const {
 Result<VkCommandBuffer> Device::begin_once() const {
     auto commands = allocate_commands("loading");
     if (!commands) return commands;
-    VkCommandBufferBeginInfo begin{};
-    begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
     ONGGI_VK_TRY_ON(*this, vkBeginCommandBuffer(*commands, &begin));
     return commands;
 }
 
 Result<void> Device::end_once(VkCommandBuffer commands) const {
     ONGGI_VK_TRY_ON(*this, vkEndCommandBuffer(commands));
-    VkCommandBufferSubmitInfo buffer{};
-    buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
-    buffer.commandBuffer = commands;
-    VkSubmitInfo2 submit{};
-    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
-    submit.commandBufferInfoCount = 1;
-    submit.pCommandBufferInfos = &buffer;
+    const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                           .commandBuffer = commands};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &buffer};
     ONGGI_VK_TRY_ON(*this, vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE));
     ONGGI_VK_TRY_ON(*this, vkQueueWaitIdle(queue_));
     free_commands(commands);

@@ -11,18 +11,17 @@ Result<Image> Image::create(const Device& device, const ImageDesc& desc) {
     image.device_ = &device;
     image.extent_ = desc.extent;
     image.aspect_ = desc.aspect;
-    VkImageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = desc.format;
-    info.extent = {desc.extent.width, desc.extent.height, 1};
-    info.mipLevels = 1;
-    info.arrayLayers = 1;
-    info.samples = desc.samples;
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = desc.usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-    info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                 .imageType = VK_IMAGE_TYPE_2D,
+                                 .format = desc.format,
+                                 .extent = {desc.extent.width, desc.extent.height, 1},
+                                 .mipLevels = 1,
+                                 .arrayLayers = 1,
+                                 .samples = desc.samples,
+                                 .tiling = VK_IMAGE_TILING_OPTIMAL,
+                                 .usage = desc.usage,
+                                 .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+                                 .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
     ONGGI_VK_TRY_ON(device, vkCreateImage(device.handle(), &info, nullptr, &image.image_));
 
     VkMemoryRequirements needs{};
@@ -37,12 +36,11 @@ Result<Image> Image::create(const Device& device, const ImageDesc& desc) {
                                           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                           VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     if ((desc.usage & kViewed) != 0) {
-        VkImageViewCreateInfo view{};
-        view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-        view.image = image.image_;
-        view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        view.format = desc.format;
-        view.subresourceRange = {desc.aspect, 0, 1, 0, 1};
+        const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                         .image = image.image_,
+                                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                         .format = desc.format,
+                                         .subresourceRange = {desc.aspect, 0, 1, 0, 1}};
         ONGGI_VK_TRY_ON(device, vkCreateImageView(device.handle(), &view, nullptr, &image.view_));
         device.name(VK_OBJECT_TYPE_IMAGE_VIEW, image.view_, desc.name);
     }
@@ -70,33 +68,30 @@ void Image::swap(Image& other) noexcept {
 
 void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageState& from,
              const ImageState& to) {
-    VkImageMemoryBarrier2 change{};
-    change.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
-    change.srcStageMask = from.stages;
-    change.srcAccessMask = from.access;
-    change.dstStageMask = to.stages;
-    change.dstAccessMask = to.access;
-    change.oldLayout = from.layout;
-    change.newLayout = to.layout;
-    change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    change.image = image;
-    change.subresourceRange = {aspect, 0, 1, 0, 1};
-    VkDependencyInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    info.imageMemoryBarrierCount = 1;
-    info.pImageMemoryBarriers = &change;
+    const VkImageMemoryBarrier2 change{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                                       .srcStageMask = from.stages,
+                                       .srcAccessMask = from.access,
+                                       .dstStageMask = to.stages,
+                                       .dstAccessMask = to.access,
+                                       .oldLayout = from.layout,
+                                       .newLayout = to.layout,
+                                       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                       .image = image,
+                                       .subresourceRange = {aspect, 0, 1, 0, 1}};
+    const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                .imageMemoryBarrierCount = 1,
+                                .pImageMemoryBarriers = &change};
     vkCmdPipelineBarrier2(commands, &info);
 }
 
 void copy(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
           const VkRect2D& area) {
-    VkImageCopy region{};
-    region.srcSubresource = {aspect, 0, 0, 1};
-    region.dstSubresource = {aspect, 0, 0, 1};
-    region.srcOffset = {area.offset.x, area.offset.y, 0};
-    region.dstOffset = region.srcOffset;
-    region.extent = {area.extent.width, area.extent.height, 1};
+    const VkImageCopy region{.srcSubresource = {aspect, 0, 0, 1},
+                             .srcOffset = {area.offset.x, area.offset.y, 0},
+                             .dstSubresource = {aspect, 0, 0, 1},
+                             .dstOffset = {area.offset.x, area.offset.y, 0},
+                             .extent = {area.extent.width, area.extent.height, 1}};
     vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }

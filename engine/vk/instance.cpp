@@ -49,13 +49,7 @@ bool has_extension(const char* name) {
 void keep_drivers_loaded(const VkApplicationInfo& application) {
     static const VkInstance kept = [&] {
         const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                                        .pNext = nullptr,
-                                        .flags = 0,
-                                        .pApplicationInfo = &application,
-                                        .enabledLayerCount = 0,
-                                        .ppEnabledLayerNames = nullptr,
-                                        .enabledExtensionCount = 0,
-                                        .ppEnabledExtensionNames = nullptr};
+                                        .pApplicationInfo = &application};
         VkInstance made = VK_NULL_HANDLE;
         static_cast<void>(vkCreateInstance(&info, nullptr, &made));
         return made;
@@ -91,16 +85,11 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
     if (self->has_debug_utils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
 
     const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                        .pNext = nullptr,
                                         .pApplicationName = "onggi",
-                                        .applicationVersion = 0,
                                         .pEngineName = "onggi",
-                                        .engineVersion = 0,
                                         .apiVersion = VK_API_VERSION_1_3};
     const VkDebugUtilsMessengerCreateInfoEXT messenger{
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
-        .pNext = nullptr,
-        .flags = 0,
         .messageSeverity =
             VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
         // Not VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL: the loader reports there which drivers it skipped.
@@ -114,13 +103,10 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
     const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                            .pNext = &messenger,
                                            .enabledValidationFeatureCount = 1,
-                                           .pEnabledValidationFeatures = &synchronization,
-                                           .disabledValidationFeatureCount = 0,
-                                           .pDisabledValidationFeatures = nullptr};
+                                           .pEnabledValidationFeatures = &synchronization};
     const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                     // Chained in, so that creation and destruction are heard too.
                                     .pNext = desc.validation ? &features : nullptr,
-                                    .flags = 0,
                                     .pApplicationInfo = &application,
                                     .enabledLayerCount = static_cast<std::uint32_t>(layers.size()),
                                     .ppEnabledLayerNames = layers.data(),

@@ -58,7 +58,6 @@ Result<Allocation> allocate(const Device& device, const VkMemoryRequirements& ne
     VkResult result = VK_ERROR_FEATURE_NOT_PRESENT;
     for (const std::uint32_t type : memory_types(device.memory(), needs.memoryTypeBits, use)) {
         const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                        .pNext = nullptr,
                                         .allocationSize = needs.size,
                                         .memoryTypeIndex = type};
         result = device.health().before("vkAllocateMemory");

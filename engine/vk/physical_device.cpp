@@ -63,14 +63,12 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice device, VkSurfac
 
 std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version) {
     if (api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
-    VkPhysicalDeviceVulkan13Features features13{};
-    features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    VkPhysicalDeviceVulkan12Features features12{};
-    features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    features12.pNext = &features13;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &features12;
+    VkPhysicalDeviceVulkan13Features features13{.sType =
+                                                    VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceVulkan12Features features12{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, .pNext = &features13};
+    VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
+                                       .pNext = &features12};
     vkGetPhysicalDeviceFeatures2(device, &features);
     if (features13.dynamicRendering == VK_FALSE) return "dynamicRendering";
     if (features13.synchronization2 == VK_FALSE) return "synchronization2";
@@ -86,10 +84,8 @@ std::string what_it_lacks_for(VkPhysicalDevice device, VkSurfaceKHR surface) {
 }
 
 DeviceDescription describe(VkPhysicalDevice device, int index) {
-    VkPhysicalDeviceDriverProperties driver{};
-    driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     vkGetPhysicalDeviceProperties(device, &properties.properties);
     // The driver's own words came with 1.2; an older device would not fill them in.
     if (properties.properties.apiVersion >= VK_API_VERSION_1_2) {
@@ -145,14 +141,11 @@ bool tells_when_shown(VkPhysicalDevice device) {
     if (!has_extension(device, VK_KHR_PRESENT_ID_EXTENSION_NAME) ||
         !has_extension(device, VK_KHR_PRESENT_WAIT_EXTENSION_NAME))
         return false;
-    VkPhysicalDevicePresentIdFeaturesKHR id{};
-    id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR;
-    VkPhysicalDevicePresentWaitFeaturesKHR wait{};
-    wait.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR;
-    wait.pNext = &id;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &wait;
+    VkPhysicalDevicePresentIdFeaturesKHR id{.sType =
+                                                VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR};
+    VkPhysicalDevicePresentWaitFeaturesKHR wait{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_WAIT_FEATURES_KHR, .pNext = &id};
+    VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &wait};
     vkGetPhysicalDeviceFeatures2(device, &features);
     return id.presentId == VK_TRUE && wait.presentWait == VK_TRUE;
 }

@@ -10,10 +10,9 @@ namespace {
 using ShaderModule = Unique<VkShaderModule, vkDestroyShaderModule>;
 
 Result<ShaderModule> create_module(const Device& device, std::span<const std::uint32_t> spirv) {
-    VkShaderModuleCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = spirv.size_bytes();
-    info.pCode = spirv.data();
+    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                        .codeSize = spirv.size_bytes(),
+                                        .pCode = spirv.data()};
     VkShaderModule module = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateShaderModule(device.handle(), &info, nullptr, &module));
     return ShaderModule(device.handle(), module);
@@ -21,13 +20,11 @@ Result<ShaderModule> create_module(const Device& device, std::span<const std::ui
 
 VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, VkShaderModule module,
                                            const VkSpecializationInfo& constants) {
-    VkPipelineShaderStageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    info.stage = stage;
-    info.module = module;
-    info.pName = "main";
-    info.pSpecializationInfo = &constants;
-    return info;
+    return {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+            .stage = stage,
+            .module = module,
+            .pName = "main",
+            .pSpecializationInfo = &constants};
 }
 
 }  // namespace
@@ -53,41 +50,41 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
     }
 
     const VkVertexInputBindingDescription binding{0, desc.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
-    VkPipelineVertexInputStateCreateInfo vertex_input{};
-    vertex_input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+    VkPipelineVertexInputStateCreateInfo vertex_input{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     if (desc.vertex_stride > 0) {
         vertex_input.vertexBindingDescriptionCount = 1;
         vertex_input.pVertexBindingDescriptions = &binding;
         vertex_input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(desc.attributes.size());
         vertex_input.pVertexAttributeDescriptions = desc.attributes.data();
     }
-    VkPipelineInputAssemblyStateCreateInfo assembly{};
-    assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    VkPipelineViewportStateCreateInfo viewport{};
-    viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-    viewport.viewportCount = 1;
-    viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{};
-    raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
-    raster.polygonMode = VK_POLYGON_MODE_FILL;
-    raster.cullMode = desc.cull;
-    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
-    raster.depthBiasEnable = desc.depth_bias ? VK_TRUE : VK_FALSE;
-    raster.depthBiasConstantFactor = desc.depth_bias ? 2.0F : 0.0F;
-    raster.depthBiasSlopeFactor = desc.depth_bias ? 2.5F : 0.0F;
-    raster.lineWidth = 1.0F;
-    VkPipelineMultisampleStateCreateInfo multisample{};
-    multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
-    multisample.rasterizationSamples = desc.samples;
-    VkPipelineDepthStencilStateCreateInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-    depth.depthTestEnable = desc.depth_test ? VK_TRUE : VK_FALSE;
-    depth.depthWriteEnable = desc.depth_write ? VK_TRUE : VK_FALSE;
-    depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
-    VkPipelineColorBlendAttachmentState opaque{};
-    opaque.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
-                            VK_COLOR_COMPONENT_A_BIT;
+    const VkPipelineInputAssemblyStateCreateInfo assembly{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+    const VkPipelineViewportStateCreateInfo viewport{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .scissorCount = 1};
+    const VkPipelineRasterizationStateCreateInfo raster{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+        .polygonMode = VK_POLYGON_MODE_FILL,
+        .cullMode = desc.cull,
+        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+        .depthBiasEnable = desc.depth_bias ? VK_TRUE : VK_FALSE,
+        .depthBiasConstantFactor = desc.depth_bias ? 2.0F : 0.0F,
+        .depthBiasSlopeFactor = desc.depth_bias ? 2.5F : 0.0F,
+        .lineWidth = 1.0F};
+    const VkPipelineMultisampleStateCreateInfo multisample{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+        .rasterizationSamples = desc.samples};
+    const VkPipelineDepthStencilStateCreateInfo depth{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+        .depthTestEnable = desc.depth_test ? VK_TRUE : VK_FALSE,
+        .depthWriteEnable = desc.depth_write ? VK_TRUE : VK_FALSE,
+        .depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL};
+    VkPipelineColorBlendAttachmentState opaque{.colorWriteMask =
+                                                   VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                                                   VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
     if (desc.blend) {
         opaque.blendEnable = VK_TRUE;
         opaque.srcColorBlendFactor = opaque.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
@@ -95,36 +92,35 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
         opaque.colorBlendOp = opaque.alphaBlendOp = VK_BLEND_OP_ADD;
     }
     const std::vector<VkPipelineColorBlendAttachmentState> attachments(desc.colour_formats.size(), opaque);
-    VkPipelineColorBlendStateCreateInfo blend{};
-    blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-    blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());
-    blend.pAttachments = attachments.data();
+    const VkPipelineColorBlendStateCreateInfo blend{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+        .attachmentCount = static_cast<std::uint32_t>(attachments.size()),
+        .pAttachments = attachments.data()};
     constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    VkPipelineDynamicStateCreateInfo dynamic{};
-    dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-    dynamic.dynamicStateCount = static_cast<std::uint32_t>(kDynamic.size());
-    dynamic.pDynamicStates = kDynamic.data();
+    const VkPipelineDynamicStateCreateInfo dynamic{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+        .dynamicStateCount = static_cast<std::uint32_t>(kDynamic.size()),
+        .pDynamicStates = kDynamic.data()};
 
-    VkPipelineRenderingCreateInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
-    rendering.colorAttachmentCount = static_cast<std::uint32_t>(desc.colour_formats.size());
-    rendering.pColorAttachmentFormats = desc.colour_formats.data();
-    rendering.depthAttachmentFormat = desc.depth_format;
+    const VkPipelineRenderingCreateInfo rendering{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = static_cast<std::uint32_t>(desc.colour_formats.size()),
+        .pColorAttachmentFormats = desc.colour_formats.data(),
+        .depthAttachmentFormat = desc.depth_format};
 
-    VkGraphicsPipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-    info.pNext = &rendering;
-    info.stageCount = static_cast<std::uint32_t>(stages.size());
-    info.pStages = stages.data();
-    info.pVertexInputState = &vertex_input;
-    info.pInputAssemblyState = &assembly;
-    info.pViewportState = &viewport;
-    info.pRasterizationState = &raster;
-    info.pMultisampleState = &multisample;
-    info.pDepthStencilState = &depth;
-    info.pColorBlendState = &blend;
-    info.pDynamicState = &dynamic;
-    info.layout = desc.layout;
+    const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                            .pNext = &rendering,
+                                            .stageCount = static_cast<std::uint32_t>(stages.size()),
+                                            .pStages = stages.data(),
+                                            .pVertexInputState = &vertex_input,
+                                            .pInputAssemblyState = &assembly,
+                                            .pViewportState = &viewport,
+                                            .pRasterizationState = &raster,
+                                            .pMultisampleState = &multisample,
+                                            .pDepthStencilState = &depth,
+                                            .pColorBlendState = &blend,
+                                            .pDynamicState = &dynamic,
+                                            .layout = desc.layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device,
                     vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
@@ -136,12 +132,11 @@ Result<PipelineLayout> create_pipeline_layout(const Device& device, VkDescriptor
                                               std::uint32_t push_constant_bytes, std::string_view name) {
     const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                                     push_constant_bytes};
-    VkPipelineLayoutCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    info.setLayoutCount = 1;
-    info.pSetLayouts = &set;
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &range;
+    const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                          .setLayoutCount = 1,
+                                          .pSetLayouts = &set,
+                                          .pushConstantRangeCount = 1,
+                                          .pPushConstantRanges = &range};
     VkPipelineLayout layout = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout));
     device.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout, name);
@@ -149,16 +144,15 @@ Result<PipelineLayout> create_pipeline_layout(const Device& device, VkDescriptor
 }
 
 Result<Sampler> create_sampler(const Device& device, const SamplerDesc& desc, std::string_view name) {
-    VkSamplerCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    info.magFilter = desc.filter;
-    info.minFilter = desc.filter;
-    info.addressModeU = desc.address_u;
-    info.addressModeV = desc.address_v;
-    info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    info.compareEnable = desc.compares ? VK_TRUE : VK_FALSE;
-    info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
-    info.borderColor = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
+    const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                   .magFilter = desc.filter,
+                                   .minFilter = desc.filter,
+                                   .addressModeU = desc.address_u,
+                                   .addressModeV = desc.address_v,
+                                   .addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                   .compareEnable = desc.compares ? VK_TRUE : VK_FALSE,
+                                   .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL,
+                                   .borderColor = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE};
     VkSampler sampler = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateSampler(device.handle(), &info, nullptr, &sampler));
     device.name(VK_OBJECT_TYPE_SAMPLER, sampler, name);

@@ -110,29 +110,29 @@ Result<bool> Swapchain::rebuild() {
     std::uint32_t image_count = std::max(can.minImageCount, may_queue ? 2U : 3U);
     if (can.maxImageCount > 0) image_count = std::min(image_count, can.maxImageCount);
 
-    VkSwapchainCreateInfoKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR;
-    info.surface = surface_;
-    info.minImageCount = image_count;
-    info.imageFormat = format_.format;
-    info.imageColorSpace = format_.colorSpace;
-    info.imageExtent = extent;
-    info.imageArrayLayers = 1;
-    // The still picture is copied in, then drawn over; every surface we know can be copied to.
-    info.imageUsage =
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-    info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
     // A display that is turned is turned by whoever shows the images, at some cost; the pictures stay
     // upright.
     const bool is_turned_for_us = (can.supportedTransforms & VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR) != 0;
-    info.preTransform = is_turned_for_us ? VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR : can.currentTransform;
-    info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
-                              ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                              : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-    info.presentMode = mode;
-    // What was drawn into an image must still be there when it comes back, hidden by another window or not.
-    info.clipped = VK_FALSE;
-    info.oldSwapchain = swapchain_;
+    const bool can_be_opaque = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0;
+    const VkSwapchainCreateInfoKHR info{
+        .sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR,
+        .surface = surface_,
+        .minImageCount = image_count,
+        .imageFormat = format_.format,
+        .imageColorSpace = format_.colorSpace,
+        .imageExtent = extent,
+        .imageArrayLayers = 1,
+        // The still picture is copied in, then drawn over; every surface we know can be copied to.
+        .imageUsage =
+            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT),
+        .imageSharingMode = VK_SHARING_MODE_EXCLUSIVE,
+        .preTransform = is_turned_for_us ? VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR : can.currentTransform,
+        .compositeAlpha =
+            can_be_opaque ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR,
+        .presentMode = mode,
+        // What was drawn into an image must still be there when it comes back, hidden by a window or not.
+        .clipped = VK_FALSE,
+        .oldSwapchain = swapchain_};
     VkSwapchainKHR fresh = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(*device_, vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &fresh));
     drop_frames();
@@ -154,12 +154,11 @@ Result<void> Swapchain::make_frames() {
     for (VkImage image : images) {
         Frame frame;
         frame.image = image;
-        VkImageViewCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-        info.image = image;
-        info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        info.format = format_.format;
-        info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                         .image = image,
+                                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                         .format = format_.format,
+                                         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
         VkImageView view = VK_NULL_HANDLE;
         ONGGI_VK_TRY_ON(*device_, vkCreateImageView(device_->handle(), &info, nullptr, &view));
         frame.view = {device_->handle(), view};
@@ -213,18 +212,15 @@ Result<void> Swapchain::end(VkCommandBuffer commands) {
     const VkSemaphore drawn = frames_[frame_].drawn.get();
     if (auto submitted = timeline_.submit(*device_, commands, acquired_.get(), drawn); !submitted)
         return submitted;
-    VkPresentInfoKHR info{};
-    info.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR;
-    info.waitSemaphoreCount = 1;
-    info.pWaitSemaphores = &drawn;
-    info.swapchainCount = 1;
-    info.pSwapchains = &swapchain_;
-    info.pImageIndices = &frame_;
+    VkPresentInfoKHR info{.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR,
+                          .waitSemaphoreCount = 1,
+                          .pWaitSemaphores = &drawn,
+                          .swapchainCount = 1,
+                          .pSwapchains = &swapchain_,
+                          .pImageIndices = &frame_};
     const std::uint64_t number = presented_ + 1;
-    VkPresentIdKHR id{};
-    id.sType = VK_STRUCTURE_TYPE_PRESENT_ID_KHR;
-    id.swapchainCount = 1;
-    id.pPresentIds = &number;
+    const VkPresentIdKHR id{
+        .sType = VK_STRUCTURE_TYPE_PRESENT_ID_KHR, .swapchainCount = 1, .pPresentIds = &number};
     if (device_->wait_for_present() != nullptr) info.pNext = &id;
     Health& health = device_->health();
     VkResult result = health.before("vkQueuePresentKHR");

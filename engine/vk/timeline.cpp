@@ -13,21 +13,16 @@ constexpr std::uint64_t kHangNs = 120'000'000'000ULL;
 
 VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, std::uint64_t value,
                                      VkPipelineStageFlags2 stages) {
-    VkSemaphoreSubmitInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
-    info.semaphore = semaphore;
-    info.value = value;
-    info.stageMask = stages;
-    return info;
+    return {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+            .semaphore = semaphore,
+            .value = value,
+            .stageMask = stages};
 }
 
 Result<Semaphore> create(const Device& device, VkSemaphoreType type, std::string_view name) {
-    VkSemaphoreTypeCreateInfo type_info{};
-    type_info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
-    type_info.semaphoreType = type;
-    VkSemaphoreCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
-    info.pNext = &type_info;
+    const VkSemaphoreTypeCreateInfo type_info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
+                                              .semaphoreType = type};
+    const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, .pNext = &type_info};
     VkSemaphore semaphore = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore));
     device.name(VK_OBJECT_TYPE_SEMAPHORE, semaphore, name);
@@ -50,22 +45,20 @@ Result<Timeline> Timeline::create(const Device& device, std::string_view name) {
 
 Result<void> Timeline::submit(const Device& device, VkCommandBuffer commands, VkSemaphore wait_for,
                               VkSemaphore signal) {
-    VkCommandBufferSubmitInfo buffer{};
-    buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
-    buffer.commandBuffer = commands;
+    const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                           .commandBuffer = commands};
     const VkSemaphoreSubmitInfo wait = semaphore_info(
         wait_for, 0, VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT);
     const std::array signals{
         semaphore_info(semaphore_.get(), value_ + 1, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT),
         semaphore_info(signal, 0, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
-    VkSubmitInfo2 submit{};
-    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
-    submit.waitSemaphoreInfoCount = wait_for == VK_NULL_HANDLE ? 0 : 1;
-    submit.pWaitSemaphoreInfos = &wait;
-    submit.commandBufferInfoCount = 1;
-    submit.pCommandBufferInfos = &buffer;
-    submit.signalSemaphoreInfoCount = signal == VK_NULL_HANDLE ? 1 : 2;
-    submit.pSignalSemaphoreInfos = signals.data();
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .waitSemaphoreInfoCount = wait_for == VK_NULL_HANDLE ? 0U : 1U,
+                               .pWaitSemaphoreInfos = &wait,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &buffer,
+                               .signalSemaphoreInfoCount = signal == VK_NULL_HANDLE ? 1U : 2U,
+                               .pSignalSemaphoreInfos = signals.data()};
     ONGGI_VK_TRY_ON(device, vkQueueSubmit2(device.queue(), 1, &submit, VK_NULL_HANDLE));
     ++value_;
     return {};
@@ -73,11 +66,10 @@ Result<void> Timeline::submit(const Device& device, VkCommandBuffer commands, Vk
 
 Result<void> Timeline::wait(const Device& device) const {
     const VkSemaphore semaphore = semaphore_.get();
-    VkSemaphoreWaitInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO;
-    info.semaphoreCount = 1;
-    info.pSemaphores = &semaphore;
-    info.pValues = &value_;
+    const VkSemaphoreWaitInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                   .semaphoreCount = 1,
+                                   .pSemaphores = &semaphore,
+                                   .pValues = &value_};
     ONGGI_VK_TRY_ON(device, vkWaitSemaphores(device.handle(), &info, kHangNs));
     return {};
 }

@@ -14,10 +14,9 @@ Result<Timestamps> Timestamps::create(const Device& device, std::uint32_t capaci
         device.queue_family() < count ? families[device.queue_family()].timestampValidBits : 0;
     if (valid_bits == 0 || device.limits().timestampPeriod <= 0.0F) return timestamps;
     timestamps.valid_bits_ = valid_bits;
-    VkQueryPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
-    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = capacity;
+    const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                     .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                     .queryCount = capacity};
     VkQueryPool pool = VK_NULL_HANDLE;
     ONGGI_VK_TRY_ON(device, vkCreateQueryPool(device.handle(), &info, nullptr, &pool));
     timestamps.pool_ = {device.handle(), pool};

@@ -44,10 +44,9 @@ struct Reading {
 void record_reading(const FrameContext& frame, const Band& band, const Reading& reading,
                     const vk::ImageState& drawn) {
     vk::barrier(frame.commands, reading.image, drawn, vk::state::kCopySource);
-    VkBufferImageCopy region{};
-    region.bufferOffset = VkDeviceSize{4} * band.top * band.extent.width;
-    region.imageSubresource = {reading.aspect, 0, 0, 1};
-    region.imageExtent = {band.extent.width, band.extent.height, 1};
+    const VkBufferImageCopy region{.bufferOffset = VkDeviceSize{4} * band.top * band.extent.width,
+                                   .imageSubresource = {reading.aspect, 0, 0, 1},
+                                   .imageExtent = {band.extent.width, band.extent.height, 1}};
     vkCmdCopyImageToBuffer(frame.commands, reading.image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            reading.into.handle(), 1, &region);
 }

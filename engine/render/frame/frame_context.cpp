@@ -106,9 +106,8 @@ Result<void> FrameContext::create(std::size_t bindings) {
 }
 
 Result<void> FrameContext::begin() {
-    VkCommandBufferBeginInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    const VkCommandBufferBeginInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                        .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
     ONGGI_VK_TRY(vkBeginCommandBuffer(commands, &info));
     clock.begin(device, commands);
     return {};

@@ -37,10 +37,10 @@ void copy_rows(VkCommandBuffer commands, const vk::Buffer& strip, const vk::Imag
                int rows) {
     const auto height = static_cast<int>(image.extent().height);
     if (first == 0) vk::barrier(commands, image, vk::state::kUndefined, vk::state::kCopyTarget);
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageOffset = {0, first, 0};
-    region.imageExtent = {image.extent().width, static_cast<std::uint32_t>(rows), 1};
+    const VkBufferImageCopy region{
+        .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+        .imageOffset = {0, first, 0},
+        .imageExtent = {image.extent().width, static_cast<std::uint32_t>(rows), 1}};
     vkCmdCopyBufferToImage(commands, strip.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                            &region);
     if (first + rows == height) vk::barrier(commands, image, vk::state::kCopyTarget, vk::state::kSampled);

@@ -83,9 +83,8 @@ Result<void> LathePass::upload_streaks(const VulkanFrame& frame) {
     staging->write(std::as_bytes(std::span(texels)));
     return frame.device.run_once([&](VkCommandBuffer once) {
         vk::barrier(once, detail, vk::state::kUndefined, vk::state::kCopyTarget);
-        VkBufferImageCopy region{};
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageExtent = {detail.extent().width, detail.extent().height, 1};
+        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                       .imageExtent = {detail.extent().width, detail.extent().height, 1}};
         vkCmdCopyBufferToImage(once, staging->handle(), detail.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                1, &region);
         vk::barrier(once, detail, vk::state::kCopyTarget, vk::state::kSampled);

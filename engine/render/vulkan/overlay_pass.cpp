@@ -142,12 +142,12 @@ void OverlayPass::record_uploads(const VulkanFrame& frame) {
     atlas_is_new_ = false;
     VkDeviceSize at = 0;
     for (const ui::Atlas::Upload& upload : overlay_->uploads) {
-        VkBufferImageCopy region{};
-        region.bufferOffset = at;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageOffset = {upload.x, upload.y, 0};
-        region.imageExtent = {static_cast<std::uint32_t>(upload.painting->width),
-                              static_cast<std::uint32_t>(upload.painting->height), 1};
+        const VkBufferImageCopy region{
+            .bufferOffset = at,
+            .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+            .imageOffset = {upload.x, upload.y, 0},
+            .imageExtent = {static_cast<std::uint32_t>(upload.painting->width),
+                            static_cast<std::uint32_t>(upload.painting->height), 1}};
         vkCmdCopyBufferToImage(commands, staging_.handle(), atlas_.handle(),
                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
         at += bytes_of(*upload.painting);
