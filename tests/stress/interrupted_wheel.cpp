@@ -33,7 +33,7 @@ class Visitors {
         parameters_.set_rate_hz(stress::kRateHz);
         parameters_.safety = haptics::limits_for(device->capabilities());
         job_ = std::make_unique<haptic::HapticJob>(start_, parameters_, std::move(device),
-                                                   haptic::HapticJobOptions{});
+                                                   haptic::HapticJobOptions{.spares_the_core = true});
         kiosk::Config config;
         config.gallery.folder = gallery.string();
         config.gallery.least_free_mb = 1.0;

@@ -50,7 +50,7 @@ struct UnseenKiosk::Parts {
         EXPECT_TRUE(made);
         devices = std::make_unique<HandDevices>(std::move(*made));
         job = std::make_unique<haptic::HapticJob>(start, parameters, devices->take(),
-                                                  haptic::HapticJobOptions{});
+                                                  haptic::HapticJobOptions{.spares_the_core = true});
         keeper = std::make_unique<KioskKeeper>(*job, start, parameters, Gallery(settings.config),
                                                gallery / "statistics", KioskHeartbeat(settings.config));
         EXPECT_TRUE(job->start());
@@ -283,6 +283,8 @@ bool UnseenKiosk::throw_a_pot(std::mt19937& chance) {
     const auto is_open = [&] {
         return snapshot().pot->can_be_hollow() && top_mm() - snapshot().pot->floor_mm > kDeepMm;
     };
+    // The pot before this one is seen for a moment longer.
+    if (!until([&] { return !is_open(); }, kSlowly)) return false;
     for (int tries = 0; tries < kTries && !is_open(); ++tries)
         stroke({{0.0, top_mm() + 1.0}, {0.0, top_mm() - 38.0}}, 1.3, chance);
     for (int tries = 0; tries < kTries && top_mm() < kHighMm; ++tries)
