@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "engine/render/shapes/detail_texture.h"
 #include "engine/render/shapes/frame_build.h"
@@ -16,43 +14,37 @@
 namespace onggi::look {
 namespace {
 
-// The texture of streaks, read as a sampler does, between four texels.
-class Streaks {
-  public:
-    [[nodiscard]] vec4 at(float across, float up) const {
-        const float x = across * render::kDetailTexels - 0.5F;
-        const float y = up * render::kDetailTexels - 0.5F;
-        const auto left = static_cast<int>(std::floor(x));
-        const auto top = static_cast<int>(std::floor(y));
-        const float right_fraction = x - static_cast<float>(left);
-        const float low_fraction = y - static_cast<float>(top);
-        return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right_fraction),
-                        glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_fraction),
-                        low_fraction);
-    }
+vec4 texel(int x, int y) {
+    constexpr int kLast = render::kDetailTexels - 1;
+    const auto first = static_cast<std::size_t>(4 * ((y & kLast) * render::kDetailTexels + (x & kLast)));
+    vec4 value;
+    for (int channel = 0; channel < 4; ++channel)
+        value[channel] =
+            static_cast<float>(render::detail_texture()[first + static_cast<std::size_t>(channel)]) / 255.0F;
+    return value;
+}
 
-  private:
-    [[nodiscard]] vec4 texel(int x, int y) const {
-        constexpr int kLast = render::kDetailTexels - 1;
-        const auto first = static_cast<std::size_t>(4 * ((y & kLast) * render::kDetailTexels + (x & kLast)));
-        vec4 value;
-        for (int channel = 0; channel < 4; ++channel)
-            value[channel] = static_cast<float>(texels_[first + static_cast<std::size_t>(channel)]) / 255.0F;
-        return value;
-    }
-    std::vector<std::uint8_t> texels_ = render::detail_texture();
-};
+// The texture of streaks, read as a sampler does, between four texels.
+vec4 streaks(float across, float up) {
+    const float x = across * render::kDetailTexels - 0.5F;
+    const float y = up * render::kDetailTexels - 0.5F;
+    const auto left = static_cast<int>(std::floor(x));
+    const auto top = static_cast<int>(std::floor(y));
+    const float right_fraction = x - static_cast<float>(left);
+    const float low_fraction = y - static_cast<float>(top);
+    return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right_fraction),
+                    glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_fraction), low_fraction);
+}
 
 }  // namespace
 
 PotLook lathe_look(const render::LatheMaterial& material, std::string name) {
-    const auto streaks = std::make_shared<const Streaks>();
     const vec3 wet = render::wet_albedo(material.albedo, 1.0F);
     const float wet_roughness = render::wet_roughness(material);
     const auto at = [=](const Place& place) {
         // Two of the texture go round, clockwise seen from above, as lathe.vert lays them.
         const vec4 mark =
-            streaks->at(-place.angle * std::numbers::inv_pi_v<float>, place.along_mm / shaders::kStreakMm);
+            streaks(-place.angle * std::numbers::inv_pi_v<float>, place.along_mm / shaders::kStreakMm);
         const vec3 body = glm::mix(material.albedo, wet, material.wetness);
         return Surface{
             .colour = body * shaders::lathe_tone(material.streaks, mark.x),

@@ -43,9 +43,7 @@ float streaks(int x, int y) {
     return streaks + grain - 0.5F;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> detail_texture() {
+std::vector<std::uint8_t> made_texture() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x)
@@ -67,6 +65,13 @@ std::vector<std::uint8_t> detail_texture() {
             texels.push_back(eight_bits(0.5F + 1.1F * (noise(x, y, 4, 24, 6) - 0.5F) - 0.5F * height(x, y)));
         }
     }
+    return texels;
+}
+
+}  // namespace
+
+const std::vector<std::uint8_t>& detail_texture() {
+    static const std::vector<std::uint8_t> texels = made_texture();
     return texels;
 }
 

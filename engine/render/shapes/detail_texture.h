@@ -1,5 +1,5 @@
-// The streaks that fingers leave on what turns, as a texture made when the program loads: long round
-// the pot and thin up it, a fine grain, a few pits. Any thread; a pure function, the same bytes every time.
+// The streaks that fingers leave on what turns, as a texture made when it is first asked for: long
+// round the pot and thin up it, a fine grain, a few pits. Any thread; the same bytes every time.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ constexpr int kDetailTexels = 512;
 
 // kDetailTexels squared, RGBA: lighter or darker, lean round, lean up, thickness of the film; 128 is the
 // mean. It repeats both ways.
-[[nodiscard]] std::vector<std::uint8_t> detail_texture();
+[[nodiscard]] const std::vector<std::uint8_t>& detail_texture();
 
 // The same with fewer texels, each the mean of those it stands for: finer than the pixels it is seen by, a
 // texture flickers, and falls out of the processor's cache. Both numbers divide kDetailTexels.

@@ -8,10 +8,9 @@
 namespace onggi::render {
 namespace {
 
-TEST(DetailTexture, IsTheSameEveryTimeAndHasAMeanNearTheMiddle) {
-    const auto texels = detail_texture();
+TEST(DetailTexture, HasAMeanNearTheMiddle) {
+    const auto& texels = detail_texture();
     ASSERT_EQ(texels.size(), std::size_t{4} * kDetailTexels * kDetailTexels);
-    EXPECT_EQ(texels, detail_texture());
     for (std::size_t channel = 0; channel < 4; ++channel) {
         double sum = 0.0;
         for (std::size_t i = channel; i < texels.size(); i += 4)
@@ -21,7 +20,7 @@ TEST(DetailTexture, IsTheSameEveryTimeAndHasAMeanNearTheMiddle) {
 }
 
 TEST(DetailTexture, RepeatsWithoutASeam) {
-    const auto texels = detail_texture();
+    const auto& texels = detail_texture();
     const auto at = [&](int x, int y) {
         return static_cast<int>(texels[static_cast<std::size_t>((y * kDetailTexels + x) * 4)]);
     };
@@ -35,7 +34,7 @@ TEST(DetailTexture, RepeatsWithoutASeam) {
 }
 
 TEST(DetailTexture, RunsLongRoundThePotAndThinUpIt) {
-    const auto texels = detail_texture();
+    const auto& texels = detail_texture();
     const auto at = [&](int x, int y) {
         return static_cast<int>(texels[static_cast<std::size_t>((y * kDetailTexels + x) * 4)]);
     };
@@ -51,7 +50,7 @@ TEST(DetailTexture, RunsLongRoundThePotAndThinUpIt) {
 }
 
 TEST(DetailTexture, KeepsItsMeanAndItsStreaksWithFewerTexels) {
-    const auto texels = detail_texture();
+    const auto& texels = detail_texture();
     EXPECT_EQ(coarser_detail(texels, kDetailTexels, kDetailTexels), texels);
     constexpr int kAcross = 256;
     constexpr int kUp = 128;
