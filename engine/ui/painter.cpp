@@ -31,6 +31,11 @@ std::string key_of(const Text& text) {
 
 constexpr std::size_t kMostRemembered = 4096;
 
+// The size of letters at which all text is measured: for each new one Pango has fontconfig sort the machine's
+// fonts, and who looks for the largest size that fits asks for many. Half a unit of Pango's more than whole
+// ones: it cuts off the rest.
+constexpr float kMeasuredPx = 64.0F + 0.5F / PANGO_SCALE;
+
 thread_local std::uint64_t work_done = 0;
 
 }  // namespace
@@ -50,7 +55,8 @@ TextSize Painter::measure(const Text& text) {
     std::string key = key_of(text);
     if (const auto found = impl_->sizes.find(key); found != impl_->sizes.end()) return found->second;
     ++work_done;
-    const TextSize size = size_of(lay_out(impl_->context.get(), text, 1.0F, 0.0F).get(), text);
+    const float px_per_u = kMeasuredPx / text.style.size;
+    const TextSize size = size_of(lay_out(impl_->context.get(), text, px_per_u, 0.0F).get(), text);
     if (impl_->sizes.size() >= kMostRemembered) impl_->sizes.clear();
     impl_->sizes.emplace(std::move(key), size);
     return size;

@@ -100,8 +100,10 @@ Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float bo
 TextSize size_of(PangoLayout* layout, const Text& text) {
     PangoRectangle logical{};
     pango_layout_get_extents(layout, nullptr, &logical);
+    const auto font_size =
+        static_cast<float>(pango_font_description_get_size(pango_layout_get_font_description(layout)));
     TextSize size;
-    size.width = static_cast<float>(logical.width) / PANGO_SCALE;
+    size.width = static_cast<float>(logical.width) * (text.style.size / font_size);
     size.lines = pango_layout_get_line_count(layout);
     size.height = text.style.line_height * static_cast<float>(size.lines);
     size.unknown_glyphs = pango_layout_get_unknown_glyphs_count(layout);

@@ -23,7 +23,7 @@ using Layout = std::unique_ptr<PangoLayout, Unreference>;
 // The text laid out at `px_per_u`; width 0 is one line. Alignment is within `box_width_px`.
 [[nodiscard]] Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float box_width_px);
 
-// Of a layout made at one px a u.
+// Of a layout of it, at whatever size.
 [[nodiscard]] TextSize size_of(PangoLayout* layout, const Text& text);
 
 }  // namespace onggi::ui
