@@ -42,6 +42,7 @@ std::map<Key, Visitor> everywhere() {
     std::vector<Visitor> open{Visitor(staffed())};
     found.emplace(key_of(open.front().state), open.front());
     const auto meet = [&](Visitor visitor) {
+        visitor.last.clear();
         visitor.all.clear();
         if (found.emplace(key_of(visitor.state), visitor).second) open.push_back(std::move(visitor));
     };
@@ -175,7 +176,6 @@ TEST_F(EveryEvent, EndsInAttractWhenTheVisitorWalksAway) {
 TEST_F(EveryEvent, QuitsFromALockedKioskForTheStaffAlone) {
     for_each_event([](Visitor visitor, const Event& event, const After& after) {
         const bool staff_is_there = visitor.state.panel == Panel::kStaff;
-        visitor.all.clear();
         visitor.does(event);
         const bool leaves = visitor.caused(Effect::Kind::kQuit) || visitor.caused(Effect::Kind::kRestart);
         EXPECT_TRUE(staff_is_there || !leaves) << after;
@@ -187,7 +187,6 @@ TEST_F(EveryEvent, StopsTheWheelsHandsWithTheShow) {
     int stopped = 0;
     for_each_event([&](Visitor visitor, const Event& event, const After& after) {
         const bool showed = visitor.state.throwing.shown.has_value();
-        visitor.all.clear();
         visitor.does(event);
         const State& state = visitor.state;
         const bool shows = state.throwing.shown.has_value();
@@ -205,7 +204,6 @@ TEST_F(EveryEvent, StopsTheWheelsHandsWithTheShow) {
 
 TEST_F(EveryEvent, SavesOnceAndOnlyForTheKeepButton) {
     for_each_event([](Visitor visitor, const Event& event, const After& after) {
-        visitor.all.clear();
         visitor.does(event);
         if (!visitor.caused(Effect::Kind::kSave)) return;
         EXPECT_EQ(event.button, Button::kKeep) << after;

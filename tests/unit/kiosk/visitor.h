@@ -13,9 +13,8 @@ class Visitor {
     explicit Visitor(const Rules& given = {}) : rules(given), state(first_state(given, 0.0)) {}
 
     Visitor& does(const Event& event) {
-        const std::vector<Effect> effects = step(state, event, now_s, rules);
-        last = effects;
-        all.insert(all.end(), effects.begin(), effects.end());
+        last = step(state, event, now_s, rules);
+        all.insert(all.end(), last.begin(), last.end());
         return *this;
     }
     Visitor& does(Event::Kind kind, int value = 0) { return does(Event{kind, Button::kNone, value}); }
