@@ -242,7 +242,10 @@ bool UnseenKiosk::dries() {
     };
     if (!until(is_dry, 0.1)) return false;
     if (shown_screen() == kiosk::Screen::kTrim && !press(kiosk::Button::kSkip)) return false;
-    return until([&] { return shown_screen() == kiosk::Screen::kDecorate; }, kSlowly);
+    const auto can_be_drawn_on = [&] {
+        return shown_screen() == kiosk::Screen::kDecorate && shown_view()->pot != nullptr;
+    };
+    return until(can_be_drawn_on, kSlowly);
 }
 
 bool UnseenKiosk::fires_it(bool decorates) {
@@ -251,8 +254,6 @@ bool UnseenKiosk::fires_it(bool decorates) {
         return false;
     };
     if (!dries()) return misses("the pot dried");
-    const auto is_cut_off = [&] { return shown_view() != nullptr && shown_view()->pot != nullptr; };
-    if (!until(is_cut_off, kSlowly)) return misses("a pot to draw on");
     if (decorates) {
         constexpr int kFrames = 90;
         if (!press(kiosk::Button::kDrawingTool, 1)) return misses("a tool to draw with");
