@@ -40,13 +40,16 @@ void write(const fs::path& file, const std::string& text) {
     std::ofstream(file) << text;
 }
 
-TEST(JarKeeping, DropsWhatIsDamagedWithOneLine) {
+struct JarKeepingTest : testing::Test {
+    const test::TemporaryFolder folder;
+};
+
+TEST_F(JarKeepingTest, DropsWhatIsDamagedWithOneLine) {
     for (const std::string text : {"", "{", "[]", R"({"format":1})",
                                    R"({"format":2,"stage":1,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
                                    R"({"format":1,"stage":7,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
                                    R"({"format":1,"stage":1,"target":"x","shift_mm":[0],"mouth_mm":0})",
                                    R"({"format":1,"stage":1,"target":4,"shift_mm":[0,0],"mouth_mm":0})"}) {
-        const test::TemporaryFolder folder;
         write(folder / "jar.json", text);
         JarKeeping jar = jar_in(folder.path());
         std::vector<std::string> remarks;
@@ -59,8 +62,7 @@ TEST(JarKeeping, DropsWhatIsDamagedWithOneLine) {
     }
 }
 
-TEST(JarKeeping, IsRestoredWithBothBowlsToTheBit) {
-    const test::TemporaryFolder folder;
+TEST_F(JarKeepingTest, IsRestoredWithBothBowlsToTheBit) {
     JarKeeping jar = jar_in(folder.path());
     ASSERT_TRUE(jar.begin("moon-jar-nmk"));
     haptic::History second = history_of(bowl(50.0));
@@ -85,8 +87,7 @@ TEST(JarKeeping, IsRestoredWithBothBowlsToTheBit) {
     EXPECT_EQ(again.left_over()->history().state().hash(), joined->state().hash());
 }
 
-TEST(JarKeeping, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
-    const test::TemporaryFolder folder;
+TEST_F(JarKeepingTest, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
     {
         JarKeeping jar = jar_in(folder.path());
         ASSERT_TRUE(jar.begin("moon-jar-nmk"));
@@ -104,8 +105,7 @@ TEST(JarKeeping, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
     EXPECT_FALSE(fs::exists(folder / "jar-1.onggi"));
 }
 
-TEST(JarKeeping, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
-    const test::TemporaryFolder folder;
+TEST_F(JarKeepingTest, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
     {
         JarKeeping jar = jar_in(folder.path());
         ASSERT_TRUE(jar.begin("moon-jar-nmk"));
@@ -123,8 +123,7 @@ TEST(JarKeeping, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
     EXPECT_EQ(bowl->history().ticks(), 40U);
 }
 
-TEST(JarKeeping, GivesBackTheBowlThatWasDoneLast) {
-    const test::TemporaryFolder folder;
+TEST_F(JarKeepingTest, GivesBackTheBowlThatWasDoneLast) {
     JarKeeping jar = jar_in(folder.path());
     EXPECT_EQ(jar.to_take_back(false), nullptr);
     ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
@@ -141,8 +140,7 @@ TEST(JarKeeping, GivesBackTheBowlThatWasDoneLast) {
     EXPECT_FALSE(jar.has_bowl());
 }
 
-TEST(JarKeeping, LeavesNothingBehindWhenItIsForgotten) {
-    const test::TemporaryFolder folder;
+TEST_F(JarKeepingTest, LeavesNothingBehindWhenItIsForgotten) {
     JarKeeping jar = jar_in(folder.path());
     ASSERT_TRUE(jar.begin("moon-jar-nmk"));
     ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
@@ -152,8 +150,7 @@ TEST(JarKeeping, LeavesNothingBehindWhenItIsForgotten) {
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(JarKeeping, TellsOfRimsThatCannotMeetAndChangesNothing) {
-    const test::TemporaryFolder folder;
+TEST_F(JarKeepingTest, TellsOfRimsThatCannotMeetAndChangesNothing) {
     JarKeeping jar = jar_in(folder.path());
     ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
     haptic::History second = history_of(bowl(70.0));

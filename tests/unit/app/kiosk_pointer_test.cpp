@@ -69,8 +69,11 @@ class Finger {
     double now_s = 0.0;
 };
 
-TEST(KioskPointer, PressesOnReleaseOverTheSameTarget) {
+struct KioskPointer : testing::Test {
     Finger finger;
+};
+
+TEST_F(KioskPointer, PressesOnReleaseOverTheSameTarget) {
     finger.moves(150, 630).presses();
     EXPECT_EQ(finger.pointer.pressed(), 0);
     EXPECT_TRUE(finger.pressed().empty());
@@ -79,25 +82,22 @@ TEST(KioskPointer, PressesOnReleaseOverTheSameTarget) {
     EXPECT_EQ(finger.pointer.pressed(), -1);
 }
 
-TEST(KioskPointer, LetsAPressBeTakenBackByLeavingTheTarget) {
-    Finger finger;
+TEST_F(KioskPointer, LetsAPressBeTakenBackByLeavingTheTarget) {
     finger.moves(150, 630).presses().moves(150, 500);
     EXPECT_EQ(finger.pointer.pressed(), -1) << "it no longer looks pressed";
     finger.lifts();
     EXPECT_TRUE(finger.pressed().empty());
 }
 
-TEST(KioskPointer, DropsAPressThatEndsOnAnotherScreen) {
-    Finger finger;
+TEST_F(KioskPointer, DropsAPressThatEndsOnAnotherScreen) {
     finger.moves(150, 630).presses();
     finger.pointer.look_at(&finger.composition, 2, false);
     finger.lifts();
     EXPECT_TRUE(finger.pressed().empty());
 }
 
-TEST(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
+TEST_F(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
     screens::Composition fewer = screen_without_done();
-    Finger finger;
     finger.moves(320, 630).presses();
     finger.pointer.look_at(&fewer, 1, false);
     EXPECT_EQ(finger.pointer.pressed(), 0);
@@ -112,9 +112,8 @@ TEST(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
     EXPECT_EQ(keys.pressed(), std::vector<Button>{Button::kToolMore});
 }
 
-TEST(KioskPointer, PressesNothingWhereItsButtonHasGone) {
+TEST_F(KioskPointer, PressesNothingWhereItsButtonHasGone) {
     screens::Composition fewer = screen_without_done();
-    Finger finger;
     finger.moves(150, 630).presses();
     finger.pointer.look_at(&fewer, 1, false);
     EXPECT_EQ(finger.pointer.pressed(), -1);
@@ -128,8 +127,7 @@ TEST(KioskPointer, PressesNothingWhereItsButtonHasGone) {
     EXPECT_EQ(keys.pointer.focus(), 0) << "the ring is on what is left";
 }
 
-TEST(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
-    Finger finger;
+TEST_F(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
     finger.moves(320, 630).presses().waits(1.1).lifts();
     EXPECT_EQ(finger.pressed().size(), 3U) << "after half a second, and every quarter from then on";
     Finger other;
@@ -137,8 +135,7 @@ TEST(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
     EXPECT_EQ(other.pressed().size(), 1U);
 }
 
-TEST(KioskPointer, GivesTheSceneAHandWhereNoTargetIs) {
-    Finger finger;
+TEST_F(KioskPointer, GivesTheSceneAHandWhereNoTargetIs) {
     finger.moves(640, 300);
     EXPECT_TRUE(finger.said(Kind::kHovered));
     finger.presses().moves(600, 300).lifts();
@@ -232,8 +229,7 @@ TEST_F(TouchThatGoesWrong, EndsWhereItsReleaseWasLost) {
     EXPECT_FALSE(finger_.pointer.rests_on_scene());
 }
 
-TEST(KioskPointer, TakesAShakenMouseForNobody) {
-    Finger finger;
+TEST_F(KioskPointer, TakesAShakenMouseForNobody) {
     finger.moves(640, 360);
     EXPECT_FALSE(finger.said(Kind::kLife)) << "it only lies where the window opened";
     for (int i = 0; i < 50; ++i)
@@ -247,10 +243,9 @@ TEST(KioskPointer, TakesAShakenMouseForNobody) {
     EXPECT_TRUE(finger.said(Kind::kLife));
 }
 
-TEST(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
+TEST_F(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
     // A finger is told as a leap of the mouse and a press; were the leap a sign of life, the panel that asks
     // whether somebody is there would be gone before its button is pressed.
-    Finger finger;
     finger.moves(640, 100).waits(0.2);
     finger.news.clear();
     finger.moves(150, 630).presses().waits(0.2).lifts();
@@ -261,21 +256,20 @@ TEST(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
     EXPECT_TRUE(finger.said(Kind::kLife)) << "a mouse that goes its way";
 }
 
-TEST(KioskPointer, TakesWhatTheRingIsOnWithoutWakingTheScreenFirst) {
+TEST_F(KioskPointer, TakesWhatTheRingIsOnWithoutWakingTheScreenFirst) {
     for (const window::Key key : {window::Key::kEnter, window::Key::kSpace}) {
-        Finger finger;
-        finger.types(key);
-        EXPECT_TRUE(finger.said(Kind::kLife)) << "without a ring it only says that somebody is there";
-        finger.types(window::Key::kTab);
-        finger.news.clear();
-        finger.types(key);
-        EXPECT_FALSE(finger.said(Kind::kLife));
-        EXPECT_EQ(finger.pressed().size(), 1U);
+        Finger hand;
+        hand.types(key);
+        EXPECT_TRUE(hand.said(Kind::kLife)) << "without a ring it only says that somebody is there";
+        hand.types(window::Key::kTab);
+        hand.news.clear();
+        hand.types(key);
+        EXPECT_FALSE(hand.said(Kind::kLife));
+        EXPECT_EQ(hand.pressed().size(), 1U);
     }
 }
 
-TEST(KioskPointer, WalksWithTabAndPressesWithEnter) {
-    Finger finger;
+TEST_F(KioskPointer, WalksWithTabAndPressesWithEnter) {
     finger.types(window::Key::kTab)
         .types(window::Key::kTab)
         .types(window::Key::kTab)
@@ -288,8 +282,7 @@ TEST(KioskPointer, WalksWithTabAndPressesWithEnter) {
     EXPECT_EQ(finger.news.back().kind, Kind::kNudged);
 }
 
-TEST(KioskPointer, IsUsedWithOneSwitchAlone) {
-    Finger finger;
+TEST_F(KioskPointer, IsUsedWithOneSwitchAlone) {
     finger.types(window::Key::kSpace);
     EXPECT_TRUE(finger.pointer.scans());
     EXPECT_EQ(finger.pointer.focus(), 0);
@@ -302,8 +295,7 @@ TEST(KioskPointer, IsUsedWithOneSwitchAlone) {
     EXPECT_EQ(finger.pointer.focus(), 0);
 }
 
-TEST(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
-    Finger finger;
+TEST_F(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
     finger.moves(20, 20).presses().waits(4.5);
     EXPECT_FALSE(finger.said(Kind::kCornerHeld));
     finger.waits(1.0);
@@ -317,19 +309,18 @@ TEST(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
     EXPECT_TRUE(mirrored.said(Kind::kCornerHeld)) << "on the other side where the page is mirrored";
 }
 
-TEST(KioskPointer, StopsTheForceWithPause) {
-    Finger finger;
+TEST_F(KioskPointer, StopsTheForceWithPause) {
     finger.types(window::Key::kPause);
     EXPECT_TRUE(finger.said(Kind::kStopForce));
 }
 
-TEST(KioskPointer, AsksToCloseForEveryWayOutThatWindowsHave) {
+TEST_F(KioskPointer, AsksToCloseForEveryWayOutThatWindowsHave) {
     for (const window::Event& way : {window::Event(window::CloseEvent{}),
                                      window::Event(window::KeyEvent{window::Key::kEscape, true, false}),
                                      window::Event(window::KeyEvent{window::Key::kQ, true, false})}) {
-        Finger finger;
-        finger.does(way);
-        EXPECT_EQ(finger.news.back().kind, Kind::kCloseAsked);
+        Finger hand;
+        hand.does(way);
+        EXPECT_EQ(hand.news.back().kind, Kind::kCloseAsked);
     }
 }
 

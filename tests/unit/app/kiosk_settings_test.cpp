@@ -23,8 +23,11 @@ kiosk::Config config_of(const fs::path& folder) {
     return config;
 }
 
-TEST(KioskSettings, BeginWithTheLanguagesInTheOrderOfTheFile) {
+struct KioskSettingsTest : testing::Test {
     const test::TemporaryFolder folder;
+};
+
+TEST_F(KioskSettingsTest, BeginWithTheLanguagesInTheOrderOfTheFile) {
     put(folder / "kiosk.toml", "[languages]\norder = [\"ar\", \"ko\"]\nfirst = \"ko\"\n");
     const auto settings = load_settings((folder / "kiosk.toml").string());
     ASSERT_TRUE(settings) << settings.error().message;
@@ -34,8 +37,7 @@ TEST(KioskSettings, BeginWithTheLanguagesInTheOrderOfTheFile) {
     EXPECT_EQ(settings->rules.default_language, 1);
 }
 
-TEST(KioskSettings, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskSettingsTest, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
     put(folder / "words/de.tsv", "key\ttext\tspoken\tcheck\nname\tDeutsch\t\t\n");
     put(folder / "kiosk.toml",
         "[languages]\norder = [\"de\", \"en\"]\nfolder = \"" + (folder / "words").string() + "\"\n");
@@ -49,8 +51,7 @@ TEST(KioskSettings, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
     EXPECT_NE(settings->remarks.front().find("English stands in"), std::string::npos);
 }
 
-TEST(KioskSettings, RejectAFileThatIsNotThereOrWrong) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskSettingsTest, RejectAFileThatIsNotThereOrWrong) {
     EXPECT_FALSE(load_settings((folder / "none.toml").string()));
     put(folder / "bad.toml", "[sound]\nvolume = 11\n");
     const auto refused = load_settings((folder / "bad.toml").string());
@@ -58,8 +59,7 @@ TEST(KioskSettings, RejectAFileThatIsNotThereOrWrong) {
     EXPECT_NE(refused.error().message.find("bad.toml, line 2"), std::string::npos);
 }
 
-TEST(KioskSettings, GoOnWithTheHousesWhereTheMuseumsCannotBeRead) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskSettingsTest, GoOnWithTheHousesWhereTheMuseumsCannotBeRead) {
     put(folder / "museum.toml", "[sound]\nvolume = 11\n");
     put(folder / "house.toml", "[staff]\nlocked = true\n");
     const auto settings = load_settings((folder / "museum.toml").string(), (folder / "house.toml").string());
@@ -75,8 +75,7 @@ TEST(KioskSettings, GoOnWithTheHousesWhereTheMuseumsCannotBeRead) {
     EXPECT_FALSE(mended->config.staff.locked);
 }
 
-TEST(KioskSettings, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskSettingsTest, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
     KioskSettings settings;
     settings.config = config_of(folder.path());
     settings.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
@@ -100,8 +99,7 @@ TEST(KioskSettings, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
     EXPECT_TRUE(settings.remarks.empty());
 }
 
-TEST(KioskSettings, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskSettingsTest, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
     KioskSettings settings;
     settings.config = config_of(folder.path());
     settings.config.sound.remember_staff = true;
@@ -115,7 +113,7 @@ TEST(KioskSettings, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
         << settings.remarks.front();
 }
 
-TEST(KioskSettings, SayWhatTheirPanelCannotKeep) {
+TEST_F(KioskSettingsTest, SayWhatTheirPanelCannotKeep) {
     kiosk::Config config;
     EXPECT_TRUE(panel_lacks(config, 1920, 1080).empty()) << "24 inches at 600 mm";
     EXPECT_TRUE(panel_lacks(config, 3840, 2160).empty());

@@ -19,8 +19,11 @@ std::string text_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(KioskStatistics, KeepsALineAVisitUnderOneLineOfNames) {
+struct KioskStatisticsTest : testing::Test {
     const test::TemporaryFolder folder;
+};
+
+TEST_F(KioskStatisticsTest, KeepsALineAVisitUnderOneLineOfNames) {
     ASSERT_TRUE(note_visit(folder.path() / "use", {95, kiosk::Screen::kKeep, true, 2}));
     ASSERT_TRUE(note_visit(folder.path() / "use", {12, kiosk::Screen::kChoose, false, 0}));
     const std::string text = text_of(folder.path() / "use" / "visits.csv");
@@ -31,8 +34,7 @@ TEST(KioskStatistics, KeepsALineAVisitUnderOneLineOfNames) {
     EXPECT_TRUE(std::regex_match(text, expected)) << text;
 }
 
-TEST(KioskStatistics, KeepsADayAndAnHourOfBreaksAndStarts) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskStatisticsTest, KeepsADayAndAnHourOfBreaksAndStarts) {
     ASSERT_TRUE(note_attract_break(folder.path()));
     ASSERT_TRUE(note_attract_break(folder.path()));
     ASSERT_TRUE(note_start(folder.path()));
@@ -42,8 +44,7 @@ TEST(KioskStatistics, KeepsADayAndAnHourOfBreaksAndStarts) {
     EXPECT_TRUE(std::regex_match(text_of(folder.path() / "starts.csv"), one));
 }
 
-TEST(KioskStatistics, KeepsCountsOfPhonesAndNothingOfWhom) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskStatisticsTest, KeepsCountsOfPhonesAndNothingOfWhom) {
     ASSERT_TRUE(note_phones(folder.path(), {.codes = 1}));
     ASSERT_TRUE(note_phones(folder.path(), {.pages = 3, .models = 2, .prints = 1}));
     const std::regex expected(
@@ -53,16 +54,14 @@ TEST(KioskStatistics, KeepsCountsOfPhonesAndNothingOfWhom) {
     EXPECT_TRUE(std::regex_match(text_of(folder.path() / "phones.csv"), expected));
 }
 
-TEST(KioskStatistics, SaysWhereItCouldNotWrite) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskStatisticsTest, SaysWhereItCouldNotWrite) {
     std::ofstream(folder.path() / "taken") << "a file where a folder is wanted";
     const auto noted = note_visit(folder.path() / "taken", {1, kiosk::Screen::kThrow, true, 0});
     ASSERT_FALSE(noted);
     EXPECT_NE(noted.error().message.find("visits.csv"), std::string::npos);
 }
 
-TEST(KioskStatistics, CountsADayByItsHours) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskStatisticsTest, CountsADayByItsHours) {
     std::ofstream(folder.path() / "visits.csv") << "day,hour,dwell_s,ended_on,thrown,kept\n"
                                                    "2026-11-20,10,900,keep,1,1\n"
                                                    "2026-11-21,10,95,keep,1,2\n"
@@ -86,8 +85,7 @@ TEST(KioskStatistics, CountsADayByItsHours) {
     EXPECT_EQ(use.starts, 2);
 }
 
-TEST(KioskStatistics, ReadsBackWhatItWroteAndNothingWhereNothingIs) {
-    const test::TemporaryFolder folder;
+TEST_F(KioskStatisticsTest, ReadsBackWhatItWroteAndNothingWhereNothingIs) {
     EXPECT_EQ(use_of(folder.path() / "nowhere", today()), UseOfDay{});
     ASSERT_TRUE(note_visit(folder.path(), {95, kiosk::Screen::kKeep, true, 2}));
     ASSERT_TRUE(note_attract_break(folder.path()));

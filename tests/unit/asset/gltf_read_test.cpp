@@ -59,7 +59,11 @@ void expect_refused(const Sample& sample, std::string_view words, const GltfLimi
     expect_refused(sample.bytes(), words, limits);
 }
 
-TEST(GltfRead, GivesBackWhatTheWriterWrote) {
+struct GltfRead : testing::Test {
+    Sample sample;
+};
+
+TEST_F(GltfRead, GivesBackWhatTheWriterWrote) {
     const Mesh mesh = tetrahedron();
     const auto bytes = encode_glb({.name = "pot",
                                    .generator = "test",
@@ -82,7 +86,7 @@ TEST(GltfRead, GivesBackWhatTheWriterWrote) {
     EXPECT_EQ(model->materials[0].metallic, 0.5);
 }
 
-TEST(GltfRead, ReadsTheWorkshop) {
+TEST_F(GltfRead, ReadsTheWorkshop) {
     std::ifstream file(test::in_checkout("assets/workshop/room.glb"), std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     ASSERT_FALSE(text.empty());
@@ -97,14 +101,13 @@ TEST(GltfRead, ReadsTheWorkshop) {
     }
 }
 
-TEST(GltfRead, MakesNormalsWhereTheFileHasNone) {
+TEST_F(GltfRead, MakesNormalsWhereTheFileHasNone) {
     const GltfModel model = read(Sample{});
     for (const vec3& normal : model.parts.at(0).mesh.normals)
         EXPECT_EQ(normal, vec3(0.0F, 0.0F, 1.0F));
 }
 
-TEST(GltfRead, PlacesAMeshByAllTheNodesAboveIt) {
-    Sample sample;
+TEST_F(GltfRead, PlacesAMeshByAllTheNodesAboveIt) {
     // A quarter turn about +Z, then ten along +X and twice as large; the mesh hangs below, one up.
     sample.tree["nodes"] = json::parse(R"([
         {"children": [1], "translation": [10, 0, 0], "rotation": [0, 0, 0.70710678, 0.70710678], "scale": [2, 2, 2]},
@@ -115,14 +118,12 @@ TEST(GltfRead, PlacesAMeshByAllTheNodesAboveIt) {
     EXPECT_LT(glm::distance(part.mesh.positions_m[1], vec3(8.0F, 2.0F, 0.0F)), 1e-5F);
 }
 
-TEST(GltfRead, TakesAMatrixInsteadOfItsParts) {
-    Sample sample;
+TEST_F(GltfRead, TakesAMatrixInsteadOfItsParts) {
     sample.tree["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 4, 5, 1};
     EXPECT_EQ(read(sample).parts.at(0).mesh.positions_m[0], vec3(3.0F, 4.0F, 5.0F));
 }
 
-TEST(GltfRead, KeepsTrianglesFacingOutwardsBelowAMirror) {
-    Sample sample;
+TEST_F(GltfRead, KeepsTrianglesFacingOutwardsBelowAMirror) {
     sample.tree["nodes"][0]["scale"] = {-1, 1, 1};
     const Mesh mesh = read(sample).parts.at(0).mesh;
     const vec3 a = mesh.positions_m[mesh.indices[0]];
@@ -132,8 +133,7 @@ TEST(GltfRead, KeepsTrianglesFacingOutwardsBelowAMirror) {
     EXPECT_GT(mesh.normals[0].z, 0.9F);
 }
 
-TEST(GltfRead, ReadsColoursAsLinearShares) {
-    Sample sample;
+TEST_F(GltfRead, ReadsColoursAsLinearShares) {
     sample.tree["accessors"].push_back(
         {{"bufferView", 2}, {"componentType", 5121}, {"normalized", true}, {"count", 3}, {"type", "VEC4"}});
     sample.tree["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 44}, {"byteLength", 12}});
@@ -149,7 +149,7 @@ TEST(GltfRead, ReadsColoursAsLinearShares) {
     EXPECT_EQ(model->parts[0].colours[0], vec4(1.0F, 0.0F, 0.2F, 1.0F));
 }
 
-TEST(GltfRead, RejectsWhatIsNoGlb) {
+TEST_F(GltfRead, RejectsWhatIsNoGlb) {
     expect_refused(std::span<const std::byte>(), "binary glTF 2.0");
     expect_refused(std::as_bytes(std::span("{\"asset\": {\"version\": \"2.0\"}}")), "binary glTF 2.0");
     std::vector<std::byte> old = Sample{}.bytes();
@@ -157,14 +157,14 @@ TEST(GltfRead, RejectsWhatIsNoGlb) {
     expect_refused(old, "binary glTF 2.0");
 }
 
-TEST(GltfRead, RejectsAFileCutAnywhere) {
+TEST_F(GltfRead, RejectsAFileCutAnywhere) {
     const std::vector<std::byte> whole = Sample{}.bytes();
     for (std::size_t length = 0; length < whole.size(); length += 7) {
         expect_refused(std::span(whole).first(length), "expected");
     }
 }
 
-TEST(GltfRead, SurvivesAnyByteChanged) {
+TEST_F(GltfRead, SurvivesAnyByteChanged) {
     const std::vector<std::byte> whole = Sample{}.bytes();
     for (std::size_t at = 0; at < whole.size(); ++at) {
         for (const auto value : {std::byte{0}, std::byte{'9'}, std::byte{'-'}, std::byte{0xFF}}) {
@@ -179,7 +179,7 @@ TEST(GltfRead, SurvivesAnyByteChanged) {
     }
 }
 
-TEST(GltfRead, RejectsWhatIsLargerThanItsLimits) {
+TEST_F(GltfRead, RejectsWhatIsLargerThanItsLimits) {
     expect_refused(Sample{}, "at most 100 bytes", {.max_bytes = 100});
     expect_refused(Sample{}, "1 to 2 elements", {.max_vertices = 2});
     Sample two;
@@ -189,14 +189,14 @@ TEST(GltfRead, RejectsWhatIsLargerThanItsLimits) {
     expect_refused(two, "elements", {.max_triangles = 2});
 }
 
-TEST(GltfRead, RejectsJsonAndNodesThatNestWithoutEnd) {
+TEST_F(GltfRead, RejectsJsonAndNodesThatNestWithoutEnd) {
     expect_refused(test::glb_of(std::string(100'000, '['), {}), "levels");
     Sample circle;
     circle.tree["nodes"][0]["children"] = {0};
     expect_refused(circle, "deep");
 }
 
-TEST(GltfRead, RejectsAnAccessorThatReachesPastItsData) {
+TEST_F(GltfRead, RejectsAnAccessorThatReachesPastItsData) {
     for (const auto& [path, value] :
          std::vector<std::pair<std::string, json>>{{"/accessors/0/count", 4},
                                                    {"/accessors/0/byteOffset", 4},
@@ -206,14 +206,13 @@ TEST(GltfRead, RejectsAnAccessorThatReachesPastItsData) {
                                                    {"/bufferViews/0/byteStride", 20},
                                                    {"/bufferViews/0/byteLength", 1'000'000},
                                                    {"/bufferViews/0/buffer", 3}}) {
-        Sample sample;
-        sample.tree[json::json_pointer(path)] = value;
-        expect_refused(sample, "expected");
+        Sample damaged;
+        damaged.tree[json::json_pointer(path)] = value;
+        expect_refused(damaged, "expected");
     }
 }
 
-TEST(GltfRead, RejectsIndicesThatPointNowhere) {
-    Sample sample;
+TEST_F(GltfRead, RejectsIndicesThatPointNowhere) {
     sample.indices = {0, 1, 3};
     expect_refused(sample, "past the last");
     sample = {};
@@ -230,8 +229,7 @@ TEST(GltfRead, RejectsIndicesThatPointNowhere) {
     expect_refused(sample, "material 5");
 }
 
-TEST(GltfRead, RejectsNumbersThatAreNotFinite) {
-    Sample sample;
+TEST_F(GltfRead, RejectsNumbersThatAreNotFinite) {
     sample.positions[4] = std::numeric_limits<float>::infinity();
     expect_refused(sample, "finite");
     sample = {};
@@ -239,8 +237,7 @@ TEST(GltfRead, RejectsNumbersThatAreNotFinite) {
     expect_refused(sample, "finite");
 }
 
-TEST(GltfRead, RejectsWhatIsNoPlainTriangles) {
-    Sample sample;
+TEST_F(GltfRead, RejectsWhatIsNoPlainTriangles) {
     sample.tree["meshes"][0]["primitives"][0]["mode"] = 1;
     expect_refused(sample, "triangles");
     sample = {};
@@ -258,8 +255,7 @@ TEST(GltfRead, RejectsWhatIsNoPlainTriangles) {
     expect_refused(sample, "positions");
 }
 
-TEST(GltfRead, RejectsReferencesOutOfTheFile) {
-    Sample sample;
+TEST_F(GltfRead, RejectsReferencesOutOfTheFile) {
     sample.tree["buffers"].push_back({{"byteLength", 44}, {"uri", "/etc/passwd"}});
     expect_refused(sample, "expected");
 }

@@ -20,8 +20,11 @@ struct Owner {
     std::unique_ptr<int> thing;
 };
 
-TEST(Registry, KnowsWhichEntitiesAreAlive) {
+struct RegistryTest : testing::Test {
     Registry registry;
+};
+
+TEST_F(RegistryTest, KnowsWhichEntitiesAreAlive) {
     EXPECT_FALSE(registry.alive(Entity{}));
     const Entity pot = registry.create();
     EXPECT_TRUE(registry.alive(pot));
@@ -29,8 +32,7 @@ TEST(Registry, KnowsWhichEntitiesAreAlive) {
     EXPECT_FALSE(registry.alive(pot));
 }
 
-TEST(Registry, DoesNotMistakeANewEntityForADestroyedOne) {
-    Registry registry;
+TEST_F(RegistryTest, DoesNotMistakeANewEntityForADestroyedOne) {
     const Entity old_pot = registry.create();
     registry.add(old_pot, Radius{60.0});
     registry.destroy(old_pot);
@@ -43,8 +45,7 @@ TEST(Registry, DoesNotMistakeANewEntityForADestroyedOne) {
     EXPECT_EQ(registry.find<Radius>(old_pot), nullptr);
 }
 
-TEST(Registry, DestroyingTwiceHarmsNobody) {
-    Registry registry;
+TEST_F(RegistryTest, DestroyingTwiceHarmsNobody) {
     const Entity first = registry.create();
     registry.destroy(first);
     registry.destroy(first);
@@ -53,8 +54,7 @@ TEST(Registry, DestroyingTwiceHarmsNobody) {
     EXPECT_NE(second.index, third.index);
 }
 
-TEST(Registry, ReplacesAComponentThatIsAddedAgain) {
-    Registry registry;
+TEST_F(RegistryTest, ReplacesAComponentThatIsAddedAgain) {
     const Entity pot = registry.create();
     registry.add(pot, Radius{60.0});
     registry.add(pot, Radius{40.0});
@@ -64,8 +64,7 @@ TEST(Registry, ReplacesAComponentThatIsAddedAgain) {
     EXPECT_EQ(visits, 1);
 }
 
-TEST(Registry, VisitsThoseThatHaveAllComponents) {
-    Registry registry;
+TEST_F(RegistryTest, VisitsThoseThatHaveAllComponents) {
     const Entity both = registry.create();
     const Entity only_radius = registry.create();
     registry.add(both, Radius{1.0});
@@ -83,8 +82,7 @@ TEST(Registry, VisitsThoseThatHaveAllComponents) {
     EXPECT_EQ(registry.get<Radius>(only_radius).mm, 2.0);
 }
 
-TEST(Registry, HoldsComponentsThatCannotBeCopied) {
-    Registry registry;
+TEST_F(RegistryTest, HoldsComponentsThatCannotBeCopied) {
     const Entity entity = registry.create();
     registry.add(entity, Owner{std::make_unique<int>(7)});
     EXPECT_EQ(*registry.get<Owner>(entity).thing, 7);
@@ -93,8 +91,7 @@ TEST(Registry, HoldsComponentsThatCannotBeCopied) {
 }
 
 // Against a map, over many random calls: the sparse set must never lose, mix up or invent a component.
-TEST(Registry, AgreesWithAPlainMapOverRandomCalls) {
-    Registry registry;
+TEST_F(RegistryTest, AgreesWithAPlainMapOverRandomCalls) {
     std::vector<Entity> ever;
     std::map<std::size_t, double> expected;  // by position in ever
     std::mt19937 random(20240607);

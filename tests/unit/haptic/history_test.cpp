@@ -49,16 +49,18 @@ struct Wheel {
     History history;
 };
 
-TEST(History, HoldsTheClayThatIsOnTheWheel) {
+struct HistoryTest : testing::Test {
     Wheel wheel;
+};
+
+TEST_F(HistoryTest, HoldsTheClayThatIsOnTheWheel) {
     wheel.throw_until(kTicks);
     EXPECT_TRUE(wheel.history.is_whole());
     EXPECT_EQ(wheel.history.state().hash(), wheel.state.hash());
     EXPECT_EQ(wheel.history.checkpoint_count(), 10U) << "one a second, and the start";
 }
 
-TEST(History, GoesBackToAnyTickToTheBit) {
-    Wheel wheel;
+TEST_F(HistoryTest, GoesBackToAnyTickToTheBit) {
     std::vector<std::uint64_t> hashes;
     while (wheel.state.ticks < kTicks) {
         if (wheel.state.ticks % 333 == 0) hashes.push_back(wheel.state.hash());
@@ -68,8 +70,7 @@ TEST(History, GoesBackToAnyTickToTheBit) {
         ASSERT_EQ(wheel.history.state_at(333 * i).value().hash(), hashes[i]) << "tick " << 333 * i;
 }
 
-TEST(History, TellsTheMovesApart) {
-    Wheel wheel;
+TEST_F(HistoryTest, TellsTheMovesApart) {
     wheel.throw_until(kTicks);
     const auto moves = wheel.history.moves();
     ASSERT_EQ(moves.size(), 4U);
@@ -82,8 +83,7 @@ TEST(History, TellsTheMovesApart) {
         EXPECT_GE(moves[i].first_tick, moves[i - 1].end_tick);
 }
 
-TEST(History, UndoesOneMoveAfterAnother) {
-    Wheel wheel;
+TEST_F(HistoryTest, UndoesOneMoveAfterAnother) {
     wheel.throw_until(kTicks);
     const std::uint64_t cut = wheel.state.studio()->ledger().trimmings_mm3 > 0.0 ? 1 : 0;
     ASSERT_EQ(cut, 1U);
@@ -103,8 +103,7 @@ TEST(History, UndoesOneMoveAfterAnother) {
     EXPECT_EQ(wheel.state.studio()->ledger().trimmings_mm3, 0.0);
 }
 
-TEST(History, GoesOnFromWhereItWasTakenBackTo) {
-    Wheel wheel;
+TEST_F(HistoryTest, GoesOnFromWhereItWasTakenBackTo) {
     wheel.throw_until(kTicks);
     wheel.state = wheel.history.state_at(2000).value();
     wheel.tick(2000, TickRecord::kStatePut);
@@ -116,8 +115,7 @@ TEST(History, GoesOnFromWhereItWasTakenBackTo) {
     EXPECT_EQ(wheel.history.state_at(3000).value().hash(), straight.history.state_at(3000).value().hash());
 }
 
-TEST(History, BeginsAnewWithAFreshLump) {
-    Wheel wheel;
+TEST_F(HistoryTest, BeginsAnewWithAFreshLump) {
     wheel.throw_until(1500);
     wheel.state.restart_from(test::studio_start());
     wheel.tick(0, TickRecord::kFreshLump);
@@ -127,8 +125,7 @@ TEST(History, BeginsAnewWithAFreshLump) {
     EXPECT_EQ(wheel.history.checkpoint_count(), 1U);
 }
 
-TEST(History, SaysSoWhenARecordIsMissing) {
-    Wheel wheel;
+TEST_F(HistoryTest, SaysSoWhenARecordIsMissing) {
     wheel.throw_until(100);
     haptic::tick(wheel.state, test::studio_hand(100, kHistoryRateHz),
                  wheel.parameters);  // nobody recorded it
@@ -139,7 +136,7 @@ TEST(History, SaysSoWhenARecordIsMissing) {
     EXPECT_TRUE(wheel.history.is_whole());
 }
 
-TEST(History, ThinsItsCheckpointsOutRatherThanGrowForEver) {
+TEST_F(HistoryTest, ThinsItsCheckpointsOutRatherThanGrowForEver) {
     Wheel few({.checkpoint_s = 0.1, .most_bytes = 200'000});
     few.throw_until(kTicks);
     EXPECT_LE(few.history.checkpoint_bytes(), 200'000U);
@@ -150,8 +147,7 @@ TEST(History, ThinsItsCheckpointsOutRatherThanGrowForEver) {
     EXPECT_EQ(few.history.state_at(1234).value().hash(), all.history.state_at(1234).value().hash());
 }
 
-TEST(History, LetsGoOfStatesAndCanStillWorkThemOut) {
-    Wheel wheel;
+TEST_F(HistoryTest, LetsGoOfStatesAndCanStillWorkThemOut) {
     wheel.throw_until(3000);
     const std::uint64_t before = wheel.history.state_at(1700).value().hash();
     wheel.history.let_go_of_states();
@@ -163,7 +159,7 @@ TEST(History, LetsGoOfStatesAndCanStillWorkThemOut) {
     EXPECT_LT(wheel.history.ticks_to_replay(kTicks), 500U) << "what comes is kept as before";
 }
 
-TEST(History, IsTheSameWhereItIsSpillFile) {
+TEST_F(HistoryTest, IsTheSameWhereItIsSpillFile) {
     const test::TemporaryFolder folder;
     HapticParameters parameters = parameters_at(kHistoryRateHz);
     History aside(test::studio_start(), parameters, {.aside = folder / "state"});
@@ -179,9 +175,8 @@ TEST(History, IsTheSameWhereItIsSpillFile) {
     EXPECT_EQ(test::content_of(folder / "aside"), test::content_of(folder / "in-memory"));
 }
 
-TEST(History, IsSavedAsASessionThatReplays) {
+TEST_F(HistoryTest, IsSavedAsASessionThatReplays) {
     const test::TemporaryFolder folder;
-    Wheel wheel;
     wheel.throw_until(kTicks);
     wheel.state = wheel.history.state_at(3100).value();
     wheel.tick(9000, TickRecord::kStatePut);
@@ -212,9 +207,8 @@ haptics::ToolState landing_and_lifting(std::uint64_t tick) {
     return tool;
 }
 
-TEST(History, KeepsWhenAFingerPressesAndWhenItLetsGo) {
+TEST_F(HistoryTest, KeepsWhenAFingerPressesAndWhenItLetsGo) {
     const test::TemporaryFolder folder;
-    Wheel wheel;
     std::vector<std::uint64_t> hashes;
     while (wheel.state.ticks < kTicks) {
         if (wheel.state.ticks % 331 == 0) hashes.push_back(wheel.state.hash());
@@ -231,9 +225,8 @@ TEST(History, KeepsWhenAFingerPressesAndWhenItLetsGo) {
     EXPECT_EQ(session->blocks().back().state_hash, wheel.state.hash());
 }
 
-TEST(History, WritesASessionWhileItGoesOn) {
+TEST_F(HistoryTest, WritesASessionWhileItGoesOn) {
     const test::TemporaryFolder folder;
-    Wheel wheel;
     auto writer = wheel.history.begin_session(folder / "growing.onggi", files::Beside::kNameless);
     ASSERT_TRUE(writer) << writer.error().message;
     const std::uint64_t lineage = wheel.history.lineage();
@@ -249,8 +242,7 @@ TEST(History, WritesASessionWhileItGoesOn) {
     EXPECT_EQ(test::content_of(folder / "growing.onggi"), test::content_of(folder / "at-once.onggi"));
 }
 
-TEST(History, CountsEveryTimeItWentAnotherWay) {
-    Wheel wheel;
+TEST_F(HistoryTest, CountsEveryTimeItWentAnotherWay) {
     wheel.throw_until(1500);
     const std::uint64_t first = wheel.history.lineage();
     wheel.state = wheel.history.state_at(1200).value();
@@ -261,9 +253,8 @@ TEST(History, CountsEveryTimeItWentAnotherWay) {
     EXPECT_EQ(wheel.history.lineage(), first + 2);
 }
 
-TEST(History, IsTheSameWhenItsToolsArePlayedBack) {
+TEST_F(HistoryTest, IsTheSameWhenItsToolsArePlayedBack) {
     const test::TemporaryFolder folder;
-    Wheel wheel;
     wheel.throw_until(kTicks);
     ASSERT_TRUE(wheel.history.save(folder / "lived.onggi"));
     auto session = record::parse_session(test::content_of(folder / "lived.onggi"), "lived.onggi");
@@ -328,7 +319,7 @@ TEST_F(FiveMinutes, OfDentsAreTakenBackByReplayingFewSeconds) {
 }
 #endif
 
-TEST(History, KeepsCheckpointsCloserAtAHigherRate) {
+TEST_F(HistoryTest, KeepsCheckpointsCloserAtAHigherRate) {
     HapticParameters parameters = parameters_at(10'000.0);
     History history(test::studio_start(), parameters);
     for (std::uint64_t tick = 0; tick < 10'001; ++tick)

@@ -21,8 +21,11 @@ ToolState with_button(ToolState tool, bool held) {
     return tool;
 }
 
-TEST(HapticTick, GivesTheForcesOfTheClay) {
+struct HapticTick : testing::Test {
     HapticState state;
+};
+
+TEST_F(HapticTick, GivesTheForcesOfTheClay) {
     const HapticParameters parameters;
     clay::PaperClay clay;
     for (std::uint64_t k = 0; k < 4000; ++k) {
@@ -36,8 +39,7 @@ TEST(HapticTick, GivesTheForcesOfTheClay) {
     EXPECT_EQ(state.paper()->state_hash(), clay.state_hash());
 }
 
-TEST(HapticTick, TurnsTheWheelExactlyWhileTheButtonIsHeld) {
-    HapticState state;
+TEST_F(HapticTick, TurnsTheWheelExactlyWhileTheButtonIsHeld) {
     const HapticParameters parameters;
     for (int k = 0; k < 100; ++k)
         tick(state, kAway, parameters);
@@ -54,8 +56,7 @@ TEST(HapticTick, TurnsTheWheelExactlyWhileTheButtonIsHeld) {
     EXPECT_EQ(state.wheel.heading().sine, sine);
 }
 
-TEST(HapticTick, LimitsWhatGoesToTheDeviceButNotWhatIsRecorded) {
-    HapticState state;
+TEST_F(HapticTick, LimitsWhatGoesToTheDeviceButNotWhatIsRecorded) {
     const HapticParameters parameters;
     const ToolState deep{.position_mm = {30.0, 100.013, 0.0}, .radius_mm = 10.0};
     const TickResult first = tick(state, deep, parameters);
@@ -75,8 +76,7 @@ TEST(HapticTick, LimitsWhatGoesToTheDeviceButNotWhatIsRecorded) {
     EXPECT_NEAR(glm::length(later.limited_force_n), 3.3, 1e-9);
 }
 
-TEST(HapticTick, HashesEveryThousandTicks) {
-    HapticState state;
+TEST_F(HapticTick, HashesEveryThousandTicks) {
     const HapticParameters parameters;
     for (std::uint64_t k = 1; k <= 3500; ++k) {
         const TickResult result = tick(state, test::scripted_tool(k), parameters);
@@ -87,7 +87,7 @@ TEST(HapticTick, HashesEveryThousandTicks) {
     }
 }
 
-TEST(HapticTick, IsTheSameForTheSameInput) {
+TEST_F(HapticTick, IsTheSameForTheSameInput) {
     HapticState one;
     HapticState other;
     const HapticParameters parameters;
@@ -115,8 +115,7 @@ TEST(HapticState, HashesClayWheelAndCount) {
     EXPECT_NE(turned.hash(), pressed.hash());
 }
 
-TEST(HapticTick, KeepsTheLastGoodToolWhenTheDeviceTalksNonsenseAndLatchesAFault) {
-    HapticState state;
+TEST_F(HapticTick, KeepsTheLastGoodToolWhenTheDeviceTalksNonsenseAndLatchesAFault) {
     const HapticParameters parameters;
     tick(state, kInTheWall, parameters);
     const ToolState nonsense{.position_mm = {kNan, 0.0, 0.0}, .radius_mm = kNan, .wheel_button = true};
@@ -127,8 +126,7 @@ TEST(HapticTick, KeepsTheLastGoodToolWhenTheDeviceTalksNonsenseAndLatchesAFault)
     EXPECT_EQ(result.limited_force_n, dvec3(0.0));
 }
 
-TEST(HapticTick, TouchesNothingWhenTheVeryFirstToolIsNonsense) {
-    HapticState state;
+TEST_F(HapticTick, TouchesNothingWhenTheVeryFirstToolIsNonsense) {
     const std::uint64_t clay_before = HapticState().paper()->state_hash();
     const TickResult result =
         tick(state, {.position_mm = dvec3(kNan), .wheel_button = true}, HapticParameters{});
@@ -138,7 +136,7 @@ TEST(HapticTick, TouchesNothingWhenTheVeryFirstToolIsNonsense) {
     EXPECT_EQ(clay_before, HapticState().paper()->state_hash());
 }
 
-TEST(HapticTick, RecordsToolsThatReplayToTheSameState) {
+TEST_F(HapticTick, RecordsToolsThatReplayToTheSameState) {
     // What was wild live is tame in the record, and the record gives the same clay.
     HapticState live;
     HapticState replayed;

@@ -21,8 +21,11 @@ class Silenced final : public HapticDevice {
     std::atomic<int> times{0};
 };
 
-TEST(Watchdog, LetsTheDeviceGoWhenTheLoopStandsStill) {
+struct WatchdogTest : testing::Test {
     Silenced device;
+};
+
+TEST_F(WatchdogTest, LetsTheDeviceGoWhenTheLoopStandsStill) {
     Watchdog watchdog(device, {});
     std::int64_t now_ns = 7 * kMs;
     for (int k = 0; k < 100; ++k, now_ns += kMs) {
@@ -43,8 +46,7 @@ TEST(Watchdog, LetsTheDeviceGoWhenTheLoopStandsStill) {
     EXPECT_EQ(watchdog.silences(), 1U);
 }
 
-TEST(Watchdog, ForgivesALoopThatBeatsAgain) {
-    Silenced device;
+TEST_F(WatchdogTest, ForgivesALoopThatBeatsAgain) {
     Watchdog watchdog(device, {});
     watchdog.beat();
     std::int64_t now_ns = 0;
@@ -59,8 +61,7 @@ TEST(Watchdog, ForgivesALoopThatBeatsAgain) {
     EXPECT_EQ(device.times, before);
 }
 
-TEST(Watchdog, WaitsForALoopThatIsSlowByDesign) {
-    Silenced device;
+TEST_F(WatchdogTest, WaitsForALoopThatIsSlowByDesign) {
     Watchdog watchdog(device, {.rate_hz = 100.0});
     std::int64_t now_ns = 0;
     for (int k = 0; k < 1000; ++k) {
@@ -70,8 +71,7 @@ TEST(Watchdog, WaitsForALoopThatIsSlowByDesign) {
     EXPECT_EQ(device.times, 0);
 }
 
-TEST(Watchdog, ExpectsNothingBeforeTheFirstBeatAndTheFirstPicture) {
-    Silenced device;
+TEST_F(WatchdogTest, ExpectsNothingBeforeTheFirstBeatAndTheFirstPicture) {
     Watchdog watchdog(device, {});
     for (int k = 0; k < 10'000; ++k)
         (void)watchdog.round(k * kMs);
@@ -79,8 +79,7 @@ TEST(Watchdog, ExpectsNothingBeforeTheFirstBeatAndTheFirstPicture) {
     EXPECT_FALSE(watchdog.picture_stands_still());
 }
 
-TEST(Watchdog, TellsAPictureThatStandsStillFromASlowOne) {
-    Silenced device;
+TEST_F(WatchdogTest, TellsAPictureThatStandsStillFromASlowOne) {
     Watchdog watchdog(device, {});
     std::int64_t now_ns = 0;
     for (int k = 0; k < 10'000; ++k) {
@@ -96,8 +95,7 @@ TEST(Watchdog, TellsAPictureThatStandsStillFromASlowOne) {
     EXPECT_FALSE(watchdog.picture_stands_still());
 }
 
-TEST(Watchdog, WorksOnAThreadOfItsOwn) {
-    Silenced device;
+TEST_F(WatchdogTest, WorksOnAThreadOfItsOwn) {
     Watchdog watchdog(device, {});
     watchdog.beat();
     jobs::IoThread thread;

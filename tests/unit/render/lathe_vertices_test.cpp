@@ -47,23 +47,24 @@ struct Built {
     std::vector<shaders::VertexData> vertices;
 };
 
-TEST(LatheVertices, EncloseTheClayWithFacesThatLookOutOfIt) {
+struct LatheVertices : testing::Test {
     const Cylinder pot;
+};
+
+TEST_F(LatheVertices, EncloseTheClayWithFacesThatLookOutOfIt) {
     const Built built(pot.lathe(0.0F));
     const double expected = 3.14159265358979 * (50.0 * 50.0 * 100.0 - 45.0 * 45.0 * 90.0);
     // The polygon straddles the circle, so its area is a little larger than the inscribed one's.
     EXPECT_NEAR(built.volume_mm3() / expected, 1.0, 0.01);
 }
 
-TEST(LatheVertices, CloseEveryRowToTheBit) {
-    const Cylinder pot;
+TEST_F(LatheVertices, CloseEveryRowToTheBit) {
     const Built built(pot.lathe());
     for (std::size_t row = 0; row < built.rows.size(); ++row)
         EXPECT_EQ(built.at(row, 0).place, built.at(row, kSectors).place) << row;
 }
 
-TEST(LatheVertices, DentWhereTheMapSaysAndTurnItWithTheWheel) {
-    const Cylinder pot;
+TEST_F(LatheVertices, DentWhereTheMapSaysAndTurnItWithTheWheel) {
     // Between sectors 15 and 16 of 64 counter-clockwise from +X lies -Z.
     std::vector<float> dents(8 * kDentSectors, 0.0F);
     for (std::size_t row = 0; row < 8; ++row)
@@ -92,8 +93,7 @@ TEST(LatheVertices, DentWhereTheMapSaysAndTurnItWithTheWheel) {
     EXPECT_NEAR(turned.y, 0.0F, 0.5F);
 }
 
-TEST(LatheVertices, MoveBothFacesOfADentedWallAlike) {
-    const Cylinder pot;
+TEST_F(LatheVertices, MoveBothFacesOfADentedWallAlike) {
     std::vector<float> dents(4 * kDentSectors, 1.5F);
     Lathe lathe = pot.lathe();
     lathe.dents_mm = dents;
@@ -107,8 +107,7 @@ TEST(LatheVertices, MoveBothFacesOfADentedWallAlike) {
     EXPECT_FLOAT_EQ(largest_offset_mm(lathe), 1.5F);
 }
 
-TEST(LatheVertices, LeanTheWayOutwardsAcrossADent) {
-    const Cylinder pot;
+TEST_F(LatheVertices, LeanTheWayOutwardsAcrossADent) {
     std::vector<float> dents(4 * kDentSectors);
     for (std::size_t i = 0; i < dents.size(); ++i)
         dents[i] =
@@ -123,8 +122,7 @@ TEST(LatheVertices, LeanTheWayOutwardsAcrossADent) {
     EXPECT_NEAR(std::hypot(lean.x, lean.z), 1.0F, 1e-4F);
 }
 
-TEST(LatheVertices, CarryAPotOffItsCentreRoundTheAxis) {
-    const Cylinder pot;
+TEST_F(LatheVertices, CarryAPotOffItsCentreRoundTheAxis) {
     const std::vector<vec2> centres(pot.outer.size(), vec2(6.0F, 0.0F));
     Lathe lathe = pot.lathe();
     lathe.centre_mm = centres;
@@ -139,8 +137,7 @@ TEST(LatheVertices, CarryAPotOffItsCentreRoundTheAxis) {
     EXPECT_FLOAT_EQ(largest_offset_mm(lathe), 6.0F);
 }
 
-TEST(LatheVertices, CutOpenKeepOnlyWhatLiesBehindTheSection) {
-    const Cylinder pot;
+TEST_F(LatheVertices, CutOpenKeepOnlyWhatLiesBehindTheSection) {
     Lathe lathe = pot.lathe();
     lathe.cut = LatheCut{.towards_rad = 0.3F};
     const vec2 facing(std::sin(0.3F), std::cos(0.3F));

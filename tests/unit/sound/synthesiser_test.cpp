@@ -34,30 +34,32 @@ std::vector<double> heard(const SoundScene& scene) {
     return left_of(played(synthesiser, scene, 0.5));
 }
 
-TEST(Synthesiser, IsExactlySilentWhenNothingMoves) {
+struct SynthesiserTest : ::testing::Test {
+    Synthesiser synthesiser;
+};
+
+TEST_F(SynthesiserTest, IsExactlySilentWhenNothingMoves) {
     for (const double sample : heard({.volume = 1.0}))
         ASSERT_EQ(sample, 0.0);
-    Synthesiser synthesiser;
     played(synthesiser, kPressing, 1.0);
     played(synthesiser, {.volume = 1.0}, 4.0);
     for (const double sample : left_of(played(synthesiser, {.volume = 1.0}, 0.1)))
         ASSERT_EQ(sample, 0.0) << "and again after it has come to rest";
 }
 
-TEST(Synthesiser, RoarsLowAndUnevenlyWhileTheKilnBurns) {
+TEST_F(SynthesiserTest, RoarsLowAndUnevenlyWhileTheKilnBurns) {
     constexpr SoundScene kFiring{.fire_burns = true, .volume = 1.0};
     EXPECT_LT(level_db(heard(kFiring)), -18.0);
     EXPECT_GT(level_db(heard(kFiring)), -34.0);
     EXPECT_LT(brightness_hz(heard(kFiring)), brightness_hz(heard(kPressing)));
     EXPECT_LT(brightness_hz(heard(kFiring)), 300.0);
-    Synthesiser synthesiser;
     played(synthesiser, kFiring, 1.0);
     const auto fading = left_of(played(synthesiser, {.volume = 1.0}, 6.0));
     EXPECT_LT(largest_step(fading), 0.02) << "no click";
     EXPECT_EQ(fading.back(), 0.0) << "and then exactly nothing";
 }
 
-TEST(Synthesiser, IsCalm) {
+TEST_F(SynthesiserTest, IsCalm) {
     for (const SoundScene& scene : {kTurning, kPressing}) {
         EXPECT_LT(level_db(heard(scene)), -18.0);
         EXPECT_GT(level_db(heard(scene)), -32.0);
@@ -76,8 +78,7 @@ std::vector<double> right_of(const std::vector<Sample>& samples) {
     return right;
 }
 
-TEST(Synthesiser, TestsOneLoudspeakerAfterTheOtherAndThenBothOnce) {
-    Synthesiser synthesiser;
+TEST_F(SynthesiserTest, TestsOneLoudspeakerAfterTheOtherAndThenBothOnce) {
     played(synthesiser, {.chimes = 3, .volume = 1.0}, 0.5);
     for (const double sample : left_of(played(synthesiser, {.chimes = 3, .volume = 1.0}, 0.2)))
         ASSERT_EQ(sample, 0.0) << "what was asked for before it listened is no wish";
@@ -96,7 +97,7 @@ TEST(Synthesiser, TestsOneLoudspeakerAfterTheOtherAndThenBothOnce) {
         ASSERT_EQ(sample, 0.0);
 }
 
-TEST(Synthesiser, RisesWithTheWheel) {
+TEST_F(SynthesiserTest, RisesWithTheWheel) {
     double last_hz = 0.0;
     for (const double rev_min : {30.0, 60.0, 120.0, 240.0}) {
         const double hz = brightness_hz(heard({.wheel_rev_min = rev_min, .volume = 1.0}));
@@ -106,7 +107,7 @@ TEST(Synthesiser, RisesWithTheWheel) {
     EXPECT_LT(last_hz, 400.0) << "a hum, no whine";
 }
 
-TEST(Synthesiser, CarriesTheForceInLoudnessAndBrightness) {
+TEST_F(SynthesiserTest, CarriesTheForceInLoudnessAndBrightness) {
     double last_db = level_db(heard(kTurning));
     double last_hz = brightness_hz(heard(kTurning));
     for (const double force_n : {0.3, 1.0, 3.0}) {
@@ -120,11 +121,11 @@ TEST(Synthesiser, CarriesTheForceInLoudnessAndBrightness) {
     }
 }
 
-TEST(Synthesiser, HearsNothingOfATouchOnAStandingWheel) {
+TEST_F(SynthesiserTest, HearsNothingOfATouchOnAStandingWheel) {
     EXPECT_LT(level_db(heard({.contact_n = 3.0, .wetness = 1.0, .volume = 1.0})), -100.0);
 }
 
-TEST(Synthesiser, MakesWetClayDarkAndAnEdgeBright) {
+TEST_F(SynthesiserTest, MakesWetClayDarkAndAnEdgeBright) {
     SoundScene dry = kPressing;
     dry.wetness = 0.0;
     SoundScene wet = kPressing;
@@ -135,8 +136,7 @@ TEST(Synthesiser, MakesWetClayDarkAndAnEdgeBright) {
     EXPECT_GT(brightness_hz(heard(scraped)), 1.5 * brightness_hz(heard(dry)));
 }
 
-TEST(Synthesiser, SlapsOncePerLump) {
-    Synthesiser synthesiser;
+TEST_F(SynthesiserTest, SlapsOncePerLump) {
     SoundScene scene{.slaps = 7, .volume = 1.0};
     EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.5))), -100.0) << "the first count is no slap";
     scene.slaps = 8;
@@ -146,8 +146,7 @@ TEST(Synthesiser, SlapsOncePerLump) {
     EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.5))), -100.0) << "it is over";
 }
 
-TEST(Synthesiser, PlucksATautStringOnceHoweverLongItIsHeld) {
-    Synthesiser synthesiser;
+TEST_F(SynthesiserTest, PlucksATautStringOnceHoweverLongItIsHeld) {
     SoundScene scene{.volume = 1.0};
     EXPECT_LT(level_db(left_of(played(synthesiser, scene, 0.2))), -100.0);
     scene.is_plucked = true;
@@ -162,8 +161,7 @@ TEST(Synthesiser, PlucksATautStringOnceHoweverLongItIsHeld) {
 }
 
 // A click is a step between samples far beyond those of the sound around it.
-TEST(Synthesiser, NeverClicksHoweverTheSceneJumps) {
-    Synthesiser synthesiser;
+TEST_F(SynthesiserTest, NeverClicksHoweverTheSceneJumps) {
     double usual = 0.0;
     for (const SoundScene& scene : {kPressing, kTurning})
         usual = std::max(usual, largest_step(heard(scene)));
@@ -183,8 +181,7 @@ TEST(Synthesiser, NeverClicksHoweverTheSceneJumps) {
     EXPECT_LT(largest_step(all), 1.5 * usual);
 }
 
-TEST(Synthesiser, StaysWithinItsBoundsWhateverItIsTold) {
-    Synthesiser synthesiser;
+TEST_F(SynthesiserTest, StaysWithinItsBoundsWhateverItIsTold) {
     for (const double wild : {1e300, -1e300, std::numeric_limits<double>::infinity(), kNan, -5.0}) {
         const SoundScene scene{.wheel_rev_min = wild,
                                .motor_load = wild,
@@ -201,10 +198,9 @@ TEST(Synthesiser, StaysWithinItsBoundsWhateverItIsTold) {
     }
 }
 
-TEST(Synthesiser, IsHeardWhereTheToolIs) {
+TEST_F(SynthesiserTest, IsHeardWhereTheToolIs) {
     SoundScene scene = kPressing;
     scene.place = 1.0;
-    Synthesiser synthesiser;
     played(synthesiser, scene, 0.6);
     double left = 0.0;
     double right = 0.0;
@@ -215,7 +211,7 @@ TEST(Synthesiser, IsHeardWhereTheToolIs) {
     EXPECT_GT(right, 1.5 * left);
 }
 
-TEST(Synthesiser, GivesTheSameSamplesHoweverTheyAreCutIntoBlocks) {
+TEST_F(SynthesiserTest, GivesTheSameSamplesHoweverTheyAreCutIntoBlocks) {
     Synthesiser whole;
     Synthesiser cut;
     const auto expected = played(whole, kPressing, 0.5);
@@ -227,8 +223,7 @@ TEST(Synthesiser, GivesTheSameSamplesHoweverTheyAreCutIntoBlocks) {
 }
 
 // The same everywhere: both compilers, with and without optimisation.
-TEST(Synthesiser, GivesTheSameSamplesOnEveryMachine) {
-    Synthesiser synthesiser;
+TEST_F(SynthesiserTest, GivesTheSameSamplesOnEveryMachine) {
     StateHash hash;
     SoundScene scene = kPressing;
     for (std::uint32_t second = 0; second < 4; ++second) {
