@@ -106,13 +106,13 @@ function(onggi_test_program NAME)
     endif()
 endfunction()
 
-# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds LASTS seconds ENVIRONMENT ... SERIAL): one
+# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... TIMEOUT seconds LASTS seconds ENVIRONMENT ...): one
 # GoogleTest program, one ctest entry. APART: as in onggi_library. LASTS: about how long, of a long one, which then begins
-# before the short ones and is not alone at the end. SERIAL: it talks to a device or a service in real time, and wants the
-# machine to itself. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress, house, cli, install,
-# window, tools, swiftshader, gpu, nightly; and picture for what draws with Vulkan outside golden.
+# before the short ones and is not alone at the end. Labels: unit, paper, studio, haptics, replay, golden, device, export,
+# stress, house, cli, install, window, tools, swiftshader, gpu, nightly; and picture for what draws with Vulkan outside
+# golden.
 function(onggi_test NAME)
-    cmake_parse_arguments(ARG "SERIAL" "TIMEOUT;LASTS" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
+    cmake_parse_arguments(ARG "" "TIMEOUT;LASTS" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT" ${ARGN})
     set(fast)
     if("bench" IN_LIST ARG_LABELS)
         set(fast FAST)
@@ -124,8 +124,7 @@ function(onggi_test NAME)
     endif()
     math(EXPR limit_s "${ARG_TIMEOUT} * ${ONGGI_PATIENCE}")
     add_test(NAME ${NAME} COMMAND ${NAME})
-    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${limit_s} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL}
-        ENVIRONMENT "${ARG_ENVIRONMENT}")
+    set_tests_properties(${NAME} PROPERTIES TIMEOUT ${limit_s} LABELS "${ARG_LABELS}" ENVIRONMENT "${ARG_ENVIRONMENT}")
     if(ARG_LASTS)
         set_property(TEST ${NAME} PROPERTY COST ${ARG_LASTS})
     endif()

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <ostream>
 #include <set>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tests/unit/kiosk/visitor.h"
 
@@ -15,15 +17,16 @@ namespace {
 
 constexpr std::array kValues{-1, 0, 1, 3, 8};  // none, good ones, too large for each list
 
-// Of a state, what decides how it goes on.
-using Key = std::tuple<int, int, int, int, int, bool, bool, bool, bool, bool, bool>;
+// Of a state, what decides how it goes on; bytes, because half a million of them are compared.
+using Key = std::array<std::uint8_t, 12>;
 
 Key key_of(const State& state) {
-    return {static_cast<int>(state.screen),
-            static_cast<int>(state.panel),
-            static_cast<int>(state.keeping.outcome),
-            static_cast<int>(state.firing),
-            static_cast<int>(state.throwing.jar.step) + (state.trimming.is_offered ? 8 : 0),
+    return {static_cast<std::uint8_t>(state.screen),
+            static_cast<std::uint8_t>(state.panel),
+            static_cast<std::uint8_t>(state.keeping.outcome),
+            static_cast<std::uint8_t>(state.firing),
+            static_cast<std::uint8_t>(state.throwing.jar.step),
+            state.trimming.is_offered,
             state.throwing.jar.is_bowl,
             state.interrupted_session,
             state.throwing.target.has_value(),
@@ -79,9 +82,9 @@ struct After {
     const Event& event;
 
     friend std::ostream& operator<<(std::ostream& out, const After& after) {
-        return out << "screen " << std::get<0>(after.where) << " panel " << std::get<1>(after.where)
-                   << ", event " << static_cast<int>(after.event.kind) << " button "
-                   << static_cast<int>(after.event.button) << " value " << after.event.value;
+        return out << "screen " << int{after.where[0]} << " panel " << int{after.where[1]} << ", event "
+                   << static_cast<int>(after.event.kind) << " button " << static_cast<int>(after.event.button)
+                   << " value " << after.event.value;
     }
 };
 
@@ -138,8 +141,8 @@ TEST_F(EveryEvent, ReachesEveryScreenAndEveryPanel) {
     std::map<int, int> screens;
     std::map<int, int> panels;
     for (const auto& [key, visitor] : visitors) {
-        ++screens[std::get<0>(key)];
-        ++panels[std::get<1>(key)];
+        ++screens[key[0]];
+        ++panels[key[1]];
     }
     EXPECT_EQ(screens.size(), static_cast<std::size_t>(kScreenCount));
     EXPECT_EQ(panels.size(), static_cast<std::size_t>(kPanelCount));
@@ -155,7 +158,7 @@ TEST_F(EveryEvent, LeavesAStateThatIsWhole) {
 
 TEST_F(EveryEvent, EndsInAttractWhenTheVisitorWalksAway) {
     // From a place that was left alone once it goes on as it went then.
-    std::set<std::tuple<Key, bool>> walked_away;
+    std::set<std::pair<Key, bool>> walked_away;
     for_each_event([&](Visitor visitor, const Event& event, const After& after) {
         visitor.does(event);
         if (visitor.state.screen == Screen::kFault) return;
