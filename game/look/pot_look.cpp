@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "engine/render/shapes/detail_texture.h"
 #include "engine/render/shapes/frame_build.h"
@@ -15,12 +16,12 @@ namespace onggi::look {
 namespace {
 
 vec4 texel(int x, int y) {
+    const std::vector<std::uint8_t>& texels = render::detail_texture();
     constexpr int kLast = render::kDetailTexels - 1;
     const auto first = static_cast<std::size_t>(4 * ((y & kLast) * render::kDetailTexels + (x & kLast)));
     vec4 value;
     for (int channel = 0; channel < 4; ++channel)
-        value[channel] =
-            static_cast<float>(render::detail_texture()[first + static_cast<std::size_t>(channel)]) / 255.0F;
+        value[channel] = static_cast<float>(texels[first + static_cast<std::size_t>(channel)]) / 255.0F;
     return value;
 }
 

@@ -93,7 +93,7 @@ class UnseenKiosk {
 
     // From attract to clay on the wheel, after no pot of a museum.
     bool begins_to_throw();
-    // To the decorating; a foot that is thick is left as it is.
+    // To the decorating, where the pot can be drawn on; a foot that is thick is left as it is.
     bool dries();
     // From the drying to the glazes, with a band of iron or as it is. False: it did not get there.
     bool fires_it(bool decorates);
