@@ -37,6 +37,21 @@ Result<void> lay_down(const fs::path& file, std::string_view text) {
     return files::write_file_atomically(file, text);
 }
 
+// What lies in the folder of this code.
+Result<PageFolder> filled(const SharedPot& pot, const OutboxOptions& options, const ShareCode& code,
+                          const ShareTime& time) {
+    auto files = PageFolder::of(pot);
+    if (!files) return files;
+    files->add_pages(pot, options, code, time);
+    files->add_note({time.now_s, time.expires_s, pot.gallery_name});
+    if (auto packed = files->add_twins(); !packed) return packed.error();
+    if (files->bytes() > options.most_bytes) {
+        return bad_input(fmt::format("the shared pot: expected {} bytes at most, found {}",
+                                     options.most_bytes, files->bytes()));
+    }
+    return files;
+}
+
 }  // namespace
 
 Result<Outbox> Outbox::open(OutboxOptions options) {
@@ -67,20 +82,13 @@ Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
     if (time.expires_s <= time.now_s)
         return bad_input("the shared pot: expected a time to come for it to go, found one that is over");
     if (auto expired = expire(time.now_s); !expired) return expired.error();
-    auto files = PageFolder::of(pot);
-    if (!files) return files.error();
     for (int tries = 0; tries < 8; ++tries) {
         const auto code = ShareCode::by_chance();
         if (!code) return code.error();
         std::error_code error;
         if (fs::exists(place_of(*code), error)) continue;  // once in 2^40
-        files->add_pages(pot, options_, *code, time);
-        files->add_note({time.now_s, time.expires_s, pot.gallery_name});
-        if (auto packed = files->add_twins(); !packed) return packed.error();
-        if (files->bytes() > options_.most_bytes) {
-            return bad_input(fmt::format("the shared pot: expected {} bytes at most, found {}",
-                                         options_.most_bytes, files->bytes()));
-        }
+        const auto files = filled(pot, options_, *code, time);
+        if (!files) return files.error();
         auto folder = files::AtomicFolder::create(place_of(*code));
         if (!folder) return folder.error();
         if (auto written = files->write(folder->inside()); !written) return written.error();
@@ -92,6 +100,16 @@ Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
         return *code;
     }
     return failed("the shared pot: every code that came up was taken");
+}
+
+Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const ShareTime& time) {
+    std::error_code error;
+    if (!fs::exists(place_of(code), error)) return false;
+    const auto files = filled(pot, options_, code, time);
+    if (!files) return files.error();
+    if (auto written = files->write(place_of(code)); !written) return written.error();
+    if (auto room = make_room(code); !room) return room.error();
+    return true;
 }
 
 // Not before the newcomer is there: a pot that cannot be put costs no other its place.

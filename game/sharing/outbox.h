@@ -54,6 +54,9 @@ class Outbox {
     // picture that is none, a pot that is larger than everything may be, a time that is over. System lacks:
     // no room, no permission. Then nothing is there.
     [[nodiscard]] Result<ShareCode> put(const SharedPot& pot, const ShareTime& time);
+    // Each file of the pot that has this code once more, in the place of the one before, its pages last: with
+    // what it lacked then. False: it is gone, and stays so. Errors as put(); what was there is there.
+    [[nodiscard]] Result<bool> renew(const ShareCode& code, const SharedPot& pot, const ShareTime& time);
     // True if there was such a pot. It is gone when this returns.
     [[nodiscard]] Result<bool> withdraw(const ShareCode& code);
     // The same of the pot that the gallery calls so: true if it was shared.

@@ -148,9 +148,12 @@ std::uint64_t PageFolder::bytes() const {
 }
 
 Result<void> PageFolder::write(const std::filesystem::path& folder) const {
-    for (const auto& [name, bytes] : files_)
-        if (auto written = files::write_file_atomically(folder / name, bytes); !written)
-            return written.error();
+    for (const bool pages : {false, true}) {
+        for (const auto& [name, bytes] : files_) {
+            if ((name.find(".html") != std::string::npos) != pages) continue;
+            if (auto written = files::write_file_atomically(folder / name, bytes); !written) return written;
+        }
+    }
     return {};
 }
 

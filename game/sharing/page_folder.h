@@ -27,6 +27,7 @@ class PageFolder {
     Result<void> add_twins();
 
     [[nodiscard]] std::uint64_t bytes() const;
+    // The pages last, so that none has a link to what is not there.
     Result<void> write(const std::filesystem::path& folder) const;
 
   private:

@@ -3,18 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <fstream>
-#include <thread>
-
 #include "tests/cli/cli_expectations.h"
 #include "tests/support/places.h"
+#include "tests/support/sharing_kiosk.h"
 #include "tests/support/webp_frames.h"
 
 namespace onggi::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 class KioskFilmTest : public testing::Test {
   protected:
@@ -82,6 +77,30 @@ TEST_F(KioskFilmTest, IsDroppedWithWhoMakesItByTheNext) {
     film_.drop();
     EXPECT_FALSE(film_.is_in_the_making());
     EXPECT_FALSE(fs::exists(place_));
+}
+
+// A visitor who does not wait, nor anybody for a film that is late, has its page all the same.
+TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
+    KioskPhone phone(settings_, test::in_build("onggi"), 0);
+    ASSERT_TRUE(phone.start());
+    const fs::path session = phone.session_place();
+    fs::create_directories(session.parent_path());
+    fs::copy_file(test::in_checkout("tests/replay/sessions/one-finger-250hz.onggi"), session);
+    phone.film(session);
+    phone.share(kept());
+    const auto answer = answer_of(phone);
+    ASSERT_TRUE(answer);
+    ASSERT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShared);
+    const fs::path place = folder_.path() / "outbox" / shared().at(0).code.text();
+    EXPECT_FALSE(fs::exists(place / "film.webp"));
+    EXPECT_EQ(test::content_of(place / "index.html").find("film.webp"), std::string::npos);
+    phone.forget();
+    const fs::path making = session.parent_path() / "film";
+    for (int i = 0; i < 10'000 && fs::exists(making); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(fs::exists(place / "film.webp"));
+    EXPECT_NE(test::content_of(place / "index.html").find("href=\"film.webp\""), std::string::npos);
+    EXPECT_FALSE(fs::exists(making)) << "nothing of a visit stays behind";
 }
 
 }  // namespace

@@ -31,12 +31,6 @@ take_it_home() {
         curl -sSf --max-time 20 "$address/$file" | cmp - "$pot/$file" ||
             fail "expected the gallery's $file at $address, found another"
     done
-    if grep -q 'href="film.webp"' page.html; then
-        curl -sSf --max-time 20 "$address/film.webp" -o film.webp
-        [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
-    elif [ -z "${UNOPTIMISED:-}" ]; then  # else it takes longer than the code waits for it
-        fail "expected a film on the page, found none: $(tail -n 3 kiosk.log 2>/dev/null)"
-    fi
     printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
 }
 # Up, down again, and up: as who changes their mind twice.
@@ -47,6 +41,18 @@ hang_it_on_the_wall() {
     press keep-wall on-wall; wait_for "the wall without the pot" hangs_not
     press keep-wall on-wall; wait_for "the pot on the wall again" hangs
     on_screen keep
+}
+# A film that a busy machine has not made in time comes to the page later. Here others are always at work, who would leave
+# nothing to it; so that its makers, now that the visit is over, no longer wait until nobody wants the processor.
+has_a_film() { curl -sSf --max-time 20 "$address/" | grep -q 'href="film.webp"'; }
+look_at_the_film() {
+    local maker
+    for maker in $(pgrep --parent "$kiosk"); do
+        chrt --all-tasks --other --pid 0 "$maker" || true
+    done
+    wait_for "a film on the page" has_a_film
+    curl -sSf --max-time 20 "$address/film.webp" -o film.webp
+    [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
 }
 # Its maker sees it there first: the boards are darker than the room, and nothing of the wheel is there.
 look_at_the_wall() {

@@ -265,6 +265,7 @@ keep_the_pot() {
         press home-ready finish
         on_screen attract
         look_at_the_wall
+        look_at_the_film
     else
         press keep finish
         on_screen attract

@@ -79,6 +79,27 @@ TEST_F(OutboxTest, OpensWithTheVisitorsLanguage) {
     EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "ar.html"));
 }
 
+TEST_F(OutboxTest, GivesAPotWhatItLackedWhereItIsStillThere) {
+    Outbox outbox = open_in(folder_ / "box");
+    const SharedPot whole = support::full_pot("one");
+    SharedPot unfilmed = whole;
+    unfilmed.film = unfilmed.film_still = {};
+    const auto code = outbox.put(unfilmed, kNoon);
+    ASSERT_TRUE(code) << code.error().message;
+    const fs::path place = folder_ / "box" / code->text();
+    EXPECT_EQ(test::content_of(place / "ko.html").find("film.webp"), std::string::npos);
+    EXPECT_TRUE(*outbox.renew(*code, whole, kNoon));
+    EXPECT_EQ(test::content_of(place / "film.webp"), text_of(whole.film.bytes));
+    for (const char* page : {"index.html", "ko.html"})
+        EXPECT_NE(test::content_of(place / page).find("href=\"film.webp\""), std::string::npos) << page;
+    ASSERT_EQ(outbox.list()->size(), 1U);
+    EXPECT_EQ(outbox.list()->front().expires_s, kNoon.expires_s);
+
+    ASSERT_TRUE(*outbox.withdraw(*code));
+    EXPECT_FALSE(*outbox.renew(*code, whole, kNoon));
+    EXPECT_TRUE(outbox.list()->empty()) << "what was withdrawn stays away";
+}
+
 TEST_F(OutboxTest, TakesFilesFromTheDisk) {
     test::put_file(folder_ / "mine.stl", "triangles");
     Outbox outbox = open_in(folder_ / "box");

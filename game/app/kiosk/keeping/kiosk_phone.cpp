@@ -17,9 +17,6 @@ namespace {
 
 constexpr std::int64_t kAsksEveryNs = 30'000'000;
 constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
-// The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
-// second of them that shows it.
-constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
 constexpr int kPosterPx = 720;
 constexpr int kPosterQuality = 85;
 constexpr int kSurfaceQuality = 80;
@@ -47,6 +44,7 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
     while (const auto task = tasks_.next())
         (*task)();
     share_when_filmed();
+    add_late_film();
     look_after();
     return kAsksEveryNs;
 }
@@ -54,6 +52,7 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
 // A pot without a film is a pot all the same.
 void KioskPhone::film(std::filesystem::path session) {
     tasks_.post([this, session = std::move(session)] {
+        unfilmed_.reset();
         if (const auto begun = film_.begin(session); !begun) answer({.words = begun.error().message});
     });
 }
@@ -61,7 +60,7 @@ void KioskPhone::film(std::filesystem::path session) {
 void KioskPhone::forget() {
     tasks_.post([this] {
         waiting_.reset();
-        film_.drop();
+        unfilmed_ ? void(unfilmed_->is_forgotten = true) : film_.drop();
     });
 }
 
@@ -69,13 +68,32 @@ void KioskPhone::share(PotToShare pot) {
     tasks_.post([this, pot = std::move(pot)] {
         film_.finish_in(finish::glaze_at(pot.glaze).id, pot.pot ? pot.pot->shape.marks.get() : nullptr);
         waiting_ = pot;
-        waits_until_ns_ = now_ns_ + kFilmWaitNs;
+        waits_until_ns_ = now_ns_ + film_wait_ns_;
     });
 }
 
 void KioskPhone::share_when_filmed() {
     if (!waiting_ || (film_.is_in_the_making() && now_ns_ < waits_until_ns_)) return;
     share_now(*std::exchange(waiting_, std::nullopt));
+}
+
+bool KioskPhone::add_film(sharing::SharedPot& pot) const {
+    const auto film = film_.files();
+    if (!film) return false;
+    pot.film.path = film->film;
+    pot.film_still.path = film->still;
+    pot.film_s = KioskFilm::kSeconds;
+    return true;
+}
+
+void KioskPhone::add_late_film() {
+    if (!unfilmed_ || film_.is_in_the_making()) return;
+    Unfilmed late = *std::exchange(unfilmed_, std::nullopt);
+    if (add_film(late.pot)) {
+        const auto renewed = outbox_->renew(late.code, late.pot, late.time);
+        if (!renewed) answer({.words = "film: " + renewed.error().message});
+    }
+    if (late.is_forgotten) film_.drop();
 }
 
 // Not at the start alone: a folder that comes later, on a disk that is plugged in, is as good.
@@ -108,13 +126,11 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
         if (!surface) return surface.error();
         pot.surface.bytes = std::move(*surface);
     }
-    if (const auto film = film_.files()) {
-        pot.film.path = film->film;
-        pot.film_still.path = film->still;
-        pot.film_s = KioskFilm::kSeconds;
-    }
-    const auto code = outbox_->put(pot, share_time_now(config));
+    const bool has_film = add_film(pot);
+    const sharing::ShareTime time = share_time_now(config);
+    const auto code = outbox_->put(pot, time);
     if (!code) return code.error();
+    if (!has_film) unfilmed_ = {std::move(pot), time, *code};
     screens::PhoneWay way{.page = code_of(sharing::page_url(*base, *code)), .code = code->shown()};
     if (const std::string wifi = sharing::wifi_text(config); !wifi.empty()) {
         way.wifi = code_of(wifi);

@@ -59,9 +59,15 @@ struct PhoneAnswer {
 
 class KioskPhone final : private jobs::IoWork {
   public:
+    // The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
+    // second of them that shows it.
+    static constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
+
     // `settings` outlives it. `program`: who makes films, see KioskFilm.
-    explicit KioskPhone(const KioskSettings& settings, std::filesystem::path program = {})
+    explicit KioskPhone(const KioskSettings& settings, std::filesystem::path program = {},
+                        std::int64_t film_wait_ns = kFilmWaitNs)
         : settings_(settings),
+          film_wait_ns_(film_wait_ns),
           film_(std::move(program), state_folder(settings.config.gallery.folder) / "film") {}
     ~KioskPhone() override { stop(); }
 
@@ -76,10 +82,10 @@ class KioskPhone final : private jobs::IoWork {
 
     // Main thread. Begins the film of a pot that may be shared later.
     void film(std::filesystem::path session);
-    // Nobody wants that pot's code any more, nor its film.
+    // Nobody waits for that pot's code any more. A film that its page lacks is made all the same.
     void forget();
     // Answered by kShared once every file is on the disk, or by kShareFailed. Waits for the film, but not for
-    // long.
+    // long: one that is made later comes to the page then, where no other is begun before.
     void share(PotToShare pot);
     // The staff has deleted that pot, or will not have it shared. Answered by kShareOver where it had a code.
     void withdraw(std::string gallery_name);
@@ -96,18 +102,30 @@ class KioskPhone final : private jobs::IoWork {
     [[nodiscard]] Result<screens::PhoneWay> shared(const PotToShare& kept);
     void share_when_filmed();
     void share_now(const PotToShare& kept);
+    bool add_film(sharing::SharedPot& pot) const;
+    void add_late_film();
     void look_after();
     void expire();
     void count_opened();
     void note(const PhoneNote& phones);
     void answer(PhoneAnswer answer) { answers_.post(std::move(answer)); }
 
+    // Whose page there is, without its film.
+    struct Unfilmed {
+        sharing::SharedPot pot;
+        sharing::ShareTime time;
+        sharing::ShareCode code;
+        bool is_forgotten = false;
+    };
+
     const KioskSettings& settings_;
+    std::int64_t film_wait_ns_;
     std::optional<sharing::Outbox> outbox_;
     std::optional<sharing::CounterReader> counter_;
     KioskFilm film_;
     std::optional<PotToShare> waiting_;  // for its film
-    std::int64_t now_ns_ = 0;            // of the round
+    std::optional<Unfilmed> unfilmed_;
+    std::int64_t now_ns_ = 0;  // of the round
     std::int64_t waits_until_ns_ = 0;
     std::int64_t looked_after_ns_ = 0;
     jobs::TaskQueue tasks_{16};
