@@ -146,4 +146,14 @@ Result<void> Device::end_once(VkCommandBuffer commands) const {
     return {};
 }
 
+Result<OffscreenDevice> OffscreenDevice::open(const InstanceDesc& desc) {
+    auto instance = Instance::create(desc);
+    if (!instance) return instance.error();
+    const auto chosen = choose_device(**instance, VK_NULL_HANDLE);
+    if (!chosen) return chosen.error();
+    auto device = Device::create(**instance, *chosen, Presenting::kNone);
+    if (!device) return device.error();
+    return OffscreenDevice{std::move(*instance), std::move(*device)};
+}
+
 }  // namespace onggi::vk

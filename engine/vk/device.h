@@ -10,6 +10,7 @@
 
 #include "engine/core/result.h"
 #include "engine/vk/health.h"
+#include "engine/vk/instance.h"
 #include "engine/vk/physical_device.h"
 #include "engine/vk/vulkan.h"
 
@@ -96,6 +97,15 @@ class Device {
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+};
+
+// The device that draws where there is no window, and the instance it stands on.
+struct OffscreenDevice {
+    std::unique_ptr<Instance> instance;
+    std::unique_ptr<Device> device;
+
+    // Errors as of Instance::create(), choose_device() and Device::create().
+    static Result<OffscreenDevice> open(const InstanceDesc& desc = {});
 };
 
 }  // namespace onggi::vk

@@ -64,14 +64,10 @@ Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, 
     parts.width = width;
     parts.height = height;
     parts.beauty = options.beauty;
-    auto instance = vk::Instance::create({.validation = options.validation});
-    if (!instance) return instance.error();
-    parts.instance = std::move(*instance);
-    auto chosen = vk::choose_device(*parts.instance, VK_NULL_HANDLE);
-    if (!chosen) return chosen.error();
-    auto device = vk::Device::create(*parts.instance, *chosen, vk::Presenting::kNone);
-    if (!device) return device.error();
-    parts.device = std::move(*device);
+    auto drawn_by = vk::OffscreenDevice::open({.validation = options.validation});
+    if (!drawn_by) return drawn_by.error();
+    parts.instance = std::move(drawn_by->instance);
+    parts.device = std::move(drawn_by->device);
     auto target = vk::Offscreen::create(
         *parts.device, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
     if (!target) return target.error();

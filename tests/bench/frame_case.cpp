@@ -49,14 +49,10 @@ Result<std::unique_ptr<FrameCase>> FrameCase::open(const FrameCaseDesc& desc) {
 FrameCase::~FrameCase() = default;
 
 Result<void> FrameCase::create() {
-    auto instance = vk::Instance::create({});
-    if (!instance) return instance.error();
-    instance_ = std::move(*instance);
-    auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
-    if (!chosen) return chosen.error();
-    auto device = vk::Device::create(*instance_, *chosen, vk::Presenting::kNone);
-    if (!device) return device.error();
-    device_ = std::move(*device);
+    auto drawn_by = vk::OffscreenDevice::open();
+    if (!drawn_by) return drawn_by.error();
+    instance_ = std::move(drawn_by->instance);
+    device_ = std::move(drawn_by->device);
     auto target = vk::Offscreen::create(
         *device_, {static_cast<std::uint32_t>(desc_.width), static_cast<std::uint32_t>(desc_.height)});
     if (!target) return target.error();

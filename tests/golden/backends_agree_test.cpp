@@ -12,8 +12,9 @@
 #include "engine/vk/offscreen.h"
 #include "game/wheel/systems.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
@@ -70,7 +71,7 @@ std::vector<GoldenScene> scenes_of_both_backends() {
     return chosen;
 }
 
-class Backends : public DrawingTest, public testing::WithParamInterface<GoldenScene> {
+class Backends : public support::ValidatedDevice, public testing::WithParamInterface<GoldenScene> {
   protected:
     [[nodiscard]] static Drawn drawn() {
         if (GetParam().name == "empty-wheel") return Drawn::kNoClay;

@@ -8,7 +8,8 @@
 
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
@@ -35,10 +36,10 @@ std::shared_ptr<const render::Background> grey_background(std::uint8_t level,
     return std::make_shared<const render::Background>(std::move(background));
 }
 
-class Backgrounds : public DrawingTest {
+class Backgrounds : public support::ValidatedDevice {
   protected:
     void SetUp() override {
-        DrawingTest::SetUp();
+        support::ValidatedDevice::SetUp();
         make_renderer(render::Backend::kCpu);
         target_ = vk::Offscreen::create(*device_, {kBackgroundWidth, kBackgroundHeight}).value();
     }
@@ -69,7 +70,7 @@ class Backgrounds : public DrawingTest {
     void TearDown() override {
         target_.reset();
         renderer_.reset();
-        DrawingTest::TearDown();
+        support::ValidatedDevice::TearDown();
     }
 
     std::unique_ptr<render::Renderer> renderer_;

@@ -10,16 +10,17 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
 
-class HeldPicture : public DrawingTest {
+class HeldPicture : public support::ValidatedDevice {
   protected:
     void SetUp() override {
-        DrawingTest::SetUp();
+        support::ValidatedDevice::SetUp();
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
         pulling_ = scene_named("pulling");

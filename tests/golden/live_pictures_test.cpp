@@ -5,14 +5,15 @@
 
 #include "engine/render/quality.h"
 #include "engine/vk/offscreen.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/live_scenes.h"
 #include "tests/support/image_gate.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
 
-class LivePictures : public DrawingTest, public testing::WithParamInterface<LiveScene> {};
+class LivePictures : public support::ValidatedDevice, public testing::WithParamInterface<LiveScene> {};
 
 TEST_P(LivePictures, EqualTheOnesThatWereLookedAt) {
     const GoldenScene shown = scene_named(GetParam().pot);

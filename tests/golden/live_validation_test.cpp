@@ -9,9 +9,10 @@
 #include "engine/vk/offscreen.h"
 #include "game/wheel/live_view.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/test_backend.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
@@ -20,49 +21,40 @@ wheel::View view_of(const GoldenScene& scene) {
     return scene.view == wheel::StillView::kLookingIn ? wheel::View::kLookingIn : wheel::View::kThrowing;
 }
 
-TEST(LivePicture, OfEveryScenePleasesTheValidationLayerThroughAStormOfSizes) {
-    auto made = vk::Instance::create({.validation = true});
-    ASSERT_TRUE(made) << made.error().message;
-    const std::unique_ptr<vk::Instance> instance = std::move(*made);
-    {
-        auto chosen = vk::choose_device(*instance, VK_NULL_HANDLE);
-        ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = vk::Device::create(*instance, *chosen, vk::Presenting::kNone).value();
-        auto renderer =
-            render::Renderer::create(*device, render::live_desc(vk::Offscreen::kFormat, true, 240)).value();
-        wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
-        ASSERT_EQ(opened.lack, "");
-        ui::DrawList list;
-        list.add_box({10.0F, 10.0F, 60.0F, 20.0F}, ui::hex(0xF4ECE0, 0.5F));
-        const render::Overlay overlay{.list = &list, .atlas_side_px = 64};
-        constexpr std::array<VkExtent2D, 4> kSizes{{{320, 240}, {97, 161}, {17, 16}, {417, 235}}};
-        std::size_t number = 0;
-        for (const GoldenScene& scene : golden_scenes()) {
-            opened.scene->look_at(view_of(scene));
-            opened.scene->set_evening(number % 3 == 1 ? 1.0 : 0.0);
-            opened.scene->sway(number % 5 == 4);
-            wheel::Clay& clay = opened.scene->registry().get<wheel::Clay>(opened.scene->clay());
-            clay.is_cut_open = clay.shows_load = scene.view == wheel::StillView::kCutaway;
-            for (int size = 0; size < 2; ++size) {
-                const VkExtent2D extent = kSizes[number++ % kSizes.size()];
-                auto target = vk::Offscreen::create(*device, extent).value();
-                const auto width = static_cast<int>(extent.width);
-                const auto height = static_cast<int>(extent.height);
-                // With the layers as they are, with others, and with those that the processor has read back.
-                for (int frame = 0; frame < 4; ++frame) {
-                    const auto drawn = renderer->draw(
-                        opened.scene->apply(scene.shown(), width, height, kFrameS), *target, &overlay);
-                    ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
-                    EXPECT_TRUE(*drawn) << scene.name;
-                }
-                ASSERT_TRUE(target->wait());
+using support::ValidatedDevice;
+
+TEST_F(ValidatedDevice, IsPleasedByTheLivePictureOfEverySceneThroughAStormOfSizes) {
+    auto renderer =
+        render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, 240)).value();
+    wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
+    ASSERT_EQ(opened.lack, "");
+    ui::DrawList list;
+    list.add_box({10.0F, 10.0F, 60.0F, 20.0F}, ui::hex(0xF4ECE0, 0.5F));
+    const render::Overlay overlay{.list = &list, .atlas_side_px = 64};
+    constexpr std::array<VkExtent2D, 4> kSizes{{{320, 240}, {97, 161}, {17, 16}, {417, 235}}};
+    std::size_t number = 0;
+    for (const GoldenScene& scene : golden_scenes()) {
+        opened.scene->look_at(view_of(scene));
+        opened.scene->set_evening(number % 3 == 1 ? 1.0 : 0.0);
+        opened.scene->sway(number % 5 == 4);
+        wheel::Clay& clay = opened.scene->registry().get<wheel::Clay>(opened.scene->clay());
+        clay.is_cut_open = clay.shows_load = scene.view == wheel::StillView::kCutaway;
+        for (int size = 0; size < 2; ++size) {
+            const VkExtent2D extent = kSizes[number++ % kSizes.size()];
+            auto target = vk::Offscreen::create(*device_, extent).value();
+            const auto width = static_cast<int>(extent.width);
+            const auto height = static_cast<int>(extent.height);
+            // With the layers as they are, with others, and with those that the processor has read back.
+            for (int frame = 0; frame < 4; ++frame) {
+                const auto drawn = renderer->draw(opened.scene->apply(scene.shown(), width, height, kFrameS),
+                                                  *target, &overlay);
+                ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
+                EXPECT_TRUE(*drawn) << scene.name;
             }
-            ASSERT_TRUE(instance->messages().empty()) << scene.name << ": " << instance->messages().front();
+            ASSERT_TRUE(target->wait());
         }
+        ASSERT_TRUE(instance_->messages().empty()) << scene.name << ": " << instance_->messages().front();
     }
-    // What it is late to complain of.
-    for (const std::string& message : instance->messages())
-        ADD_FAILURE() << message;
 }
 
 TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {

@@ -5,9 +5,10 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/places.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
@@ -15,17 +16,17 @@ namespace {
 constexpr int kRoomWidth = 320;
 constexpr int kRoomHeight = 180;
 
-class ModelledRoomTest : public DrawingTest {
+class ModelledRoomTest : public support::ValidatedDevice {
   protected:
     void SetUp() override {
-        DrawingTest::SetUp();
+        support::ValidatedDevice::SetUp();
         opened_ = wheel::open_scene(test::in_checkout("assets/workshop/room.glb"), kRoomWidth, kRoomHeight);
         ASSERT_EQ(opened_.lack, "");
         target_ = vk::Offscreen::create(*device_, {kRoomWidth, kRoomHeight}).value();
     }
     void TearDown() override {
         target_.reset();
-        DrawingTest::TearDown();
+        support::ValidatedDevice::TearDown();
     }
     [[nodiscard]] std::unique_ptr<render::Renderer> renderer() const {
         return render::Renderer::create(*device_, render::quality_desc(render::QualityStep::kSlowestGpu,

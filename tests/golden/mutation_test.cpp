@@ -21,10 +21,6 @@ constexpr int kGateHeight = 480;
 class Gate : public testing::Test {
   protected:
     void SetUp() override {
-        instance_ = vk::Instance::create({}).value();
-        device_ = vk::Device::create(*instance_, vk::choose_device(*instance_, VK_NULL_HANDLE).value(),
-                                     vk::Presenting::kNone)
-                      .value();
         opened_ = wheel::open_scene({}, kGateWidth, kGateHeight);
         options_.golden_folder = folder_ / "golden";
         options_.output_folder = folder_ / "out";
@@ -42,8 +38,8 @@ class Gate : public testing::Test {
         const GoldenScene golden{.name = "vase", .pot = pot, .tool_shown = false};
         render::RendererDesc desc = render::still_desc(vk::Offscreen::kFormat);
         desc.inside_out = inside_out;
-        auto renderer = render::Renderer::create(*device_, desc).value();
-        auto target = vk::Offscreen::create(*device_, {kGateWidth, kGateHeight}).value();
+        auto renderer = render::Renderer::create(*drawn_by_.device, desc).value();
+        auto target = vk::Offscreen::create(*drawn_by_.device, {kGateWidth, kGateHeight}).value();
         render::Scene scene = opened_.scene->apply(golden.shown(), kGateWidth, kGateHeight);
         if (change_scene) change_scene(scene);
         EXPECT_TRUE(renderer->draw(scene, *target).value());
@@ -56,8 +52,7 @@ class Gate : public testing::Test {
     const support::RenderInfo info_{"llvmpipe", "1", "1", "0123456789abcdef"};
     test::TemporaryFolder folder_;
     support::GateOptions options_;
-    std::unique_ptr<vk::Instance> instance_;
-    std::unique_ptr<vk::Device> device_;
+    vk::OffscreenDevice drawn_by_ = vk::OffscreenDevice::open().value();
     wheel::OpenedScene opened_;
 };
 

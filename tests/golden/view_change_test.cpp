@@ -13,8 +13,9 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
@@ -33,10 +34,10 @@ int off_the_mix(const Pixels& shown, const Pixels& from, const Pixels& to, float
     return worst;
 }
 
-class ViewChangeTest : public DrawingTest {
+class ViewChangeTest : public support::ValidatedDevice {
   protected:
     void SetUp() override {
-        DrawingTest::SetUp();
+        support::ValidatedDevice::SetUp();
         shown_ = scene_named("pulling");
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
@@ -48,7 +49,7 @@ class ViewChangeTest : public DrawingTest {
     }
     void TearDown() override {
         fading_ = {};
-        DrawingTest::TearDown();
+        support::ValidatedDevice::TearDown();
     }
 
     struct Drawn {

@@ -11,10 +11,11 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/workshop_scene.h"
-#include "tests/golden/drawing_test.h"
+#include "tests/golden/alike.h"
 #include "tests/golden/live_scenes.h"
 #include "tests/support/image_gate.h"
 #include "tests/support/places.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::golden {
 namespace {
@@ -25,7 +26,7 @@ render::RendererDesc gpu_desc(render::QualityStep step, int height_px) {
     return render::quality_desc(step, vk::Offscreen::kFormat, height_px);
 }
 
-class MovingPictures : public DrawingTest, public testing::WithParamInterface<LiveScene> {};
+class MovingPictures : public support::ValidatedDevice, public testing::WithParamInterface<LiveScene> {};
 
 TEST_P(MovingPictures, EqualTheOnesThatWereLookedAt) {
     const GoldenScene shown = scene_named(GetParam().pot);

@@ -13,19 +13,16 @@ namespace onggi::render {
 namespace {
 
 TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
-    auto instance = vk::Instance::create({});
-    ASSERT_TRUE(instance) << instance.error().message;
-    auto chosen = vk::choose_device(**instance, VK_NULL_HANDLE);
-    ASSERT_TRUE(chosen) << chosen.error().message;
-    ASSERT_FALSE(chosen->description.is_cpu());
-    auto device = vk::Device::create(**instance, *chosen, vk::Presenting::kNone);
-    ASSERT_TRUE(device) << device.error().message;
+    auto opened = vk::OffscreenDevice::open();
+    ASSERT_TRUE(opened) << opened.error().message;
+    vk::Device& device = *opened->device;
+    ASSERT_FALSE(device.is_cpu());
     const auto expect = [](const Result<void>& made, const char* what) {
         EXPECT_TRUE(made) << what << ": " << (made ? "" : made.error().message);
     };
     // One sample a pixel, and four.
     for (const QualityStep step : {QualityStep::kSlowGpu, QualityStep::kDiscreteGpu}) {
-        VulkanFrame frame{{.device = **device, .desc = quality_desc(step, VK_FORMAT_B8G8R8A8_UNORM, 720)}};
+        VulkanFrame frame{{.device = device, .desc = quality_desc(step, VK_FORMAT_B8G8R8A8_UNORM, 720)}};
         expect(frame.create_layout(shaders::kBindings), "layout");
         expect(create_pipelines(frame, frame.pipelines), "with a room's photographs");
         expect(fit_pipelines(frame, Scene{}, frame.pipelines), "without");
@@ -40,8 +37,8 @@ TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
     }
     // Without hardware there is nothing to wait for, and the driver falls over that: the process takes both
     // along.
-    static const vk::Device* const kept_device = device->release();
-    static const vk::Instance* const kept_instance = instance->release();
+    static const vk::Device* const kept_device = opened->device.release();
+    static const vk::Instance* const kept_instance = opened->instance.release();
     EXPECT_NE(kept_device, nullptr);
     EXPECT_NE(kept_instance, nullptr);
 }

@@ -42,23 +42,22 @@ class HandOnClay : public ::testing::Test {
             frame();
         waits(0.3);
     }
-    void types(HandKey key, int times = 1) {
+    // Until it has done what it was asked to, each time.
+    template <typename Ask>
+    void works(int times, Ask ask) {
         for (int i = 0; i < times; ++i) {
-            hand_.key(key, 1.0);
+            ask();
             waits(0.1);
             for (int more = 0; more < 600 && hand_.works(); ++more)
                 frame();
         }
         waits(0.2);
     }
+    void types(HandKey key, int times = 1) {
+        works(times, [&] { hand_.key(key, 1.0); });
+    }
     void switches(HandKey key, int times = 1) {
-        for (int i = 0; i < times; ++i) {
-            hand_.button(key, 1.0);
-            waits(0.1);
-            for (int more = 0; more < 600 && hand_.works(); ++more)
-                frame();
-        }
-        waits(0.2);
+        works(times, [&] { hand_.button(key, 1.0); });
     }
     // Up or down until the marker is near that height.
     void walks_to(double y_mm) {

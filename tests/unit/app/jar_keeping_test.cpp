@@ -41,7 +41,23 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 struct JarKeepingTest : testing::Test {
+    // As after a start of the program: what it finds there, and what it remarks.
+    JarKeeping found() {
+        JarKeeping jar = jar_in(folder.path());
+        remarks.clear();
+        jar.look(remarks);
+        return jar;
+    }
+    // Begun, and its first bowl set aside.
+    JarKeeping begun() {
+        JarKeeping jar = jar_in(folder.path());
+        EXPECT_TRUE(jar.begin("moon-jar-nmk"));
+        EXPECT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+        return jar;
+    }
+
     const test::TemporaryFolder folder;
+    std::vector<std::string> remarks;
 };
 
 TEST_F(JarKeepingTest, DropsWhatIsDamagedWithOneLine) {
@@ -51,9 +67,7 @@ TEST_F(JarKeepingTest, DropsWhatIsDamagedWithOneLine) {
                                    R"({"format":1,"stage":1,"target":"x","shift_mm":[0],"mouth_mm":0})",
                                    R"({"format":1,"stage":1,"target":4,"shift_mm":[0,0],"mouth_mm":0})"}) {
         write(folder / "jar.json", text);
-        JarKeeping jar = jar_in(folder.path());
-        std::vector<std::string> remarks;
-        jar.look(remarks);
+        const JarKeeping jar = found();
         ASSERT_EQ(remarks.size(), 1U) << text;
         EXPECT_EQ(remarks[0].find('\n'), std::string::npos);
         EXPECT_NE(remarks[0].find("jar.json"), std::string::npos) << remarks[0];
@@ -63,18 +77,14 @@ TEST_F(JarKeepingTest, DropsWhatIsDamagedWithOneLine) {
 }
 
 TEST_F(JarKeepingTest, IsRestoredWithBothBowlsToTheBit) {
-    JarKeeping jar = jar_in(folder.path());
-    ASSERT_TRUE(jar.begin("moon-jar-nmk"));
+    JarKeeping jar = begun();
     haptic::History second = history_of(bowl(50.0));
-    ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
     ASSERT_TRUE(jar.note(JarStage::kSecondBowl));
     const auto joined = jar.join(second, {.shift_mm = {2.0, 1.0}, .mouth_mm = 0.0});
     ASSERT_TRUE(joined) << joined.error().message;
     ASSERT_TRUE(jar.note(JarStage::kJar));
 
-    JarKeeping again = jar_in(folder.path());
-    std::vector<std::string> remarks;
-    again.look(remarks);
+    JarKeeping again = found();
     int rounds = 0;
     for (auto more = again.restore(7); more && *more; more = again.restore(7))
         ++rounds;
@@ -88,16 +98,9 @@ TEST_F(JarKeepingTest, IsRestoredWithBothBowlsToTheBit) {
 }
 
 TEST_F(JarKeepingTest, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
-    {
-        JarKeeping jar = jar_in(folder.path());
-        ASSERT_TRUE(jar.begin("moon-jar-nmk"));
-        ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
-        ASSERT_TRUE(jar.note(JarStage::kSecondBowl));
-    }
+    ASSERT_TRUE(begun().note(JarStage::kSecondBowl));
     write(folder / "jar-1.onggi", "no session");
-    JarKeeping jar = jar_in(folder.path());
-    std::vector<std::string> remarks;
-    jar.look(remarks);
+    JarKeeping jar = found();
     const auto more = jar.restore(100);
     ASSERT_FALSE(more);
     EXPECT_NE(more.error().message.find("jar-1.onggi"), std::string::npos);
@@ -106,15 +109,8 @@ TEST_F(JarKeepingTest, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
 }
 
 TEST_F(JarKeepingTest, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
-    {
-        JarKeeping jar = jar_in(folder.path());
-        ASSERT_TRUE(jar.begin("moon-jar-nmk"));
-        ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
-        // The power goes before it is noted that the bowl was set aside.
-    }
-    JarKeeping jar = jar_in(folder.path());
-    std::vector<std::string> remarks;
-    jar.look(remarks);
+    begun();  // the power goes before it is noted that the bowl was set aside
+    JarKeeping jar = found();
     EXPECT_EQ(jar.stage(), JarStage::kFirstBowl);
     const auto bowl = jar.left_over();
     ASSERT_TRUE(bowl);
@@ -141,9 +137,7 @@ TEST_F(JarKeepingTest, GivesBackTheBowlThatWasDoneLast) {
 }
 
 TEST_F(JarKeepingTest, LeavesNothingBehindWhenItIsForgotten) {
-    JarKeeping jar = jar_in(folder.path());
-    ASSERT_TRUE(jar.begin("moon-jar-nmk"));
-    ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
+    JarKeeping jar = begun();
     haptic::History second = history_of(bowl(50.0));
     ASSERT_TRUE(jar.join(second, {}));
     jar.forget();

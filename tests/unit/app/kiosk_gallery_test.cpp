@@ -44,6 +44,12 @@ std::vector<std::string> names_of(const Gallery& gallery) {
 
 class GalleryTest : public testing::Test {
   protected:
+    [[nodiscard]] Gallery gallery_of(int most_pots) const {
+        kiosk::Config config = config_of(folder_.path());
+        config.gallery.most_pots = most_pots;
+        return Gallery(config);
+    }
+
     const test::TemporaryFolder folder_;
 };
 
@@ -105,9 +111,7 @@ TEST_F(GalleryTest, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
 TEST_F(GalleryTest, LetsTheOldestGoWhereThereIsRoomForNoMore) {
     for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
         put_pot(folder_.path(), name);
-    kiosk::Config config = config_of(folder_.path());
-    config.gallery.most_pots = 2;
-    Gallery gallery(config);
+    Gallery gallery = gallery_of(2);
     const Cut cut;
     ASSERT_TRUE(gallery.keep(cut.pot(), "2026-11-22"));
     EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-001", "2026-11-21/pot-002"}));
@@ -115,9 +119,7 @@ TEST_F(GalleryTest, LetsTheOldestGoWhereThereIsRoomForNoMore) {
 
 TEST_F(GalleryTest, LetsNoneGoForAPotThatCannotBeKept) {
     put_pot(folder_.path(), "2026-11-21/pot-001");
-    kiosk::Config config = config_of(folder_.path());
-    config.gallery.most_pots = 1;
-    Gallery gallery(config);
+    Gallery gallery = gallery_of(1);
     Cut cut;
     cut.portrait = {};  // which is no picture
     ASSERT_FALSE(gallery.keep(cut.pot(), "2026-11-22"));
@@ -126,9 +128,7 @@ TEST_F(GalleryTest, LetsNoneGoForAPotThatCannotBeKept) {
 
 TEST_F(GalleryTest, KeepsTheNewcomerHoweverWrongTheClockIs) {
     put_pot(folder_.path(), "2026-11-21/pot-001");
-    kiosk::Config config = config_of(folder_.path());
-    config.gallery.most_pots = 1;
-    Gallery gallery(config);
+    Gallery gallery = gallery_of(1);
     const Cut cut;
     ASSERT_TRUE(gallery.keep(cut.pot(), "1970-01-01"));
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"1970-01-01/pot-001"});
@@ -180,9 +180,7 @@ TEST_F(GalleryTest, SaysWhereItCannotSave) {
 TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
     for (int number = 1; number <= 30; ++number)
         put_pot(folder_.path(), fmt::format("2026-11-21/pot-{:03}", number));
-    kiosk::Config config = config_of(folder_.path());
-    config.gallery.most_pots = 3;
-    Gallery gallery(config);
+    Gallery gallery = gallery_of(3);
     const Cut cut;
     const std::string told = test::in_child([&]() -> std::string {
         // Six: the folder of days, and some of the pots of its day, whenever it is asked for the first time.
@@ -200,12 +198,8 @@ TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
 }
 
 // A keeper at work on a gallery, and the loop it would follow.
-struct Keeper {
-    explicit Keeper(const fs::path& folder)
-        : job(start, parameters, std::make_unique<haptics::SimulatedDevice>(), {}),
-          keeper(job, start, parameters, Gallery(config_of(folder)), folder / "statistics") {
-        EXPECT_TRUE(keeper.start());
-    }
+struct KeeperTest : testing::Test {
+    KeeperTest() { EXPECT_TRUE(keeper.start()); }
     // The next answer about that; none after ten seconds.
     template <typename What>
     std::shared_ptr<const KeeperAnswer> answer() {
@@ -222,57 +216,53 @@ struct Keeper {
         return found ? std::optional(std::get<KeeperAnswer::Survey>(found->what)) : std::nullopt;
     }
 
+    const test::TemporaryFolder folder;
     haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters;
-    haptic::HapticJob job;
-    KioskKeeper keeper;
+    haptic::HapticJob job{start, parameters, std::make_unique<haptics::SimulatedDevice>(), {}};
+    KioskKeeper keeper{job, start, parameters, Gallery(config_of(folder.path())),
+                       folder.path() / "statistics"};
 };
 
-TEST(KioskKeeper, DeletesWhatItIsToldByNameAndTellsWhatIsLeft) {
-    const test::TemporaryFolder folder;
+TEST_F(KeeperTest, DeletesWhatItIsToldByNameAndTellsWhatIsLeft) {
     for (const char* name : {"2026-11-22/pot-001", "2026-11-22/pot-002", "2026-11-22/pot-003"})
         put_pot(folder.path(), name);
-    Keeper bench(folder.path());
-    bench.keeper.survey();
-    const auto before = bench.survey();
+    keeper.survey();
+    const auto before = this->survey();
     ASSERT_TRUE(before);
     EXPECT_EQ(before->pots.size(), 3U);
     EXPECT_GT(before->free_mb, 0.0);
 
-    bench.keeper.remove("2026-11-22/pot-002");
-    const auto said = bench.answer<KeeperAnswer::Remark>();
+    keeper.remove("2026-11-22/pot-002");
+    const auto said = answer<KeeperAnswer::Remark>();
     ASSERT_NE(said, nullptr);
     EXPECT_EQ(said->words, "removed 2026-11-22/pot-002");
-    const auto after = bench.survey();
+    const auto after = this->survey();
     ASSERT_TRUE(after);
     EXPECT_EQ(after->pots, (std::vector<std::string>{"2026-11-22/pot-003", "2026-11-22/pot-001"}));
     EXPECT_FALSE(fs::exists(folder.path() / "2026-11-22/pot-002"));
 }
 
-TEST(KioskKeeper, DeletesNothingThatIsNoPotOfTheGallery) {
-    const test::TemporaryFolder folder;
+TEST_F(KeeperTest, DeletesNothingThatIsNoPotOfTheGallery) {
     put_pot(folder.path(), "2026-11-22/pot-001");
     put_pot(folder.path(), "precious");
-    Keeper bench(folder.path());
     for (const char* name : {"", ".", "..", "precious", "../precious", "2026-11-22", "2026-11-22/pot-001/.."})
-        bench.keeper.remove(name);
+        keeper.remove(name);
     for (int i = 0; i < 7; ++i) {
-        const auto survey = bench.survey();
+        const auto survey = this->survey();
         ASSERT_TRUE(survey);
         EXPECT_EQ(survey->pots.size(), 1U);
     }
     EXPECT_TRUE(fs::exists(folder.path() / "precious/pot.glb"));
 }
 
-TEST(KioskKeeper, CountsAndRemembersBesideTheFrame) {
-    const test::TemporaryFolder folder;
-    Keeper bench(folder.path());
-    bench.keeper.note_start();
-    bench.keeper.note_attract_break();
-    bench.keeper.note({.dwell_s = 30, .last = kiosk::Screen::kThrow, .thrown = true, .kept = false});
-    bench.keeper.keep({5, "ko"});
-    bench.keeper.survey();
-    const auto survey = bench.survey();
+TEST_F(KeeperTest, CountsAndRemembersBesideTheFrame) {
+    keeper.note_start();
+    keeper.note_attract_break();
+    keeper.note({.dwell_s = 30, .last = kiosk::Screen::kThrow, .thrown = true, .kept = false});
+    keeper.keep({5, "ko"});
+    keeper.survey();
+    const auto survey = this->survey();
     ASSERT_TRUE(survey);
     EXPECT_EQ(survey->use.total(),
               (UseOfHour{.breaks = 1, .visits = 1, .thrown = 1, .kept = 0, .dwell_s = 30}));

@@ -25,7 +25,7 @@ float shown(float light) {
 }
 
 // A wall that looks at the eye, with the light in front of it.
-class LathePixels : public testing::Test {
+class LathePixels : public TrianglePixels {
   protected:
     LathePixels() {
         frame_.key_direction = vec4(0.0F, 0.0F, 1.0F, 0.05F);
@@ -51,9 +51,6 @@ class LathePixels : public testing::Test {
     }
     void draw(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices) {
         draw(corners, indices, indices.size());
-    }
-    [[nodiscard]] std::uint32_t at(int x, int y) const {
-        return pixels_[static_cast<std::size_t>(y * kWidth + x)];
     }
     static LatheCorner corner(float x, float y, float depth = 0.5F) {
         LatheCorner made{.at_px = {x, y}, .away_mm = kAwayMm, .depth = depth};
@@ -82,8 +79,6 @@ class LathePixels : public testing::Test {
         return static_cast<float>(at(30, 20) & 255U);
     }
 
-    static constexpr int kWidth = 61;
-    static constexpr int kHeight = 43;
     static constexpr std::array<std::uint16_t, 6> kSheet{0, 1, 2, 2, 1, 3};
     shaders::FrameData frame_{};
     shaders::LatheDraw draw_{};
@@ -92,22 +87,14 @@ class LathePixels : public testing::Test {
     std::array<std::uint32_t, kStreakLevels * kStreakTexels> streaks_{};
     ByteOrder order_ = ByteOrder::kRedFirst;
     bool shows_load_ = false;
-    std::vector<std::uint32_t> pixels_ =
-        std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, kUntouched);
-    std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
 };
 
 TEST_F(LathePixels, AreThoseWhoseMiddleATriangleHoldsThatLooksAtTheEye) {
-    const int covered = expect_those_inside(
-        {kWidth, kHeight}, {.clockwise = false},
-        [&](const std::array<vec2, 3>& at) {
-            std::fill(pixels_.begin(), pixels_.end(), kUntouched);
-            std::fill(depth_.begin(), depth_.end(), 1.0F);
-            const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
-                                     corner(at[2].x, at[2].y)};
-            draw(corners, std::array<std::uint16_t, 3>{0, 1, 2});
-        },
-        [&](int x, int y) { return at(x, y) != kUntouched; });
+    const int covered = expect_those_inside({.clockwise = false}, [&](const std::array<vec2, 3>& at) {
+        const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
+                                 corner(at[2].x, at[2].y)};
+        draw(corners, std::array<std::uint16_t, 3>{0, 1, 2});
+    });
     EXPECT_GT(covered, 20000);
 }
 

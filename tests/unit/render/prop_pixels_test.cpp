@@ -10,14 +10,10 @@
 namespace onggi::render {
 namespace {
 
-class PropPixels : public testing::Test {
+class PropPixels : public TrianglePixels {
   protected:
-    // Widths that are no multiple of what is drawn side by side.
     void draw(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices) {
         draw_triangles(corners, indices, {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
-    }
-    [[nodiscard]] std::uint32_t at(int x, int y) const {
-        return pixels_[static_cast<std::size_t>(y * kWidth + x)];
     }
     static PropCorner corner(float x, float y, float depth = 0.5F, std::array<float, 3> colour = {}) {
         return {.at_px = {x, y}, .away_mm = 100.0F, .depth = depth, .values = colour};
@@ -29,25 +25,15 @@ class PropPixels : public testing::Test {
                 corner(200.0F, -50.0F, depth, colour), corner(200.0F, 200.0F, depth, colour)};
     }
 
-    static constexpr int kWidth = 61;
-    static constexpr int kHeight = 43;
     static constexpr std::array<std::uint32_t, 6> kSheet{0, 1, 2, 2, 1, 3};
-    std::vector<std::uint32_t> pixels_ =
-        std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, kUntouched);
-    std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
 };
 
 TEST_F(PropPixels, AreThoseWhoseMiddleATriangleHolds) {
-    const int covered = expect_those_inside(
-        {kWidth, kHeight}, {},
-        [&](const std::array<vec2, 3>& at) {
-            std::fill(pixels_.begin(), pixels_.end(), kUntouched);
-            std::fill(depth_.begin(), depth_.end(), 1.0F);
-            const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
-                                     corner(at[2].x, at[2].y)};
-            draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
-        },
-        [&](int x, int y) { return at(x, y) != kUntouched; });
+    const int covered = expect_those_inside({}, [&](const std::array<vec2, 3>& at) {
+        const std::array corners{corner(at[0].x, at[0].y), corner(at[1].x, at[1].y),
+                                 corner(at[2].x, at[2].y)};
+        draw(corners, std::array<std::uint32_t, 3>{0, 1, 2});
+    });
     EXPECT_GT(covered, 50000);
 }
 
@@ -75,8 +61,7 @@ TEST_F(PropPixels, LeaveNoneOutBetweenTwoTrianglesAndDrawNoneTwice) {
     // Each triangle a little nearer than the one before would be seen in every pixel that both draw.
     std::vector<int> times(pixels_.size(), 0);
     for (std::size_t first = 0; first < indices.size(); first += 3) {
-        std::fill(pixels_.begin(), pixels_.end(), kUntouched);
-        std::fill(depth_.begin(), depth_.end(), 1.0F);
+        clear();
         draw(corners, std::span(indices).subspan(first, 3));
         for (std::size_t i = 0; i < pixels_.size(); ++i)
             times[i] += pixels_[i] != kUntouched ? 1 : 0;
@@ -141,8 +126,7 @@ TEST_F(PropPixels, LieInTheTilesThatAreWanted) {
         corners.push_back(corner(place(random), place(random)));
     const TileGrid grid{kWidth, kHeight};
     for (std::uint32_t first = 0; first < 57; ++first) {
-        std::fill(pixels_.begin(), pixels_.end(), kUntouched);
-        std::fill(depth_.begin(), depth_.end(), 1.0F);
+        clear();
         const std::array<std::uint32_t, 3> indices{first, first + 1, first + 2};
         std::vector<std::uint8_t> wanted(grid.count(), 0);
         want_triangles(corners, indices, grid, wanted);

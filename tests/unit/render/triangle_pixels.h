@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "engine/render/pixels/picture_shapes.h"
 
@@ -32,33 +33,52 @@ struct DrawnWays {
     bool counter_clockwise = true;
 };
 
-// Draws many triangles, each on an untouched picture: `draw` takes its corners, `is_drawn` a pixel. Says how
-// many pixels were covered.
-template <typename Draw, typename IsDrawn>
-int expect_those_inside(const PictureSize& size, const DrawnWays& ways, Draw draw, IsDrawn is_drawn) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> place(-20.0F, 80.0F);
-    int covered = 0;
-    for (int round = 0; round < 300; ++round) {
-        const std::array<vec2, 3> at{vec2(place(random), place(random)), vec2(place(random), place(random)),
-                                     vec2(place(random), place(random))};
-        const std::array<vec2, 3> back{at[2], at[1], at[0]};
-        draw(at);
-        for (int y = 0; y < size.height; ++y) {
-            for (int x = 0; x < size.width; ++x) {
-                const vec2 middle(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-                const float clockwise = inside_px(at, middle);
-                const float counter = inside_px(back, middle);
-                if (std::min(std::abs(clockwise), std::abs(counter)) < 0.005F) continue;
-                const bool is_inside =
-                    (ways.clockwise && clockwise > 0.0F) || (ways.counter_clockwise && counter > 0.0F);
-                EXPECT_EQ(is_drawn(x, y), is_inside) << round << ": " << x << ", " << y;
-                if (testing::Test::HasFailure()) return covered;
-                covered += is_inside ? 1 : 0;
+// A picture whose width is no multiple of what is drawn side by side.
+class TrianglePixels : public ::testing::Test {
+  protected:
+    [[nodiscard]] std::uint32_t at(int x, int y) const {
+        return pixels_[static_cast<std::size_t>(y * kWidth + x)];
+    }
+    void clear() {
+        std::fill(pixels_.begin(), pixels_.end(), kUntouched);
+        std::fill(depth_.begin(), depth_.end(), 1.0F);
+    }
+    // Draws many triangles, each on an untouched picture: `draw` takes its corners. Says how many pixels were
+    // covered.
+    template <typename Draw>
+    int expect_those_inside(const DrawnWays& ways, Draw draw) {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<float> place(-20.0F, 80.0F);
+        int covered = 0;
+        for (int round = 0; round < 300; ++round) {
+            const std::array<vec2, 3> corners{vec2(place(random), place(random)),
+                                              vec2(place(random), place(random)),
+                                              vec2(place(random), place(random))};
+            const std::array<vec2, 3> back{corners[2], corners[1], corners[0]};
+            clear();
+            draw(corners);
+            for (int y = 0; y < kHeight; ++y) {
+                for (int x = 0; x < kWidth; ++x) {
+                    const vec2 middle(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                    const float clockwise = inside_px(corners, middle);
+                    const float counter = inside_px(back, middle);
+                    if (std::min(std::abs(clockwise), std::abs(counter)) < 0.005F) continue;
+                    const bool is_inside =
+                        (ways.clockwise && clockwise > 0.0F) || (ways.counter_clockwise && counter > 0.0F);
+                    EXPECT_EQ(at(x, y) != kUntouched, is_inside) << round << ": " << x << ", " << y;
+                    if (HasFailure()) return covered;
+                    covered += is_inside ? 1 : 0;
+                }
             }
         }
+        return covered;
     }
-    return covered;
-}
+
+    static constexpr int kWidth = 61;
+    static constexpr int kHeight = 43;
+    std::vector<std::uint32_t> pixels_ =
+        std::vector<std::uint32_t>(std::size_t{kWidth} * kHeight, kUntouched);
+    std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 1.0F);
+};
 
 }  // namespace onggi::render

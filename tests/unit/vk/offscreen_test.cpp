@@ -4,33 +4,12 @@
 
 #include "engine/vk/buffer.h"
 #include "engine/vk/check.h"
+#include "tests/support/validated_device.h"
 
 namespace onggi::vk {
 namespace {
 
-// An instance with the validation layer, and a device; at its end nothing may have been complained of.
-class OnADevice : public testing::Test {
-  protected:
-    void SetUp() override {
-        auto instance = Instance::create({.validation = true});
-        ASSERT_TRUE(instance) << instance.error().message;
-        instance_ = std::move(*instance);
-        auto chosen = choose_device(*instance_, VK_NULL_HANDLE);
-        ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = Device::create(*instance_, *chosen, Presenting::kNone);
-        ASSERT_TRUE(device) << device.error().message;
-        device_ = std::move(*device);
-    }
-    void TearDown() override {
-        device_.reset();
-        if (!instance_) return;
-        for (const std::string& message : instance_->messages())
-            ADD_FAILURE() << message;
-    }
-
-    std::unique_ptr<Instance> instance_;
-    std::unique_ptr<Device> device_;
-};
+class OnADevice : public support::ValidatedDevice {};
 
 TEST_F(OnADevice, GivesBackTheColourThatWasClearedFrameAfterFrame) {
     auto target = Offscreen::create(*device_, {20, 10});

@@ -1,19 +1,13 @@
-// A device that draws pictures under the eye of the validation layer: what it says fails the test. Main
-// thread.
+// How far pictures that should be alike may be apart, and what they are drawn with for that. Plain values.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <memory>
 #include <span>
 
 #include "engine/render/renderer_desc.h"
-#include "engine/vk/device.h"
-#include "engine/vk/instance.h"
 #include "engine/vk/offscreen.h"
 
 namespace onggi::golden {
@@ -67,29 +61,5 @@ constexpr double kFrameS = 1.0 / 60.0;
 // A texel of the shadow mask may stay one step of 255 from where it should be: of light, of which dark clay
 // shows three in the picture.
 constexpr int kMaskStep = 3;
-
-class DrawingTest : public testing::Test {
-  protected:
-    void SetUp() override {
-        auto instance = vk::Instance::create({.validation = true});
-        ASSERT_TRUE(instance) << instance.error().message;
-        instance_ = std::move(*instance);
-        auto chosen = vk::choose_device(*instance_, VK_NULL_HANDLE);
-        ASSERT_TRUE(chosen) << chosen.error().message;
-        auto device = vk::Device::create(*instance_, *chosen, vk::Presenting::kNone);
-        ASSERT_TRUE(device) << device.error().message;
-        device_ = std::move(*device);
-    }
-    // Whoever holds something of the device lets go of it first.
-    void TearDown() override {
-        device_.reset();
-        if (!instance_) return;
-        for (const std::string& message : instance_->messages())
-            ADD_FAILURE() << message;
-    }
-
-    std::unique_ptr<vk::Instance> instance_;
-    std::unique_ptr<vk::Device> device_;
-};
 
 }  // namespace onggi::golden
