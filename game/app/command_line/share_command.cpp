@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "engine/core/quote.h"
-#include "engine/files/read_file.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line/commands.h"
+#include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/confinement.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/app/sharing/share_server.h"
@@ -55,10 +55,7 @@ Result<void> start_over(const kiosk::Config& config) {
 }
 
 Result<void> read_settings_and_start_over(const std::string& file) {
-    constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
-    const auto text = files::read_file(file, kMostBytes);
-    if (!text) return text.error();
-    const auto config = kiosk::read_config(*text, file);
+    const auto config = read_config_file(file);
     if (!config) return config.error();
     if (config->sharing.listen.empty()) {
         remark(fmt::format("sharing is off: {} names no address to listen at", shown_path(file)));

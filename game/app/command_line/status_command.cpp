@@ -7,10 +7,10 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/files/read_file.h"
 #include "game/app/command_line/commands.h"
 #include "game/app/command_line/system_probes.h"
 #include "game/app/kiosk/health/house_status.h"
+#include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/report.h"
 #include "game/app/system/wall_clock.h"
 #include "game/kiosk/config.h"
@@ -25,14 +25,11 @@ struct StatusOptions {
 };
 
 Result<kiosk::Config> settings_of(const StatusOptions& options) {
-    constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
     std::error_code error;
     kiosk::Config config;
     const std::string file = options.config.empty() ? kUsualSettings : options.config;
     if (!options.config.empty() || std::filesystem::exists(file, error)) {
-        const auto text = files::read_file(file, kMostBytes);
-        if (!text) return text.error();
-        auto read = kiosk::read_config(*text, file);
+        auto read = read_config_file(file);
         if (!read) return read;
         config = std::move(*read);
     }

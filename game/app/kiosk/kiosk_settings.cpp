@@ -63,10 +63,9 @@ Result<void> keep_house(const fs::path& folder, const HouseDefaults& house) {
 
 void take_kept_house(KioskSettings& settings) {
     std::error_code error;
-    const fs::path file = statistics_folder(settings.config) / kKeptSettings;
+    const std::string file = statistics_folder(settings.config) / kKeptSettings;
     if (!settings.config.sound.remember_staff || !fs::exists(file, error)) return;
-    const auto text = files::read_file(file, kMostTextBytes);
-    const auto kept = text ? kiosk::read_config(*text, file.string()) : Result<kiosk::Config>(text.error());
+    const auto kept = read_config_file(file);
     if (!kept) {
         settings.remarks.push_back(kept.error().message + "; the settings' own count");
         return;
@@ -106,12 +105,16 @@ std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, 
     return lacks;
 }
 
+Result<kiosk::Config> read_config_file(const std::string& file) {
+    const auto text = files::read_file(file, kMostTextBytes);
+    if (!text) return text.error();
+    return kiosk::read_config(*text, file);
+}
+
 Result<KioskSettings> load_settings(const std::string& config_file) {
     KioskSettings settings;
     if (!config_file.empty()) {
-        const auto text = files::read_file(config_file, kMostTextBytes);
-        if (!text) return text.error();
-        auto config = kiosk::read_config(*text, config_file);
+        auto config = read_config_file(config_file);
         if (!config) return config.error();
         settings.config = std::move(*config);
     }

@@ -53,6 +53,8 @@ void take_kept_house(KioskSettings& settings);
 // words that stay too small to be read and targets that are too small to be touched.
 [[nodiscard]] std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px);
 
+// Errors as of files::read_file() and kiosk::read_config().
+Result<kiosk::Config> read_config_file(const std::string& file);
 // `config_file` empty: defaults. Bad input: what the file, or a table of its languages folder, says wrong; a
 // language of the order that neither is built in nor has a table.
 Result<KioskSettings> load_settings(const std::string& config_file);

@@ -16,6 +16,13 @@ GamepadRequest request_of(const Gamepad& pad) {
     return GamepadHand().request(std::span(&pad, 1), kFrame);
 }
 
+struct AGamepad : testing::Test {
+    GamepadRequest asks(double seconds = kFrame) { return hand.request(std::span(&pad, 1), seconds); }
+
+    GamepadHand hand;
+    Gamepad pad;
+};
+
 TEST(GamepadHand, IsStillWithinItsDeadBand) {
     const GamepadRequest request = request_of({.left_x = 0.1F, .left_y = -0.1F, .left_trigger = 0.05F});
     EXPECT_EQ(request.step_mm, dvec2(0.0));
@@ -46,76 +53,71 @@ TEST(GamepadHand, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
     EXPECT_TRUE(request.presses);
 }
 
-TEST(GamepadHand, PressesWithItsButtonOrATriggerThatIsPulledFarEnough) {
+TEST_F(AGamepad, PressesWithItsButtonOrATriggerThatIsPulledFarEnough) {
     EXPECT_TRUE(request_of({.buttons = Gamepad::kA}).presses);
     EXPECT_TRUE(request_of({.right_trigger = 0.6F}).presses);
     EXPECT_FALSE(request_of({.right_trigger = 0.4F}).presses);
     EXPECT_FALSE(request_of({.left_trigger = 1.0F, .buttons = Gamepad::kB}).presses);
-    GamepadHand hand;
-    Gamepad pad{.right_trigger = 0.6F};
-    EXPECT_TRUE(hand.request(std::span(&pad, 1), kFrame).presses);
+    pad.right_trigger = 0.6F;
+    EXPECT_TRUE(asks().presses);
     pad.right_trigger = 0.4F;
-    EXPECT_TRUE(hand.request(std::span(&pad, 1), kFrame).presses) << "a finger that trembles is still there";
+    EXPECT_TRUE(asks().presses) << "a finger that trembles is still there";
     pad.right_trigger = 0.2F;
-    EXPECT_FALSE(hand.request(std::span(&pad, 1), kFrame).presses);
+    EXPECT_FALSE(asks().presses);
     EXPECT_FALSE(hand.request({}, kFrame).presses) << "and none when it is pulled out";
 }
 
-TEST(GamepadHand, LetsGoOfAButtonThatIsStuck) {
-    GamepadHand hand;
-    Gamepad pad{.buttons = Gamepad::kA};
+TEST_F(AGamepad, LetsGoOfAButtonThatIsStuck) {
+    pad.buttons = Gamepad::kA;
     for (int second = 0; second < 59; ++second)
-        EXPECT_TRUE(hand.request(std::span(&pad, 1), 1.0).presses);
+        EXPECT_TRUE(asks(1.0).presses);
     pad.left_x = 1.0F;
-    EXPECT_TRUE(hand.request(std::span(&pad, 1), 1.0).presses) << "somebody moves it";
+    EXPECT_TRUE(asks(1.0).presses) << "somebody moves it";
     pad.left_x = 0.0F;
     for (int second = 0; second < 60; ++second)
-        static_cast<void>(hand.request(std::span(&pad, 1), 1.0));
-    EXPECT_FALSE(hand.request(std::span(&pad, 1), 1.0).presses);
+        static_cast<void>(asks(1.0));
+    EXPECT_FALSE(asks(1.0).presses);
     pad.left_x = 1.0F;
-    EXPECT_FALSE(hand.request(std::span(&pad, 1), 1.0).presses) << "until it is let go";
+    EXPECT_FALSE(asks(1.0).presses) << "until it is let go";
     pad.buttons = 0;
-    static_cast<void>(hand.request(std::span(&pad, 1), 1.0));
+    static_cast<void>(asks(1.0));
     pad.buttons = Gamepad::kA;
-    EXPECT_TRUE(hand.request(std::span(&pad, 1), 1.0).presses);
+    EXPECT_TRUE(asks(1.0).presses);
 }
 
-TEST(GamepadHand, AsksOncePerPressOfAButton) {
-    GamepadHand hand;
-    Gamepad pad{.buttons =
-                    Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kUp | Gamepad::kRight | Gamepad::kX};
-    const GamepadRequest first = hand.request(std::span(&pad, 1), kFrame);
+TEST_F(AGamepad, AsksOncePerPressOfAButton) {
+    pad.buttons = Gamepad::kStart | Gamepad::kRightBumper | Gamepad::kUp | Gamepad::kRight | Gamepad::kX;
+    const GamepadRequest first = asks();
     EXPECT_TRUE(first.fresh_lump);
     EXPECT_EQ(first.ring_steps, 1);
     EXPECT_TRUE(first.takes);
     EXPECT_EQ(first.radius_steps, 1.0);
     EXPECT_EQ(first.speed_steps, 1.0);
-    const GamepadRequest held = hand.request(std::span(&pad, 1), kFrame);
+    const GamepadRequest held = asks();
     EXPECT_FALSE(held.fresh_lump);
     EXPECT_EQ(held.ring_steps, 0);
     EXPECT_FALSE(held.takes);
     EXPECT_EQ(held.radius_steps, 0.0);
     EXPECT_EQ(held.speed_steps, 0.0);
     pad.buttons = 0;
-    EXPECT_TRUE(hand.request(std::span(&pad, 1), kFrame).is_used) << "letting go is use, too";
+    EXPECT_TRUE(asks().is_used) << "letting go is use, too";
     pad.buttons = Gamepad::kDown;
-    EXPECT_EQ(hand.request(std::span(&pad, 1), kFrame).radius_steps, -1.0);
+    EXPECT_EQ(asks().radius_steps, -1.0);
     pad.buttons = Gamepad::kLeftBumper;
-    EXPECT_EQ(hand.request(std::span(&pad, 1), kFrame).speed_steps, -1.0);
+    EXPECT_EQ(asks().speed_steps, -1.0);
 }
 
-TEST(GamepadHand, WalksToEachButtonOfTheScreenAndPressesIt) {
+TEST_F(AGamepad, WalksToEachButtonOfTheScreenAndPressesIt) {
     screens::Composition composition;
     for (const kiosk::Button button : {kiosk::Button::kUndo, kiosk::Button::kDone})
         composition.targets.emplace_back().button = button;
     KioskPointer pointer;
     pointer.look_at(&composition, 0, false);
-    GamepadHand hand;
     std::vector<PointerNews> news;
     const auto presses = [&](std::uint32_t buttons) {
         for (const std::uint32_t now : {buttons, 0U}) {
-            const Gamepad pad{.buttons = now};
-            for (const window::KeyEvent& key : keys_of(hand.request(std::span(&pad, 1), kFrame)))
+            pad.buttons = now;
+            for (const window::KeyEvent& key : keys_of(asks()))
                 pointer.handle(key, 0.0, news);
         }
     };

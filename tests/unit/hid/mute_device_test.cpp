@@ -33,8 +33,8 @@ std::string stick_at(int x) {
 }
 
 // The tick at 1 kHz and the I/O thread's round every 4 ms, about a stick that the clay pushes with 1 N.
-class StickInTheClay {
-  public:
+class StickInTheClay : public ::testing::Test {
+  protected:
     StickInTheClay() {
         script->info = {.path = "/dev/hidraw9", .may_open = true};
         script->info.kind = HidKind::kForceJoystick;
@@ -93,41 +93,38 @@ class StickInTheClay {
     std::uint64_t ticks_ = 0;
 };
 
-TEST(AStickThatReportsAllTheTime, LosesItsForceAsSoonAsItIsMute) {
-    StickInTheClay stick;
-    stick.hold_ms(40, 0);
-    stick.pushes = true;
-    stick.hold_ms(1500, 0);
-    ASSERT_EQ(stick.force_n.y, 1.0) << "held to the last bit, and heard";
+TEST_F(StickInTheClay, ThatReportsAllTheTimeLosesItsForceAsSoonAsItIsMute) {
+    hold_ms(40, 0);
+    pushes = true;
+    hold_ms(1500, 0);
+    ASSERT_EQ(force_n.y, 1.0) << "held to the last bit, and heard";
     // Two of its periods, then 5 ms; the I/O thread's round may be 4 ms old.
-    EXPECT_LE(stick.silent_ms_until_loose(2000), 20 + 5 + 4 + 2);
+    EXPECT_LE(silent_ms_until_loose(2000), 20 + 5 + 4 + 2);
 }
 
-TEST(AStickThatReportsChangesOnly, KeepsItsForceWhileItIsHeldStillAndLosesItWithinASecond) {
-    StickInTheClay stick;
-    stick.hold_ms(40, 1);
-    stick.pushes = true;
-    stick.hold_ms(1500, 1);
-    ASSERT_EQ(stick.force_n.y, 1.0);
-    stick.run_ms(900);
-    EXPECT_EQ(stick.force_n.y, 1.0) << "it has nothing to say";
-    stick.hold_ms(100, 1);
-    stick.run_ms(900);
-    EXPECT_EQ(stick.force_n.y, 1.0) << "and again";
-    EXPECT_LE(stick.silent_ms_until_loose(2000), 110) << "no hand holds a 16-bit sensor for a second";
+TEST_F(StickInTheClay, ThatReportsChangesOnlyKeepsItsForceWhileItIsHeldStillAndLosesItWithinASecond) {
+    hold_ms(40, 1);
+    pushes = true;
+    hold_ms(1500, 1);
+    ASSERT_EQ(force_n.y, 1.0);
+    run_ms(900);
+    EXPECT_EQ(force_n.y, 1.0) << "it has nothing to say";
+    hold_ms(100, 1);
+    run_ms(900);
+    EXPECT_EQ(force_n.y, 1.0) << "and again";
+    EXPECT_LE(silent_ms_until_loose(2000), 110) << "no hand holds a 16-bit sensor for a second";
 }
 
-TEST(AStickThatRestsAfterALastWord, IsTakenForMuteOnceAndNeverAgain) {
-    StickInTheClay stick;
-    stick.hold_ms(40, 0);
-    stick.run_ms(200);
-    EXPECT_EQ(stick.force_n, dvec3(0.0));
-    stick.hold_ms(40, 0);
-    stick.pushes = true;
-    stick.hold_ms(1500, 0);
-    ASSERT_EQ(stick.force_n.y, 1.0);
-    stick.run_ms(900);
-    EXPECT_EQ(stick.force_n.y, 1.0);
+TEST_F(StickInTheClay, ThatRestsAfterALastWordIsTakenForMuteOnceAndNeverAgain) {
+    hold_ms(40, 0);
+    run_ms(200);
+    EXPECT_EQ(force_n, dvec3(0.0));
+    hold_ms(40, 0);
+    pushes = true;
+    hold_ms(1500, 0);
+    ASSERT_EQ(force_n.y, 1.0);
+    run_ms(900);
+    EXPECT_EQ(force_n.y, 1.0);
 }
 
 TEST(ReportHabit, DoesNotTakeAThreadThatWasKeptWaitingForADeviceThatRests) {

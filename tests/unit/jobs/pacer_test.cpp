@@ -22,10 +22,23 @@ Period do_one(Pacer<VirtualClock>& pacer, VirtualClock& clock, std::int64_t work
     return period;
 }
 
-TEST(Pacer, StartsEachTickAtItsOwnDeadlineWhenNothingIsLate) {
+struct APacer : testing::Test {
     VirtualClock clock;
+    Pacer<VirtualClock> pacer{clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep}};
+};
+
+struct ARestlessPacer : testing::Test {
+    VirtualClock clock;
+    Pacer<VirtualClock> pacer{clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep, .leave_rest = false}};
+};
+
+struct AFramePacer : testing::Test {
+    VirtualClock clock;
+    FramePacer<VirtualClock> pacer{clock, 60.0};
+};
+
+TEST_F(APacer, StartsEachTickAtItsOwnDeadlineWhenNothingIsLate) {
     const std::int64_t start_ns = clock.now_ns();
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep});
     for (int k = 0; k < 5000; ++k) {
         const Period period = do_one(pacer, clock, 10 * kUs);
         EXPECT_EQ(period.index, static_cast<std::uint64_t>(k));
@@ -73,9 +86,7 @@ TEST(Pacer, GuardsBetweenFortyAndAHundredAndFiftyMicroseconds) {
     EXPECT_EQ(default_guard_ns(10000.0), 40 * kUs);
 }
 
-TEST(Pacer, RunsALateTickAtOnceAndCountsItAsNotMissedWhenItStillEndsInTime) {
-    VirtualClock clock;
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep});
+TEST_F(APacer, RunsALateTickAtOnceAndCountsItAsNotMissedWhenItStillEndsInTime) {
     do_one(pacer, clock, 10 * kUs);
     clock.oversleep_once(700 * kUs);
     const Period late = do_one(pacer, clock, 10 * kUs);
@@ -87,9 +98,7 @@ TEST(Pacer, RunsALateTickAtOnceAndCountsItAsNotMissedWhenItStillEndsInTime) {
     EXPECT_EQ(do_one(pacer, clock, 10 * kUs).start_ns, late.deadline_ns + kMs);
 }
 
-TEST(Pacer, SkipsAndCountsThePeriodsThatWentByAndNeverReplaysThem) {
-    VirtualClock clock;
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep});
+TEST_F(APacer, SkipsAndCountsThePeriodsThatWentByAndNeverReplaysThem) {
     do_one(pacer, clock, 10 * kUs);
     clock.oversleep_once(5 * kMs + 300 * kUs);
     const Period after = do_one(pacer, clock, 10 * kUs);
@@ -106,9 +115,7 @@ TEST(Pacer, SkipsAndCountsThePeriodsThatWentByAndNeverReplaysThem) {
     EXPECT_EQ(next.start_ns, next.deadline_ns);
 }
 
-TEST(Pacer, ClampsTimeToTwoTicksHoweverManyWereSkipped) {
-    VirtualClock clock;
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep});
+TEST_F(APacer, ClampsTimeToTwoTicksHoweverManyWereSkipped) {
     do_one(pacer, clock, 10 * kUs);
     clock.oversleep_once(1 * kMs);
     EXPECT_DOUBLE_EQ(do_one(pacer, clock, 10 * kUs).dt_s, 0.002);
@@ -117,9 +124,7 @@ TEST(Pacer, ClampsTimeToTwoTicksHoweverManyWereSkipped) {
     EXPECT_DOUBLE_EQ(do_one(pacer, clock, 10 * kUs).dt_s, 0.001);
 }
 
-TEST(Pacer, CountsATickThatEndsAfterTheNextDeadlineAsMissed) {
-    VirtualClock clock;
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep, .leave_rest = false});
+TEST_F(ARestlessPacer, CountsATickThatEndsAfterTheNextDeadlineAsMissed) {
     do_one(pacer, clock, kMs);  // ends exactly one period after its deadline: in time
     EXPECT_EQ(pacer.stats().missed_deadlines(), 0U);
     do_one(pacer, clock, kMs + 1);
@@ -131,10 +136,8 @@ TEST(Pacer, CountsATickThatEndsAfterTheNextDeadlineAsMissed) {
     EXPECT_EQ(pacer.stats().missed_deadlines(), 1U);
 }
 
-TEST(Pacer, CountsEveryPeriodOfAStallOnceWhereverItFalls) {
+TEST_F(ARestlessPacer, CountsEveryPeriodOfAStallOnceWhereverItFalls) {
     // Work that takes 2.5 periods: its own period overruns, the next goes by.
-    VirtualClock clock;
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep, .leave_rest = false});
     do_one(pacer, clock, 2 * kMs + 500 * kUs);
     const Period next = do_one(pacer, clock, 10 * kUs);
     EXPECT_EQ(next.index, 2U);
@@ -159,18 +162,14 @@ TEST(Pacer, LeavesATenthOfTheCoreEvenWhenEveryTickTakesTooLong) {
     }
 }
 
-TEST(Pacer, TakesNoRestWhereNoneIsWanted) {
-    VirtualClock clock;
-    Pacer pacer(clock, {.rate_hz = 1000.0, .wait = WaitMode::kSleep, .leave_rest = false});
+TEST_F(ARestlessPacer, TakesNoRestWhereNoneIsWanted) {
     for (int k = 0; k < 100; ++k)
         do_one(pacer, clock, 2 * kMs);
     EXPECT_EQ(clock.sleeps, 1);  // before the first deadline only
 }
 
-TEST(FramePacer, KeepsSixtyFramesASecondAndSaysHowLongTheyTook) {
-    VirtualClock clock;
+TEST_F(AFramePacer, KeepsSixtyFramesASecondAndSaysHowLongTheyTook) {
     const std::int64_t start_ns = clock.now_ns();
-    FramePacer pacer(clock, 60.0);
     for (int frame = 0; frame < 600; ++frame) {
         pacer.wait();
         clock.pass(9 * kMs);
@@ -183,9 +182,7 @@ TEST(FramePacer, KeepsSixtyFramesASecondAndSaysHowLongTheyTook) {
     EXPECT_EQ(pacer.interval_ns().count(), 599U);
 }
 
-TEST(FramePacer, DrawsOneFrameAfterTheOtherWhenTheyTakeTooLong) {
-    VirtualClock clock;
-    FramePacer pacer(clock, 60.0);
+TEST_F(AFramePacer, DrawsOneFrameAfterTheOtherWhenTheyTakeTooLong) {
     for (int frame = 0; frame < 10; ++frame) {
         pacer.wait();
         clock.pass(30 * kMs);
@@ -214,9 +211,7 @@ TEST(FramePacer, GoesByTheBeatOfADisplayThatIsSlowerOrFaster) {
     }
 }
 
-TEST(FramePacer, DoesNotBelieveADriverThatHasShownEverythingAtOnce) {
-    VirtualClock clock;
-    FramePacer pacer(clock, 60.0);
+TEST_F(AFramePacer, DoesNotBelieveADriverThatHasShownEverythingAtOnce) {
     for (int frame = 0; frame < 100; ++frame) {
         pacer.wait(true);
         clock.pass(kMs);
