@@ -13,7 +13,6 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "engine/haptics/safety/limits.h"
@@ -62,8 +61,5 @@ inline constexpr std::array<SafetyStage, 3> kMotorStages{{
 // remembered here.
 dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
                    const SafetyLimits& limits, SafetyState& state) noexcept;
-
-// The state's counters in one line: fault, ramp, gain, energy taken and given, heat.
-[[nodiscard]] std::string describe(const SafetyState& state, const SafetyLimits& limits);
 
 }  // namespace onggi::haptics

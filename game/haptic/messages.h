@@ -23,7 +23,7 @@ struct LoadReport {
     clay::studio::Failure failure;  // clay::sentence() says it in words
 };
 
-// What the safety chain does to the force, for screens and logs; haptics::describe() says more.
+// What the safety chain does to the force, for screens and logs.
 struct SafetyReport {
     double ramp = 0.0;                // 0 to 1: how much of the force is there after a start or a fault
     double gain = 1.0;                // what missed periods leave of it

@@ -243,15 +243,9 @@ void press_card(Turn& turn, const Event& event) {
 }
 
 void press_idle(Turn& turn, const Event& event) {
-    if (event.button != Button::kFresh) {
-        turn.lay_over(Panel::kNone);
-        return;
-    }
     turn.lay_over(Panel::kNone);
-    if (turn.state.screen == Screen::kResume) {
-        press_resume(turn, Event::pressed(Button::kResumeFresh));
-        return;
-    }
+    if (event.button != Button::kFresh) return;
+    if (turn.state.screen == Screen::kResume) return press_resume(turn, Event::pressed(Button::kResumeFresh));
     turn.show(Screen::kThrow);
     turn.put_on_clay(std::nullopt);
 }

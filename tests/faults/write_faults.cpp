@@ -216,13 +216,6 @@ int open(const char* path, int flags, ...) {
     if (faults().folder.empty()) return real(path, flags, mode);
     return opened(path_at(AT_FDCWD, path), flags, [&] { return real(path, flags, mode); });
 }
-int open64(const char* path, int flags, ...) {
-    va_list words;
-    va_start(words, flags);
-    const mode_t mode = mode_of(flags, words);
-    va_end(words);
-    return open(path, flags, mode);
-}
 int openat(int folder, const char* path, int flags, ...) {
     va_list words;
     va_start(words, flags);
@@ -231,13 +224,6 @@ int openat(int folder, const char* path, int flags, ...) {
     static const auto real = next<int (*)(int, const char*, int, ...)>("openat");
     if (faults().folder.empty()) return real(folder, path, flags, mode);
     return opened(path_at(folder, path), flags, [&] { return real(folder, path, flags, mode); });
-}
-int openat64(int folder, const char* path, int flags, ...) {
-    va_list words;
-    va_start(words, flags);
-    const mode_t mode = mode_of(flags, words);
-    va_end(words);
-    return openat(folder, path, flags, mode);
 }
 FILE* fopen64(const char* path, const char* mode) {
     static const auto real = next<FILE* (*)(const char*, const char*)>("fopen64");
@@ -262,9 +248,10 @@ ssize_t pwrite(int descriptor, const void* bytes, size_t size, off_t at) {
     static const auto real = next<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite");
     return written(descriptor, size, [&](size_t some) { return real(descriptor, bytes, some, at); });
 }
-ssize_t pwrite64(int descriptor, const void* bytes, size_t size, off64_t at) {
-    return pwrite(descriptor, bytes, size, at);
-}
+// Where files are as long as 64 bits can say, these are the same calls.
+int open64(const char* path, int flags, ...) __attribute__((alias("open")));
+int openat64(int folder, const char* path, int flags, ...) __attribute__((alias("openat")));
+ssize_t pwrite64(int descriptor, const void* bytes, size_t size, off64_t at) __attribute__((alias("pwrite")));
 ssize_t writev(int descriptor, const iovec* parts, int count) {
     static const auto real = next<ssize_t (*)(int, const iovec*, int)>("writev");
     size_t size = 0;

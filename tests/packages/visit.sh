@@ -86,13 +86,7 @@ begin)
     echo "stopped in the middle of a visit, which waits"
     ;;
 resume)
-    wait_for "window" xdotool search --name '^Onggi'
-    on_screen attract
-    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
-    click $((width / 2)) $((height / 2))
-    on_screen resume
-    press resume resume-go; on_screen throw
-    has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
+    pick_it_up
     end_kiosk
     wait "$kiosk" || fail "the kiosk ended with exit code $?"
     echo "picked up where it was left"

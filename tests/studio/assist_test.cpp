@@ -91,8 +91,7 @@ TEST(Assist, AHandThatTremblesSqueezesNothing) {
 
 TEST(Assist, SqueezesOnTheWayUpAndNotOnTheWayDown) {
     const auto stroke = [](double from, double to) {
-        Bench bench({.mass_g = 1500.0, .off_centre_mm = 0.0});
-        bench.wall(45.0, 9.0, 12.0, 80.0, 800);
+        Bench bench({.mass_g = 1500.0, .off_centre_mm = 0.0}, {45.0, 9.0, 12.0, 80.0, 800});
         bench.input.assist_gap_mm = 6.0;
         bench.at(70.0, from);
         bench.move({54.7, from, 0.0}, 0.5);
@@ -155,8 +154,7 @@ struct Carried {
 
 // A ball inside a wall of 45 mm radius that goes 8 mm outward at half its height.
 Carried belly(double wall, double gap, double rate_hz = 1000.0) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, rate_hz);
-    bench.wall(45.0, wall, 12.0, 100.0, 1000);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, wall, 12.0, 100.0, 1000}, rate_hz);
     const double start = 45.0 - wall - bench.input.hand.radius_mm;
     bench.at(0.0, 130.0);
     bench.move({0.0, 60.0, 0.0}, 0.3);
@@ -186,8 +184,7 @@ TEST(Assist, AWallHeldByBothIsCarriedOutwardAndNotSqueezed) {
 }
 
 TEST(Assist, TwoHandsOfOnesOwnCarryWhatTheyHold) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 8.0, 12.0, 100.0, 1000);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
     bench.input.has_second = true;
     const double squeezed = 0.5;  // by both together
     const auto hold_at = [&](double outward) {
@@ -220,8 +217,7 @@ TEST(Rate, MakesNoDifferenceToTwoHandsNorToAPress) {
         return bench.clay.height_mm();
     };
     const auto pulled = [](double rate_hz) {
-        Bench bench({.mass_g = 1500.0, .off_centre_mm = 0.0}, rate_hz);
-        bench.wall(45.0, 9.0, 12.0, 80.0, 800);
+        Bench bench({.mass_g = 1500.0, .off_centre_mm = 0.0}, {45.0, 9.0, 12.0, 80.0, 800}, rate_hz);
         bench.input.assist_gap_mm = 6.0;
         bench.at(70.0, 20.0);
         bench.move({54.5, 20.0, 0.0}, 0.5);

@@ -12,12 +12,25 @@ namespace onggi::clay::studio {
 // 120 rev/min.
 constexpr double kThrowingSpeed = 4.0 * std::numbers::pi;
 
+// As StudioClay::set_wall() takes it.
+struct Wall {
+    double outer_mm;
+    double thickness_mm;
+    double floor_mm;
+    double height_mm;
+    int rings;
+};
+
 struct Bench {
     explicit Bench(const StudioLump& lump = {.mass_g = 500.0}, double rate_hz = 1000.0) : clay(lump) {
         parameters.rate_hz = rate_hz;
         parameters.wheel.inertia_kg_m2 = 100.0;  // no hand slows it
         parameters.evaporation_g_mm2_s = 0.0;
         turn_at(kThrowingSpeed);
+    }
+
+    Bench(const StudioLump& lump, const Wall& of, double rate_hz = 1000.0) : Bench(lump, rate_hz) {
+        wall(of.outer_mm, of.thickness_mm, of.floor_mm, of.height_mm, of.rings);
     }
 
     void turn_at(double speed_rad_s) {

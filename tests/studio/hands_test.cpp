@@ -6,8 +6,7 @@ namespace {
 
 TEST(Flow, AHeldDepthFallsToASharePerTimeWhateverTheRate) {
     for (const double rate : {500.0, 1000.0, 8000.0}) {
-        Bench bench({.mass_g = 2000.0, .off_centre_mm = 0.0}, rate);
-        bench.wall(60.0, 60.0, 100.0, 100.0, 1000);
+        Bench bench({.mass_g = 2000.0, .off_centre_mm = 0.0}, {60.0, 60.0, 100.0, 100.0, 1000}, rate);
         // One tau at the strength of 13 kPa is 0.1 s: set the strength to what the body has.
         bench.parameters.flow_time_s = 0.1 / std::sqrt(bench.clay.rings().strength_kpa[0] / 13.0);
         bench.parameters.yield_depth_mm = 0.0;
@@ -19,8 +18,7 @@ TEST(Flow, AHeldDepthFallsToASharePerTimeWhateverTheRate) {
 }
 
 TEST(Flow, AStillHandStopsAtTheYieldDepth) {
-    Bench bench({.mass_g = 2000.0, .off_centre_mm = 0.0});
-    bench.wall(60.0, 60.0, 100.0, 100.0, 1000);
+    Bench bench({.mass_g = 2000.0, .off_centre_mm = 0.0}, {60.0, 60.0, 100.0, 100.0, 1000});
     bench.at(69.0, 50.05);
     bench.hold(3.0);
     EXPECT_NEAR(bench.outer_at(50.05) - 59.0, 0.25, 0.001);
@@ -85,8 +83,7 @@ TEST(Side, AFastHandDoesNotTunnelThroughAWall) {
 }
 
 TEST(Move, SqueezingAWallRaisesItAndLeavesTheRestUntouchedToTheBit) {
-    Bench bench({.mass_g = 2500.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 6.5, 12.0, 160.0, 1600);
+    Bench bench({.mass_g = 2500.0, .off_centre_mm = 0.0}, {45.0, 6.5, 12.0, 160.0, 1600});
     const StudioClay before = bench.clay;
     bench.at(55.0, 128.05);
     bench.move({52.0, 128.05, 0.0}, 0.5);
@@ -104,8 +101,7 @@ TEST(Move, SqueezingAWallRaisesItAndLeavesTheRestUntouchedToTheBit) {
 }
 
 TEST(Move, PressingTheRimLowersAndThickensIt) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 6.5, 12.0, 100.0, 1000);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 6.5, 12.0, 100.0, 1000});
     bench.at(41.75, 115.0);
     bench.move({41.75, 110.0, 0.0}, 0.1);
     bench.move({41.75, 107.0, 0.0}, 1.0);
@@ -122,8 +118,7 @@ TEST(Move, PressingTheRimLowersAndThickensIt) {
 
 TEST(Move, ARimPressedAllTheWayStaysAWallAndBecomesNoFlange) {
     for (const double wall : {4.0, 6.5, 15.0}) {
-        Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-        bench.wall(45.0, wall, 12.0, 70.0, 700);
+        Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, wall, 12.0, 70.0, 700});
         bench.at(45.0 - 0.5 * wall, 85.0);
         bench.move({45.0 - 0.5 * wall, 5.0, 0.0}, 8.0);
         const double height = bench.clay.height_mm();
@@ -164,8 +159,7 @@ TEST(Move, ALumpPressedOnTopSpreadsAsAWholeAndStaysALump) {
 }
 
 TEST(Move, AColumnPressedOnTopKeepsItsSidesUpright) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(30.0, 30.0, 120.0, 120.0, 1200);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {30.0, 30.0, 120.0, 120.0, 1200});
     bench.input.hand.side = WantedSide::kTop;
     bench.at(10.0, 135.0);
     bench.move({10.0, 90.0, 0.0}, 3.0);
@@ -178,8 +172,7 @@ TEST(Move, AColumnPressedOnTopKeepsItsSidesUpright) {
 
 TEST(Move, ACollarNarrowsThickensAndRaisesAFreeWall) {
     const auto collar = [](double chi) {
-        Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-        bench.wall(45.0, 4.0, 12.0, 100.0, 1000);
+        Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 4.0, 12.0, 100.0, 1000});
         bench.parameters.hoop_fraction_chi = chi;
         bench.at(60.0, 70.05);
         for (double x = 55.0; x > 45.25; x -= 0.001)
@@ -201,8 +194,7 @@ TEST(Move, ACollarNarrowsThickensAndRaisesAFreeWall) {
 }
 
 TEST(Move, PushingTheInsideMakesABelly) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 5.0, 12.0, 100.0, 1000);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 5.0, 12.0, 100.0, 1000});
     bench.at(0.0, 130.0);
     bench.move({0.0, 60.0, 0.0}, 0.2);
     bench.move({38.0, 60.0, 0.0}, 2.0);
@@ -267,8 +259,7 @@ TEST(Side, NearTheAxisIsInsideAndOverTheRimIsOnTop) {
 }
 
 TEST(Move, AnAssistedPinchThinsTheWallToItsGapAndRaisesIt) {
-    Bench bench({.mass_g = 1500.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 9.0, 12.0, 80.0, 800);
+    Bench bench({.mass_g = 1500.0, .off_centre_mm = 0.0}, {45.0, 9.0, 12.0, 80.0, 800});
     bench.input.assist_gap_mm = 6.0;
     bench.at(60.0, 16.0);
     bench.move({54.0, 16.0, 0.0}, 0.5);
@@ -284,8 +275,7 @@ TEST(Move, AnAssistedPinchThinsTheWallToItsGapAndRaisesIt) {
 
 TEST(Move, ASpongeFairsAWaveAndKeepsTheVolume) {
     for (const StudioTool tool : {StudioTool::kSponge, StudioTool::kRib}) {
-        Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-        bench.wall(45.0, 8.0, 12.0, 100.0, 1000);
+        Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
         // A groove by a small hand.
         bench.input.hand.radius_mm = 2.0;
         bench.at(46.9, 60.0);
@@ -305,8 +295,7 @@ TEST(Move, ASpongeFairsAWaveAndKeepsTheVolume) {
 }
 
 TEST(Move, TheTrimmerTakesClayToTheTrimmings) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 8.0, 12.0, 100.0, 1000);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
     bench.input.hand.tool = StudioTool::kTrimmer;
     bench.at(60.0, 40.0);
     bench.move({53.0, 40.0, 0.0}, 4.0);
@@ -319,8 +308,7 @@ TEST(Move, TheTrimmerTakesClayToTheTrimmings) {
 }
 
 TEST(Move, TheTrimmerCutsAFootAndNeverThroughTheWall) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 8.0, 12.0, 100.0, 1000);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
     bench.clay.set_liquidity(0.0);  // leather-hard
     bench.input.hand.tool = StudioTool::kTrimmer;
     bench.input.hand.radius_mm = 4.0;

@@ -262,8 +262,7 @@ TEST(Slump, DryHandsTearAThinWetWallOff) {
 }
 
 TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 6.5, 12.0, 80.0, 800);
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, {45.0, 6.5, 12.0, 80.0, 800});
     bench.at(54.5, 50.05);
     const auto rubbing = [&] { return bench.tick().hand; };
     const ContactForces dry = rubbing();
@@ -287,8 +286,7 @@ TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
 }
 
 TEST(Water, PassesFromRingToRing) {
-    Bench bench({.mass_g = 500.0});
-    bench.wall(45.0, 6.0, 12.0, 80.0, 800);
+    Bench bench({.mass_g = 500.0}, {45.0, 6.0, 12.0, 80.0, 800});
     Rings rings = bench.clay.rings();
     for (int i = 0; i < rings.count; ++i)
         set_liquidity(rings, i, rings.centre_mm(i) > 50.0 ? 0.8 : 0.6);
@@ -324,8 +322,7 @@ TEST(Water, PassesFromRingToRing) {
 }
 
 TEST(Water, AWetHandLeavesAFilmThatSlidesAndSoaksIn) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
-    bench.wall(45.0, 6.0, 12.0, 80.0, 800);
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, {45.0, 6.0, 12.0, 80.0, 800});
     bench.input.water = 1.0;
     bench.at(54.5, 50.05);
     bench.hold(0.5);
@@ -344,8 +341,7 @@ TEST(Water, AWetHandLeavesAFilmThatSlidesAndSoaksIn) {
 }
 
 TEST(Water, DriesFromThinWallsFaster) {
-    Bench bench({.mass_g = 500.0});
-    bench.wall(45.0, 5.0, 12.0, 80.0, 800);
+    Bench bench({.mass_g = 500.0}, {45.0, 5.0, 12.0, 80.0, 800});
     bench.parameters.evaporation_g_mm2_s = 5.6e-5;  // a thousand times the air's
     bench.lift();
     bench.hold(2.4);

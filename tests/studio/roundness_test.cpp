@@ -14,8 +14,7 @@ double off_centre(const Bench& bench) {
 }
 
 Bench lump_off_centre(double e) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0});
-    bench.wall(50.0, 50.0, 40.0, 40.0, 400);
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, {50.0, 50.0, 40.0, 40.0, 400});
     bench.clay.set_centre({e, 0.0});
     return bench;
 }
@@ -72,8 +71,7 @@ TEST(Centring, OffCentreClayIsFeltOnceARevolution) {
 
 // A wall that a hand has dented from one side, on a standing wheel; the hand is in the dent.
 Bench dented_wall(double held_s, double from_mm = 60.0, double rate_hz = 1000.0) {
-    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, rate_hz);
-    bench.wall(50.0, 8.0, 12.0, 60.0, 600);
+    Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, {50.0, 8.0, 12.0, 60.0, 600}, rate_hz);
     bench.turn_at(0.0);
     bench.at(from_mm, 40.05);
     bench.move({57.0, 40.05, 0.0}, 0.5);

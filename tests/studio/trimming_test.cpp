@@ -10,8 +10,7 @@ constexpr double kFloorMm = 12.0;
 
 // A thick-footed pot on a wheel that turns, and a finger beside it.
 Bench thick_pot(bool forgiving = true) {
-    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0});
-    bench.wall(50.0, 14.0, kFloorMm, 90.0, 900);
+    Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {50.0, 14.0, kFloorMm, 90.0, 900});
     bench.input.guided = true;
     bench.input.pressing = false;
     bench.input.hand.tool = StudioTool::kTrimmer;

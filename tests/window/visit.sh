@@ -31,13 +31,7 @@ through_a_failure_of_power() {
     kill -9 "$kiosk"
     wait "$kiosk" 2>/dev/null || true
     open_kiosk
-    wait_for "window" xdotool search --name '^Onggi'
-    on_screen attract
-    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
-    click $((width / 2)) $((height / 2))
-    on_screen resume
-    press resume resume-go; on_screen throw
-    has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
+    pick_it_up
 }
 
 # ledge NAME HELD: what the layout calls it while that is held; with one switch there are more targets on it.

@@ -193,6 +193,16 @@ begin_visit() {
     esac
     on_screen choose
 }
+# As it was left with clay that is open, after the program ended in the middle of a visit.
+pick_it_up() {
+    wait_for "window" xdotool search --name '^Onggi'
+    on_screen attract
+    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
+    click $((width / 2)) $((height / 2))
+    on_screen resume
+    press resume resume-go; on_screen throw
+    has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
+}
 has_strokes() { [[ "$(title)" == *" - $1 strokes"* ]]; }
 # A band and a line of iron, with whatever hand; by keys and by one switch the brush is put down and lifted.
 decorate_the_pot() {

@@ -151,10 +151,7 @@ void add_film_command(CLI::App& program, int& exit_status) {
         ->type_name("F.webp");
     command->add_flag("--quick", options->quick,
                       "drawn as the live window is: a quarter of the time, and a little coarser");
-    command->callback([options, &exit_status] {
-        const auto done = make_film(*options);
-        exit_status = done ? 0 : report(done.error());
-    });
+    command->callback([options, &exit_status] { exit_status = exit_code(make_film(*options)); });
 }
 
 }  // namespace onggi::app

@@ -167,8 +167,7 @@ void add_live_command(CLI::App& program, int& exit_status) {
                 return;
             }
         }
-        const auto done = play(*options);
-        exit_status = done ? 0 : report(done.error());
+        exit_status = exit_code(play(*options));
     });
 }
 

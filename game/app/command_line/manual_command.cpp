@@ -13,13 +13,12 @@
 namespace onggi::app {
 namespace {
 
-int write(const CLI::App& program, const std::filesystem::path& folder) {
+Result<void> write(const CLI::App& program, const std::filesystem::path& folder) {
     const std::string named = program.get_name() + " " + version();
     const auto page =
         files::write_file_atomically(folder / "onggi.1", manual_page(program, named, commit_day()));
-    if (!page) return report(page.error());
-    const auto completion = files::write_file_atomically(folder / "onggi.bash", bash_completion(program));
-    return completion ? 0 : report(completion.error());
+    if (!page) return page;
+    return files::write_file_atomically(folder / "onggi.bash", bash_completion(program));
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ void add_manual_command(CLI::App& program, int& exit_status) {
     command->group("");
     const auto folder = std::make_shared<std::string>();
     command->add_option("folder", *folder, "an existing folder")->required()->type_name("FOLDER");
-    command->callback([folder, &program, &exit_status] { exit_status = write(program, *folder); });
+    command->callback([folder, &program, &exit_status] { exit_status = exit_code(write(program, *folder)); });
 }
 
 }  // namespace onggi::app

@@ -47,10 +47,7 @@ void add_replay_command(CLI::App& program, int& exit_status) {
     command->add_option("file", options->file, "a recorded session")->type_name("SESSION.onggi")->required();
     command->add_flag("--validate", options->validate, "compare every stored hash; exit 1 where one differs")
         ->required();
-    command->callback([options, &exit_status] {
-        const auto same = validate(options->file);
-        exit_status = same ? 0 : report(same.error());
-    });
+    command->callback([options, &exit_status] { exit_status = exit_code(validate(options->file)); });
 }
 
 }  // namespace onggi::app

@@ -130,9 +130,8 @@ void add_share_command(CLI::App& program, int& exit_status) {
                 report(bad_input("onggi share: expected --config, or --outbox and --listen, found neither"));
             return;
         }
-        const auto done =
-            options->config.empty() ? serve(*options) : read_settings_and_start_over(options->config);
-        exit_status = done ? 0 : report(done.error());
+        exit_status = exit_code(options->config.empty() ? serve(*options)
+                                                        : read_settings_and_start_over(options->config));
     });
 }
 

@@ -40,6 +40,10 @@ void warn(std::string_view line) {
     say("<4>", line);
 }
 
+int exit_code(const Result<void>& done) {
+    return done ? 0 : report(done.error());
+}
+
 void remark(std::string_view line) {
     say("<5>", line);
 }

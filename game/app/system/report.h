@@ -13,6 +13,8 @@ constexpr const char* kCritical = "<2>";
 
 // The exit code that belongs to the error, after saying it.
 int report(const Error& error);
+// That of a command which has come to this: 0, or what report() says.
+int exit_code(const Result<void>& done);
 // What is no failure.
 void remark(std::string_view line);
 // What went wrong and the program goes on.

@@ -12,6 +12,11 @@ namespace {
 
 class KioskPhoneTest : public SharingKiosk {
   protected:
+    [[nodiscard]] std::shared_ptr<const PhoneAnswer> answer_to_share(KioskPhone& phone) const {
+        EXPECT_TRUE(phone.start());
+        phone.share(kept());
+        return answer_of(phone);
+    }
     static std::vector<SharedPotNote> surveyed(KioskPhone& phone) {
         phone.survey();
         const auto answer = answer_of(phone);
@@ -23,9 +28,7 @@ class KioskPhoneTest : public SharingKiosk {
 TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
     settings_.config.sharing.wifi_name = "Museum-Guest";
     KioskPhone phone(settings_);
-    ASSERT_TRUE(phone.start());
-    phone.share(kept());
-    const auto answer = answer_of(phone);
+    const auto answer = answer_to_share(phone);
     ASSERT_TRUE(answer);
     const auto* const shown = std::get_if<PhoneAnswer::OfPot>(&answer->what);
     ASSERT_NE(shown, nullptr) << answer->words;
@@ -51,9 +54,7 @@ TEST_F(KioskPhoneTest, CountsTheCodesItShowsAndThePagesThatAreOpened) {
     server.count(sharing::ShareEvent::kPageOpened);
     server.count(sharing::ShareEvent::kPageOpened);
     KioskPhone phone(settings_);
-    ASSERT_TRUE(phone.start());
-    phone.share(kept());
-    ASSERT_TRUE(answer_of(phone));
+    ASSERT_TRUE(answer_to_share(phone));
     std::string noted;
     for (int i = 0; i < 3000 && noted.find(",0,2,0,0,0\n") == std::string::npos; ++i) {
         std::ifstream file(folder_.path() / "gallery/statistics/phones.csv");
@@ -67,9 +68,7 @@ TEST_F(KioskPhoneTest, CountsTheCodesItShowsAndThePagesThatAreOpened) {
 TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
     fs::remove(folder_.path() / "gallery" / kName / "pot.stl");
     KioskPhone phone(settings_);
-    ASSERT_TRUE(phone.start());
-    phone.share(kept());
-    const auto answer = answer_of(phone);
+    const auto answer = answer_to_share(phone);
     ASSERT_TRUE(answer);
     EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShareFailed);
     EXPECT_NE(answer->words.find("pot.stl"), std::string::npos) << answer->words;
@@ -78,9 +77,7 @@ TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
 
 TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
     KioskPhone phone(settings_);
-    ASSERT_TRUE(phone.start());
-    phone.share(kept());
-    ASSERT_TRUE(answer_of(phone));
+    ASSERT_TRUE(answer_to_share(phone));
     phone.withdraw("2026-11-22/pot-002");
     phone.withdraw(kName);
     const auto answer = answer_of(phone);

@@ -18,9 +18,7 @@ LiveRun modest_run(std::uint64_t tick_count, std::optional<double> seconds) {
     run.tick_count = tick_count;
     run.seconds = seconds;
     run.wait = jobs::WaitMode::kSleep;
-    run.real_time.fifo_priority = 0;
-    run.real_time.lock_memory = false;
-    run.real_time.wakeful_cores = false;
+    run.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
     return run;
 }
 

@@ -307,16 +307,5 @@ TEST(SafetyBudget, NeverTouchesADeviceWithoutMotors) {
         ASSERT_EQ(budget({3.3, 0.0, 0.0}, {.dt_s = 0.001}, {}, state).x, 3.3);
 }
 
-TEST(SafetyState, SaysWhatItCountsInOneLine) {
-    SafetyState state = engaged();
-    state.given_mj = 1.25;
-    state.late_count = 7;
-    const std::string line = describe(state, {});
-    EXPECT_NE(line.find("no fault; ramp 1.00"), std::string::npos) << line;
-    EXPECT_NE(line.find("given 1.2"), std::string::npos) << line;
-    EXPECT_NE(line.find("7 late periods"), std::string::npos) << line;
-    EXPECT_EQ(line.find('\n'), std::string::npos);
-}
-
 }  // namespace
 }  // namespace onggi::haptics

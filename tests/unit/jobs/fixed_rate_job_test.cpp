@@ -107,9 +107,7 @@ class CountingWork final : public PeriodicWork {
 FixedRateJobOptions modest_options() {
     FixedRateJobOptions options;
     options.pacing = {.rate_hz = 1000.0, .wait = WaitMode::kSleep};
-    options.real_time.fifo_priority = 0;  // not a priority: refused everywhere
-    options.real_time.lock_memory = false;
-    options.real_time.wakeful_cores = false;
+    options.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
     return options;
 }
 
