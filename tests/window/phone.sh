@@ -46,7 +46,7 @@ hang_it_on_the_wall() {
 # nothing to it; so that its makers, now that the visit is over, no longer wait until nobody wants the processor.
 has_a_film() { curl -sSf --max-time 20 "$address/" | grep -q 'href="film.webp"'; }
 look_at_the_film() {
-    local maker
+    local maker patience_s=600
     for maker in $(pgrep --parent "$kiosk"); do
         chrt --all-tasks --other --pid 0 "$maker" || true
     done

@@ -6,11 +6,12 @@ title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 
 fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
 
-# wait_for WHAT COMMAND...: up to a minute; a software driver under a sanitizer takes ten seconds to its first frame.
+# wait_for WHAT COMMAND...: up to a minute, or patience_s; a software driver under a sanitizer takes ten seconds to its
+# first frame.
 wait_for() {
-    local what=$1
+    local what=$1 most_s=${patience_s:-60}
     shift
-    for _ in $(seq 600); do
+    for _ in $(seq $((10 * most_s))); do
         "$@" >/dev/null 2>&1 && return
         if ! kill -0 "$kiosk" 2>/dev/null; then
             local status=0
@@ -19,5 +20,5 @@ wait_for() {
         fi
         sleep 0.1
     done
-    fail "no $what after a minute, found '$(title)'"
+    fail "no $what after $most_s s, found '$(title)'"
 }
