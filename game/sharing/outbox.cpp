@@ -66,6 +66,10 @@ Result<Outbox> Outbox::open(OutboxOptions options) {
     if (!options.languages || options.languages->empty())
         return bad_input("the outbox: expected a language for its pages, found none");
     files::clear_parts(options.folder);
+    // Who was killed while a pot was renewed left something in it.
+    for (const fs::path& entry : list_folder(options.folder).entries) {
+        if (ShareCode::read_exactly(entry.filename().native())) files::clear_parts(entry);
+    }
     Outbox outbox(std::move(options));
     const fs::path& folder = outbox.options_.folder;
     const auto& languages = *outbox.options_.languages;

@@ -223,12 +223,15 @@ TEST_F(OutboxTest, TakesAwayWhatAKilledWriterLeft) {
     test::put_file(folder_ / "box/K73FQ9TX.part/pot.glb", "half");
     fs::create_directories(folder_ / "box/K73FQ9TY");  // without a note: nobody can be told when it goes
     test::put_file(folder_ / "box/K73FQ9TY/pot.glb", "half");
-    fs::create_directories(folder_ / "box/precious");
+    fs::create_directories(folder_ / "box/precious/her.part");
+    test::put_file(folder_ / "box/K73FQ9TY/.onggi-2147483647-0.part",
+                   "half a film");  // of no process that is
     Outbox outbox = open_in(folder_ / "box");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "box/K73FQ9TY"), {}), 1) << "pot.glb alone";
     EXPECT_FALSE(fs::exists(folder_ / "box/K73FQ9TX.part"));
     EXPECT_EQ(*outbox.expire(1), 1);
     EXPECT_FALSE(fs::exists(folder_ / "box/K73FQ9TY"));
-    EXPECT_TRUE(fs::exists(folder_ / "box/precious")) << "what is no pot is nobody's to take";
+    EXPECT_TRUE(fs::exists(folder_ / "box/precious/her.part")) << "what is no pot is nobody's to take";
 }
 
 TEST(KeptNote, IsReadAsItIsWritten) {

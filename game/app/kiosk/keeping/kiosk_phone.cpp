@@ -60,7 +60,10 @@ void KioskPhone::film(std::filesystem::path session) {
 void KioskPhone::forget() {
     tasks_.post([this] {
         waiting_.reset();
-        unfilmed_ ? void(unfilmed_->is_forgotten = true) : film_.drop();
+        if (unfilmed_)
+            unfilmed_->is_forgotten = true;
+        else
+            film_.drop();
     });
 }
 
