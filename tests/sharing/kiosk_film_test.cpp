@@ -1,7 +1,11 @@
 // The film of a visit, made by the built program beside the test, as beside the wheel.
 #include "game/app/kiosk/keeping/kiosk_film.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
 
 #include "tests/cli/cli_expectations.h"
 #include "tests/support/places.h"
@@ -11,6 +15,25 @@
 namespace onggi::app {
 namespace {
 
+// Its maker gets what nobody else wants of the processor; here others are always at work, who would leave it
+// nothing. Where that is refused, it takes longer.
+void let_makers_compete() {
+    const std::string makers = fmt::format("$(pgrep --parent {})", ::getpid());
+    static_cast<void>(std::system(
+        ("for maker in " + makers + "; do chrt --all-tasks --other --pid 0 $maker; done 2>/dev/null")
+            .c_str()));
+}
+
+// Up to five minutes.
+template <typename Condition>
+bool comes_true(Condition&& condition) {
+    for (int i = 0; i < 30'000; ++i) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
 class KioskFilmTest : public testing::Test {
   protected:
     [[nodiscard]] fs::path session() const {
@@ -19,11 +42,8 @@ class KioskFilmTest : public testing::Test {
         return copy;
     }
     static bool ends(KioskFilm& film) {
-        for (int i = 0; i < 10'000; ++i) {
-            if (!film.is_in_the_making()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+        let_makers_compete();
+        return comes_true([&] { return !film.is_in_the_making(); });
     }
 
     test::TemporaryFolder folder_;
@@ -96,11 +116,10 @@ TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     EXPECT_EQ(test::content_of(place / "index.html").find("film.webp"), std::string::npos);
     phone.forget();
     const fs::path making = session.parent_path() / "film";
-    for (int i = 0; i < 10'000 && fs::exists(making); ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    let_makers_compete();
+    EXPECT_TRUE(comes_true([&] { return !fs::exists(making); })) << "nothing of a visit stays behind";
     EXPECT_TRUE(fs::exists(place / "film.webp"));
     EXPECT_NE(test::content_of(place / "index.html").find("href=\"film.webp\""), std::string::npos);
-    EXPECT_FALSE(fs::exists(making)) << "nothing of a visit stays behind";
 }
 
 }  // namespace

@@ -137,6 +137,7 @@ press() {
 # Where the ring is, "[5]"; nothing before it is shown. The rest of the title changes by itself, with the clay.
 ring() { title | grep -oE '\[[0-9]+\]$' || true; }
 is_elsewhere() { [[ "$(title)" != *"[$1]" ]]; }
+is_there_or_gone() { [[ "$(title)" = *"[$1]" ]] || ! has_come_to "$2"; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
 take() {
     local before after
@@ -153,10 +154,14 @@ take() {
         done
         xdotool key Return
     else
+        local began
+        began=$(title | grep -oE '^Onggi - [a-z-]+' || true)
+        began=${began#Onggi - }
         for _ in $(seq 5); do
             # As it comes: of one that is about to go on, a busy machine would take the next.
             wait_for "the ring elsewhere than on target $1" is_elsewhere "$1"
-            wait_for "the ring on target $1" xdotool search --name "^Onggi - .*\[$1\]\$"
+            wait_for "the ring on target $1" is_there_or_gone "$1" "$began"
+            has_come_to "$began" || return 0  # what was taken came late
             before=$(title)
             xdotool key space
             sleep 0.3
