@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 #include <linux/input.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "engine/window/window.h"
 #include "game/app/devices/gamepad_hand.h"
 #include "tests/device/mock_gamepad.h"
+#include "tests/support/comes_true.h"
 
 namespace onggi {
 namespace {
@@ -50,14 +49,9 @@ class GamepadsThroughGlfw : public ::testing::Test {
         static_cast<void>(window_->poll_events());
         return window_->gamepads();
     }
-    // At most ten seconds, for a machine that is busy with other things.
     template <typename Condition>
     bool comes_true(Condition condition) {
-        for (int look = 0; look < 1000; ++look) {
-            if (condition(now())) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
+        return test::comes_true([&] { return condition(now()); });
     }
     template <typename Condition>
     bool first_comes_to(Condition condition) {

@@ -9,10 +9,12 @@
 
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
+#include "tests/support/comes_true.h"
 
 namespace onggi::haptics {
 namespace {
 
+using test::comes_true;
 using testing::HidScript;
 using testing::kDualSense;
 using testing::kJoystick;
@@ -20,16 +22,6 @@ using testing::kPedal;
 using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
-
-// At most twenty seconds, on a machine that is busy with other things; the read's step keeps the input alive.
-template <typename Condition>
-bool comes_true(Condition condition) {
-    for (int round = 0; round < 20'000; ++round) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-}
 
 std::unique_ptr<HidDevice> opened(HidKind kind) {
     auto device = make_hid_device({.kind = kind});

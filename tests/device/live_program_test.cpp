@@ -11,10 +11,12 @@
 #include "tests/cli/cli_expectations.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
+#include "tests/support/comes_true.h"
 
 namespace onggi {
 namespace {
 
+using test::comes_true;
 using test::RunningOnggi;
 using testing::joystick_features;
 using testing::kDualSense;
@@ -102,15 +104,6 @@ class LiveAmongDevices : public ::testing::Test {
         };
         EXPECT_TRUE(comes_true(feels_a_wall)) << written;
         return written;
-    }
-    // At most twenty seconds, on a machine that is busy with other things.
-    template <typename Condition>
-    static bool comes_true(Condition condition) {
-        for (int round = 0; round < 2'000; ++round) {
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
     }
     static bool says(RunningOnggi& program, std::string_view line) {
         return comes_true([&] { return program.printed().find(line) != std::string::npos; });

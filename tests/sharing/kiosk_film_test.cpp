@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "tests/cli/cli_expectations.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/places.h"
 #include "tests/support/sharing_kiosk.h"
 #include "tests/support/webp_frames.h"
@@ -24,15 +25,7 @@ void let_makers_compete() {
             .c_str()));
 }
 
-// Up to five minutes.
-template <typename Condition>
-bool comes_true(Condition&& condition) {
-    for (int i = 0; i < 30'000; ++i) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
+constexpr std::chrono::seconds kPatience(300);
 
 class KioskFilmTest : public testing::Test {
   protected:
@@ -43,7 +36,7 @@ class KioskFilmTest : public testing::Test {
     }
     static bool ends(KioskFilm& film) {
         let_makers_compete();
-        return comes_true([&] { return !film.is_in_the_making(); });
+        return test::comes_true([&] { return !film.is_in_the_making(); }, kPatience);
     }
 
     test::TemporaryFolder folder_;
@@ -117,7 +110,8 @@ TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     phone.forget();
     const fs::path making = session.parent_path() / "film";
     let_makers_compete();
-    EXPECT_TRUE(comes_true([&] { return !fs::exists(making); })) << "nothing of a visit stays behind";
+    EXPECT_TRUE(test::comes_true([&] { return !fs::exists(making); }, kPatience))
+        << "nothing of a visit stays behind";
     EXPECT_TRUE(fs::exists(place / "film.webp"));
     EXPECT_NE(test::content_of(place / "index.html").find("href=\"film.webp\""), std::string::npos);
 }

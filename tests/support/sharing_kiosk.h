@@ -3,16 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
@@ -39,11 +38,9 @@ class SharingKiosk : public ::testing::Test {
         return {.gallery_name = kName, .pot = pot};
     }
     static std::shared_ptr<const PhoneAnswer> answer_of(KioskPhone& phone) {
-        for (int i = 0; i < 3000; ++i) {
-            if (auto answer = phone.next_answer()) return answer;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return nullptr;
+        std::shared_ptr<const PhoneAnswer> answer;
+        test::comes_true([&] { return (answer = phone.next_answer()) != nullptr; });
+        return answer;
     }
     [[nodiscard]] std::vector<sharing::OutboxEntry> shared() const {
         return sharing::Outbox::open({.folder = folder_.path() / "outbox", .languages = settings_.languages})

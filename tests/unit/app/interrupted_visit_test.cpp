@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "engine/core/list_folder.h"
 #include "engine/record/session.h"
 #include "game/app/kiosk/gallery/interrupted_session.h"
 #include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/haptic/studio_hand.h"
@@ -242,19 +240,16 @@ struct VisitedWheel {
         keeper->stop();
         job.stop();
     }
-    // At most half a minute.
     template <typename Condition>
     bool waits_for(Condition&& condition) {
-        for (int round = 0; round < 6'000; ++round) {
+        return test::comes_true([&] {
             while (const auto answer = keeper->next_answer()) {
                 is_interrupted_session =
                     is_interrupted_session || std::holds_alternative<KeeperAnswer::Interrupted>(answer->what);
                 words += answer->words + "\n";
             }
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        return false;
+            return condition();
+        });
     }
     [[nodiscard]] std::uint64_t tick() { return job.newest_snapshot().tick; }
 

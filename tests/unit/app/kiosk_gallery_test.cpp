@@ -8,12 +8,12 @@
 
 #include "engine/files/read_file.h"
 #include "engine/haptics/simulated_device.h"
-#include "engine/jobs/clock.h"
 #include "engine/record/session.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/haptic/start_state.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 
@@ -200,16 +200,15 @@ TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
 // A keeper at work on a gallery, and the loop it would follow.
 struct KeeperTest : testing::Test {
     KeeperTest() { EXPECT_TRUE(keeper.start()); }
-    // The next answer about that; none after ten seconds.
+    // The next answer about that; null: none came.
     template <typename What>
     std::shared_ptr<const KeeperAnswer> answer() {
-        jobs::MonotonicClock clock;
-        for (int round = 0; round < 10'000; ++round) {
-            auto next = keeper.next_answer();
-            if (next && std::holds_alternative<What>(next->what)) return next;
-            clock.sleep_until_ns(jobs::MonotonicClock::now_ns() + 1'000'000);
-        }
-        return nullptr;
+        std::shared_ptr<const KeeperAnswer> next;
+        const bool came = test::comes_true([&] {
+            next = keeper.next_answer();
+            return next && std::holds_alternative<What>(next->what);
+        });
+        return came ? next : nullptr;
     }
     std::optional<KeeperAnswer::Survey> survey() {
         const auto found = answer<KeeperAnswer::Survey>();

@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <memory>
-#include <thread>
 
 #include "game/haptic/tools.h"
 #include "game/kiosk/strings.h"
+#include "tests/support/comes_true.h"
 
 namespace onggi::app {
 namespace {
@@ -79,14 +78,13 @@ class CountingPlace final : public sound::SoundPlace {
     std::atomic<int>& asked_;
 };
 
-// At most ten seconds.
 std::string news_of(KioskSound& sound) {
-    for (int look = 0; look < 1000; ++look) {
+    std::string line;
+    test::comes_true([&] {
         sound.hear(touching());
-        if (std::string line = sound.news(); !line.empty()) return line;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return {};
+        return !(line = sound.news()).empty();
+    });
+    return line;
 }
 
 TEST(KioskSound, OpensTheDeviceWhenTheVolumeFirstRisesAndNotBefore) {

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/support/comes_true.h"
+
 namespace onggi::app {
 namespace {
 
@@ -33,14 +35,6 @@ class VoiceTest : public ::testing::Test {
             bytes += std::string("\0\x20", 2);
         return bytes;
     }
-    template <typename Test>
-    static bool comes_true(const Test& test) {
-        for (int look = 0; look < 2000; ++look) {
-            if (test()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        return false;
-    }
     fs::path folder_;
 };
 
@@ -50,7 +44,7 @@ TEST_F(VoiceTest, ReadsALineWhenItIsDue) {
     ASSERT_TRUE(voice.start());
     EXPECT_TRUE(voice.ask("ko", "choose.title"));
     EXPECT_FALSE(voice.ask("ko", "choose.title")) << "the same again is nothing new";
-    ASSERT_TRUE(comes_true([&] { return voice.line() != nullptr; }));
+    ASSERT_TRUE(test::comes_true([&] { return voice.line() != nullptr; }));
     EXPECT_NEAR(static_cast<double>(voice.line()->samples.size()), 4800.0, 8.0);
     EXPECT_EQ(voice.news(), "");
     voice.ask("ko", "");
@@ -76,7 +70,7 @@ TEST_F(VoiceTest, SaysOnceWhatItCannotRead) {
     ASSERT_TRUE(voice.start());
     voice.ask("ko", "glz.title");
     std::string news;
-    ASSERT_TRUE(comes_true([&] { return !(news = voice.news()).empty(); }));
+    ASSERT_TRUE(test::comes_true([&] { return !(news = voice.news()).empty(); }));
     EXPECT_NE(news.find("glz.title.wav: expected a RIFF wave file"), std::string::npos) << news;
     EXPECT_EQ(voice.news(), "");
     EXPECT_EQ(voice.line(), nullptr);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/haptics/haply/inverse_device.h"
+#include "tests/support/comes_true.h"
 #include "tests/unit/haply/fake_service.h"
 
 namespace onggi::haptics {
@@ -15,18 +16,15 @@ using testing::FakeService;
 
 class InverseDeviceTest : public ::testing::Test {
   protected:
-    // At most twenty seconds, on a machine that is busy with other things; the loop goes on meanwhile. Where
-    // the machine held it up for longer than the gate bears, the gate is shut until the force was small once:
-    // the tool leaves the clay until it opens.
+    // The loop goes on meanwhile. Where the machine held it up for longer than the gate bears, the gate is
+    // shut until the force was small once: the tool leaves the clay until it opens.
     template <typename Condition>
     bool comes_true(InverseDevice& device, Condition condition, const dvec3& force_n = dvec3(0.0)) {
-        for (int round = 0; round < 20'000; ++round) {
+        return test::comes_true([&] {
             tool_ = device.read(tick_++, 0.001);
             device.write(device.signs().force_fraction > 0.0 ? force_n : dvec3(0.0));
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        return false;
+            return condition();
+        });
     }
 
     ToolState tool_;

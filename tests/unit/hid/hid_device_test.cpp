@@ -8,11 +8,14 @@
 #include <mutex>
 #include <thread>
 
+#include "tests/support/comes_true.h"
 #include "tests/support/pid_descriptors.h"
 #include "tests/support/scripted_hid.h"
 
 namespace onggi::haptics {
 namespace {
+
+using test::comes_true;
 
 // A pedal that is down, behind a lock: the I/O thread reads while the test looks on.
 class LockedPort final : public hid::HidPort {
@@ -64,15 +67,6 @@ class HidDeviceTest : public ::testing::Test {
     int open_ports() {
         const std::lock_guard lock(mutex_);
         return open_ports_;
-    }
-    // At most ten seconds, on a machine that is busy with other things.
-    template <typename Condition>
-    static bool comes_true(Condition condition) {
-        for (int round = 0; round < 10'000; ++round) {
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        return false;
     }
 
     int open_ports_ = 0;

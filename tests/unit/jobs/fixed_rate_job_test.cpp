@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tests/support/comes_true.h"
 #include "tests/support/virtual_clock.h"
 
 namespace onggi::jobs {
@@ -111,21 +112,12 @@ FixedRateJobOptions modest_options() {
     return options;
 }
 
-void wait_until_finished(const FixedRateJob& job) {
-    MonotonicClock clock;
-    const std::int64_t bound_ns = MonotonicClock::now_ns() + 30'000'000'000;
-    while (!job.finished() && MonotonicClock::now_ns() < bound_ns) {
-        clock.sleep_until_ns(MonotonicClock::now_ns() + 1'000'000);
-    }
-}
-
 TEST(FixedRateJob, EndsByItselfWhenTheWorkIsDone) {
     CountingWork work(20);
     FixedRateJob job(modest_options());
     EXPECT_TRUE(job.finished());
     ASSERT_TRUE(job.start(work));
-    wait_until_finished(job);
-    EXPECT_TRUE(job.finished());
+    EXPECT_TRUE(test::comes_true([&] { return job.finished(); }));
     job.stop();
     EXPECT_EQ(work.ticks.load(), 20);
     EXPECT_EQ(job.stats().ticks, 20U);
@@ -150,7 +142,7 @@ TEST(FixedRateJob, RunsWithARefusalAndRecordsItUnderIgnore) {
     ASSERT_TRUE(job.start(work));
     EXPECT_EQ(job.real_time().fifo.grant, Grant::kRefused);
     EXPECT_STREQ(job.real_time().scheduler(), "other");
-    wait_until_finished(job);
+    EXPECT_TRUE(test::comes_true([&] { return job.finished(); }));
     EXPECT_EQ(work.ticks.load(), 1);
 }
 

@@ -5,7 +5,8 @@
 #include <chrono>
 #include <fstream>
 #include <optional>
-#include <thread>
+
+#include "tests/support/comes_true.h"
 
 namespace onggi::jobs {
 namespace {
@@ -15,9 +16,7 @@ bool succeeds(const std::string& script, std::optional<std::string_view> line = 
     auto process = IdleProcess::start({"/bin/sh", "-c", script});
     if (!process) return false;
     if (line) process->tell(*line);
-    for (int i = 0; i < 2000 && process->is_at_work(); ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    return process->has_succeeded();
+    return test::comes_true([&] { return !process->is_at_work(); }) && process->has_succeeded();
 }
 
 TEST(IdleProcess, SaysHowItEnded) {
@@ -45,8 +44,7 @@ TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
 TEST(IdleProcess, BearsWhoNeverListens) {
     auto process = IdleProcess::start({"/bin/true"});
     ASSERT_TRUE(process);
-    while (process->is_at_work())
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(test::comes_true([&] { return !process->is_at_work(); }));
     process->tell("anybody?");
     EXPECT_TRUE(process->has_succeeded());
 }

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
-#include <thread>
+
+#include "tests/support/comes_true.h"
 
 namespace onggi::jobs {
 namespace {
@@ -30,18 +30,12 @@ class Counting final : public IoWork {
     std::int64_t last_ns_ = 0;
 };
 
-void wait_for(const std::atomic<int>& count, int wanted) {
-    for (int round = 0; round < 10'000 && count < wanted; ++round)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ASSERT_GE(count, wanted);
-}
-
 TEST(IoThread, GoesRoundUntilItIsStoppedAndFinishesOnce) {
     Counting work(0);
     IoThread thread;
     ASSERT_TRUE(thread.start(work, "test"));
     EXPECT_TRUE(thread.running());
-    wait_for(work.rounds, 100);
+    ASSERT_TRUE(test::comes_true([&] { return work.rounds >= 100; }));
     thread.stop();
     EXPECT_FALSE(thread.running());
     EXPECT_EQ(work.finishes, 1);
@@ -55,7 +49,7 @@ TEST(IoThread, IsStoppedOutOfALongRest) {
     {
         IoThread thread;
         ASSERT_TRUE(thread.start(work, "test"));
-        wait_for(work.rounds, 1);
+        ASSERT_TRUE(test::comes_true([&] { return work.rounds >= 1; }));
     }  // would take an hour
     EXPECT_EQ(work.rounds, 1);
     EXPECT_EQ(work.finishes, 1);
@@ -69,7 +63,7 @@ TEST(IoThread, StartsAgain) {
     work.finishes = 0;
     const int before = work.rounds;
     ASSERT_TRUE(thread.start(work, "test"));
-    wait_for(work.rounds, before + 1);
+    ASSERT_TRUE(test::comes_true([&] { return work.rounds >= before + 1; }));
     thread.stop();
     EXPECT_EQ(work.finishes, 1);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "game/screens/screens.h"
+#include "tests/support/comes_true.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {
@@ -268,13 +269,10 @@ TEST(Composer, ComposesTheNewestRequestBesideTheFrame) {
     for (const SampleView& sample : samples)
         composer.ask(sample.view);
     std::shared_ptr<const Composed> latest;
-    for (int look = 0; look < 2000; ++look) {
+    ASSERT_TRUE(test::comes_true([&] {
         latest = composer.latest();
-        if (latest && latest->view == samples.back().view) break;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    ASSERT_TRUE(latest);
-    EXPECT_EQ(latest->view, samples.back().view);
+        return latest && latest->view == samples.back().view;
+    }));
     EXPECT_FALSE(latest->composition.items.empty());
 }
 
@@ -285,21 +283,17 @@ TEST(Composer, LeavesTheFrameNothingToPaint) {
     Stage stage;
     ASSERT_TRUE(composer.start());
     const std::uint64_t before = ui::Painter::work_of_this_thread();
-    int shown = 0;
     double now_s = 0.0;
     for (const SampleView& sample : samples) {
         composer.ask(sample.view);
-        for (int look = 0; look < 4000; ++look) {
+        ASSERT_TRUE(test::comes_true([&] {
             now_s += 0.016;
             stage.take(composer.latest(), now_s);
             stage.turn(composer.turned());
             static_cast<void>(stage.draw({.now_s = now_s}));
-            if (stage.shown() != nullptr && stage.shown()->view == sample.view) break;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
-        if (stage.shown() != nullptr && stage.shown()->view == sample.view) ++shown;
+            return stage.shown() != nullptr && stage.shown()->view == sample.view;
+        }));
     }
-    EXPECT_EQ(shown, static_cast<int>(samples.size()));
     EXPECT_EQ(ui::Painter::work_of_this_thread(), before);
 }
 

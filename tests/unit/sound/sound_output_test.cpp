@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <thread>
 #include <vector>
+
+#include "tests/support/comes_true.h"
 
 namespace onggi::sound {
 namespace {
@@ -118,8 +119,7 @@ TEST(SoundOutput, RunsOnAThreadOfItsOwnAndEnds) {
     ASSERT_TRUE(sound.open());
     ASSERT_TRUE(sound.open()) << "a second time changes nothing";
     sound.play({.wheel_rev_min = 60.0});
-    for (int round = 0; round < 1000 && sound.status().message.empty(); ++round)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    test::comes_true([&] { return !sound.status().message.empty(); });
     EXPECT_EQ(sound.status().message, "no hall");
     sound.close();
     EXPECT_EQ(hall.times_opened, 1);

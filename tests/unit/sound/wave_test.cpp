@@ -2,13 +2,12 @@
 // listened to. The program runs with ALSOFT_DRIVERS=wave.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <thread>
 
 #include "engine/sound/openal_player.h"
 #include "engine/sound/sound_output.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/sound/listening.h"
 
@@ -52,8 +51,7 @@ TEST(SoundThroughOpenAl, IsHeardAsItWasMeantAndEndsWithoutAClick) {
     SoundOutput sound(make_openal_place());
     ASSERT_TRUE(sound.open());
     sound.play({.wheel_rev_min = 120.0, .contact_n = 1.0, .slip_mm_s = 700.0, .wetness = 0.8, .volume = 1.0});
-    for (int round = 0; round < 2000 && sound.status().blocks < 150; ++round)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    test::comes_true([&] { return sound.status().blocks >= 150; });
     ASSERT_TRUE(sound.status().is_heard) << sound.status().message;
     ASSERT_GE(sound.status().blocks, 150U);
     sound.close();

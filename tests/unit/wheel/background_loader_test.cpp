@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "game/wheel/workshop_scene.h"
+#include "tests/support/comes_true.h"
 #include "tests/unit/wheel/our_workshop.h"
 
 namespace onggi::wheel {
@@ -15,11 +14,9 @@ namespace {
 
 // Nothing while a long time goes by.
 std::optional<BackgroundLoader::Loaded> waited_for(BackgroundLoader& loader) {
-    for (int round = 0; round < 3000; ++round) {
-        if (auto loaded = loader.take()) return loaded;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return std::nullopt;
+    std::optional<BackgroundLoader::Loaded> loaded;
+    test::comes_true([&] { return (loaded = loader.take()).has_value(); });
+    return loaded;
 }
 
 std::vector<BackgroundCamera> copies(const std::vector<const BackgroundCamera*>& cameras) {
