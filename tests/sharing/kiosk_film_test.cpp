@@ -25,7 +25,7 @@ void let_makers_compete() {
             .c_str()));
 }
 
-constexpr std::chrono::seconds kPatience(300);
+constexpr std::chrono::seconds kPatience(100);
 
 class KioskFilmTest : public testing::Test {
   protected:

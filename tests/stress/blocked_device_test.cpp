@@ -104,6 +104,7 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
     HapticJobOptions options;
     options.wait = jobs::WaitMode::kSleep;
     options.end_periods = kPeriods;
+    // 0 is no priority, and refused: a test shares the machine with others.
     options.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
     HapticJob job(HapticState(), parameters, std::make_unique<haptics::Hands>(std::move(hands)), options);
     EXPECT_TRUE(job.start());

@@ -21,6 +21,7 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
     HapticJobOptions options;
     options.wait = jobs::WaitMode::kSleep;
     options.end_periods = kTicks;
+    // 0 is no priority, and refused: a test shares the machine with others.
     options.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
     HapticJob job(HapticState(), parameters, std::move(owned), options);
     ASSERT_TRUE(job.start());

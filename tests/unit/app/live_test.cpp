@@ -18,6 +18,7 @@ LiveRun modest_run(std::uint64_t tick_count, std::optional<double> seconds) {
     run.tick_count = tick_count;
     run.seconds = seconds;
     run.wait = jobs::WaitMode::kSleep;
+    // 0 is no priority, and refused: a test shares the machine with others.
     run.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
     return run;
 }

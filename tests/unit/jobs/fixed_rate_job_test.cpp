@@ -108,6 +108,7 @@ class CountingWork final : public PeriodicWork {
 FixedRateJobOptions modest_options() {
     FixedRateJobOptions options;
     options.pacing = {.rate_hz = 1000.0, .wait = WaitMode::kSleep};
+    // 0 is no priority, and refused: a test shares the machine with others.
     options.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
     return options;
 }

@@ -87,7 +87,14 @@ TEST_F(OutboxTest, GivesAPotWhatItLackedWhereItIsStillThere) {
     const auto code = outbox.put(unfilmed, kNoon);
     ASSERT_TRUE(code) << code.error().message;
     const fs::path place = folder_ / "box" / code->text();
+    // On a disk that is full in the middle of it.
+    EXPECT_EQ(test::in_child([&]() -> std::string {
+                  test::limit_file_size(4096);
+                  return outbox.renew(*code, whole, kNoon) ? "renewed" : "refused";
+              }),
+              "refused");
     EXPECT_EQ(test::content_of(place / "ko.html").find("film.webp"), std::string::npos);
+    EXPECT_EQ(test::content_of(place / "pot.glb"), text_of(whole.model_glb.bytes));
     EXPECT_TRUE(*outbox.renew(*code, whole, kNoon));
     EXPECT_EQ(test::content_of(place / "film.webp"), text_of(whole.film.bytes));
     for (const char* page : {"index.html", "ko.html"})
