@@ -1,5 +1,8 @@
 # A display of a test's own. Sourced, never run.
 
+# scaled NUMBER: of seconds, or of looks that take about as long each, on this machine (ONGGI_SLOWNESS, set by ctest).
+scaled() { awk -v number="$1" -v slowness="${ONGGI_SLOWNESS:-1}" 'BEGIN { print int(number * slowness) }'; }
+
 # serve_display FOLDER SERVER WORD...: starts an X server, waits until it listens and sets `server` (its process) and
 # DISPLAY. What it says lies in FOLDER. The server itself picks a free number and tells it; guessing one would race with
 # other tests. Without -noreset it starts anew whenever its last client leaves, and turns away who comes just then. It
@@ -8,11 +11,11 @@ serve_display() {
     MALLOC_MMAP_THRESHOLD_=33554432 MALLOC_TRIM_THRESHOLD_=134217728 \
         "${@:2}" -displayfd 1 -noreset -nolisten tcp >"$1/display" 2>"$1/display.log" &
     server=$!
-    for _ in $(seq 300); do
+    for _ in $(seq "$(scaled 300)"); do
         [ -s "$1/display" ] && break
         sleep 0.1
     done
-    [ -s "$1/display" ] || { echo "no display after half a minute"; cat "$1/display.log"; return 1; }
+    [ -s "$1/display" ] || { echo "no display"; cat "$1/display.log"; return 1; }
     DISPLAY=:$(cat "$1/display")
     export DISPLAY
     unset WAYLAND_DISPLAY

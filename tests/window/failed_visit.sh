@@ -12,7 +12,8 @@ gave_way() { [[ "$(title)" = "Onggi - failure"* ]]; }
 come_low() {
     local x y
     read -r x y < <(echo "140 60" | "$programs/clay_places" "$width" "$height")
-    xdotool mousemove "$x" "$y" sleep 0.3
+    xdotool mousemove "$x" "$y"
+    pause 3
     hands push 400 0 150
     hands push 0 -200 150
     hands push 0 15 50
@@ -32,10 +33,7 @@ press_through() {
 }
 # For so long it stands, or what gave way would be found out again.
 stands_still() {
-    for _ in $(seq 30); do
-        gave_way && fail "it gave way again, and nobody had touched it"
-        sleep 0.1
-    done
+    within 30 "clay that stands" gave_way && fail "it gave way again, and nobody had touched it"
     on_screen throw
 }
 

@@ -38,7 +38,7 @@ first_mm=$(clay_mm)
 press "$throwing" done
 wait_for "new clay" is_a_lump
 on_screen throw  # the first bowl beside the wheel
-sleep 7          # it has been looked at
+pause 70         # it has been looked at
 throw_a_bowl
 on_screen throw
 clay_top=$((first_mm + $(clay_mm)))  # the camera steps back for both, and stays there

@@ -6,7 +6,7 @@ set -euo pipefail
 open_supervised() {
     mkdir -p metrics
     grep -q metrics_folder kiosk.toml || printf '[staff]\nname = "by the door"\nmetrics_folder = "metrics"\n' >>kiosk.toml
-    "$onggi" kiosk --config kiosk.toml --size "$size" --device auto --volume 0 >>kiosk.log 2>&1 &
+    "${as_usual[@]}" "$onggi" kiosk --config kiosk.toml --size "$size" --device auto --volume 0 >>kiosk.log 2>&1 &
     kiosk=$!
 }
 OPENS=open_supervised
@@ -31,7 +31,7 @@ done
 press choose free; on_screen throw
 press_it
 open_it
-sleep 2  # the journal is synced once a second
+pause 20  # the journal is synced once a second
 
 # The program dies on the spot, as of its own fault.
 child=$(pgrep --parent "$kiosk" --exact onggi)

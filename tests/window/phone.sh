@@ -46,16 +46,16 @@ hang_it_on_the_wall() {
 # nothing to it; so that its makers, now that the visit is over, no longer wait until nobody wants the processor.
 has_a_film() { curl -sSf --max-time 20 "$address/" | grep -q 'href="film.webp"'; }
 look_at_the_film() {
-    local maker patience_s=600
+    local maker
     for maker in $(pgrep --parent "$kiosk"); do
         chrt --all-tasks --other --pid 0 "$maker" || true
     done
-    wait_for "a film on the page" has_a_film
+    within 6000 "film on the page" has_a_film || fail "no film on the page"
     curl -sSf --max-time 20 "$address/film.webp" -o film.webp
     [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
 }
 # Its maker sees it there first: the boards are darker than the room, and nothing of the wheel is there.
 look_at_the_wall() {
-    sleep 1
+    pause 10
     on_screen attract
 }

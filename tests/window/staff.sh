@@ -14,6 +14,7 @@ kiosk=
 server=
 trap 'kill $kiosk $server 2>/dev/null || true' EXIT
 open_display . 1280x720
+listen_for_life
 
 settings() {
     cat >kiosk.toml <<TOML
@@ -27,7 +28,7 @@ remember_staff = true
 [staff]
 pin = "2580"
 locked = $1
-closes_after_s = 10
+closes_after_s = $silence_s
 name = "Wheel 2"
 [sharing]
 public_url = "http://127.0.0.1:8080"
@@ -35,21 +36,25 @@ outbox = "outbox"
 TOML
 }
 start() {
-    "$onggi" kiosk --config kiosk.toml --size 1280x720 "$@" >>kiosk.log 2>&1 &
+    "${as_usual[@]}" "$onggi" kiosk --config kiosk.toml --size 1280x720 "$@" >>kiosk.log 2>&1 &
     kiosk=$!
 }
 titled() { xdotool search --name "^Onggi - $1\$" >/dev/null 2>&1; }
 shot=0
 on_screen() {
     wait_for "screen '$1'" titled "$1"
-    sleep 0.6
+    pause 6
     shot=$((shot + 1))
     command -v import >/dev/null && import -window root "$(printf '%02d' "$shot")-${2:-$1}.png" || true
 }
-click() { xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1 sleep 0.1; }
+click() {
+    xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
+    pause 1
+}
+# hold_corner COMMAND...: for as long as the command takes.
 hold_corner() {
     xdotool mousemove 30 30 sleep 0.1 mousedown 1
-    sleep "$1"
+    "$@"
     xdotool mouseup 1
 }
 # The keypad's places: three columns 136 apart from 504, four rows 100 apart from 218.
@@ -84,25 +89,25 @@ for key in Escape alt+F4 ctrl+q ctrl+c ctrl+w q F11; do xdotool key "$key" sleep
 ask_to_close
 kill -INT "$kiosk"
 pkill -INT -P "$kiosk" || true # and the program under its supervisor
-sleep 1
+pause 10
 kill -0 "$kiosk" || fail "a locked kiosk was left by a visitor"
 wait_for "a screen" xdotool search --name '^Onggi - (attract|choose)$'
 
 # A corner that is not held for five seconds is none; then the keypad, and three wrong PINs.
-hold_corner 3
-sleep 0.5
+hold_corner sleep 3
+pause 5
 titled '.*pin' && fail "the keypad came too early"
-hold_corner 5.6
+hold_corner pause 58
 on_screen '.* - pin' pin
 for _ in 1 2 3; do pin 1111; done
 on_screen '.* - pin' pin-waits
 pin 2580
-sleep 0.5
+pause 5
 titled '.* - staff' && fail "the PIN counted while it should not"
 click 504 518 # Close
 wait_for "the keypad gone" xdotool search --name '^Onggi - (attract|choose)$'
-sleep 9
-hold_corner 5.6
+pause 90
+hold_corner pause 58
 on_screen '.* - pin' pin-again
 pin 2580
 on_screen '.* - staff' health
@@ -111,51 +116,51 @@ on_screen '.* - staff' health
 action() { click 1096 $((183 + 70 * $1)); }
 click 270 104; on_screen '.* - staff' visits
 click 600 104; on_screen '.* - staff' devices
-action 0; sleep 4.5; on_screen '.* - staff' force-tested
+action 0; pause 45; on_screen '.* - staff' force-tested
 action 1; on_screen '.* - staff' sound-tested
-action 3; sleep 0.5
+action 3; pause 5
 wait_for "the volume kept" grep -q 'volume = 4' gallery/statistics/staff.toml
-action 4; sleep 0.5
+action 4; pause 5
 wait_for "the language kept" grep -q 'first = "ar"' gallery/statistics/staff.toml
-action 4; sleep 0.5  # Korean, and round: in Arabic the corner would be the other one
-action 4; sleep 0.5
+action 4; pause 5  # Korean, and round: in Arabic the corner would be the other one
+action 4; pause 5
 wait_for "the first language again" grep -q 'first = "en"' gallery/statistics/staff.toml
 # Delete the second pot, which is the first in the list; once with no, once with yes.
 click 440 104; on_screen '.* - staff' gallery
 click 852 168; on_screen '.* - staff' asks
-click 480 414; sleep 0.5
+click 480 414; pause 5
 [ -d gallery/2026-01-02/pot-002 ] || fail "a pot was deleted that nobody said yes to"
-click 852 168; sleep 0.5
+click 852 168; pause 5
 click 800 414
 gone() { [ ! -e gallery/2026-01-02/pot-002 ]; }
 wait_for "the pot gone" gone
 [ -d gallery/2026-01-02/pot-001 ] || fail "the other pot is gone as well"
 # Withdraw the code of the pot that is left, likewise: it stays on the shelf.
 click 704 168; on_screen '.* - staff' asks-withdraw
-click 480 414; sleep 0.5
+click 480 414; pause 5
 [ -d outbox/7777ZZZZ ] || fail "a code was withdrawn that nobody said yes to"
-click 704 168; sleep 0.5
+click 704 168; pause 5
 click 800 414
 withdrawn() { [ ! -e outbox/7777ZZZZ ]; }
 wait_for "the code withdrawn" withdrawn
 [ -d gallery/2026-01-02/pot-001 ] || fail "the pot is gone with its code"
 on_screen '.* - staff' withdrawn
 # Restart: the same process goes on with a new window.
-action 5; sleep 0.5
+action 5; pause 5
 click 800 414
 twice() { [ "$(grep -c . gallery/statistics/starts.csv)" -eq 3 ]; }
 wait_for "a second start" twice
 wait_for "window" xdotool search --name '^Onggi - attract$'
 kill -0 "$kiosk" || fail "the restart is another process"
-sleep 1
+pause 10
 
 # The panel left alone locks itself.
-hold_corner 5.6
+hold_corner pause 58
 on_screen '.* - pin' pin-at-last
 pin 2580
 on_screen '.* - staff' health-at-last
-sleep 11
-titled '.* - staff' && fail "the panel stayed open"
+is_locked() { ! titled '.* - staff'; }
+wait_for "panel that closes by itself" is_locked
 # The system itself still ends it.
 kill -TERM "$kiosk"
 ends_with 0

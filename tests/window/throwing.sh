@@ -17,13 +17,7 @@ has_done() { [ "$(steps_done)" -ge "$1" ] 2>/dev/null; }
 stands() { [ "$(clay_mm)" -ge "$1" ] 2>/dev/null; }
 is_at_rest() { [[ "$(title)" != *", shown"* ]]; }
 # so_soon CONDITION...: the screen is a little later than the clay, and hands later than a finger.
-so_soon() {
-    for _ in $(seq 15); do
-        "$@" && return
-        sleep 0.1
-    done
-    return 1
-}
+so_soon() { within 15 "$*" "$@"; }
 # work_until WHAT CONDITION MOVE...: the move, again and again, until the clay is so.
 work_until() {
     local what=$1 so=$2
@@ -76,7 +70,10 @@ stroke() {
 hands() {
     local answer=
     echo "$*" >&8
-    read -r -t 60 answer <&9 || true
+    until read -r -t 1 answer <&9; do
+        [ $? -gt 128 ] || break  # the hand has gone
+        keeps_living "hand that does $*"
+    done
     [ "$answer" = "done" ] || fail "expected the $hand to $*, found '$answer'"
 }
 # pad_to RADIUS HEIGHT: the finger off the clay and out to its farthest, which nobody can miss, and from there to a place.
@@ -103,7 +100,7 @@ draw_along() {
     local low=$(($1 * 3 / 10)) high=$(($1 * 8 / 10))
     case $hand in
     mouse | touch) stroke 2 "45 $low" "45 $high" ;;
-    keys) keys Left; sleep 0.5; keys Up Left ;;
+    keys) keys Left; pause 5; keys Up Left ;;
     switch) press "$2" hand-left; press "$2" hand-up ;;
     esac
 }
@@ -113,7 +110,7 @@ press_in() {
     local low=$(($(clay_mm) * 3 / 10))
     case $hand in
     mouse | touch) stroke 1.5 "66 $low" "50 $low" ;;
-    keys) keys Left; sleep 0.5 ;;
+    keys) keys Left; pause 5 ;;
     switch) do_this_step ;;
     gamepad)
         pad_to 75 "$low"
@@ -132,7 +129,7 @@ open_the_middle() {
     keys)  # up the wall and over the rim; who is there already goes no farther
         keys Up Up Up Up Up Up Up Up Up Up Up Up Up Up
         keys Down Down Down
-        sleep 0.5
+        pause 5
         ;;
     switch) do_this_step ;;
     gamepad)
@@ -151,7 +148,7 @@ draw_up() {
     to=$((top + 35 < 138 ? top + 35 : 138))
     case $hand in
     mouse | touch) stroke 2.5 "58 $((top / 4))" "56 $top" "55 $to" ;;
-    keys) keys Up Up Up; sleep 0.8 ;;
+    keys) keys Up Up Up; pause 8 ;;
     switch)
         if has_done 3; then
             at "$throwing" hand-up

@@ -103,10 +103,10 @@ switch) [ -z "${TOOLS:-}" ] || with_every_tool ;;  # whom it takes minutes
 esac
 if [ "$hand" != switch ]; then  # whom it takes half a minute
     press $throwing look-in
-    sleep 2
+    pause 20
     on_screen throw
     press throw-look-in look-in
-    sleep 2
+    pause 20
     on_screen throw
 fi
 keep_the_pot

@@ -6,7 +6,7 @@
 # have no buttons for screens: there the mouse helps). If set before: FORGIVING: whether the clay bears more than clay
 # does; BACKEND: who draws; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already, where
 # the kiosk is full screen and ends when it is asked to; TOUCH_SCREEN: the socket of that display's touch screen;
-# UNOPTIMISED: the kiosk is, and its pictures come late; MOST_RESIDENT_MB: what the kiosk may hold at any moment; OPENS,
+# MOST_RESIDENT_MB: what the kiosk may hold at any moment; OPENS,
 # ENDS: functions that start the kiosk, putting its process into `kiosk`, and end it, in the place of those here.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
@@ -38,6 +38,7 @@ if [ -z "${CAGED:-}" ]; then
     *) open_display . "$size" ;;
     esac
 fi
+listen_for_life
 if [ "$hand" = touch ]; then
     mkfifo to_hands from_hands
     "$programs/finger" "${TOUCH_SCREEN:-touch-screen}" "$width" "$height" ${TURNED:+turned} <to_hands >from_hands 2>>kiosk.log &
@@ -53,14 +54,14 @@ backend = "${BACKEND:-auto}"
 [visit]
 forgiving = ${FORGIVING:-true}
 shows_by_itself = false
-idle_s = 180
+idle_s = $((6 * silence_s))
 [gallery]
 folder = "gallery"
 least_free_mb = 1
 TOML
 [ -z "${SHARES:-}" ] || source "$(dirname "${BASH_SOURCE[0]}")/phone.sh"
 open_kiosk() {
-    local words=("$onggi" kiosk --config kiosk.toml --size "$size")
+    local words=("${as_usual[@]}" "$onggi" kiosk --config kiosk.toml --size "$size")
     if [ "$hand" = gamepad ] || [ "$hand" = spacemouse ]; then
         mkfifo to_hands from_hands
         umockdev-wrapper "$programs/hands_at" "$hand" "${words[@]}" <to_hands >from_hands 2>>kiosk.log &
@@ -84,11 +85,9 @@ look_at_memory() {
         fail "expected at most $MOST_RESIDENT_MB MB of resident memory up to '$1', found $most_seen_mb MB"
 }
 # A screen is there when the title says so, its picture some frames and a cross-fade of a quarter of a second later.
-settled_s=${UNOPTIMISED:+3}
-settled_s=${settled_s:-0.6}
 on_screen() {
     wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm(, (rib|sponge|wire))?(, tools)?| - [0-9]+ strokes| - [0-9]+ g)?( .[0-9]+.)?\$"
-    sleep "$settled_s"
+    pause 6
     [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
     # The root of Xwayland is empty.
@@ -136,6 +135,7 @@ press() {
 }
 # Where the ring is, "[5]"; nothing before it is shown. The rest of the title changes by itself, with the clay.
 ring() { title | grep -oE '\[[0-9]+\]$' || true; }
+has_left() { [ "$(ring)" != "$1" ]; }
 is_elsewhere() { [[ "$(title)" != *"[$1]" ]]; }
 is_there_or_gone() { [[ "$(title)" = *"[$1]" ]] || ! has_come_to "$2"; }
 # take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
@@ -147,10 +147,7 @@ take() {
             # A frame may be slow: a second step before the first is shown would go past the place.
             before=$(ring)
             xdotool key Tab
-            for _ in $(seq 50); do
-                [ "$(ring)" = "$before" ] || break
-                sleep 0.1
-            done
+            within 50 "the ring's next step" has_left "$before" || true
         done
         xdotool key Return
     else
@@ -164,7 +161,7 @@ take() {
             has_come_to "$began" || return 0  # what was taken came late
             before=$(title)
             xdotool key space
-            sleep 0.3
+            pause 3
             # The ring stays a while on what was taken, or there is another screen; else it was quicker than the switch.
             after=$(title)
             [[ "$after" = *"[$1]" || "$(screen_of "$after")" != "$(screen_of "$before")" ]] && return
@@ -215,10 +212,10 @@ decorate_the_pot() {
     press $decorating drawing-tool 1
     case $hand in
     keys)
-        xdotool key Up; xdotool key Return; sleep 0.5; xdotool key Return
+        xdotool key Up; xdotool key Return; pause 5; xdotool key Return
         ;;
     switch)
-        press $decorating put-brush; sleep 0.5; press $decorating put-brush
+        press $decorating put-brush; pause 5; press $decorating put-brush
         ;;
     *)
         point mousemove "$middle" "$high" mousedown 1 sleep 0.5 mouseup 1
@@ -261,7 +258,7 @@ keep_the_pot() {
     decorate_the_pot
     press $decorating done
     on_screen firing; on_screen glaze
-    press glaze-0 glaze 2; sleep 0.5; on_screen glaze
+    press glaze-0 glaze 2; pause 5; on_screen glaze
     press glaze-2 take-glaze; on_screen your-pot
     press your-pot keep; on_screen keep
     is_kept() { test -s gallery/*-*-*/pot-001/pot.png; }
@@ -272,7 +269,7 @@ keep_the_pot() {
         [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
     done
     [ "$(head -c 4 "$pot/pot.glb")" = glTF ] || fail "expected a GLB, found something else"
-    sleep 0.6
+    pause 6
     on_screen keep
     if [ -n "${SHARES:-}" ]; then
         take_it_home

@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""Runs the tests that ctest lists, as many at once as the machine bears.
+
+run_tests.py BUILD [CTEST OPTION...]: BUILD is a build folder; the options choose tests as ctest's do (-L, -LE, -R).
+What a test prints is kept in BUILD/Testing/NAME.log, and the seconds that each took in BUILD/Testing/seconds.txt, as
+tests/tests.txt has them. Exit code: 0 all passed, 1 some failed, 2 no test was found.
+
+ctest starts a fixed number of tests and measures a time limit by the clock, so a busy machine fails tests that would
+pass. Here one test a core runs at least, and another whenever the cores have been idle enough for it; and a test's
+limit counts the time in which it ran or waited for something, not the time in which it waited for a core.
+"""
+
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+POLL_S = 0.25
+# Another test starts when this much of a core has been idle for so long.
+IDLE_CORES = 0.3
+SETTLING_S = 2.0
+MOST_A_CORE = 6
+PROGRESS_S = 60.0
+
+# The properties that are obeyed here. A test with any other is refused, so that none is ignored in silence.
+OBEYED = {"COST", "DEPENDS", "ENVIRONMENT", "FIXTURES_REQUIRED", "FIXTURES_SETUP", "LABELS", "RESOURCE_LOCK", "RUN_SERIAL",
+          "SKIP_REGULAR_EXPRESSION", "SKIP_RETURN_CODE", "TIMEOUT", "WORKING_DIRECTORY"}
+
+
+def say(line):
+    print(f"onggi: {line}", flush=True)
+
+
+class Test:
+    """A test as ctest lists it."""
+
+    def __init__(self, listed):
+        properties = {entry["name"]: entry["value"] for entry in listed["properties"]}
+        self.name = listed["name"]
+        self.command = listed.get("command")
+        unknown = properties.keys() - OBEYED
+        if unknown or self.command is None:
+            raise SystemExit(f"run_tests: {self.name}: expected a program and known properties, found {unknown or 'no program'}")
+        self.folder = properties.get("WORKING_DIRECTORY")
+        self.environment = dict(entry.split("=", 1) for entry in properties.get("ENVIRONMENT", []))
+        self.limit_s = properties["TIMEOUT"]
+        self.cost_s = properties.get("COST", 1.0)
+        self.locks = set(properties.get("RESOURCE_LOCK", []))
+        self.is_serial = properties.get("RUN_SERIAL", False)
+        self.needs = set(properties.get("FIXTURES_REQUIRED", []))
+        self.provides = set(properties.get("FIXTURES_SETUP", []))
+        self.skip_code = properties.get("SKIP_RETURN_CODE")
+        self.skip_words = [re.compile(words) for words in properties.get("SKIP_REGULAR_EXPRESSION", [])]
+
+
+class Processes:
+    """A look at the kernel's table of processes: who descends from whom, and who waits for a core (proc(5))."""
+
+    def __init__(self):
+        self.parents, self.sessions, self.words = {}, {}, {}
+        for entry in os.listdir("/proc"):
+            if not entry.isdigit():
+                continue
+            try:
+                text = Path("/proc", entry, "stat").read_text(errors="replace")
+            except OSError:
+                continue  # it ended meanwhile
+            name, rest = text[text.index("(") + 1:].rsplit(")", 1)
+            fields = rest.split()
+            self.parents[int(entry)], self.sessions[int(entry)] = int(fields[1]), int(fields[3])
+            self.words[int(entry)] = f"{name} ({fields[0]})"
+
+    def of(self, leader):
+        """The process, what descends from it, and what is in its session."""
+        def descends(process):
+            while process and process != leader:
+                process = self.parents.get(process, 0)
+            return process == leader
+        return [process for process in self.parents if self.sessions[process] == leader or descends(process)]
+
+
+def waits_s(processes):
+    """Seconds that each thread of these processes has waited for a core so far (sched-stats of the kernel)."""
+    waited = {}
+    for process in processes:
+        try:
+            for thread in os.listdir(f"/proc/{process}/task"):
+                text = Path(f"/proc/{process}/task/{thread}/schedstat").read_text()
+                waited[int(thread)] = int(text.split()[1]) * 1e-9
+        except OSError:
+            continue
+    return waited
+
+
+class Run:
+    """A test that is running."""
+
+    def __init__(self, test, log):
+        self.test, self.log = test, log
+        self.began = self.seen = time.monotonic()
+        self.used_s = 0.0
+        self.waited = {}
+        with log.open("wb") as output:
+            self.process = subprocess.Popen(test.command, cwd=test.folder, env={**os.environ, **test.environment},
+                                            stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                                            start_new_session=True)
+
+    def elapsed_s(self):
+        return time.monotonic() - self.began
+
+    def count(self, table):
+        """Counts the time since the last look, less what the thread that waited longest for a core waited."""
+        now = time.monotonic()
+        waited = waits_s(table.of(self.process.pid))
+        delay = max((waited[thread] - self.waited.get(thread, 0.0) for thread in waited), default=0.0)
+        self.used_s += now - self.seen - delay
+        self.seen, self.waited = now, waited
+
+    def end(self):
+        """Ends what is left of it and returns what that was."""
+        table = Processes()
+        left = [process for process in table.of(self.process.pid) if not table.words[process].endswith("(Z)")]
+        for process in left:
+            try:
+                os.kill(process, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        self.process.wait()
+        return ", ".join(table.words[process] for process in left)
+
+
+class Cores:
+    """How much of the cores that this process may use is idle."""
+
+    def __init__(self):
+        self.mine = {f"cpu{core}" for core in os.sched_getaffinity(0)}
+        self.look_again()
+
+    def idle_s(self):
+        ticks = 0
+        for line in Path("/proc/stat").read_text().splitlines():
+            fields = line.split()
+            if fields[0] in self.mine:
+                ticks += int(fields[4]) + int(fields[5])
+        return ticks / os.sysconf("SC_CLK_TCK")
+
+    def look_again(self):
+        self.looked, self.idle = time.monotonic(), self.idle_s()
+
+    def have_room(self):
+        since = time.monotonic() - self.looked
+        if since < SETTLING_S:
+            return False
+        room = (self.idle_s() - self.idle) / since >= IDLE_CORES
+        self.look_again()
+        return room
+
+
+class Suite:
+    def __init__(self, build, tests):
+        self.build = build
+        self.waiting = sorted(tests, key=lambda test: -test.cost_s)
+        self.count = len(tests)
+        self.logs = Path(build, "Testing")
+        self.logs.mkdir(parents=True, exist_ok=True)
+        self.cores = Cores()
+        self.running, self.passed, self.skipped, self.failed = [], [], [], []
+        self.seconds = {}
+        self.setups = {name: {test.name for test in tests if name in test.provides} for test in tests for name in test.needs}
+        self.began = self.reported = time.monotonic()
+
+    def elapsed_s(self):
+        return time.monotonic() - self.began
+
+    def startable(self):
+        """The longest test that may start now; None: there is none."""
+        if any(run.test.is_serial for run in self.running):
+            return None
+        taken = set().union(*(run.test.locks for run in self.running))
+        passed = {test.name for test in self.passed}
+        for test in self.waiting:
+            ready = all(self.setups[name] <= passed for name in test.needs)
+            alone = not self.running or not test.is_serial
+            if ready and alone and not test.locks & taken:
+                return test
+        return None
+
+    def start(self):
+        count = len(self.cores.mine)
+        while self.waiting and len(self.running) < MOST_A_CORE * count:
+            if len(self.running) >= count and not self.cores.have_room():
+                return
+            test = self.startable()
+            if test is None:
+                return
+            self.waiting.remove(test)
+            self.running.append(Run(test, self.logs / f"{test.name}.log"))
+            self.cores.look_again()
+
+    def fail(self, test, why):
+        self.failed.append((test, why))
+        # What needs it never starts.
+        for other in [other for other in self.waiting if other.needs & test.provides]:
+            self.waiting.remove(other)
+            self.fail(other, f"did not run, because {test.name} failed")
+
+    def finish(self, run, why=""):
+        """`why`: it was ended, and for what reason."""
+        self.running.remove(run)
+        status = run.process.poll()
+        self.seconds[run.test.name] = run.used_s + time.monotonic() - run.seen
+        left = run.end()
+        test, output = run.test, run.log.read_text(errors="replace")
+        if not why and status != test.skip_code and status != 0:
+            why = f"signal {-status}" if status < 0 else f"exit code {status}"
+        if why:
+            word = "FAILED"
+            self.fail(test, f"{why}; ran then: {left}" if left and "limit" in why else why)
+        elif status == test.skip_code or any(words.search(output) for words in test.skip_words):
+            word = "skipped"
+            self.skipped.append(test)
+        else:
+            word = "passed"
+            self.passed.append(test)
+        done = len(self.passed) + len(self.skipped) + len(self.failed)
+        print(f"[{done:3}/{self.count}] {word:7} {test.name} {run.elapsed_s():.1f} s", flush=True)
+        if word == "FAILED":
+            print(output, end="" if output.endswith("\n") else "\n", flush=True)
+
+    def look(self):
+        table = Processes()
+        for run in list(self.running):
+            if run.process.poll() is not None:
+                self.finish(run)
+                continue
+            run.count(table)
+            if run.used_s > run.test.limit_s:
+                self.finish(run, f"over its limit of {run.test.limit_s:.0f} s after {run.elapsed_s():.0f} s")
+
+    def report(self):
+        self.reported += PROGRESS_S
+        over = self.passed + self.skipped + [test for test, _ in self.failed]
+        done_s = sum(test.cost_s for test in over) + sum(min(run.test.cost_s, run.elapsed_s()) for run in self.running)
+        left_s = sum(test.cost_s for test in self.waiting) + sum(max(0.0, run.test.cost_s - run.elapsed_s()) for run in self.running)
+        running = ", ".join(f"{run.test.name} ({run.elapsed_s():.0f} s)" for run in self.running)
+        say(f"{self.elapsed_s() / 60:.0f} min: {len(over)} of {self.count} done, {len(self.failed)} failed, "
+            f"{len(self.waiting)} waiting; running {running}; "
+            f"about {left_s * self.elapsed_s() / max(done_s, 1.0) / 60:.0f} min left")
+
+    def run(self):
+        while self.waiting or self.running:
+            self.look()
+            self.start()
+            if time.monotonic() - self.reported >= PROGRESS_S:
+                self.report()
+            time.sleep(POLL_S)
+
+    def conclude(self):
+        lines = [f"{name:42} {math.ceil(seconds)}" for name, seconds in sorted(self.seconds.items())]
+        Path(self.logs, "seconds.txt").write_text("\n".join(lines) + "\n")
+        for test in self.skipped:
+            reason = Path(self.logs, f"{test.name}.log").read_text(errors="replace").strip().splitlines()
+            say(f"skipped {test.name}: {reason[-1] if reason else 'no reason given'}")
+        for test, why in self.failed:
+            say(f"FAILED {test.name}: {why}; again: ctest --test-dir {self.build} -R '^{test.name}$' --output-on-failure")
+        say(f"took {self.elapsed_s():.0f} s")
+        print(f"{len(self.passed)} passed, {len(self.failed)} failed, {len(self.skipped)} skipped", flush=True)
+        return 1 if self.failed else 0
+
+
+def main(words):
+    build, options = words[0], words[1:]
+    listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1", *options], stdout=subprocess.PIPE, check=True)
+    tests = [Test(entry) for entry in json.loads(listed.stdout)["tests"]]
+    if not tests:
+        say(f"expected tests in {build} for {' '.join(options) or 'no option'}, found none")
+        return 2
+    suite = Suite(build, tests)
+
+    def end(number, _frame):
+        for run in suite.running:
+            run.end()
+        sys.exit(128 + number)
+    signal.signal(signal.SIGINT, end)
+    signal.signal(signal.SIGTERM, end)
+    suite.run()
+    return suite.conclude()
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        raise SystemExit(__doc__)
+    sys.exit(main(sys.argv[1:]))
