@@ -50,7 +50,7 @@ look_at_the_film() {
     for maker in $(pgrep --parent "$kiosk"); do
         chrt --all-tasks --other --pid 0 "$maker" || true
     done
-    within 6000 "film on the page" has_a_film || fail "no film on the page"
+    wait_for "film on the page" has_a_film
     curl -sSf --max-time 20 "$address/film.webp" -o film.webp
     [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
 }

@@ -59,7 +59,7 @@ idle_s = $((6 * silence_s))
 folder = "gallery"
 least_free_mb = 1
 TOML
-[ -z "${SHARES:-}" ] || source "$(dirname "${BASH_SOURCE[0]}")/phone.sh"
+[ -z "${SHARES:-}" ] || source "$here/phone.sh"
 open_kiosk() {
     local words=("${as_usual[@]}" "$onggi" kiosk --config kiosk.toml --size "$size")
     if [ "$hand" = gamepad ] || [ "$hand" = spacemouse ]; then

@@ -26,7 +26,7 @@ signs() { stat -c %s signs; }
 # and starts the kiosk by `as_usual`, which does not.
 renice -n -10 -p "$$" >/dev/null 2>&1 || true
 as_usual=()
-[ "$(nice)" -ge 0 ] || as_usual=(nice -n "$((0 - $(nice)))")
+[ "$(nice)" -ge 0 ] || as_usual=("$(command -v nice)" -n "$((0 - $(nice)))")
 
 # What the window says of what is seen in it.
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
@@ -61,7 +61,9 @@ within() {
         sleep 0.1
     done
 }
-# wait_for WHAT COMMAND...: a minute of a machine that shows all frames.
-wait_for() { within 600 "$@" || fail "no $1, and the program goes on, found '$(title)'"; }
+# wait_for WHAT COMMAND...: five minutes of a machine that shows all frames, because what works behind the picture, at the
+# lowest priority, may get next to nothing of a busy one.
+most_signs=3000
+wait_for() { within "$most_signs" "$@" || fail "no $1, and the program goes on, found '$(title)'"; }
 # pause SIGNS: until the program has given that many more; ten are a second at the least.
 pause() { within "$1" "sign of life" false || true; }
