@@ -82,7 +82,7 @@ TEST(House, EveryRoomHasAReadme) {
             EXPECT_TRUE(fs::exists(room.path() / "README.md")) << room.path();
         }
     }
-    for (const char* folder : {"engine", "game", "shaders", "assets", "tests"}) {
+    for (const char* folder : {"engine", "game", "shaders", "assets", "tests", "docs"}) {
         EXPECT_TRUE(fs::exists(root / folder / "README.md")) << folder;
         for (const auto& file : fs::recursive_directory_iterator(root / folder)) {
             if (file.path().extension() != ".md") continue;
@@ -98,7 +98,7 @@ TEST(House, EveryFileThatIsNamedExists) {
     const fs::path root = test::in_checkout();
     std::map<std::string, std::string> texts = sources();
     std::set<std::string> names;
-    for (const char* wing : {".", "engine", "game", "shaders", "assets", "tests"}) {
+    for (const char* wing : {".", "engine", "game", "shaders", "assets", "tests", "docs"}) {
         const bool is_root = wing == std::string_view(".");
         for (fs::recursive_directory_iterator at(root / wing), end; at != end; ++at) {
             const std::string name = at->path().filename().string();
@@ -108,7 +108,7 @@ TEST(House, EveryFileThatIsNamedExists) {
         }
     }
     const std::regex path(
-        R"(\b(engine|game|shaders|assets|tests)/[\w./-]*\w\.(h|cpp|glsl|vert|frag|md|sh|py|mjs|txt))");
+        R"(\b(engine|game|shaders|assets|tests|docs)/[\w./-]*\w\.(h|cpp|glsl|vert|frag|md|sh|py|mjs|txt))");
     const std::regex name(R"(`([\w-]+\.(h|cpp|glsl|vert|frag|sh|py|mjs))`)");
     for (const auto& [file, text] : texts) {
         if (file.starts_with("tests/house/")) continue;  // which names some that there are not

@@ -56,7 +56,7 @@ tree packed >"$folder/packed.txt"
 tree installed >"$folder/installed.txt"
 diff "$folder/installed.txt" "$folder/packed.txt" || fail "expected packages (>) that hold what is installed (<)"
 
-for document in README.md docs/licences.md; do
+for document in README.md docs/*.md; do
     [ -s "$share/doc/onggi/$document" ] || fail "expected $document among the documents"
 done
 
