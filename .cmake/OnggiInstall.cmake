@@ -2,6 +2,11 @@
 # kiosk (assets/install; component kiosk). Each component is a Debian package too (OnggiPackage.cmake). `--target uninstall`
 # takes all of it away again.
 
+# The project's licence as REUSE.toml states it, for the package's copyright file and for AppStream.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/REUSE.toml)
+file(STRINGS ${CMAKE_SOURCE_DIR}/REUSE.toml ONGGI_LICENCE REGEX "^SPDX.*Identifier = " LIMIT_COUNT 1)
+string(REGEX REPLACE "^.*\"(.*)\"$" "\\1" ONGGI_LICENCE "${ONGGI_LICENCE}")
+
 # Read at installing, when the prefix is known. systemd and PAM look into /etc whatever the prefix is.
 install(CODE [[
     if(CMAKE_INSTALL_PREFIX MATCHES "^/usr(/local)?$")
@@ -10,7 +15,7 @@ install(CODE [[
         set(ONGGI_ETC ${CMAKE_INSTALL_PREFIX}/etc)
     endif()
 ]] ALL_COMPONENTS)
-install(CODE "set(source ${CMAKE_SOURCE_DIR})\nset(build ${CMAKE_BINARY_DIR})" ALL_COMPONENTS)
+install(CODE "set(source ${CMAKE_SOURCE_DIR})\nset(build ${CMAKE_BINARY_DIR})\nset(ONGGI_LICENCE ${ONGGI_LICENCE})" ALL_COMPONENTS)
 # Folders that are not there yet: an uninstall takes them away again. Of no component, so not done for packages.
 install(CODE [[
     set(record ${build}/install_folders.txt)
@@ -19,7 +24,7 @@ install(CODE [[
         file(STRINGS ${record} folders)
     endif()
     foreach(place bin lib/onggi lib/systemd/system lib/sysusers.d lib/tmpfiles.d lib/udev/rules.d share/applications
-            share/bash-completion/completions share/doc/onggi share/icons/hicolor/scalable/apps share/man/man1
+            share/bash-completion/completions share/doc/onggi/docs share/icons/hicolor/scalable/apps share/man/man1
             share/man/man5 share/man/man8 share/metainfo share/onggi)
         list(APPEND places ${CMAKE_INSTALL_PREFIX}/${place})
     endforeach()
@@ -48,7 +53,8 @@ install(FILES assets/gestures/attract.csv DESTINATION share/onggi/gestures)
 # Built in; here as what a museum's own tables begin with.
 install(DIRECTORY assets/languages DESTINATION share/onggi)
 install(FILES assets/kiosk.toml DESTINATION share/onggi RENAME kiosk-settings.toml)
-install(FILES README.md assets/package/copyright DESTINATION share/doc/onggi)
+install(FILES README.md DESTINATION share/doc/onggi)
+install(DIRECTORY docs DESTINATION share/doc/onggi)
 # How menus and shells know it. What the program says of itself is asked of it when it is installed.
 install(FILES assets/manual/onggi.desktop DESTINATION share/applications)
 install(FILES assets/manual/onggi.svg DESTINATION share/icons/hicolor/scalable/apps)
@@ -56,6 +62,8 @@ install(CODE "set(onggi_program $<TARGET_FILE:onggi>)" ALL_COMPONENTS)
 install(CODE [[
     set(made ${build}/install)
     include(${source}/.cmake/manual.cmake)
+    configure_file(${source}/assets/package/copyright.in ${made}/copyright @ONLY)
+    file(INSTALL ${made}/copyright DESTINATION ${CMAKE_INSTALL_PREFIX}/share/doc/onggi)
     configure_file(${source}/assets/manual/onggi.metainfo.xml.in ${made}/onggi.metainfo.xml @ONLY)
     onggi_manual(1 onggi COMMAND ${onggi_program} manual ${made})
     file(RENAME ${made}/onggi.bash ${made}/onggi)

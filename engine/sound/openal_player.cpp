@@ -15,7 +15,7 @@
 
 #include "engine/core/list_folder.h"
 
-// From AL/alext.h, which not every release has in the same place.
+// From <AL/alext.h>, which not every release has in the same place.
 #ifndef ALC_CONNECTED
 #define ALC_CONNECTED 0x313
 #endif

@@ -1,4 +1,4 @@
-// The pictures that a pot wears when it leaves: its look baked onto its unwrapped solid (share/pot_solid.h
+// The pictures that a pot wears when it leaves: its look baked onto its unwrapped solid (exporter/pot_solid.h
 // says how that lies in them). Any thread but the haptic one; pure: the same pot gives the same bytes.
 #pragma once
 

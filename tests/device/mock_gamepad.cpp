@@ -33,7 +33,7 @@ std::vector<std::uint8_t> bytes_of(const Struct& value) {
     return bytes;
 }
 
-// What the kernel answers to a question of type 'E', linux/input.h; nothing: it does not know it.
+// What the kernel answers to a question of type 'E', <linux/input.h>; nothing: it does not know it.
 std::vector<std::uint8_t> answer_to(unsigned number, EventQueue& queue) {
     const GamepadIdentity& pad = queue.pad;
     constexpr unsigned kId = 0x02;

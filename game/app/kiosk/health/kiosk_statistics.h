@@ -21,8 +21,8 @@ struct VisitNote {
     int kept = 0;                                  // pots of it that were kept: its completions
 };
 
-// Appends to folder/visits.csv, with a line of names first where the file is new, under the local day and
-// hour of now_s. System lacks: no permission or no room.
+// Appends to visits.csv in the folder, with a line of names first where the file is new, under the local day
+// and hour of now_s. System lacks: no permission or no room.
 Result<void> note_visit(const std::filesystem::path& folder, const VisitNote& note,
                         std::int64_t now_s = wall_clock_s());
 // The same to attract_breaks.csv: the attract screen was interrupted.
