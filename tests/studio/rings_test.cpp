@@ -5,7 +5,7 @@
 
 #include "game/clay/exact_math.h"
 #include "game/clay/studio/moves.h"
-#include "game/clay/studio/volume_grid.h"
+#include "game/clay/studio/rings.h"
 #include "tests/studio/bench.h"
 
 namespace onggi::clay::studio {

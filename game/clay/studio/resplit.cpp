@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clay/studio/rings.h"
 #include "game/clay/studio/studio_parameters.h"
-#include "game/clay/studio/volume_grid.h"
 
 namespace onggi::clay::studio {
 namespace {
