@@ -16,8 +16,8 @@
 #include "engine/window/window.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/listen_place.h"
+#include "game/wheel/wheel_scene.h"
 #include "game/wheel/workshop_files.h"
-#include "game/wheel/workshop_scene.h"
 
 namespace onggi::app {
 namespace {
