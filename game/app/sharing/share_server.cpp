@@ -20,7 +20,6 @@
 #include "game/sharing/open_counter.h"
 #include "game/sharing/page_files.h"
 #include "game/sharing/phone_page.h"
-#include "game/sharing/plain_pages.h"
 #include "game/sharing/share_request.h"
 
 namespace onggi::app {
