@@ -14,7 +14,7 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/start_log.h"
-#include "game/haptic/fault_report.h"
+#include "game/haptic/history.h"
 #include "game/sharing/outbox.h"
 #include "tests/stress/whole.h"
 #include "tests/support/shared_pot_samples.h"

@@ -20,7 +20,6 @@
 #include "game/app/kiosk/health/kiosk_heartbeat.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
-#include "game/haptic/fault_report.h"
 #include "game/haptic/history.h"
 #include "game/haptic/job.h"
 #include "game/kiosk/step.h"
