@@ -19,7 +19,7 @@
 #include "game/app/command_line/progress.h"
 #include "game/app/replay/film.h"
 #include "game/app/system/report.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/finish/glaze.h"
 
 namespace onggi::app {

@@ -12,7 +12,7 @@
 #include "engine/record/session.h"
 #include "game/app/command_line/options.h"
 #include "game/clay/studio/studio_clay.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {

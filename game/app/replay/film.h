@@ -12,7 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/record/session.h"
 #include "game/clay/studio/pot.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/start_state.h"
 

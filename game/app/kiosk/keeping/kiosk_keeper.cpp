@@ -18,7 +18,7 @@
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/system/crash_report.h"
 #include "game/app/system/wall_clock.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/haptic/pot_copy.h"
 
 namespace onggi::app {
