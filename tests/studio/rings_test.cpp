@@ -1,5 +1,4 @@
 // Rings, ledger, split and join: what the stack of clay promises.
-#include "game/clay/studio/resplit.h"
 
 #include <algorithm>
 

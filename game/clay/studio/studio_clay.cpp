@@ -13,7 +13,6 @@
 #include "game/clay/studio/force.h"
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/pot.h"
-#include "game/clay/studio/resplit.h"
 #include "game/clay/studio/rings.h"
 #include "game/clay/studio/roundness.h"
 #include "game/clay/studio/strength.h"

@@ -75,7 +75,7 @@ Result<void> check(const StudioLump& lump);
 
 // A pot of N rings that own volume (rings.h), whose heights follow from their radii, thrown by what its hands
 // touch. A tick goes in this order: wheel, hands (hand.h), contact (contact.h), pushes and presses (moves.h),
-// the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (resplit.h),
+// the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (rings.h),
 // load and slump (load.h), forces (force.h).
 //
 // Where it departs from the plain form of its laws, and why; MODEL.md beside this file tells the laws.
