@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "game/decoration/stroke.h"
 
 namespace onggi::decoration {
 

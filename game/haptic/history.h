@@ -15,7 +15,6 @@
 #include "engine/core/result.h"
 #include "engine/record/session_writer.h"
 #include "game/haptic/checkpoints.h"
-#include "game/haptic/history.h"
 #include "game/haptic/input_log.h"
 #include "game/haptic/messages.h"
 #include "game/haptic/start_state.h"

@@ -14,7 +14,6 @@
 #include "engine/render/scene.h"
 #include "game/wheel/room_model.h"
 #include "game/wheel/systems.h"
-#include "game/wheel/wheel_scene.h"
 #include "game/wheel/wheel_view.h"
 
 namespace onggi::wheel {

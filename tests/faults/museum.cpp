@@ -10,7 +10,6 @@
 #include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
 #include "game/app/kiosk/health/house_status.h"
-#include "game/app/kiosk/health/kiosk_heartbeat.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/start_log.h"
