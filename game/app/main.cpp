@@ -3,7 +3,6 @@
 #include <csignal>
 
 #include "engine/jobs/thread_setup.h"
-#include "game/app/command_line/command_line.h"
 #include "game/app/command_line/commands.h"
 #include "game/app/system/crash_report.h"
 

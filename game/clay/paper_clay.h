@@ -10,7 +10,6 @@
 
 #include "engine/core/result.h"
 #include "engine/math/math.h"
-#include "game/clay/aligned_floats.h"
 #include "game/clay/contact_kernel.h"
 
 namespace onggi::clay {

@@ -7,7 +7,6 @@
 #include "engine/core/result.h"
 #include "game/decoration/ink.h"
 #include "game/decoration/stroke.h"
-#include "game/decoration/stroke_bytes.h"
 #include "game/decoration/stroke_mask.h"
 #include "game/decoration/texture.h"
 #include "game/decoration/wall.h"

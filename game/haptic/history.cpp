@@ -1,8 +1,11 @@
 #include "game/haptic/history.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "engine/record/session_writer.h"
@@ -172,6 +175,24 @@ Result<void> History::save(const std::filesystem::path& place, std::span<const s
     if (auto written = write_on(*writer, inputs_.size()); !written) return written;
     if (auto ready = writer->prepare(now_.hash()); !ready) return ready;
     return writer->commit();
+}
+
+Result<std::optional<std::filesystem::path>> FaultReport::look(const TickRecord& record,
+                                                               const History& history) {
+    const bool is_fault = (record.flags & TickRecord::kFault) != 0;
+    const bool begins = is_fault && !is_fault_;
+    is_fault_ = is_fault;
+    std::optional<std::filesystem::path> none;
+    if (!begins || !history.is_whole()) return none;
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    for (int number = 1; number <= kMost; ++number) {
+        const std::filesystem::path place = folder_ / fmt::format("fault-{}.onggi", number);
+        if (std::filesystem::exists(place, error)) continue;
+        if (auto saved = history.save(place); !saved) return saved.error();
+        return std::optional(place);
+    }
+    return none;
 }
 
 }  // namespace onggi::haptic

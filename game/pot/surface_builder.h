@@ -10,6 +10,13 @@
 
 namespace onggi::pot {
 
+// Corners of a regular polygon, without libm's trigonometry, which differs from machine to machine. Any
+// thread.
+
+// n unit vectors (cos, sin) at 2 pi k/n, from halved angles and exact square roots. n = 2^a or 3 x 2^a, a
+// >= 2.
+std::vector<dvec2> unit_circle(int n);
+
 // A circle about a centre of its own, whose corners lie that much further out.
 struct SurfaceRow {
     double y_mm = 0.0;

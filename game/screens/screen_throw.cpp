@@ -1,8 +1,11 @@
 // Throwing: the clay and nothing over it but the cue, which the stage draws; what can be done stands on the
-// ledge (throw_ledge.cpp). The danger is a sign on the pot, a card and a section of the wall.
+// ledge: the three steps of the lesson, tokens and steppers; while the wheel's own hands show a step, how to
+// take over; what there is to hold: hand, rib, sponge and wire. The danger is a sign on the pot, a card and a
+// section of the wall.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
@@ -11,7 +14,188 @@ namespace onggi::screens {
 namespace {
 
 using kiosk::Button;
+using kiosk::Held;
 using ui::Rect;
+
+constexpr std::array kHeldIcons{Icon::kHand, Icon::kRib, Icon::kSponge, Icon::kWire};
+constexpr std::array kHeldKeys{"tool.hand", "tool.rib", "tool.sponge", "tool.wire"};
+constexpr std::array kHeldLines{"tool.hand.line", "tool.rib.line", "tool.sponge.line", "tool.wire.line"};
+
+std::size_t place_of(Held held) {
+    return static_cast<std::size_t>(held);
+}
+
+// A small sign at the end of a token.
+void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
+    constexpr float kSignSide = 26.0F;
+    ui::Sketch sketch;
+    add_icon(sketch, icon, {0.0F, 0.0F}, kSignSide, design::kInk);
+    const float x = page.right_to_left() ? rect.x + 8.0F : rect.right() - kSignSide - 8.0F;
+    page.sprite({x, rect.centre().y - 0.5F * kSignSide - 3.0F, kSignSide, kSignSide}, std::move(sketch),
+                target);
+}
+
+// What is to be done, and one line on what is in the hand.
+void add_lines(Page& page, const Rect& place, const std::string& title, const std::string& line) {
+    const Rect rect = page.on_ledge(place);
+    const Words head{.text = title, .type = design::kName, .align = along_ledge(page)};
+    const float room = line.empty() ? rect.height : 0.46F * rect.height;
+    const float height = page.words({rect.x, rect.y, rect.width, room}, head);
+    if (line.empty()) return;
+    page.words({rect.x, rect.y + height + 2.0F, rect.width, rect.height - height - 2.0F},
+               {.text = line, .type = design::kLabel, .colour = design::kSlip3, .align = along_ledge(page)});
+}
+
+void add_back(Page& page, const Rect& place) {
+    page.token(page.on_ledge(place), Look::kOutline, Button::kTools, page.t("ctl.back"));
+}
+
+constexpr std::array kStepIcons{Icon::kStepPress, Icon::kStepOpen, Icon::kStepRaise};
+constexpr std::array kStepKeys{"step.press", "step.open", "step.raise"};
+
+// Three sections of the clay: what is done, what is next, what comes.
+void steps(Page& page, float x, float y, float pitch, int done) {
+    for (int i = 0; i < kiosk::kTeachingSteps; ++i) {
+        const bool current = i == done;
+        const float side = current ? 64.0F : 50.0F;
+        const float left = x + static_cast<float>(i) * pitch;
+        const Rect field = page.on_ledge({left, y, 64.0F, 72.0F});
+        ui::Sketch sketch;
+        const vec2 at(32.0F - 0.5F * side, current ? 0.0F : 9.0F);
+        const Icon icon = kStepIcons[static_cast<std::size_t>(i)];
+        if (current) {
+            add_icon(sketch, icon, at, side, ui::hex(0xfff3d9));
+            sketch.add(ui::Box{{4.0F, 66.0F, 56.0F, 5.0F}, 3.0F, ui::Fill::flat(design::kAmber)});
+        } else {
+            const auto fill = i < done ? std::optional<ui::Colour>(ui::hex(0x8b6a48)) : std::nullopt;
+            add_icon(sketch, icon, at, side, ui::hex(0xd6c6ac, 0.75F), fill);
+        }
+        page.sprite(field, std::move(sketch));
+        if (i < done) {
+            ui::Sketch tick;
+            add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, 22.0F, design::kAmber);
+            page.sprite(page.on_ledge({left + 44.0F, y - 8.0F, 22.0F, 22.0F}), std::move(tick));
+        }
+    }
+}
+
+// The steps, and one line below or beside them.
+void teaching(Page& page, const std::string& text) {
+    if (page.view().state.throwing.jar.step != kiosk::JarStep::kNone) return add_jar_steps(page);
+    const float y = ledge_top(page);
+    const int done = page.view().state.throwing.steps_done;
+    if (page.shape() == Shape::kWide) {
+        steps(page, 28.0F, y + 16.0F, 64.0F, done);
+    } else {
+        steps(page, 32.0F, y + (page.is_tall() ? 24.0F : 16.0F), 74.0F, done);
+    }
+    add_step_caption(page, text, 350.0F, 282.0F);
+}
+
+// The wall's section with its thinnest place.
+void gauge(Page& page, const Rect& rect) {
+    ui::Sketch sketch;
+    constexpr float kDrawnWidth = 236.0F;
+    const float scale = rect.width / kDrawnWidth;
+    const ui::Placing placing{.at = {-64.0F * scale, 0.0F}, .scale = vec2(scale)};
+    sketch.add(
+        ui::Shape{.path = "M66 13 C90 15 110 18 150 24 C190 28 205 31 226 31 C250 31 270 26 296 22 L296 46 "
+                          "C270 42 250 39 226 39 C205 39 190 42 150 46 C110 52 90 55 66 57 Z",
+                  .placing = placing,
+                  .fill = ui::hex(0xc79a6c),
+                  .stroke = ui::hex(0xfff3d9),
+                  .stroke_width = 3.0F});
+    sketch.add(ui::Shape{.path = "M226 4 V24 M219 17 L226 25 L233 17 M226 66 V46 M219 53 L226 45 L233 53",
+                         .placing = placing,
+                         .stroke = ui::hex(0xffb98a),
+                         .stroke_width = 4.0F});
+    page.sprite({rect.x, rect.y, rect.width, 70.0F * scale}, std::move(sketch));
+    page.words({rect.x, rect.y + 70.0F, rect.width, 36.0F},
+               {.text = page.measure(fmt::format("{:.1f}", page.view().thinnest_mm), "unit.mm"),
+                .type = design::kName,
+                .colour = ui::hex(0xffd9b8),
+                .align = ui::Align::kCentre});
+}
+
+// The ring comes to what is done to the clay first, and to the settings last.
+void controls(Page& page) {
+    const Setting water = water_setting(page.view().state.throwing);
+    const Setting speed = speed_setting(page.view().state.throwing);
+    const kiosk::JarMaking& jar = page.view().state.throwing.jar;
+    const bool is_jar = jar.step != kiosk::JarStep::kNone;
+    const char* const done_key = jar.step == kiosk::JarStep::kFirstBowl ? "moon.aside" : "ctl.done";
+    const bool is_bowl_to_come = is_jar && jar.step != kiosk::JarStep::kSeam && !jar.is_bowl;
+    const Look done_look = is_bowl_to_come ? Look::kToken : Look::kPrimary;
+    const float width = page.width();
+    const float y = row_y(page);
+    if (page.is_tall()) {
+        const float below = second_row_y(page);
+        add_round(page, {280.0F, below, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
+        add_round(page, {32.0F, below, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 120.0F);
+        add_round(page, {156.0F, below, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 120.0F);
+        page.token(page.on_ledge({width - 300.0F, below, 268.0F, 80.0F}), done_look, Button::kDone,
+                   page.t(done_key), 0, is_jar ? std::nullopt : std::optional(Icon::kDone));
+        add_held_token(page, {32.0F, y, 116.0F, 66.0F}, 164.0F);
+        add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, false);
+        add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
+        return;
+    }
+    if (page.is_square()) {
+        add_round(page, {32.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
+        add_round(page, {153.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
+        add_round(page, {255.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
+        page.token(page.on_ledge({width - 152.0F, y, 132.0F, 66.0F}), done_look, Button::kDone,
+                   page.t(done_key));
+        add_held_token(page, {352.0F, y, 100.0F, 66.0F}, 116.0F);
+        add_stepper(page, {width - 500.0F, y, 164.0F, 66.0F}, water, false);
+        add_stepper(page, {width - 328.0F, y, 164.0F, 66.0F}, speed, false);
+        return;
+    }
+    if (is_jar) {
+        add_round(page, {290.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
+    } else {
+        page.token(page.on_ledge({232.0F, y, 172.0F, 66.0F}), Look::kToken, Button::kShowMe,
+                   page.t("show.me"), 0, Icon::kShow);
+    }
+    add_round(page, {416.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
+    add_round(page, {518.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
+    page.token(page.on_ledge({width - 188.0F, y, 156.0F, 66.0F}), done_look, Button::kDone, page.t(done_key));
+    add_held_token(page, {width - 668.0F, y, 116.0F, 66.0F}, 132.0F);
+    add_stepper(page, {width - 524.0F, y, 156.0F, 66.0F}, water, false);
+    add_stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
+}
+
+// All rests but what takes over; and touching the clay does.
+void show_controls(Page& page) {
+    const Setting water = water_setting(page.view().state.throwing);
+    const Setting speed = speed_setting(page.view().state.throwing);
+    const float width = page.width();
+    const float y = row_y(page);
+    const Words line{.text = page.t("show.line"),
+                     .type = design::kPaper,
+                     .colour = design::kSlip3,
+                     .align = along_ledge(page)};
+    const auto my_turn = [&](const Rect& place) {
+        page.token(page.on_ledge(place), Look::kPrimary, Button::kMyTurn, page.t("show.mine"), 0,
+                   Icon::kHand);
+    };
+    if (page.is_tall()) {
+        add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, true);
+        add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, true);
+        const float below = second_row_y(page);
+        page.words(page.on_ledge({32.0F, below + 8.0F, width - 348.0F, 108.0F}), line);
+        my_turn({width - 300.0F, below, 268.0F, 80.0F});
+        return;
+    }
+    const bool square = page.is_square();
+    const float right = width - (square ? 20.0F : 32.0F);
+    add_stepper(page, {right - 584.0F, y, 164.0F, 66.0F}, water, true);
+    add_stepper(page, {right - 408.0F, y, 164.0F, 66.0F}, speed, true);
+    const float left = square ? 32.0F : 276.0F;
+    const float high = 70.0F + (square ? growth(page).labels : 0.0F);  // else it ends above the caption
+    page.words(page.on_ledge({left, y + 2.0F, right - 608.0F - left, high}), line);
+    my_turn({right - 220.0F, y - 4.0F, 220.0F, 74.0F});
+}
 
 float ledge_y(const Page& page) {
     return screens::ledge_y(page.shape(), page.height(), page.view().state.comfort);
@@ -149,6 +333,125 @@ void add_guards(Page& page) {
 }
 
 }  // namespace
+
+void add_held_token(Page& page, const Rect& place, float label_width) {
+    const std::size_t held = place_of(page.view().state.throwing.held);
+    const int target = add_round(page, place, kHeldIcons[held], Button::kTools, kHeldKeys[held], label_width);
+    add_sign(page, page.on_ledge(place), Icon::kMore, target);
+}
+
+void add_tool_tray(Page& page) {
+    const kiosk::Throwing& throwing = page.view().state.throwing;
+    const std::string& title = page.t("tool.title");
+    const std::string& line = page.t(kHeldLines[place_of(throwing.held)]);
+    const Setting size = size_setting(throwing);
+    const float width = page.width();
+    const float top = ledge_top(page);
+    const float y = row_y(page);
+    const auto choices = [&](float x, float row, float pitch, float wide, std::initializer_list<Held> all) {
+        for (const Held held : all) {
+            add_choice(page, {x, row, wide, 66.0F},
+                       {.icon = kHeldIcons[place_of(held)],
+                        .key = kHeldKeys[place_of(held)],
+                        .button = Button::kTakeTool,
+                        .value = static_cast<int>(held),
+                        .chosen = held == throwing.held},
+                       label_height(page), 0.5F * (pitch - 8.0F - wide));
+            x += pitch;
+        }
+    };
+    switch (page.shape()) {
+        case Shape::kWide:
+            add_lines(page, {34.0F, top + 20.0F, 306.0F, 116.0F + growth(page).labels}, title, line);
+            choices(358.0F, y, 146.0F, 130.0F, {Held::kHand, Held::kRib, Held::kSponge, Held::kWire});
+            add_stepper(page, {942.0F, y, 160.0F, 66.0F}, size, false);
+            add_back(page, {width - 162.0F, y, 130.0F, 66.0F});
+            return;
+        case Shape::kSquare:
+            add_lines(page, {32.0F, top + 12.0F, width - 64.0F, 74.0F + growth(page).caption}, title, line);
+            choices(32.0F, y, 130.0F, 112.0F, {Held::kHand, Held::kRib, Held::kSponge, Held::kWire});
+            add_stepper(page, {width - 384.0F, y, 164.0F, 66.0F}, size, false);
+            add_back(page, {width - 170.0F, y, 138.0F, 66.0F});
+            return;
+        case Shape::kTall:
+            add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 84.0F + growth(page).caption}, title, line);
+            choices(32.0F, y, 228.0F, 200.0F, {Held::kHand, Held::kRib, Held::kSponge});
+            choices(32.0F, second_row_y(page), 228.0F, 200.0F, {Held::kWire});
+            add_stepper(page, {260.0F, second_row_y(page), 200.0F, 66.0F}, size, false);
+            add_back(page, {width - 200.0F, second_row_y(page), 168.0F, 66.0F});
+            return;
+    }
+}
+
+void add_wire_ledge(Page& page) {
+    const kiosk::Throwing& throwing = page.view().state.throwing;
+    const std::string& how = page.t("wire.how");
+    const Setting speed = speed_setting(throwing);
+    const float width = page.width();
+    const float top = ledge_top(page);
+    const float y = row_y(page);
+    const auto undo = [&](const Rect& place) {
+        add_round(page, place, Icon::kUndo, Button::kUndo, "ctl.undo", place.width + 26.0F);
+    };
+    const auto moves = [&](float x, float row) {
+        for (const auto& [icon, button, key] : {std::tuple(Icon::kUp, Button::kHandUp, "ctl.up"),
+                                                std::tuple(Icon::kDown, Button::kHandDown, "ctl.down")}) {
+            add_round(page, {x, row, 84.0F, 66.0F}, icon, button, key, 94.0F);
+            x += 98.0F;
+        }
+    };
+    const auto cut = [&](const Rect& place) {
+        page.token(page.on_ledge(place), Look::kPrimary, Button::kCut, page.t("wire.cut"));
+    };
+    switch (page.shape()) {
+        case Shape::kWide:
+            add_lines(page, {34.0F, top + 26.0F, 370.0F, 110.0F + growth(page).labels}, how, {});
+            undo({424.0F, y, 70.0F, 66.0F});
+            add_held_token(page, {522.0F, y, 116.0F, 66.0F}, 132.0F);
+            add_stepper(page, {666.0F, y, 156.0F, 66.0F}, speed, false);
+            moves(848.0F, y);
+            cut({width - 232.0F, y - 4.0F, 200.0F, 74.0F});
+            return;
+        case Shape::kSquare:
+            add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 60.0F + growth(page).caption}, how, {});
+            undo({32.0F, y, 70.0F, 66.0F});
+            add_held_token(page, {130.0F, y, 112.0F, 66.0F}, 128.0F);
+            add_stepper(page, {268.0F, y, 156.0F, 66.0F}, speed, false);
+            moves(452.0F, y);
+            cut({width - 296.0F, y - 4.0F, 264.0F, 74.0F});
+            return;
+        case Shape::kTall:
+            add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 84.0F + growth(page).caption}, how, {});
+            add_held_token(page, {32.0F, y, 116.0F, 66.0F}, 164.0F);
+            add_stepper(page, {278.0F, y, 164.0F, 66.0F}, speed, false);
+            moves(width - 214.0F, y);
+            undo({32.0F, second_row_y(page), 84.0F, 66.0F});
+            cut({width - 300.0F, second_row_y(page), 268.0F, 80.0F});
+            return;
+    }
+}
+
+void add_throw_ledge(Page& page) {
+    const View& view = page.view();
+    const kiosk::Throwing& throwing = view.state.throwing;
+    if (throwing.shown) {
+        teaching(page, page.t("show.on"));
+        show_controls(page);
+        return;
+    }
+    if (throwing.jar.step == kiosk::JarStep::kAside) return add_aside_ledge(page);
+    if (throwing.tray) return add_tool_tray(page);
+    if (throwing.held == kiosk::Held::kWire) return add_wire_ledge(page);
+    const bool is_thin = throwing.warning == kiosk::Warning::kThin && view.thinnest_mm > 0.0;
+    if (is_thin && page.shape() == Shape::kWide) {
+        gauge(page, page.on_ledge({34.0F, ledge_top(page) + 26.0F, 180.0F, 104.0F}));
+    } else {
+        const int done = throwing.steps_done;
+        teaching(page, page.t(done < kiosk::kTeachingSteps ? kStepKeys[static_cast<std::size_t>(done)]
+                                                           : "step.own"));
+    }
+    controls(page);
+}
 
 void draw_throw(Page& page) {
     const View& view = page.view();

@@ -13,7 +13,7 @@
 #include "game/sharing/kept_note.h"
 #include "game/sharing/page_files.h"
 #include "game/sharing/page_folder.h"
-#include "game/sharing/plain_pages.h"
+#include "game/sharing/phone_page.h"
 
 namespace onggi::sharing {
 namespace {

@@ -2,13 +2,62 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "game/sharing/html_text.h"
-#include "game/sharing/outline_text.h"
+#include "engine/core/quote.h"
+#include "page_assets.h"
 
 namespace onggi::sharing {
 namespace {
+
+constexpr std::size_t kMostPoints = 160;
+constexpr double kMostMm = 2000.0;
+
+bool is_drawn(const OutlinePoint& point) {
+    // Not-a-number is no number from 0 to kMostMm.
+    return point.radius_mm >= 0.0 && point.radius_mm <= kMostMm && std::abs(point.height_mm) <= kMostMm;
+}
+
+std::vector<OutlinePoint> thinned(std::span<const OutlinePoint> outline) {
+    const auto* end = outline.data();
+    while (end != outline.data() + outline.size() && is_drawn(*end))
+        ++end;
+    const auto count = static_cast<std::size_t>(end - outline.data());
+    std::vector<OutlinePoint> points;
+    const std::size_t kept = std::min(count, kMostPoints);
+    for (std::size_t i = 0; i < kept; ++i)
+        points.push_back(outline[kept < 2 ? 0 : i * (count - 1) / (kept - 1)]);
+    return points;
+}
+
+double height_of(const std::vector<OutlinePoint>& points) {
+    double most = 0.0;
+    for (const OutlinePoint& point : points)
+        most = std::max(most, point.height_mm);
+    return most;
+}
+
+double radius_of(const std::vector<OutlinePoint>& points) {
+    double most = 0.0;
+    for (const OutlinePoint& point : points)
+        most = std::max(most, point.radius_mm);
+    return most;
+}
+
+// Up the right side and down the left.
+std::string path_of(const std::vector<OutlinePoint>& points, double middle, double foot, double scale) {
+    std::string path;
+    const auto add = [&](const OutlinePoint& point, double side) {
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L',
+                            middle + side * point.radius_mm * scale, foot - point.height_mm * scale);
+    };
+    for (const OutlinePoint& point : points)
+        add(point, 1.0);
+    for (auto point = points.rbegin(); point != points.rend(); ++point)
+        add(*point, -1.0);
+    return path + "Z";
+}
 
 // One page in the making.
 class Page {
@@ -184,10 +233,138 @@ class Page {
     const kiosk::Language& language_;
 };
 
+std::string around(const kiosk::Language& first, const std::string& title, const std::string& inside) {
+    return fmt::format(
+        "<!doctype html>\n<html {}>\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
+        "<meta name=\"robots\" content=\"noindex\">\n<meta name=\"color-scheme\" content=\"light dark\">\n"
+        "<link rel=\"icon\" href=\"data:,\">\n<title>{} · {}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
+        "<main>\n{}</main>\n</body>\n</html>\n",
+        language_attributes(first.code(), first.right_to_left()), title, html(first.shown("phone.name")),
+        built_in::kPlainCss, inside);
+}
+
+// What `one` gives for each language, the first one's first.
+template <typename One>
+std::string in_each(const std::vector<kiosk::Language>& languages, std::size_t first, One one) {
+    std::string text = one(languages[first], true);
+    for (std::size_t i = 0; i < languages.size(); ++i)
+        if (i != first) text += one(languages[i], false);
+    return text;
+}
+
 }  // namespace
+
+std::string html(std::string_view text) {
+    std::string safe;
+    safe.reserve(text.size() + text.size() / 8);
+    while (!text.empty()) {
+        std::size_t length = 1;
+        switch (text.front()) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\n':
+                safe += '\n';
+                break;
+            case '\'':
+                safe += "&#39;";
+                break;
+            default: {
+                // U+00A0 to U+00BF: no control characters, though they begin with the same byte.
+                const bool is_latin = text.size() > 1 && text[0] == '\xc2' &&
+                                      static_cast<unsigned char>(text[1]) >= 0xa0 &&
+                                      static_cast<unsigned char>(text[1]) <= 0xbf;
+                length = is_latin ? 2 : shown_character_length(text);
+                safe += length > 0 ? text.substr(0, length) : std::string_view("\ufffd");
+                if (length == 0) length = 1;
+            }
+        }
+        text.remove_prefix(length);
+    }
+    return safe;
+}
+
+std::string language_attributes(std::string_view code, bool right_to_left) {
+    return fmt::format("lang=\"{}\" dir=\"{}\"", html(code), right_to_left ? "rtl" : "ltr");
+}
+
+std::string outline_numbers(std::span<const OutlinePoint> outline) {
+    std::string text;
+    for (const OutlinePoint& point : thinned(outline)) {
+        if (!text.empty()) text += ' ';
+        // As short as they can be: 54.2, 5.
+        const auto tenth = [](double value) { return std::round(value * 10.0) / 10.0 + 0.0; };
+        text += fmt::format("{},{}", tenth(point.radius_mm), tenth(point.height_mm));
+    }
+    return text;
+}
+
+std::string two_pots_svg(std::span<const OutlinePoint> ours, std::span<const OutlinePoint> nearest) {
+    constexpr double kWidth = 132.0;
+    constexpr double kHeight = 112.0;
+    constexpr double kBoard = 4.0;
+    constexpr double kGap = 10.0;
+    const auto our_points = thinned(ours);
+    const auto their_points = thinned(nearest);
+    const double wide = 2.0 * (radius_of(our_points) + radius_of(their_points));
+    const double high = std::max(height_of(our_points), height_of(their_points));
+    if (our_points.size() < 2 || their_points.size() < 2 || wide <= 0.0 || high <= 0.0) return {};
+    const double scale = std::min((kWidth - kGap) / wide, (kHeight - kBoard - 2.0) / high);
+    const double left = (kWidth - kGap - wide * scale) / 2.0;
+    const double foot = kHeight - kBoard;
+    const double our_middle = left + radius_of(our_points) * scale;
+    const double their_middle = kWidth - left - radius_of(their_points) * scale;
+    return fmt::format(
+        "<svg viewBox=\"0 0 {0} {1}\" aria-hidden=\"true\"><path class=\"ours\" d=\"{2}\"/>"
+        "<path class=\"theirs\" d=\"{3}\"/><path class=\"board\" d=\"M0 {4}H{0}\"/></svg>",
+        kWidth, kHeight, path_of(our_points, our_middle, foot, scale),
+        path_of(their_points, their_middle, foot, scale), kHeight - kBoard / 2.0);
+}
 
 std::string phone_page(const PageFacts& facts) {
     return Page(facts).whole();
+}
+
+std::string lost_page(const std::vector<kiosk::Language>& languages, std::size_t first) {
+    return around(languages[first], html(languages[first].shown("phone.lost")),
+                  in_each(languages, first, [](const kiosk::Language& language, bool is_first) {
+                      return fmt::format("<section {}>\n<{}>{}</{}>\n<p>{}</p>\n</section>\n",
+                                         language_attributes(language.code(), language.right_to_left()),
+                                         is_first ? "h1" : "h2", html(language.shown("phone.lost")),
+                                         is_first ? "h1" : "h2", html(language.shown("phone.lost.line")));
+                  }));
+}
+
+std::string ask_page(const std::vector<kiosk::Language>& languages, std::size_t first) {
+    const kiosk::Language& own = languages[first];
+    const std::string labels = in_each(languages, first, [](const kiosk::Language& language, bool is_first) {
+        return fmt::format("<span {} class=\"{}\"><b>{}</b> {}</span>\n",
+                           language_attributes(language.code(), language.right_to_left()),
+                           is_first ? "ask" : "ask less", html(language.shown("phone.ask")),
+                           html(language.shown("phone.ask.line")));
+    });
+    return around(
+        own, html(own.shown("phone.ask")),
+        fmt::format(
+            "<form id=\"ask\" method=\"get\">\n<label for=\"code\">\n{}</label>\n"
+            "<input id=\"code\" name=\"code\" dir=\"ltr\" required maxlength=\"20\" autocomplete=\"off\" "
+            "autocapitalize=\"characters\" spellcheck=\"false\">\n<button>{}</button>\n</form>\n"
+            "<script src=\"code.js\" defer></script>\n",
+            labels, html(own.shown("phone.ask.go"))));
+}
+
+std::string_view ask_script() {
+    return built_in::kCodeScript;
 }
 
 }  // namespace onggi::sharing

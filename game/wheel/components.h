@@ -1,6 +1,7 @@
 // What the entities of the wheel's scene are made of. Plain data; main thread. mm, rad, linear light.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,12 +12,28 @@
 #include "engine/render/scene.h"
 #include "game/pot/pot.h"
 #include "game/wheel/framing.h"
-#include "game/wheel/settling.h"
 #include "game/wheel/shavings.h"
 #include "game/wheel/tool_pose.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
+
+// One number on its way to a goal: a spring that is damped just so that it never swings past.
+struct Settling {
+    double value = 0.0;
+    double speed = 0.0;  // a second
+
+    friend bool operator==(const Settling&, const Settling&) = default;
+};
+// After dt_s seconds; exact for any step. After 5 / rate_per_s about 96 % of the way is done.
+[[nodiscard]] inline Settling settled(const Settling& now, double goal, double rate_per_s, double dt_s) {
+    // x'' = -2 r x' - r^2 x about the goal, solved: (x0 + (v0 + r x0) t) exp(-r t).
+    const double away = now.value - goal;
+    const double push = now.speed + rate_per_s * away;
+    const double decay = std::exp(-rate_per_s * dt_s);
+    return {.value = goal + (away + push * dt_s) * decay,
+            .speed = (now.speed - rate_per_s * push * dt_s) * decay};
+}
 
 // Where an entity is.
 struct Transform {

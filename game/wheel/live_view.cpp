@@ -8,7 +8,7 @@
 #include "engine/window/window.h"
 #include "game/wheel/background_loader.h"
 #include "game/wheel/live_screen.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::wheel {
 

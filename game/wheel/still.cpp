@@ -7,7 +7,7 @@
 #include "engine/vk/offscreen.h"
 #include "game/wheel/section_labels.h"
 #include "game/wheel/still_camera.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::wheel {
 namespace {

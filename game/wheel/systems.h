@@ -22,12 +22,12 @@ struct FrameContext {
 // kReceive: the snapshot becomes components.
 void receive_clay(ecs::Registry& registry, FrameContext& context);
 void receive_wheel(ecs::Registry& registry, FrameContext& context);
-void receive_tools(ecs::Registry& registry, FrameContext& context);  // tool_systems.cpp has those of tools
+void receive_tools(ecs::Registry& registry, FrameContext& context);
 
 // kAnimate: what eases in time.
 void move_tools(ecs::Registry& registry, FrameContext& context);
 void move_shavings(ecs::Registry& registry, FrameContext& context);
-void move_camera(ecs::Registry& registry, FrameContext& context);  // camera_systems.cpp has the camera's
+void move_camera(ecs::Registry& registry, FrameContext& context);
 void pass_time_of_day(ecs::Registry& registry, FrameContext& context);
 
 // kExtract: components become the scene that is drawn.

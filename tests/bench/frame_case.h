@@ -15,7 +15,7 @@
 #include "engine/vk/offscreen.h"
 #include "game/decoration/canvas.h"
 #include "game/look/lathe_marks.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::bench {
 

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "game/app/kiosk/health/house_status.h"
-#include "game/app/kiosk/health/kiosk_heartbeat.h"
 #include "game/app/system/wall_clock.h"
 #include "tests/cli/cli_expectations.h"
 

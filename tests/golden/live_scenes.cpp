@@ -9,7 +9,7 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/systems.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::golden {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/live_view.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 #include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/test_backend.h"

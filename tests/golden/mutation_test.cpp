@@ -6,7 +6,7 @@
 
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/image_compare.h"
 #include "tests/support/image_gate.h"

@@ -20,7 +20,7 @@
 #include "engine/haptics/stability.h"
 #include "engine/haptics/watchdog.h"
 #include "engine/record/session.h"
-#include "game/haptic/fault_report.h"
+#include "game/haptic/history.h"
 #include "game/haptic/job.h"
 #include "tests/haptics/device_models.h"
 #include "tests/haptics/obedient_loop.h"

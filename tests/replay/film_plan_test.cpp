@@ -1,4 +1,4 @@
-#include "game/app/replay/film_plan.h"
+#include "game/app/replay/film.h"
 
 #include <gtest/gtest.h>
 

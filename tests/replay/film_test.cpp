@@ -8,7 +8,6 @@
 
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/throw_outputs.h"
-#include "game/app/replay/film_plan.h"
 #include "game/app/replay/replay.h"
 #include "game/app/replay/session_marks.h"
 #include "game/haptic/pot_copy.h"

@@ -1,5 +1,5 @@
 // The film of a visit, made by the built program beside the test, as beside the wheel.
-#include "game/app/kiosk/keeping/kiosk_film.h"
+#include "game/app/kiosk/keeping/kiosk_phone.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
-#include "game/app/command_line/start_pot.h"
+#include "game/app/command_line/performance.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/keeping/kiosk_share.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"

@@ -10,7 +10,6 @@
 
 #include "engine/files/read_file.h"
 #include "game/app/command_line/performance.h"
-#include "game/app/command_line/start_pot.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/kiosk/presentation/exhibits.h"

@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "game/app/command_line/performance.h"
-#include "game/app/command_line/start_pot.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/hand/kiosk_touch.h"
-#include "game/clay/studio/trimming.h"
+#include "game/clay/studio/studio_clay.h"
 #include "tests/stress/unseen_kiosk.h"
 #include "tests/support/temporary_folder.h"
 

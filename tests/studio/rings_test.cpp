@@ -1,11 +1,10 @@
 // Rings, ledger, split and join: what the stack of clay promises.
-#include "game/clay/studio/resplit.h"
 
 #include <algorithm>
 
 #include "game/clay/exact_math.h"
 #include "game/clay/studio/moves.h"
-#include "game/clay/studio/volume_grid.h"
+#include "game/clay/studio/rings.h"
 #include "tests/studio/bench.h"
 
 namespace onggi::clay::studio {

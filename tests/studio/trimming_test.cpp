@@ -1,5 +1,5 @@
 // A foot that skilled hands turn: what a guided trimmer takes off, and what it never does.
-#include "game/clay/studio/trimming.h"
+#include "game/clay/studio/studio_clay.h"
 
 #include "tests/studio/bench.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/app/command_line/start_pot.h"
+#include "game/app/command_line/performance.h"
 #include "game/clay/studio/pot.h"
 
 namespace onggi::visitors {

@@ -1,4 +1,4 @@
-#include "game/app/command_line/command_line.h"
+#include "game/app/command_line/commands.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

@@ -2,9 +2,16 @@
 // exit_status to 0, or to what the README says. A file a command, of its name. Main thread.
 #pragma once
 
-#include "game/app/command_line/cli_names.h"
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace onggi::app {
+
+// Runs the command that the words name; the words are those of main(). Without a command it is the kiosk,
+// where the program has one. Gives the exit code: what the command left in `exit_status`, or 2 with one line
+// on stderr for wrong usage. In command_line.cpp.
+int run_command_line(CLI::App& program, int argc, const char* const* argv, const int& exit_status);
 
 // The experience a visitor walks up to, from attract to a kept pot; what `onggi` alone does.
 void add_kiosk_command(CLI::App& program, int& exit_status);

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "game/app/command_line/commands.h"
-#include "game/app/command_line/device_probes.h"
 #include "game/app/command_line/finding.h"
 
 namespace onggi::app {

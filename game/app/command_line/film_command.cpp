@@ -18,9 +18,8 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/replay/film.h"
-#include "game/app/replay/film_plan.h"
 #include "game/app/system/report.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/finish/glaze.h"
 
 namespace onggi::app {

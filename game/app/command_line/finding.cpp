@@ -1,8 +1,29 @@
 #include "game/app/command_line/finding.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "engine/core/list_folder.h"
+#include "engine/files/asset_folder.h"
+#include "engine/haptics/haply/service_probe.h"
+#include "engine/haptics/hid/hid_kind.h"
+#include "engine/haptics/stop_key.h"
+#include "engine/sound/openal_player.h"
+#include "engine/window/window.h"
+#include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/sharing/listen_place.h"
+#include "game/wheel/wheel_scene.h"
+#include "game/wheel/workshop_files.h"
 
 namespace onggi::app {
 namespace {
@@ -17,6 +38,121 @@ const char* word_for(Finding::Verdict verdict) {
             return "lacking";
     }
     return "";
+}
+
+using Verdict = Finding::Verdict;
+
+std::string name_of(const haptics::HidDeviceInfo& device) {
+    return fmt::format("{} {:04x}:{:04x} {}", device.path, device.vendor_id, device.product_id,
+                       device.name.empty() ? "(no name)" : device.name);
+}
+
+namespace fs = std::filesystem;
+
+constexpr double kBytesPerGb = 1e9;
+constexpr double kEnoughDiskGb = 2.0;
+
+struct FontFamily {
+    std::string_view name;
+    std::string_view file_prefix;
+    std::string_view package;
+};
+constexpr std::array<FontFamily, 4> kFontFamilies{{
+    {"NanumSquareRound", "NanumSquareRound", "fonts-nanum"},
+    {"NanumMyeongjo", "NanumMyeongjo", "fonts-nanum"},
+    {"Noto Sans Arabic", "NotoSansArabic", "fonts-noto-core"},
+    {"Noto Naskh Arabic", "NotoNaskhArabic", "fonts-noto-core"},
+}};
+
+void add_file_names_below(const fs::path& folder, std::set<std::string>& names) {
+    std::error_code ignored;
+    for (const fs::path& entry : list_folder(folder).entries) {
+        names.insert(entry.filename().string());
+        if (fs::is_directory(fs::symlink_status(entry, ignored))) add_file_names_below(entry, names);
+    }
+}
+
+std::string words_of(const kiosk::Config& config) {
+    std::string words = fmt::format("visits begin in {}, of {}; {} clay", config.languages.first,
+                                    fmt::join(config.languages.order, ", "),
+                                    config.visit.forgiving ? "forgiving" : "unforgiving");
+    words += config.staff.pin.empty() ? "; no staff panel, for want of a PIN" : "; a PIN for the staff";
+    if (config.staff.locked) words += "; locked";
+    if (config.hours.opens_min != config.hours.closes_min)
+        words += fmt::format("; open {:02}:{:02} to {:02}:{:02}", config.hours.opens_min / 60,
+                             config.hours.opens_min % 60, config.hours.closes_min / 60,
+                             config.hours.closes_min % 60);
+    return words;
+}
+
+// A gallery that is not there yet will be made in the folder that is.
+Finding probe_gallery(const kiosk::Config& config) {
+    std::error_code error;
+    fs::path there = fs::absolute(config.gallery.folder, error);
+    while (!fs::exists(there, error) && there.has_relative_path())
+        there = there.parent_path();
+    const fs::space_info space = fs::space(there, error);
+    const double free_mb = error ? 0.0 : static_cast<double>(space.available) / kiosk::kBytesPerMb;
+    Finding finding{.subject = "gallery",
+                    .found = fmt::format("{:.0f} MB free for pots in {}", free_mb, config.gallery.folder)};
+    if (free_mb >= config.gallery.least_free_mb) return finding;
+    finding.verdict = Verdict::kLacking;
+    finding.found += fmt::format(", the settings ask for {:.0f}", config.gallery.least_free_mb);
+    finding.cost = "no pot is kept; visitors are told that the shelf is full";
+    finding.remedy = "free some space, or name another gallery.folder in the settings";
+    return finding;
+}
+
+// Of sharing that is on: can pots be put, and does somebody serve them.
+std::vector<Finding> probe_sharing(const kiosk::Config& config) {
+    const auto& sharing = config.sharing;
+    std::vector<Finding> findings;
+    if (!kiosk::shares(config)) return findings;
+    const bool writable = ::faccessat(AT_FDCWD, sharing.outbox.c_str(), W_OK | X_OK, AT_EACCESS) == 0 ||
+                          !fs::exists(sharing.outbox);
+    if (!writable) {
+        findings.push_back(
+            {.subject = "sharing",
+             .verdict = Verdict::kLacking,
+             .found = fmt::format("{}: expected an outbox that can be written, found none", sharing.outbox),
+             .cost = "no pot is taken home by phone",
+             .remedy = "give the folder to the kiosk's user, or name another sharing.outbox"});
+    }
+    if (sharing.listen.empty()) {
+        findings.push_back({.subject = "sharing",
+                            .found = fmt::format("pots lie in {} for the web server of {}", sharing.outbox,
+                                                 sharing.public_url)});
+        return findings;
+    }
+    const auto address = address_of(sharing.listen);
+    constexpr int kMostMs = 500;
+    if (address && answers_at(*address, sharing.port, kMostMs)) {
+        findings.push_back({.subject = "sharing",
+                            .found = fmt::format("pots lie in {}, and {}, port {}, answers", sharing.outbox,
+                                                 *address, sharing.port)});
+        return findings;
+    }
+    findings.push_back(
+        {.subject = "sharing",
+         .verdict = Verdict::kLacking,
+         .found = address ? fmt::format("nobody answers at {}, port {}", *address, sharing.port)
+                          : address.error().message,
+         .cost = "phones find no pot",
+         .remedy = "systemctl enable --now onggi-share (or run onggi share), and look at sharing.listen"});
+    return findings;
+}
+
+// The room that the settings name, opened as the kiosk opens it.
+Finding probe_room(const std::string& room) {
+    constexpr int kWidthPx = 1280;
+    constexpr int kHeightPx = 720;
+    const wheel::OpenedScene opened = wheel::open_scene(room, kWidthPx, kHeightPx);
+    if (opened.lack.empty()) return {.subject = "room", .found = fmt::format("the house's own, {}", room)};
+    return {.subject = "room",
+            .verdict = Verdict::kLacking,
+            .found = opened.lack,
+            .cost = "the wheel stands in the room that comes with the program",
+            .remedy = "mend what the line names, or take room out of [screen]"};
 }
 
 }  // namespace
@@ -41,6 +177,202 @@ std::string findings_as_text(std::span<const Finding> findings) {
 bool any_lacking(std::span<const Finding> findings) {
     return std::any_of(findings.begin(), findings.end(),
                        [](const Finding& finding) { return finding.verdict == Finding::Verdict::kLacking; });
+}
+
+Finding probe_stop_keys(const std::string& folder) {
+    const std::vector<haptics::StopKeyboard> keyboards = haptics::open_stop_keys({}, folder);
+    for (const haptics::StopKeyboard& keyboard : keyboards)
+        ::close(keyboard.file);
+    if (!keyboards.empty())
+        return {.subject = "stop key",
+                .found = fmt::format("Pause and Stop are heard of {} {}, whatever the picture does",
+                                     keyboards.size(), keyboards.size() == 1 ? "keyboard" : "keyboards")};
+    return {.subject = "stop key",
+            .verdict = Verdict::kNote,
+            .found = fmt::format(
+                "Pause is heard by the window alone: no keyboard below {} has a stop key and may be "
+                "read; members of the group input may read them",
+                folder)};
+}
+
+Finding finding_for(const haptics::HidDeviceInfo& device) {
+    Finding finding{.subject = "device", .found = name_of(device)};
+    if (device.kind == haptics::HidKind::kUnknown) {
+        finding.verdict = Verdict::kNote;  // most are keyboards and mice, which reach the window without us
+        finding.found += ": " + device.refusal;
+    } else if (device.refusal.empty()) {
+        finding.found += fmt::format(": {}; {}", haptics::hid::words_for(device.kind), device.can);
+    } else {
+        finding.verdict = Verdict::kLacking;
+        finding.found += fmt::format(": {}; {}", haptics::hid::words_for(device.kind), device.refusal);
+        finding.cost = fmt::format("it is not used; it {}", device.can);
+        finding.remedy = device.remedy.empty() ? "none is known for this device" : device.remedy;
+    }
+    return finding;
+}
+
+Finding probe_inverse(const haptics::haply::InverseOptions& options) {
+    const auto service = haptics::haply::find_service(options);
+    if (service) {
+        return {.subject = "device",
+                .found = fmt::format("Haply Inverse3: its service is found at {}:{}; moves the tool in three "
+                                     "axes and pushes back in all of them once the device is plugged in",
+                                     options.host, options.port)};
+    }
+    // Few have one: no lack.
+    return {
+        .subject = "device",
+        .verdict = Verdict::kNote,
+        .found = fmt::format("Haply Inverse3: looked for at {}:{} while the wheel runs; not found now: {}; "
+                             "its maker's service must be installed and run",
+                             options.host, options.port, service.error().message)};
+}
+
+Finding probe_sound() {
+    const std::string obstacle = sound::why_no_sound();
+    if (obstacle.empty()) return {.subject = "sound", .found = "a sound card or a sound server"};
+    return {.subject = "sound",
+            .verdict = Verdict::kLacking,
+            .found = obstacle,
+            .cost = "the wheel is silent; who feels no force and sees little misses what the clay does",
+            .remedy = "plug in a loudspeaker, or start a sound server (PipeWire, PulseAudio)"};
+}
+
+std::vector<Finding> probe_haptic_devices() {
+    std::vector<Finding> findings{
+        {.subject = "device", .found = "simulated tool: mouse or touch, always there; the tool lags behind"}};
+    const auto devices = haptics::list_hid_devices();
+    if (!devices) {
+        findings.push_back({.subject = "device",
+                            .verdict = Verdict::kLacking,
+                            .found = devices.error().message,
+                            .cost = "HID devices cannot be seen",
+                            .remedy = "check that /sys/class/hidraw can be read"});
+        return findings;
+    }
+    for (const haptics::HidDeviceInfo& device : *devices)
+        findings.push_back(finding_for(device));
+    for (const window::Gamepad& pad : window::find_gamepads()) {
+        findings.push_back(
+            {.subject = "device",
+             .found = fmt::format("gamepad {}: sticks move the tool, triggers turn the wheel; no force",
+                                  pad.name.empty() ? "(no name)" : pad.name)});
+    }
+    findings.push_back(probe_inverse({}));
+    return findings;
+}
+
+std::vector<Finding> probe_settings(const std::string& file, const std::string& usual) {
+    std::error_code error;
+    if (file.empty() && !fs::exists(usual, error)) {
+        return {{.subject = "settings",
+                 .verdict = Verdict::kNote,
+                 .found = fmt::format(
+                     "none in {}: the kiosk begins with its own unless --config names others", usual)}};
+    }
+    const std::string& read = file.empty() ? usual : file;
+    const auto settings = load_settings(read);
+    if (!settings) {
+        return {
+            {.subject = "settings",
+             .verdict = Verdict::kLacking,
+             .found = settings.error().message,
+             .cost =
+                 "the kiosk does not start with them; with --or-config it goes on with others and says so",
+             .remedy = "mend what the line names; assets/kiosk.toml shows every setting"}};
+    }
+    std::vector<Finding> findings{
+        {.subject = "settings", .found = fmt::format("{}: {}", read, words_of(settings->config))}};
+    for (const std::string& remark : settings->remarks)
+        findings.push_back({.subject = "settings", .verdict = Verdict::kNote, .found = remark});
+    if (!settings->config.screen.room.empty()) findings.push_back(probe_room(settings->config.screen.room));
+    findings.push_back(probe_gallery(settings->config));
+    for (Finding& finding : probe_sharing(settings->config))
+        findings.push_back(std::move(finding));
+    return findings;
+}
+
+Finding probe_display() {
+    const std::string obstacle = window::why_no_display();
+    if (obstacle.empty()) return {.subject = "display", .found = "a window can be opened"};
+    return {.subject = "display",
+            .verdict = Verdict::kLacking,
+            .found = obstacle,
+            .cost = "no window: pots are thrown from gestures only (onggi throw)",
+            .remedy = "start from a desktop session, or set DISPLAY to a running X server"};
+}
+
+Finding probe_workshop() {
+    const Finding lacking{
+        .subject = "workshop",
+        .verdict = Verdict::kLacking,
+        .cost = "the wheel stands before a plain wall instead of in its workshop",
+        .remedy = "install the program with its share/onggi folder, or name one by ONGGI_ASSETS"};
+    const auto without = [&](const std::string& why) {
+        Finding finding = lacking;
+        finding.found = why;
+        return finding;
+    };
+    const auto folder = files::find_asset("workshop");
+    if (!folder) return without(folder.error().message);
+    const auto workshop = wheel::load_workshop(*folder);
+    if (!workshop) return without(workshop.error().message);
+    for (const wheel::BackgroundCamera& camera : workshop->cameras) {
+        const auto background = wheel::load_background(*workshop, camera);
+        if (!background) return without(background.error().message);
+    }
+    return {.subject = "workshop",
+            .found = fmt::format("{} cameras with their photographs in {}", workshop->cameras.size(),
+                                 folder->string())};
+}
+
+Finding probe_disk(const fs::path& folder) {
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    if (error) {
+        return {.subject = "disk",
+                .verdict = Verdict::kLacking,
+                .found = fmt::format("{}: {}", folder.string(), error.message()),
+                .cost = "pots and sessions cannot be kept there",
+                .remedy = "start onggi in a folder that can be written"};
+    }
+    const double free_gb = static_cast<double>(space.available) / kBytesPerGb;
+    const std::string found = fmt::format("{:.1f} GB free in {}", free_gb, folder.string());
+    if (free_gb >= kEnoughDiskGb) return {.subject = "disk", .found = found};
+    return {.subject = "disk",
+            .verdict = Verdict::kLacking,
+            .found = found,
+            .cost = fmt::format(
+                "below {:.0f} GB a day's sessions may not fit; exports then fail with exit code 3",
+                kEnoughDiskGb),
+            .remedy = "free some space, or start onggi in a folder on a larger disk"};
+}
+
+std::vector<fs::path> font_folders() {
+    std::vector<fs::path> folders{"/usr/share/fonts", "/usr/local/share/fonts"};
+    if (const char* home = std::getenv("HOME")) folders.push_back(fs::path(home) / ".local/share/fonts");
+    return folders;
+}
+
+Finding probe_fonts(const std::vector<fs::path>& folders) {
+    std::set<std::string> names;
+    for (const fs::path& folder : folders)
+        add_file_names_below(folder, names);
+    std::set<std::string> missing;
+    std::set<std::string> packages;
+    for (const FontFamily& family : kFontFamilies) {
+        const auto first = names.lower_bound(std::string(family.file_prefix));
+        if (first != names.end() && first->starts_with(family.file_prefix)) continue;
+        missing.insert(std::string(family.name));
+        packages.insert(std::string(family.package));
+    }
+    if (missing.empty()) return {.subject = "fonts", .found = "all families of the visitor's screens"};
+    return {
+        .subject = "fonts",
+        .verdict = Verdict::kLacking,
+        .found = fmt::format("without {}", fmt::join(missing, ", ")),
+        .cost = "the kiosk's words are set in other fonts, or are empty boxes where none has their letters",
+        .remedy = fmt::format("apt-get install {}", fmt::join(packages, " "))};
 }
 
 }  // namespace onggi::app

@@ -27,7 +27,6 @@
 #include "game/app/system/haptic_core.h"
 #include "game/app/system/picture_note.h"
 #include "game/app/system/report.h"
-#include "game/app/system/restart.h"
 #include "game/app/system/service.h"
 #include "game/app/system/start_log.h"
 #include "game/app/system/wall_clock.h"

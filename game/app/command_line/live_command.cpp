@@ -12,23 +12,73 @@
 #include "engine/files/atomic_file.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/thread_setup.h"
+#include "engine/render/overlay.h"
 #include "game/app/command_line/commands.h"
-#include "game/app/command_line/live_forces.h"
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/command_line/stats.h"
 #include "game/app/devices/hand_devices.h"
 #include "game/app/devices/haptic_guard.h"
+#include "game/app/kiosk/presentation/force_view.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
 #include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/system/end_signal.h"
 #include "game/app/system/haptic_core.h"
 #include "game/app/system/report.h"
+#include "game/kiosk/strings.h"
+#include "game/screens/stage.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
 namespace {
+
+// The forces over a picture that plays by itself. A key turns them on and off.
+class LiveForces {
+  public:
+    explicit LiveForces(bool shown) : shown_(shown) {}
+    ~LiveForces() { composer_.stop(); }
+    LiveForces(const LiveForces&) = delete;
+    LiveForces& operator=(const LiveForces&) = delete;
+
+    Result<void> start() { return composer_.start(); }
+    void turn_over() { shown_ = !shown_; }
+
+    // Once a frame, shown or not, so that the plots have a past. Null: nothing to lay over the picture. Good
+    // until the next call.
+    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
+                                              const wheel::LiveView& view, double now_s);
+
+  private:
+    bool shown_;
+    ForceView forces_;
+    screens::Composer composer_;
+    screens::Stage stage_;
+    std::shared_ptr<const screens::View> asked_;
+    render::Overlay overlay_;
+};
+
+const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
+                                        const wheel::LiveView& view, double now_s) {
+    forces_.look(snapshot, now_s);
+    if (!shown_ || view.width() <= 0 || view.height() <= 0) return nullptr;
+    if (!asked_ || asked_->width_px != view.width() || asked_->height_px != view.height()) {
+        screens::View request;
+        request.width_px = view.width();
+        request.height_px = view.height();
+        request.only_forces = true;
+        request.state.comfort.forces = true;
+        request.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
+        asked_ = std::make_shared<const screens::View>(std::move(request));
+        composer_.ask(asked_);
+    }
+    stage_.take(composer_.latest(), now_s);
+    const screens::ForceFrame frame = forces_.frame(snapshot, shown, sight_of(view), true);
+    overlay_.list = &stage_.draw({.now_s = now_s, .forces = &frame});
+    overlay_.uploads = stage_.uploads();
+    overlay_.atlas_side_px = stage_.atlas_side_px();
+    return &overlay_;
+}
 
 // A live run may last as long as a museum's season, but no shorter than a frame.
 constexpr double kLeastSeconds = 0.02;

@@ -5,13 +5,18 @@
 #include <string>
 
 #include "engine/render/quality.h"
-#include "game/app/command_line/cli_names.h"
 #include "game/clay/studio/pot.h"
 #include "game/wheel/still.h"
 
+// Named only: the whole of CLI11 takes g++ ten seconds, so only the files that register options include it.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace onggi::app {
 
-// A pot to throw on instead of a fresh lump (start_pot.h).
+// A pot to throw on instead of a fresh lump (performance.h).
 struct StartPot {
     std::optional<std::string> on = {};      // a session: its pot is put back on the wheel
     std::optional<std::string> joined = {};  // another: its pot is turned upside down and joined rim to rim

@@ -11,7 +11,8 @@
 #include "engine/haptics/haptic_device.h"
 #include "engine/record/session.h"
 #include "game/app/command_line/options.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/clay/studio/studio_clay.h"
+#include "game/decoration/stroke.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
@@ -42,5 +43,10 @@ struct LoadedSession {
 // "FILE: cut short ..." for a session that does not end with its end marker.
 [[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
                                                        const std::string& file);
+
+// What a gesture of the studio clay is thrown on when it is not a fresh lump: the pot that a session left, or
+// two of them joined. Nothing where none is asked for. The sessions are replayed to their end. Bad input:
+// --join without --on, a session of the paper's clay, one that is damaged, pots that cannot be joined.
+[[nodiscard]] Result<std::optional<clay::StudioClay>> start_pot(const StartPot& options);
 
 }  // namespace onggi::app

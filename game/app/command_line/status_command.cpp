@@ -8,7 +8,7 @@
 
 #include "engine/core/result.h"
 #include "game/app/command_line/commands.h"
-#include "game/app/command_line/system_probes.h"
+#include "game/app/command_line/finding.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/report.h"

@@ -58,6 +58,14 @@ Result<std::string> throw_pot(ThrowOptions options) {
     return writer->finish(state, last, tick_ns);
 }
 
+void add_target_option(CLI::App& command, std::optional<std::string>& id) {
+    command
+        .add_option("--target", id,
+                    "score the fired pot beside a museum's, or beside the one nearest in shape; an unknown "
+                    "name lists those there are")
+        ->type_name("ID|nearest");
+}
+
 }  // namespace
 
 void add_throw_command(CLI::App& program, int& exit_status) {

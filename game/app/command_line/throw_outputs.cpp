@@ -1,25 +1,182 @@
 #include "game/app/command_line/throw_outputs.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "engine/asset/image.h"
 #include "engine/core/quote.h"
+#include "engine/core/units.h"
+#include "engine/files/asset_folder.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/stats.h"
-#include "game/app/command_line/tables.h"
-#include "game/app/command_line/target_score.h"
 #include "game/app/kiosk/presentation/snapshot_view.h"
+#include "game/clay/studio/studio_clay.h"
 #include "game/exporter/studio_export.h"
+#include "game/haptic/tick.h"
+#include "game/heritage/advice.h"
 #include "game/look/pot_pictures.h"
 #include "game/wheel/clay_look.h"
 #include "game/wheel/still.h"
 
 namespace onggi::app {
+namespace {
+
+// A pot scored beside the museum's that was chosen, or that is nearest by shape.
+struct TargetScore {
+    std::string text;  // for a person, a line a measure
+    nlohmann::ordered_json json;
+};
+
+// Precondition: clay on the wheel.
+TargetScore score_beside(const TargetChoice& choice, const clay::StudioClay& clay) {
+    const heritage::PotForm form = heritage::form_of(clay);
+    const heritage::Nearest nearest = heritage::nearest(form, choice.targets);
+    const heritage::Target& target = choice.targets[choice.chosen.value_or(nearest.target)];
+    const heritage::Score score = heritage::score(form, target, clay.lump().body);
+    const heritage::Target& resembled = choice.targets[nearest.target];
+
+    nlohmann::ordered_json measures;
+    for (const heritage::Measure& measure : score.measures) {
+        nlohmann::ordered_json museum = nullptr;  // not published
+        if (measure.target) museum = *measure.target;
+        measures[measure.name] = {{"pot", measure.pot}, {"museum", museum}};
+    }
+    const heritage::Advice advice =
+        heritage::advise(form, target, choice.chosen ? std::optional(score.size.fraction) : std::nullopt);
+    TargetScore result;
+    result.json = {{"id", target.id},
+                   {"text", heritage::sentence(target)},
+                   {"source", target.source},
+                   {"fraction", score.size.fraction},
+                   {"wet_scale", score.size.wet_scale},
+                   {"measures", measures},
+                   {"profile_rms_mm", score.profile_rms_mm},
+                   {"published_points", score.published_points},
+                   {"drawn_points", score.drawn_points},
+                   {"mean_off_mm", score.mean_off_mm},
+                   {"good", heritage::good_key(advice)},
+                   {"try_next", heritage::next_key(advice)},
+                   {"nearest", resembled.id},
+                   {"nearest_unlikeness", nearest.unlikeness}};
+    result.text = heritage::report(score, target) + heritage::report(advice);
+    if (choice.chosen) {
+        result.text += fmt::format("nearest in shape: {} ({:.3f} unlike, 0 the same)\n", resembled.id,
+                                   nearest.unlikeness);
+    }
+    return result;
+}
+
+// The tables that `throw` writes: profile and forces as CSV, nine significant digits whatever the locale.
+
+void append(std::string& table, double number) {
+    // Adding 0 turns -0 into 0: a force of nothing has no sign to show.
+    fmt::format_to(std::back_inserter(table), ",{:.9g}", number + 0.0);
+}
+
+std::string_view name_of(clay::studio::Side side) {
+    switch (side) {
+        case clay::studio::Side::kFree:
+            return "free";
+        case clay::studio::Side::kOut:
+            return "outer";
+        case clay::studio::Side::kIn:
+            return "inner";
+        case clay::studio::Side::kTop:
+            return "rim";
+    }
+    return "free";
+}
+
+std::string profile_of(const clay::StudioClay& clay) {
+    std::string table = "y_mm,outer_mm,inner_mm\n";
+    for (int i = 0; i < clay.ring_count(); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        fmt::format_to(std::back_inserter(table), "{:.9g}", clay.centre_height_mm(i));
+        append(table, clay.outer_mm()[at]);
+        append(table, clay.inner_mm()[at]);
+        table += '\n';
+    }
+    return table;
+}
+
+std::string profile_of(const clay::PaperClay& clay) {
+    std::string table = "y_mm,outer_mm\n";
+    const auto radii_mm = clay.radii_mm();
+    for (std::size_t i = 0; i < radii_mm.size(); ++i) {
+        const double y_mm = (static_cast<double>(i) + 0.5) * clay.element_height_mm();
+        fmt::format_to(std::back_inserter(table), "{:.9g}", y_mm);
+        append(table, static_cast<double>(radii_mm[i]));
+        table += '\n';
+    }
+    return table;
+}
+
+// y_mm,outer_mm, and of the studio's clay inner_mm (0 where it is solid): one row an element or ring, bottom
+// first; y is its middle.
+std::string profile_table(const haptic::HapticState& state) {
+    return std::visit([](const auto& clay) { return profile_of(clay); }, state.clay);
+}
+
+// The header line of the forces, with its end: of the first hand; of the studio's clay also its side (free,
+// outer, inner or rim), how many rings the second hand or the assist touches, the wheel's speed, the hands'
+// friction on it, and the largest load index.
+std::string forces_header(const haptic::HapticState& state) {
+    std::string header = "tick,t_s,contacts,fs_x_N,fs_y_N,fs_z_N,fv_x_N,fv_y_N,fv_z_N,ff_x_N,ff_y_N,ff_z_N";
+    if (state.studio() != nullptr) {
+        header += ",side,contacts_2,wheel_rev_min,wheel_load_N_mm,load_index";
+    }
+    return header + '\n';
+}
+
+// Appends the row of one tick; `state` is the one after it.
+void append_forces_row(std::string& table, std::uint64_t tick, double rate_hz,
+                       const haptic::TickResult& result, const haptic::HapticState& state) {
+    const clay::ContactForces& forces = result.forces;
+    fmt::format_to(std::back_inserter(table), "{},{:.9g},{}", tick, static_cast<double>(tick) / rate_hz,
+                   forces.contacts);
+    for (const dvec3& force_n : {forces.stiffness_n, forces.viscosity_n, forces.friction_n}) {
+        append(table, force_n.x);
+        append(table, force_n.y);
+        append(table, force_n.z);
+    }
+    if (const clay::StudioClay* studio = state.studio()) {
+        fmt::format_to(std::back_inserter(table), ",{},{}", name_of(result.side),
+                       result.second_forces.contacts);
+        append(table, units::rev_min_from_rad_s(studio->wheel().speed_rad_s()));
+        append(table, result.wheel_load_n_mm);
+        append(table, studio->load_index());
+    }
+    table += '\n';
+}
+
+}  // namespace
+
+Result<std::optional<TargetChoice>> find_target_choice(const std::optional<std::string>& id) {
+    if (!id) return std::optional<TargetChoice>();
+    const auto folder = files::find_asset("heritage");
+    if (!folder) return folder.error();
+    auto targets = heritage::load_targets(*folder);
+    if (!targets) return targets.error();
+    TargetChoice choice{std::move(targets).value(), std::nullopt};
+    if (*id != "nearest") {
+        if (const auto known = heritage::find_target(choice.targets, *id); !known)
+            return bad_input(fmt::format("--{}", known.error().message));
+        for (std::size_t i = 0; i < choice.targets.size(); ++i) {
+            if (choice.targets[i].id == *id) choice.chosen = i;
+        }
+    }
+    return std::optional(std::move(choice));
+}
+
 namespace {
 
 Result<void> check_endings(const ThrowOutputs& outputs) {

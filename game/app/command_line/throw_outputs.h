@@ -2,6 +2,7 @@
 // Main thread; blocks.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,12 +14,23 @@
 #include "engine/jobs/histogram.h"
 #include "engine/record/session_writer.h"
 #include "game/app/command_line/options.h"
-#include "game/app/command_line/target_choice.h"
 #include "game/clay/studio/pot.h"
 #include "game/exporter/export.h"
 #include "game/haptic/start_state.h"
+#include "game/heritage/target.h"
 
 namespace onggi::app {
+
+// `throw --target`: the museum's pots to score a thrown one beside. All targets, and the one chosen; none:
+// the nearest by shape, once the pot is there.
+struct TargetChoice {
+    std::vector<heritage::Target> targets;
+    std::optional<std::size_t> chosen;
+};
+
+// Reads the targets from the assets where an id is given, "nearest" included. Bad input listing those known
+// for another; system lacks where there are no assets.
+[[nodiscard]] Result<std::optional<TargetChoice>> find_target_choice(const std::optional<std::string>& id);
 
 struct ThrowOutputs {
     std::optional<std::string> profile;     // .csv

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -11,16 +12,35 @@
 #include "engine/core/result.h"
 #include "engine/record/session.h"
 #include "game/clay/studio/pot.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
 
+// Which moment of a session each picture of its film shows. Pure; any thread. Times in s.
+constexpr int kFilmPictureMs = 80;     // how long each is shown: 12.5 a second
+constexpr double kFilmTurningS = 1.5;  // the finished pot, at the end of the film
+constexpr double kLeastFilmS = 1.0;
+constexpr double kLongestFilmS = 60.0;
+
+struct FilmPicture {
+    std::uint64_t ticks = 0;   // how many of the session are behind it
+    bool is_finished = false;  // the pot alone, as it was fired
+    double turned = 0.0;       // how far it has been turned to be looked at, in turns
+
+    friend bool operator==(const FilmPicture&, const FilmPicture&) = default;
+};
+
+// For `seconds` of film, kLeastFilmS to kLongestFilmS: the making, evenly from before the first tick to
+// behind the last, then the finished pot, for kFilmTurningS and at most a quarter of the film. Where no tick
+// was recorded, the pot is all there is to see.
+[[nodiscard]] std::vector<FilmPicture> film_plan(std::uint64_t tick_count, double seconds);
+
 struct FilmDesc {
     int width = 480;  // pixels, 16 to 8192 each
     int height = 360;
-    double seconds = 8.0;                        // kLeastFilmS to kLongestFilmS, see film_plan.h
+    double seconds = 8.0;                        // kLeastFilmS to kLongestFilmS
     clay::Firing finished = clay::Firing::kWet;  // the stage that its last part shows
     std::size_t most_bytes = 1'500'000;          // of the file
     // Drawn as the live window of a processor is (see wheel::StillOptions), for beside the frame. Otherwise

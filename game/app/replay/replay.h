@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/record/session.h"
-#include "game/decoration/stroke_bytes.h"
+#include "game/decoration/stroke.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {

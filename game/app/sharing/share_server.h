@@ -2,16 +2,79 @@
 // means is decided in game/sharing/share_request.h. One thread, whoever calls run().
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <memory>
 
 #include "engine/core/result.h"
-#include "game/app/sharing/deadlines.h"
 #include "game/sharing/share_limits.h"
 
 namespace onggi::app {
+
+// Until when each connection has to have done what it is at: a client that sends its words byte by byte, or
+// takes its file so, is cut off, and the sooner where there are many; one that has gone before it asked, at
+// once. No clock: time is handed in. Any one thread.
+struct DeadlineRules {
+    double head_s = 10.0;         // for all of a request's head, from the first moment on; also to be silent
+    double crowded_head_s = 1.0;  // the same where there is a crowd
+    std::size_t crowd = 384;      // so many connections are one
+    double answer_s = 20.0;       // for an answer, and
+    double bytes_per_s = 16'384.0;  // as long as it takes at this pace
+};
+
+class Deadlines {
+  public:
+    struct Connection {
+        int socket = -1;
+        double since_s = 0.0;  // that it is at this
+        double until_s = 0.0;
+        bool is_answered = false;  // the answer is on its way
+        bool is_cut = false;
+    };
+    using Handle = std::list<Connection>::iterator;
+
+    explicit Deadlines(const DeadlineRules& rules = {}) : rules_(rules) {}
+
+    [[nodiscard]] Handle add(int socket, double now_s) {
+        const Handle added = connections_.insert(connections_.end(), Connection{.socket = socket});
+        has_answered(added, now_s);
+        return added;
+    }
+    void answers(Handle connection, double now_s, std::uint64_t bytes) const {
+        connection->since_s = now_s;
+        connection->until_s = now_s + rules_.answer_s + static_cast<double>(bytes) / rules_.bytes_per_s;
+        connection->is_answered = true;
+    }
+    // It may ask again.
+    void has_answered(Handle connection, double now_s) const {
+        connection->since_s = now_s;
+        connection->until_s = now_s + rules_.head_s;
+        connection->is_answered = false;
+    }
+    void remove(Handle connection) { connections_.erase(connection); }
+    [[nodiscard]] std::size_t size() const { return connections_.size(); }
+
+    // Calls cut(socket) once for each whose time is over, or who asks for nothing and has_gone(socket).
+    template <typename HasGone, typename Cut>
+    void sweep(double now_s, HasGone has_gone, Cut cut) {
+        const bool is_crowded = connections_.size() >= rules_.crowd;
+        for (Connection& connection : connections_) {
+            if (connection.is_cut) continue;
+            const bool is_in_the_way = is_crowded && now_s >= connection.since_s + rules_.crowded_head_s;
+            const bool is_idle = !connection.is_answered && (is_in_the_way || has_gone(connection.socket));
+            if (now_s < connection.until_s && !is_idle) continue;
+            connection.is_cut = true;
+            cut(connection.socket);
+        }
+    }
+
+  private:
+    DeadlineRules rules_;
+    std::list<Connection> connections_;
+};
 
 struct ShareServerOptions {
     int listening_socket = -1;  // of listen_at(); closed by the server

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/core/result.h"
+
 namespace onggi::app {
 
 // What has to go on for the program to be well.
@@ -51,5 +53,16 @@ class Service {
     bool is_ready_ = false;
     std::string said_;
 };
+
+// Starting the program anew, as the staff's panel asks for: the same program with the same words, in the same
+// process, so that whoever started it - a shell, systemd - sees it go on. Main thread.
+
+// What a supervised program ends with when its supervisor shall begin anew, and what a kiosk ends with when
+// it cannot: "try again" (EX_TEMPFAIL of sysexits.h). A unit with Restart=always or on-failure starts it
+// then.
+constexpr int kRestartExitCode = 75;
+
+// Takes the process over; returns only where that failed. No thread may run, no device be open.
+[[nodiscard]] Error start_anew();
 
 }  // namespace onggi::app

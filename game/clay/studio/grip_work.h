@@ -4,10 +4,22 @@
 // leaves. Haptic thread; no allocation. Units: mm, s.
 #pragma once
 
-#include "game/clay/studio/grip_rings.h"
+#include <vector>
+
 #include "game/clay/studio/grip_touch.h"
+#include "game/clay/studio/moves.h"
+#include "game/clay/studio/rings.h"
 
 namespace onggi::clay::studio {
+
+// Work space of the moves, entry i of ring i. Not a state.
+struct GripSpace {
+    explicit GripSpace(int capacity);
+
+    std::vector<double> wanted_mm;
+    std::vector<double> second_mm;
+    std::vector<double> weight;
+};
 
 // What the hands know besides the clay.
 struct GripClimate {

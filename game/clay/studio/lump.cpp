@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "game/clay/exact_math.h"
+#include "game/clay/studio/rings.h"
 #include "game/clay/studio/strength.h"
 #include "game/clay/studio/studio_parameters.h"
-#include "game/clay/studio/volume_grid.h"
 
 namespace onggi::clay::studio {
 namespace {

@@ -1,7 +1,6 @@
 // The lump a pot is thrown from: a low dome, a little off centre. Units: g, mm.
 #pragma once
 
-#include "game/clay/studio/ledger.h"
 #include "game/clay/studio/rings.h"
 
 namespace onggi::clay {

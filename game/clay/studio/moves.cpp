@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/math/wide_vectors.h"
-#include "game/clay/studio/volume_grid.h"
+#include "game/clay/studio/rings.h"
 
 namespace onggi::clay::studio {
 namespace {

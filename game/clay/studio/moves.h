@@ -4,7 +4,7 @@
 #pragma once
 
 #include "game/clay/studio/contact.h"
-#include "game/clay/studio/ledger.h"
+#include "game/clay/studio/rings.h"
 
 namespace onggi::clay::studio {
 

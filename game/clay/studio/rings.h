@@ -12,6 +12,34 @@
 
 namespace onggi::clay::studio {
 
+// Clay is counted in grains of 2^-20 mm^3. A double holds every whole number of grains up to 2^33 mm^3
+// without rounding, so adding, subtracting and halving volumes on the grid is exact in any order, and the
+// ledger can be compared with ==. Any thread; fit for the tick.
+constexpr double kGrainMm3 = 0x1p-20;
+
+// The nearest volume on the grid. Precondition: 0 <= volume_mm3 < 2^33.
+inline double on_grid(double volume_mm3) {
+    return static_cast<double>(static_cast<std::int64_t>(volume_mm3 * 0x1p20 + 0.5)) * kGrainMm3;
+}
+
+inline bool is_on_grid(double volume_mm3) {
+    return volume_mm3 >= 0.0 && volume_mm3 < 0x1p33 && on_grid(volume_mm3) == volume_mm3;
+}
+
+// Where every cubic millimetre of the lump is. Plain state; fit for the tick. Units: mm^3, all on the grid.
+struct Ledger {
+    double lump_mm3 = 0.0;       // what was put on the wheel
+    double trimmings_mm3 = 0.0;  // cut off by the trimming tool, the wire, or torn off
+    double slip_mm3 = 0.0;       // carried away wet by the sponge
+
+    // What has to be there still, while the error is 0.
+    [[nodiscard]] double on_wheel_mm3() const { return lump_mm3 - (trimmings_mm3 + slip_mm3); }
+    // What is not accounted for: 0 exactly, or there is a bug.
+    [[nodiscard]] double error_mm3(double on_wheel_mm3) const {
+        return lump_mm3 - (on_wheel_mm3 + trimmings_mm3 + slip_mm3);
+    }
+};
+
 // h = V / (pi (ro^2 - ri^2)), the one expression by which every height of the room is worked out.
 inline double ring_height_mm(double volume_mm3, double outer_mm, double inner_mm) {
     return volume_mm3 / (std::numbers::pi * ((outer_mm - inner_mm) * (outer_mm + inner_mm)));
@@ -109,5 +137,27 @@ struct Rings {
 
     double top_ = 0.0;
 };
+
+// Keeps the heights of the rings within bounds: a ring drawn tall is split, a flat one is joined to its
+// neighbour. No volume is lost or found. A cursor looks at the rings at the pace of simulated time, so that
+// the rings are the same ones at every tick rate. Haptic thread; no allocation. Units: mm, s.
+
+// The height that rings keep to: 200 mm over the nominal number of rings, or more for a tall pot, so that
+// none needs more than the capacity.
+double target_height_mm(const Rings& rings, int nominal_rings);
+
+// Splits ring i in two halves on the grid, with radii that follow the slope. Precondition: count < capacity.
+void split_ring(Rings& rings, int i);
+// Joins rings i and i + 1. Volume and height are kept. Precondition: both solid or both hollow.
+void join_rings(Rings& rings, int i);
+
+// What a round of the cursor did, for those who keep a place among the rings.
+struct Resplit {
+    int changed_ring = -1;  // the ring that was split, or joined to the next one; -1: none
+    bool was_split = false;
+};
+
+// Looks at ring i and splits or joins it where its height asks for it. Places are not worked out.
+Resplit tend_ring(Rings& rings, int i, double target_mm);
 
 }  // namespace onggi::clay::studio

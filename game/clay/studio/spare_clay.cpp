@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/clay/studio/volume_grid.h"
+#include "game/clay/studio/rings.h"
 
 namespace onggi::clay::studio {
 namespace {

@@ -1,24 +1,121 @@
 #include "game/clay/studio/studio_clay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
-#include "game/clay/studio/assist.h"
+#include "engine/core/units.h"
+#include "game/clay/bounds.h"
+#include "game/clay/exact_math.h"
 #include "game/clay/studio/force.h"
 #include "game/clay/studio/moves.h"
-#include "game/clay/studio/resplit.h"
+#include "game/clay/studio/pot.h"
+#include "game/clay/studio/rings.h"
 #include "game/clay/studio/roundness.h"
 #include "game/clay/studio/strength.h"
-#include "game/clay/studio/volume_grid.h"
 #include "game/clay/studio/wall_field.h"
 
 namespace onggi::clay {
+namespace studio {
+namespace {
+
+// The assist: a second hand for those who have one, held opposite the first across the wall.
+
+// The most that an assist squeezes a wall at a time: a fraction of it, and no more than so much.
+constexpr double kSqueezedFraction = 0.25;
+constexpr double kSqueezedMm = 3.0;
+
+// Whether there is an assist. Solid clay has no other side to hold.
+bool has_assist(const StudioInput& input, const Rings& rings, const Hand& hand) noexcept {
+    if (input.has_second || !(input.assist_gap_mm > 0.0) || rings.first_hollow >= rings.count) return false;
+    return hand.side == Side::kIn || (hand.side == Side::kOut && hand.position_mm.y > rings.floor_mm());
+}
+
+// The second hand across the wall from the first, which is in that state and touches the clay so.
+//
+// It rests on the wall without pressing it, and goes where the wall goes: a wall that both hold is carried
+// (moves.h). Only while the first hand climbs does it squeeze, at a time by no more than a fraction of the
+// wall that is there, until the hands' surfaces are least_gap_mm apart; thick walls take several pulls. It
+// answers the first hand: it presses only while that one touches, and less where the floor keeps it from
+// being opposite. work: the assist's own contact, which is yet to be found. Precondition: has_assist();
+// least_gap_mm > 0.
+Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, Contact& work,
+               const Rings& rings, double least_gap_mm, const StudioParameters& parameters) noexcept {
+    Hand second = hand;
+    second.is_assist = true;
+    second.tool = StudioTool::kHand;
+    const bool outside = hand.side == Side::kIn;  // the assist
+    const double r1 = hand.radius_mm;
+    second.side = outside ? Side::kOut : Side::kIn;
+    second.position_mm.y = contact.height_mm;
+    if (!outside)
+        second.position_mm.y =
+            std::max(contact.height_mm, std::max(parameters.floor_mm, rings.floor_mm()) + r1);
+    const double lifted = second.position_mm.y - contact.height_mm;
+    const double yield = parameters.yield_depth_mm;
+    const double pressed = contact.deepest_mm >= yield ? 1.0 : std::max(contact.deepest_mm, 0.0) / yield;
+    const double touch = pressed * std::max(1.0 - lifted / r1, 0.0);
+    const double wall = rings.wall_mm(contact.nearest);
+    const double squeeze =
+        climb_fraction(state, hand.position_mm.y) * std::min(kSqueezedFraction * wall, kSqueezedMm);
+    const double apart = 2.0 * r1 + std::max(least_gap_mm, wall - squeeze);
+    const double resting = resting_distance_mm(rings, second.side, second.position_mm.y, r1, work);
+    const double steady =
+        hand.distance_mm - (state.wobble_mm.x * hand.in_clay.x + state.wobble_mm.y * hand.in_clay.y);
+    const double least = touch * yield;
+    const double most = std::max(touch * squeeze, least);
+    second.distance_mm = outside ? std::clamp(steady + apart, resting - most, resting - least)
+                                 : std::clamp(steady - apart, resting + least, resting + most);
+    second.position_mm.x = second.direction.x * second.distance_mm;
+    second.position_mm.z = second.direction.y * second.distance_mm;
+    return second;
+}
+
+}  // namespace
+
+double foot_wall_mm(const Rings& rings) {
+    constexpr double kAboveFloorMm = 4.0;
+    if (rings.first_hollow >= rings.count) return 0.0;
+    const double y_mm = rings.floor_mm() + kAboveFloorMm;
+    return y_mm < rings.top_mm() ? wall_thickness_mm(rings, y_mm) : 0.0;
+}
+
+double least_outer_mm(const Rings& rings, int i) noexcept {
+    constexpr int kBeside = 6;  // rings, for the slope
+    const int first = rings.first_hollow;
+    if (first >= rings.count) return kTrimmedFootMm;
+    const double corner_mm = rings.inner_mm[Rings::at(first)];
+    if (!rings.is_hollow(i)) {
+        const double below_mm = rings.floor_mm() - rings.centre_mm(i);
+        return below_mm < kTrimmedWallMm ? std::max(corner_mm + kTrimmedWallMm, kTrimmedFootMm)
+                                         : std::max(0.5 * corner_mm, kTrimmedFootMm);
+    }
+    const int low = std::max(i - kBeside, first);
+    const int high = std::min(i + kBeside, rings.count - 1);
+    const double rise_mm = rings.centre_mm(high) - rings.centre_mm(low);
+    const double lean =
+        rise_mm > 0.0 ? (rings.inner_mm[Rings::at(high)] - rings.inner_mm[Rings::at(low)]) / rise_mm : 0.0;
+    return rings.inner_mm[Rings::at(i)] + kTrimmedWallMm * std::sqrt(1.0 + lean * lean);
+}
+
+void dry_to_leather(Rings& rings) noexcept {
+    constexpr auto kLeather = static_cast<float>(kLeatherHardLiquidity);
+    for (int i = 0; i < rings.count; ++i) {
+        rings.film[Rings::at(i)] = 0.0F;
+        if (rings.liquidity[Rings::at(i)] > kLeather) set_liquidity(rings, i, kLeatherHardLiquidity);
+    }
+}
+
+}  // namespace studio
+
 namespace {
 
 using studio::Changed;
 using studio::Contact;
+using studio::Grip;
 using studio::Hand;
 using studio::HandState;
 using studio::Rings;
@@ -47,6 +144,50 @@ void settle_as_lump(Rings& rings, double volume_mm3, studio::Ledger& ledger, stu
     ledger = {.lump_mm3 = volume_mm3};
     sweep = {};
     studio::restart(sweep, rings);
+}
+
+// Fingers touch so much of a wall, above and below their middle.
+constexpr double kPrintMm = 12.0;
+constexpr double kFingersMm = 12.0;
+
+Side side_of(Grip grip) {
+    switch (grip) {
+        case Grip::kNone:
+        case Grip::kAsking:
+            return Side::kFree;
+        case Grip::kOpen:
+        case Grip::kInside:
+            return Side::kIn;
+        case Grip::kWall:
+            return Side::kOut;
+        case Grip::kRim:
+            return Side::kTop;
+    }
+    return Side::kFree;
+}
+
+// The hands of a grip as one contact, of the depth that a ball would need to do what they do; print_mm above
+// and below its middle.
+void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double depth_mm,
+                       double print_mm = kPrintMm) {
+    contact.height_mm = std::clamp(y_mm, 0.0, rings.top_mm());
+    contact.range = rings.rings_between(contact.height_mm - print_mm, contact.height_mm + print_mm);
+    const double per_mm = 1.0 / print_mm;
+    contact.nearest = rings.ring_at(contact.height_mm);
+    contact.floor_depth_mm = 0.0;
+    contact.far_depth_mm = contact.rim_depth_mm = -1e9;
+    contact.deepest_mm = depth_mm;
+    contact.has_rough_rows = false;
+    rings.centres_from(contact.height_mm, contact.range, contact.offset_mm.data());
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const std::size_t at = Rings::at(k);
+        const double s = contact.offset_mm[at] * per_mm;
+        contact.half_width_mm[at] = kFingersMm;
+        contact.depth_mm[at] = depth_mm * std::max(1.0 - s * s, 0.0);
+        contact.residual_mm[at] = 0.0;
+        contact.has_rough_rows =
+            contact.has_rough_rows || rings.rough_mm[Rings::at(contact.range.first + k)] > 0.0F;
+    }
 }
 
 }  // namespace
@@ -405,6 +546,253 @@ void StudioClay::tear() {
     }
     std::fill_n(rings_.shear.begin(), rings_.count, 0.0F);
     studio::restart(sweep_, rings_);
+}
+
+// The guided hand's part of the tick: grip_work.h on this clay, and what is felt and heard of it.
+
+studio::GripClimate StudioClay::climate(const StudioParameters& parameters) const {
+    constexpr double kFreshKpa = 13.0;
+    constexpr double kKilogram = 1000.0;
+    const int middle = std::max(rings_.ring_at(std::clamp(grip_.hand_mm.y, 0.0, rings_.top_mm())), 0);
+    const auto su = static_cast<double>(rings_.strength_kpa[Rings::at(middle)]);
+    const double pace = studio::flow_time_s(kFreshKpa, parameters.flow_time_s) /
+                        studio::flow_time_s(su, parameters.flow_time_s);
+    return {.load_index = std::max(sweep_.peak_index, sweep_.growing_peak),
+            .softness = std::clamp(pace, 0.4, 1.3),
+            .size = exponential(natural_log(lump_.mass_g / kKilogram) / 3.0)};
+}
+
+// On a wheel that turns the hands of the grip are at work; on one that stands a finger leaves its print.
+Changed StudioClay::guide(const StudioInput& input, const StudioParameters& parameters,
+                          StudioForces& result) {
+    const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
+    const double dt = parameters.dt_s();
+    const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
+    if (turning && input.hand.tool != StudioTool::kHand) return guide_tool(input, parameters, result);
+    if (input.hand.tool == StudioTool::kTrimmer) return {};  // it leaves no print
+    Changed changed{};
+    if (turning) {
+        changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
+        result.grip = studio::report_of(grip_, finger);
+        result.side = side_of(grip_.grip);
+    } else {
+        studio::let_go(grip_);
+        result.grip.hand_mm = result.grip.finger_mm = finger;
+        result.side = Side::kOut;
+    }
+    if (result.side == Side::kFree || rings_.count < 3) return changed;
+
+    const double side = result.grip.hand_mm.x < 0.0 ? -1.0 : 1.0;
+    Hand hand;
+    hand.radius_mm = kFingersMm;
+    hand.side = result.side;
+    hand.direction = {side, 0.0};
+    hand.in_clay = studio::into_clay(hand.direction, wheel_.heading());
+    hand.distance_mm = std::fabs(result.grip.hand_mm.x) + (turning ? 0.0 : kFingersMm);
+    hand.position_mm = {side * hand.distance_mm, result.grip.hand_mm.y, 0.0};
+    Contact& contact = contacts_[0];
+    if (turning) {
+        find_grip_contact(contact, rings_, hand.position_mm.y, grip_.press_mm);
+    } else {
+        studio::find_contact(contact, rings_, hand, {}, parameters);
+    }
+    if (!contact.touches() || contact.range.size() <= 0) return changed;
+    if (turning) {
+        studio::round_sectors(rings_, contact, hand, carried_.stripe, parameters);
+    } else {
+        studio::dent_sectors(rings_, contact, hand, studio::relaxed_fraction(dt / parameters.denting_time_s),
+                             parameters.yield_depth_mm);
+    }
+    if (carried_.film > 0.0)
+        studio::wet_faces(rings_, contact.range.first, contact.range.end, contact.depth_mm.data(),
+                          carried_.film);
+    feel_guided(contact, hand, turning ? grip_.bears_n_mm : 1e9, parameters, result);
+    return changed;
+}
+
+bool StudioClay::lay_tool(const StudioInput& input, StudioForces& result, Hand& hand) {
+    constexpr double kNearMm = 30.0;  // a finger farther out means something else
+    studio::let_go(grip_);
+    const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
+    result.grip.hand_mm = result.grip.finger_mm = finger;
+    const double top = rings_.top_mm();
+    const double side = finger.x < 0.0 ? -1.0 : 1.0;
+    const double y = std::clamp(finger.y, 0.0, top);
+    if (rings_.count < 3) return false;
+    const double face = studio::outer_face_mm(rings_, y);
+    if (std::fabs(finger.x) > face + kNearMm || finger.y > top + kNearMm) return false;
+    hand.tool = input.hand.tool;
+    hand.radius_mm = input.hand.radius_mm;
+    hand.side = result.side = Side::kOut;
+    hand.direction = {side, 0.0};
+    hand.in_clay = studio::into_clay(hand.direction, wheel_.heading());
+    hand.distance_mm = face + hand.radius_mm;
+    hand.position_mm = {side * hand.distance_mm, y, 0.0};
+    result.grip.grip = Grip::kWall;
+    result.grip.hand_mm = result.grip.finger_mm = {side * face, y};
+    result.grip.low_mm = std::max(y - hand.radius_mm, 0.0);
+    result.grip.high_mm = std::min(y + hand.radius_mm, top);
+    return true;
+}
+
+void StudioClay::find_tool_contact(Contact& contact, double y_mm, double depth_mm, double print_mm) {
+    find_grip_contact(contact, rings_, y_mm, depth_mm, print_mm);
+}
+
+// A rib or a sponge lies along the outer face at the finger's height, with fingers behind the wall.
+Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters& parameters,
+                               StudioForces& result) {
+    constexpr double kDepthMm = 0.8;  // chosen: lies on it, and does not push
+    constexpr double kDry = 1e-6;
+    if (input.hand.tool == StudioTool::kTrimmer) return guide_trimmer(input, parameters, result);
+    Hand hand;
+    if (!lay_tool(input, result, hand)) return {};
+    hand.drinks = hand.tool == StudioTool::kSponge && !(input.water > kDry);
+    hand.distance_mm -= kDepthMm;
+    hand.position_mm.x = hand.direction.x * hand.distance_mm;
+    const double y = hand.position_mm.y;
+    Contact& contact = contacts_[0];
+    find_tool_contact(contact, y, kDepthMm, hand.radius_mm);
+    if (!contact.touches() || contact.range.size() <= 0) return {};
+    feel_guided(contact, hand, studio::bearable_twist(rings_, y), parameters, result);
+    const Changed changed = act(hands_[0], contact, hand, nullptr, input.water, parameters);
+    if (changed.size() > 0) rings_.place(changed.first, rings_.count);
+    return changed;
+}
+
+// What a guided hand feels, and the wheel of it: no more than the clay bears.
+void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double bears_n_mm,
+                             const StudioParameters& parameters, StudioForces& result) {
+    // The other hand holds against it: a wall does not give way as a whole.
+    constexpr double kHeld = 1.0;
+    const double wet = std::max(carried_.film, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
+    studio::Feel felt =
+        studio::feel(rings_, contact, hand, dvec3(0.0), wheel_.speed_rad_s(), wet, kHeld, parameters);
+    if (felt.wheel_load_n_mm > bears_n_mm) {
+        const double fraction = bears_n_mm / felt.wheel_load_n_mm;
+        felt.forces.stiffness_n *= fraction;
+        felt.forces.friction_n *= fraction;
+        felt.wheel_load_n_mm = bears_n_mm;
+    }
+    if (felt.wheel_load_n_mm > 0.0)
+        carried_.load_height_mm = std::max(carried_.load_height_mm, contact.height_mm);
+    carried_.wheel_load_n_mm += felt.wheel_load_n_mm;
+    result.hand = felt.forces;
+    result.hand.first_touched = contact.range.first;
+    result.hand.touched_count = contact.range.size();
+}
+
+// The guided trimmer's part of the tick: a loop that lies on the outer face at the finger's height and shaves
+// off what stands out beyond the finger. The pot is leather hard by then: it is cut and does not give way.
+studio::Changed StudioClay::guide_trimmer(const StudioInput& input, const StudioParameters& parameters,
+                                          StudioForces& result) {
+    constexpr double kDeepestMm = 2.0;  // of one shaving
+    constexpr double kOfWheel = 0.2;    // a potter takes no more at once than the wheel bears
+    if (!is_leather_hard()) {
+        studio::dry_to_leather(rings_);
+        studio::restart(sweep_, rings_);
+        carried_.film = 0.0;
+    }
+    studio::Hand hand;
+    if (!lay_tool(input, result, hand)) return {};
+    const double y = hand.position_mm.y;
+    const double face = std::fabs(result.grip.hand_mm.x);
+    const double beyond = std::clamp(face - std::fabs(input.hand.position_mm.x), 0.0, kDeepestMm);
+    studio::Contact& contact = contacts_[0];
+    find_tool_contact(contact, y, beyond, hand.radius_mm);
+    if (!contact.touches() || contact.range.size() <= 0) return {};
+    feel_guided(contact, hand, kOfWheel * parameters.wheel.largest_torque_n_mm, parameters, result);
+    const double fraction = studio::relaxed_fraction(parameters.dt_s() / parameters.trim_time_s);
+    for (int k = 0; k < contact.range.size(); ++k) {
+        const std::size_t at = studio::Rings::at(k);
+        const int ring = contact.range.first + k;
+        const double spare = rings_.outer_mm[studio::Rings::at(ring)] - studio::least_outer_mm(rings_, ring);
+        const double most = parameters.forgiving ? std::max(spare, 0.0) / fraction : kDeepestMm;
+        scratch_[at] = std::min(contact.depth_mm[at], most);
+    }
+    const studio::Changed changed =
+        studio::cut_face(rings_, contact, hand, scratch_, fraction, ledger_.trimmings_mm3);
+    if (changed.size() > 0) rings_.place(changed.first, rings_.count);
+    return changed;
+}
+
+bool StudioClay::is_leather_hard() const {
+    constexpr auto kLeather = static_cast<float>(studio::kLeatherHardLiquidity);
+    return std::all_of(rings_.liquidity.begin(), rings_.liquidity.begin() + rings_.count,
+                       [](float liquidity) { return liquidity <= kLeather; });
+}
+
+// What a lump and the clay's parameters must be to be taken, and what is said of a pot that gave way.
+
+Result<void> check(const StudioLump& lump) {
+    const Bound bounds[] = {
+        {"mass, g", lump.mass_g, kLeastLumpG, kLargestLumpG},
+        {"body", static_cast<double>(lump.body), 0.0, 2.0},
+        {"liquidity index", lump.liquidity_index, 0.0, 1.2},
+        {"rings", static_cast<double>(lump.rings), kFewestRings, kMostRings},
+        {"sectors", static_cast<double>(lump.sectors), 16.0, 256.0},
+        {"off-centre, mm", lump.off_centre_mm, 0.0, 5.0},
+    };
+    if (auto checked = check_bounds("lump", bounds); !checked) return checked;
+    if ((lump.sectors & (lump.sectors - 1)) != 0)
+        return bad_input(fmt::format("lump sectors: expected a power of two, found {}", lump.sectors));
+    return {};
+}
+
+Result<void> check(const StudioParameters& p) {
+    const Bound bounds[] = {
+        {"rate, Hz", p.rate_hz, 100.0, 10000.0},
+        {"flow time, s", p.flow_time_s, 0.01, 10.0},
+        {"yield depth, mm", p.yield_depth_mm, 0.0, 5.0},
+        {"wall share k0", p.wall_fraction_k0, 0.0, 0.95},
+        {"thin wall, mm", p.thin_wall_mm, 1.0, 50.0},
+        {"hoop share chi", p.hoop_fraction_chi, 0.0, 1.0},
+        {"field length beta", p.field_length_beta, 0.1, 10.0},
+        {"floor, mm", p.floor_mm, 1.0, 100.0},
+        {"largest strain rate, 1/s", p.largest_strain_rate, 0.1, 50.0},
+        {"centring time, s", p.centring_time_s, 0.05, 100.0},
+        {"rounding time, s", p.rounding_time_s, 0.05, 100.0},
+        {"denting time, s", p.denting_time_s, 0.05, 100.0},
+        {"sponge length, mm", p.sponge_length_mm, 0.1, 3.0},
+        {"rib length, mm", p.rib_length_mm, 0.1, 3.0},
+        {"trim time, s", p.trim_time_s, 0.01, 10.0},
+        {"sponge water, ml/s", p.sponge_water_ml_s, 0.0, 100.0},
+        {"slip, mm/s", p.slip_mm_s, 0.0, 1.0},
+        {"evaporation, g/(mm^2 s)", p.evaporation_g_mm2_s, 0.0, 1e-3},
+        {"film time, s", p.film_time_s, 0.1, 1e4},
+        {"diffusivity, mm^2/s", p.diffusivity_mm2_s, 0.0, 1.0},
+        {"bearing factor Nc", p.bearing_factor_nc, 0.1, 100.0},
+        {"viscosity c2, N s/mm", p.viscosity_c2_n_s_per_mm, 0.0, 1.0},
+        {"dry friction", p.friction_dry, 0.0, 2.0},
+        {"wet friction", p.friction_wet, 0.0, 2.0},
+        {"largest force, N", p.largest_force_n, 0.1, 1000.0},
+        {"wheel inertia, kg m^2", p.wheel.inertia_kg_m2, 1e-3, 100.0},
+        {"wheel torque, N mm", p.wheel.largest_torque_n_mm, 0.0, 1e6},
+        {"wheel drag, N mm s", p.wheel.drag_n_mm_s, 0.0, 1e5},
+        {"wheel pull, N mm s", p.wheel.pull_n_mm_s, 0.0, 1e6},
+    };
+    return check_bounds("clay parameter", bounds);
+}
+
+std::string sentence(const studio::Failure& failure) {
+    const double speed = units::rev_min_from_rad_s(failure.wheel_speed_rad_s);
+    const std::string what = fmt::format("at {:.0f} mm the clay held {:.1f} kPa and had to carry {:.1f}",
+                                         failure.height_mm, 2.0 * failure.strength_kpa, failure.stress_kpa);
+    switch (failure.cause) {
+        case studio::Cause::kNone:
+            return {};
+        case studio::Cause::kWeight:
+            return fmt::format("The wall sank under its own weight: {}.", what);
+        case studio::Cause::kSpin:
+            return fmt::format("The wheel spun the wall apart: {:.0f} rev/min on {:.0f} mm across, {}.",
+                               speed, 2.0 * failure.radius_mm, what);
+        case studio::Cause::kOverhang:
+            return fmt::format("The wall leaned out too far and sagged: {}.", what);
+        case studio::Cause::kTwist:
+            return fmt::format("The hands {} the wall: {}; more water on them would let it slide.",
+                               failure.torn ? "tore off" : "twisted", what);
+    }
+    return {};
 }
 
 }  // namespace onggi::clay

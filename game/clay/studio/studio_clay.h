@@ -16,7 +16,6 @@
 #include "game/clay/studio/contact.h"
 #include "game/clay/studio/grip_work.h"
 #include "game/clay/studio/hand.h"
-#include "game/clay/studio/ledger.h"
 #include "game/clay/studio/load.h"
 #include "game/clay/studio/lump.h"
 #include "game/clay/studio/rings.h"
@@ -31,8 +30,29 @@ struct Joining;
 Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, const Joining& joining);
 
 namespace studio {
+
 // A wheel that turns slower than this does not bring the clay round under a hand.
 constexpr double kTurningRadS = 0.2;
+
+// Turning a foot: where a pot bears it, and how far a trimmer may go.
+
+// Chosen: what a potter leaves of a wall, at the least, and of a foot.
+constexpr double kTrimmedWallMm = 3.0;
+constexpr double kTrimmedFootMm = 15.0;
+
+// Of leather-hard clay: it keeps its shape and can still be cut. At the plastic limit.
+constexpr double kLeatherHardLiquidity = 0.0;
+
+// How thick the wall is right above the floor; 0 where nothing is hollow.
+double foot_wall_mm(const Rings& rings);
+
+// The outer radius that a careful trimmer leaves ring i: three millimetres of wall across it, and as much
+// round the floor's corner; of what is solid below, a foot.
+double least_outer_mm(const Rings& rings, int i) noexcept;
+
+// Dries all of it to leather hard, at once. Clay that is drier stays as it is.
+void dry_to_leather(Rings& rings) noexcept;
+
 }  // namespace studio
 
 // What one tick did.
@@ -55,7 +75,7 @@ Result<void> check(const StudioLump& lump);
 
 // A pot of N rings that own volume (rings.h), whose heights follow from their radii, thrown by what its hands
 // touch. A tick goes in this order: wheel, hands (hand.h), contact (contact.h), pushes and presses (moves.h),
-// the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (resplit.h),
+// the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (rings.h),
 // load and slump (load.h), forces (force.h).
 //
 // Where it departs from the plain form of its laws, and why; MODEL.md beside this file tells the laws.

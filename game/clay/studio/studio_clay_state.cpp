@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "game/clay/state_numbers.h"
+#include "game/clay/studio/rings.h"
 #include "game/clay/studio/roundness.h"
 #include "game/clay/studio/studio_clay.h"
-#include "game/clay/studio/volume_grid.h"
 
 namespace onggi::clay {
 namespace {

@@ -97,7 +97,7 @@ struct StudioInput {
     StudioHand second;
     bool has_second = false;
     // The assist: a second hand held opposite the first across the wall. It rests there, and squeezes while
-    // the first hand climbs, until their surfaces are this far apart; see assist.h. Taken only without a
+    // the first hand climbs, until their surfaces are this far apart; see has_assist(). Taken only without a
     // second hand of one's own; 0: none.
     double assist_gap_mm = 0.0;
     double wheel_speed_rad_s = 0.0;  // the pedal

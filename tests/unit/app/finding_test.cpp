@@ -7,8 +7,6 @@
 
 #include <filesystem>
 
-#include "game/app/command_line/device_probes.h"
-#include "game/app/command_line/system_probes.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/listen_place.h"
 #include "tests/support/hostile_system.h"

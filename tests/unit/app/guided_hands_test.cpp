@@ -1,5 +1,4 @@
 // Where the hands of a finger are seen: at the work, or off the clay in the pose of what a touch would begin.
-#include "game/app/kiosk/presentation/guided_hands.h"
 
 #include <gtest/gtest.h>
 

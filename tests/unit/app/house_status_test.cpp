@@ -9,7 +9,6 @@
 #include <regex>
 #include <sstream>
 
-#include "game/app/kiosk/health/kiosk_heartbeat.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/start_log.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // Snapshots as the haptic loop would give them: the last visitor's clay for some frames more, then the new.
-#include "game/app/kiosk/visit/kiosk_clay.h"
+#include "game/app/kiosk/visit/visit_wheel.h"
 
 #include <gtest/gtest.h>
 

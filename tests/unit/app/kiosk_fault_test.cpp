@@ -1,6 +1,6 @@
 // A fault while somebody throws: what the visitor is told, when the wheel tries again, and that a mouse goes
 // on through all of it.
-#include "game/app/kiosk/visit/kiosk_fault.h"
+#include "game/app/kiosk/visit/visit_wheel.h"
 
 #include <gtest/gtest.h>
 

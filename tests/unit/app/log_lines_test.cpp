@@ -1,5 +1,5 @@
 // A log that is read: every event once, and no flood.
-#include "game/app/system/log_lines.h"
+#include "game/app/system/report.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "game/clay/aligned_floats.h"
 #include "game/clay/paper_clay.h"
 #include "tests/support/paper_gestures.h"
 

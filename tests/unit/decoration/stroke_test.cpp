@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "game/decoration/stroke_bytes.h"
 #include "tests/support/refusal.h"
 #include "tests/unit/decoration/sample_walls.h"
 

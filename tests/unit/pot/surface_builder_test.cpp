@@ -8,8 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "game/pot/unit_circle.h"
-
 namespace onggi::pot {
 namespace {
 

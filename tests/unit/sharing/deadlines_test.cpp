@@ -1,4 +1,4 @@
-#include "game/app/sharing/deadlines.h"
+#include "game/app/sharing/share_server.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "game/sharing/html_text.h"
-#include "game/sharing/outline_text.h"
-#include "game/sharing/plain_pages.h"
 #include "tests/support/shared_pot_samples.h"
 
 namespace onggi::sharing {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 #include "tests/support/comes_true.h"
 #include "tests/unit/wheel/our_workshop.h"
 

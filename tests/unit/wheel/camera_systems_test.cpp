@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::wheel {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "engine/asset/gltf.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/wheel/our_workshop.h"
 

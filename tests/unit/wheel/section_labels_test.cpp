@@ -7,7 +7,7 @@
 #include <array>
 
 #include "game/clay/studio/studio_clay.h"
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::wheel {
 namespace {

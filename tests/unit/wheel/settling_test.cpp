@@ -1,4 +1,4 @@
-#include "game/wheel/settling.h"
+#include "game/wheel/components.h"
 
 #include <gtest/gtest.h>
 

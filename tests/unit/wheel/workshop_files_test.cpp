@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "game/wheel/workshop_scene.h"
+#include "game/wheel/wheel_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/wheel/our_workshop.h"
 

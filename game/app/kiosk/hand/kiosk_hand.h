@@ -7,15 +7,37 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/haptics/tool_state.h"
+#include "engine/math/math.h"
 #include "game/app/kiosk/hand/kiosk_marker.h"
 #include "game/app/kiosk/hand/kiosk_touch.h"
-#include "game/app/kiosk/hand/outline_help.h"
 #include "game/kiosk/state.h"
 #include "game/pot/pot.h"
 
 namespace onggi::app {
+
+// Helps a finger along a drawn outline: near it the finger is drawn to it a little, so that a hand that
+// trembles still throws the pot that it was shown. Pure state, main thread. mm, s.
+
+// How much a visitor is helped who has done so many steps of the lesson: less, the more they can. 0 to 1.
+[[nodiscard]] double outline_help_after(int steps_done);
+
+class OutlineHelp {
+  public:
+    // Radius and height from below, as app::wet_outline(); empty: none. strength: 0 none to 1 all the help.
+    void set(std::span<const vec2> radius_height, double strength);
+    // So that help which comes or goes is not felt to.
+    void pass_time(double dt_s);
+    // Where the finger is taken to be. Never farther from the outline than it is, nor on its other side.
+    [[nodiscard]] dvec2 drawn(const dvec2& finger_mm) const;
+
+  private:
+    std::vector<vec2> outline_mm_;
+    double strength_ = 0.0;  // as wished
+    double now_ = 0.0;
+};
 
 struct HandSettings {
     kiosk::Held held = kiosk::Held::kHand;

@@ -66,4 +66,29 @@ struct HouseStatus {
 // The heartbeat that lies there; nothing: none does. Errors: of reading it.
 [[nodiscard]] Result<std::optional<StatusNote>> read_status_note_of(const std::filesystem::path& gallery);
 
+// Writes what the house's monitoring reads: the heartbeat beside the visit in progress, and metrics where the
+// settings name a folder for them. The keeper's thread; blocks.
+class KioskHeartbeat {
+  public:
+    static constexpr double kEveryS = 60.0;
+
+    explicit KioskHeartbeat(kiosk::Config config) : config_(std::move(config)) {}
+
+    // Both files anew, each whole or as it was. An error is told once, until there is another or none.
+    Result<void> beat(const KioskPulse& pulse, std::int64_t now_s);
+    // The program ends; nothing where it had not begun.
+    Result<void> end(std::int64_t now_s);
+    // For a supervisor, after the death of its child, which could not say so itself; nothing where it had
+    // said so or had not begun.
+    Result<void> end_after_fall(std::int64_t now_s);
+
+  private:
+    Result<void> write(std::int64_t now_s);
+    Result<void> write_metrics(std::int64_t now_s);
+
+    kiosk::Config config_;
+    std::optional<StatusNote> note_;
+    std::string told_;  // what went wrong last
+};
+
 }  // namespace onggi::app

@@ -16,7 +16,7 @@
 #include "game/app/kiosk/visit/visit_screens.h"
 #include "game/app/kiosk/visit/visit_trim.h"
 #include "game/app/kiosk/visit/visit_wheel.h"
-#include "game/app/system/log_lines.h"
+#include "game/app/system/report.h"
 #include "game/screens/stage.h"
 
 namespace onggi::app {

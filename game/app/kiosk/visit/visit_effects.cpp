@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "game/clay/studio/trimming.h"
+#include "game/clay/studio/studio_clay.h"
 #include "game/heritage/jar.h"
 
 namespace onggi::app {

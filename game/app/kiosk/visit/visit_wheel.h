@@ -5,12 +5,71 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/haptics/safety/state.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"
-#include "game/app/kiosk/visit/kiosk_clay.h"
-#include "game/app/kiosk/visit/kiosk_fault.h"
+#include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/visit_parts.h"
+#include "game/haptic/messages.h"
+#include "game/kiosk/state.h"
 
 namespace onggi::app {
+
+// What the clay on the wheel tells a visit: how far the lesson has come, what it warns of, that it gave way.
+// New clay, or an earlier state of it, is on its way for some frames: until it is there, what is on the wheel
+// is the last visitor's, or what sank, and tells nothing. Pure state, no clock. Main thread, once a frame.
+struct ClayNews {
+    int steps_done = 0;  // of kiosk::kTeachingSteps
+    kiosk::Warning warning = kiosk::Warning::kNone;
+    std::optional<kiosk::Warning> gave_way{};  // by what; said once
+};
+
+class KioskClay {
+  public:
+    // Another lump was asked for: that run, as Snapshot::run counts.
+    void expect_lump(std::uint64_t run);
+    // A state of that lump was asked for, an interrupted pot's among them. `now` is what is on the wheel.
+    void expect_state(const haptic::Snapshot& now);
+    // It does not come: what is on the wheel stays.
+    void expect_nothing() { puts_before_.reset(); }
+
+    // Nothing while what was asked for is on its way. `before`: what is being warned of.
+    [[nodiscard]] std::optional<ClayNews> look(const haptic::Snapshot& snapshot, kiosk::Warning before);
+    // The tick at which the clay that gave way began to; 0 while it stands.
+    [[nodiscard]] std::uint64_t began_to_fail_tick() const { return failing_tick_; }
+
+  private:
+    [[nodiscard]] bool is_there(const haptic::Snapshot& snapshot);
+
+    Lesson lesson_;
+    std::uint64_t run_ = 0;
+    std::optional<std::uint64_t> puts_before_;  // as Snapshot::states_put counts
+    std::uint64_t failing_tick_ = 0;
+    bool has_said_ = false;
+    // Before it began to fail.
+    double standing_height_mm_ = 0.0;
+    double standing_width_mm_ = 0.0;
+};
+
+// What a latched fault of the safety chain means to a visitor. The force is off; the clay goes on. So whoever
+// throws, by mouse, touch or anything else, goes on too, and is told; only a clay that has lost its senses
+// ends a visit. Pure state, no clock. Main thread, once a frame. s.
+class KioskFault {
+  public:
+    // How long the wheel waits before it takes a fault back by itself: what passed by needs no staff.
+    static constexpr double kRestS = 5.0;
+
+    struct Advice {
+        bool force_rests = false;  // say so, and let the visitor go on
+        bool wheel_rests = false;  // the clay itself is at fault: nobody can throw
+        bool take_back = false;    // try again now
+    };
+    // now_s ascends. A person's stop is never taken back by a clock, but by whoever takes new clay.
+    [[nodiscard]] Advice look(haptics::Fault fault, double now_s);
+
+  private:
+    haptics::Fault last_ = haptics::Fault::kNone;
+    double tried_s_ = 0.0;  // or since when there is one
+};
 
 class VisitWheel {
   public:
