@@ -5,7 +5,7 @@
 #include "engine/render/frame/shadow_map.h"
 #include "engine/render/quality.h"
 #include "engine/render/vulkan/overlay_pass.h"
-#include "engine/render/vulkan/prop_pass.h"
+#include "engine/render/vulkan/vulkan_backend.h"
 #include "engine/render/vulkan/vulkan_frame.h"
 #include "shaders/frame_data.h"
 
