@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/render/frame/shadow_map.h"
+#include "engine/render/frame/still_meshes.h"
 #include "engine/render/pixels/mix_pixels.h"
 #include "engine/render/pixels/prop_light.h"
 #include "engine/render/shapes/detail_texture.h"

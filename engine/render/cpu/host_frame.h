@@ -9,7 +9,6 @@
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/overlay.h"
 #include "engine/render/pixels/overlay_paint.h"
-#include "engine/render/pixels/overlay_tiles.h"
 #include "engine/vk/frame_target.h"
 
 namespace onggi::render {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/render/frame/background_pair.h"
 #include "engine/render/frame/pipelines.h"
-#include "engine/render/frame/shadow_map.h"
+#include "engine/render/frame/still_meshes.h"
+#include "engine/render/scene.h"
 #include "engine/render/shapes/frame_build.h"
 #include "engine/vk/readback.h"
 #include "shaders/shaders.h"

@@ -14,7 +14,6 @@
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/pixels/host_photograph.h"
 #include "engine/render/pixels/photograph_layers.h"
-#include "engine/render/pixels/shade_edges.h"
 #include "engine/render/pixels/shade_pixels.h"
 #include "engine/render/pixels/shade_tiles.h"
 #include "engine/render/pixels/shadow_mask.h"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/render/frame/mesh_buffers.h"
 #include "engine/render/frame/render_backend.h"
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/vulkan/overlay_pass.h"
