@@ -3,7 +3,7 @@
 // ends a visit. Pure state, no clock. Main thread, once a frame. s.
 #pragma once
 
-#include "engine/haptics/safety/state.h"
+#include "engine/haptics/safety_chain.h"
 
 namespace onggi::app {
 
