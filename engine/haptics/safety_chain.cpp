@@ -1,6 +1,281 @@
 #include "engine/haptics/safety_chain.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace onggi::haptics {
+
+SafetyLimits limits_for(const DeviceCapabilities& device) {
+    SafetyLimits limits;
+    if (device.force_axes > 0) limits.peak_force_n = std::min(limits.peak_force_n, device.peak_force_n);
+    limits.continuous_force_n = limits.peak_force_n;
+    if (device.force_axes > 0 && device.has_motors) {
+        limits.continuous_force_n =
+            std::min({limits.peak_force_n, kKioskContinuousForceN, device.continuous_force_n});
+    }
+    if (!device.has_motors) {
+        // A mouse may fly as fast as it likes: nobody's hand is thrown by a picture.
+        constexpr double kAnySpeedMmS = 1e9;
+        limits.brake_speed_mm_s = limits.stop_speed_mm_s = kAnySpeedMmS;
+    }
+    if (device.report_rate_hz > 0.0) limits.device_period_s = 1.0 / device.report_rate_hz;
+    return limits;
+}
+
+std::string_view words_for(Fault fault) {
+    switch (fault) {
+        case Fault::kNone:
+            return "no fault";
+        case Fault::kForceNotFinite:
+            return "the force was not a finite number";
+        case Fault::kPositionNotFinite:
+            return "the tool's position was not a finite number";
+        case Fault::kOutsideWorkspace:
+            return "the tool was outside the workspace";
+        case Fault::kStopped:
+            return "the force was stopped";
+    }
+    return "unknown fault";
+}
+
+void restart_ramp(SafetyState& state) noexcept {
+    state.ramp = 0.0;
+    state.calm_ticks = 0;
+}
+
+void rearm(SafetyState& state) noexcept {
+    state.fault = Fault::kNone;
+    restart_ramp(state);
+}
+
+namespace safety {
+namespace {
+
+bool finite(const dvec3& v) noexcept {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_zero(const dvec3& v) noexcept {
+    return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
+}
+
+// What is left of a vector that is shortened to at most the length; its direction stays.
+double fraction_at_most(const dvec3& v, double length) noexcept {
+    const double square = glm::dot(v, v);
+    return square > length * length ? length / std::sqrt(square) : 1.0;
+}
+
+// A fraction of the force, and as much of what a motor is behind in it.
+dvec3 fraction_of(const dvec3& force_n, double fraction, SafetyState& state) noexcept {
+    state.driven_force_n *= fraction;
+    return force_n * fraction;
+}
+
+dvec3 no_force(SafetyState& state) noexcept {
+    return state.driven_force_n = dvec3(0.0);
+}
+
+// The force, shortened to at most so many N.
+dvec3 at_most(const dvec3& force_n, double most_n, SafetyState& state) noexcept {
+    return fraction_of(force_n, fraction_at_most(force_n, most_n), state);
+}
+
+}  // namespace
+}  // namespace safety
+
+namespace {
+
+void latch(SafetyState& state, Fault fault) {
+    state.fault = fault;
+    ++state.fault_count;
+    restart_ramp(state);
+}
+
+}  // namespace
+
+dvec3 gate(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+           SafetyState& state) noexcept {
+    if (state.fault != Fault::kNone) return safety::no_force(state);
+    const dvec3& at = input.position_mm;
+    if (!safety::finite(at)) {
+        latch(state, Fault::kPositionNotFinite);
+    } else if (std::abs(at.x) > limits.workspace_mm || std::abs(at.y) > limits.workspace_mm ||
+               std::abs(at.z) > limits.workspace_mm) {
+        latch(state, Fault::kOutsideWorkspace);
+    } else if (!safety::finite(force_n) || !safety::finite(input.velocity_mm_s) ||
+               !safety::finite(input.driven_force_n)) {
+        latch(state, Fault::kForceNotFinite);
+    } else if (input.stop) {
+        latch(state, Fault::kStopped);
+    } else {
+        return force_n;
+    }
+    return safety::no_force(state);
+}
+
+dvec3 speed(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+            SafetyState& state) noexcept {
+    const dvec3& v = input.velocity_mm_s;
+    const double square = glm::dot(v, v);
+    // Both comparisons are false for a speed that is no number, which the gate has latched already.
+    if (safety::is_zero(force_n) || !(square > limits.brake_speed_mm_s * limits.brake_speed_mm_s))
+        return force_n;
+    const double speed_mm_s = std::sqrt(square);
+    if (speed_mm_s >= limits.stop_speed_mm_s) {
+        ++state.speed_stops;
+        restart_ramp(state);
+        return safety::no_force(state);
+    }
+    const double fraction =
+        (limits.stop_speed_mm_s - speed_mm_s) / (limits.stop_speed_mm_s - limits.brake_speed_mm_s);
+    return safety::fraction_of(force_n, fraction, state) - v * (limits.brake_n_s_per_mm * (1.0 - fraction));
+}
+
+dvec3 late(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+           SafetyState& state) noexcept {
+    state.late_count += input.late;
+    if (input.late == 0 && state.late_fraction < limits.late_fraction && state.gain == 1.0) {
+        state.late_fraction -= state.late_fraction * std::min(1.0, input.dt_s / limits.late_memory_s);
+        return force_n;
+    }
+    // Of the periods that this tick stands for, its own among them, so many were missed.
+    const double missed = static_cast<double>(input.late);
+    const double now = missed / (1.0 + missed);
+    const double weight = std::min(1.0, input.dt_s / limits.late_memory_s * (1.0 + missed));
+    state.late_fraction += (now - state.late_fraction) * weight;
+    const double wanted = state.late_fraction > limits.late_fraction
+                              ? std::max(limits.least_gain, limits.late_fraction / state.late_fraction)
+                              : 1.0;
+    state.gain +=
+        std::clamp(wanted - state.gain, -input.dt_s / limits.soften_s, input.dt_s / limits.harden_s);
+    return safety::fraction_of(force_n, state.gain, state);
+}
+
+dvec3 passivity(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+                SafetyState& state) noexcept {
+    state.damping_n_s_per_mm = 0.0;
+    if (state.fault != Fault::kNone) {
+        state.has_last_position = false;
+        state.energy_mj = 0.0;
+        return safety::no_force(state);
+    }
+    const dvec3 step_mm = state.has_last_position ? input.position_mm - state.last_position_mm : dvec3(0.0);
+    state.last_position_mm = input.position_mm;
+    state.has_last_position = true;
+
+    // Observer: positive when the hand moved against the force.
+    const double taken_mj = -input.applied_fraction * glm::dot(state.applied_force_n, step_mm);
+    (taken_mj > 0.0 ? state.taken_mj : state.given_mj) += taken_mj > 0.0 ? taken_mj : -taken_mj;
+    const double driven_mj =
+        std::max(0.0, input.applied_fraction * glm::dot(state.applied_driven_n, step_mm));
+    state.energy_mj =
+        std::clamp(state.energy_mj + taken_mj + driven_mj, -limits.energy_debt_mj, limits.energy_credit_mj);
+    if (safety::is_zero(force_n)) {
+        state.energy_mj -= state.energy_mj * std::min(1.0, input.dt_s / limits.forget_s);
+        return force_n;
+    }
+
+    // Controller: the damping d with d v^2 dt equal to the debt. It works on the windowed velocity: one step
+    // of the encoder in one tick, times the damping, is a blow of half a newton.
+    const dvec3& v = input.velocity_mm_s;
+    const double square = glm::dot(v, v);
+    if (state.energy_mj >= 0.0 || square == 0.0 || input.dt_s <= 0.0) return force_n;
+    state.damping_n_s_per_mm = std::min(limits.damping_n_s_per_mm, -state.energy_mj / (square * input.dt_s));
+    return force_n - v * state.damping_n_s_per_mm;
+}
+
+dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+           SafetyState& state) noexcept {
+    if (input.position_is_new) {
+        state.stale_s = 0.0;
+        state.stale_ticks = 0;
+    } else {
+        state.stale_s += input.dt_s;
+        state.stale_ticks = std::min(state.stale_ticks + 1, limits.stale_ticks);
+    }
+    const bool is_stale =
+        state.stale_ticks >= limits.stale_ticks && state.stale_s > 2.0 * limits.device_period_s;
+    if (input.hand_is_there && !is_stale) {
+        if (state.presence == 1.0) return force_n;
+        // From none at all the ramp leads back, and it must see the whole force: a fraction of it would look
+        // small deep in the work.
+        state.presence =
+            state.presence == 0.0 ? 1.0 : std::min(1.0, state.presence + input.dt_s / limits.return_s);
+    } else {
+        state.presence = std::max(0.0, state.presence - input.dt_s / limits.decay_s);
+        if (state.presence == 0.0) {
+            restart_ramp(state);
+            return safety::no_force(state);
+        }
+    }
+    return safety::fraction_of(force_n, state.presence, state);
+}
+
+dvec3 ramp(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+           SafetyState& state) noexcept {
+    if (state.fault != Fault::kNone) return safety::no_force(state);
+    if (state.calm_ticks <= limits.small_force_ticks) {
+        const bool small = glm::dot(force_n, force_n) < limits.small_force_n * limits.small_force_n;
+        state.calm_ticks = small ? state.calm_ticks + 1 : 0;
+        return safety::no_force(state);
+    }
+    if (state.ramp == 1.0) return force_n;
+    state.ramp = std::min(1.0, state.ramp + input.dt_s / limits.ramp_s);
+    return safety::fraction_of(force_n, state.ramp, state);
+}
+
+dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+             SafetyState& state) noexcept {
+    const double heating = glm::dot(state.applied_force_n, state.applied_force_n);
+    state.heat_n2 += (heating - state.heat_n2) * std::min(1.0, input.dt_s / limits.budget_s);
+    const double full_n2 = limits.continuous_force_n * limits.continuous_force_n;
+    if (limits.continuous_force_n >= limits.peak_force_n || state.heat_n2 <= 0.5 * full_n2) return force_n;
+    const double spent = std::min(1.0, 2.0 * state.heat_n2 / full_n2 - 1.0);
+    return safety::at_most(
+        force_n, limits.peak_force_n + (limits.continuous_force_n - limits.peak_force_n) * spent, state);
+}
+
+dvec3 clamp(const dvec3& force_n, const SafetyInput& /*input*/, const SafetyLimits& limits,
+            SafetyState& state) noexcept {
+    // Scaled down by the largest coordinate first: the square of a huge but finite force would be infinite.
+    const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
+    if (largest > limits.peak_force_n) {
+        state.driven_force_n = state.driven_force_n / largest * limits.peak_force_n;
+        return safety::at_most(force_n / largest * limits.peak_force_n, limits.peak_force_n, state);
+    }
+    return safety::at_most(force_n, limits.peak_force_n, state);
+}
+
+namespace {
+
+dvec3 apply(SafetyState& state, const dvec3& force_n, const dvec3& driven_n) noexcept {
+    state.driven_force_n = state.applied_driven_n = driven_n;
+    return state.applied_force_n = force_n;
+}
+
+}  // namespace
+
+dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
+           SafetyState& state) noexcept {
+    if (state.fault != Fault::kNone) return apply(state, dvec3(0.0), dvec3(0.0));
+    const dvec3 before = state.applied_force_n;
+    const double before_n = std::sqrt(glm::dot(before, before));
+
+    // Letting go: along its own line, down to the part of it that is still wanted.
+    dvec3 held = before;
+    dvec3 held_driven = state.applied_driven_n;
+    if (before_n > 0.0) {
+        const double wanted_n = std::clamp(glm::dot(force_n, before) / before_n, 0.0, before_n);
+        const double held_n = std::max(wanted_n, before_n - limits.release_n_per_s * input.dt_s);
+        held = before * (held_n / before_n);
+        held_driven *= held_n / before_n;
+        if (held_n > wanted_n) return apply(state, held, held_driven);
+    }
+    // Growing and turning: from what is held straight towards what is wanted, the motor's part alike.
+    const dvec3 way = force_n - held;
+    const double fraction = safety::fraction_at_most(way, limits.slew_n_per_s * input.dt_s);
+    return apply(state, held + way * fraction, held_driven + (state.driven_force_n - held_driven) * fraction);
+}
 
 namespace {
 

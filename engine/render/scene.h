@@ -6,17 +6,49 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "engine/asset/image.h"
+#include "engine/core/result.h"
 #include "engine/math/math.h"
 #include "engine/render/camera.h"
-#include "engine/render/photographs.h"
 #include "engine/render/prop.h"
 
 namespace onggi::render {
+
+// Photographs of a room with the key light and without it, of one size.
+struct PhotographPair {
+    asset::Image key;
+    asset::Image ambient;
+};
+
+// The photographs of a background on their way to the renderer. There they stay; what lies here is let go,
+// for it is as much again: 7 MB a background of 1280x720. Made by any thread, then of the main thread.
+class Photographs {
+  public:
+    using Read = std::function<Result<PhotographPair>()>;
+
+    // `read` gives the same pair once more, where a lost device wants it again; without it they stay here.
+    explicit Photographs(PhotographPair pair, Read read = {})
+        : pair_(std::move(pair)),
+          read_(std::move(read)) {}
+
+    // The pair, read again if it was let go: some tens of ms. It stays until the next call or let_go().
+    // Errors: those of `read`.
+    [[nodiscard]] Result<const PhotographPair*> pair();
+    // The renderer has them now.
+    void let_go();
+    [[nodiscard]] bool are_here() const { return pair_.has_value(); }
+
+  private:
+    std::optional<PhotographPair> pair_;
+    Read read_;
+};
 
 // How a surface answers light.
 struct Material {
@@ -168,6 +200,9 @@ struct Background {
     std::shared_ptr<Photographs> photographs;
     Camera camera;  // that took the whole of it
 };
+// Main thread. Both photographs, which stay until the background's let_go(). Errors: they cannot be read, or
+// are not of the background's size.
+[[nodiscard]] Result<const PhotographPair*> whole_pair(const Background& background);
 
 // Where the camera will be cut to as soon as it may, see FrameStats::next_view_ready.
 struct NextView {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/haptics/safety/state.h"
+#include "engine/haptics/safety_chain.h"
 #include "engine/math/math.h"
 
 namespace onggi::haptic {

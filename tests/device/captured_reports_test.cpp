@@ -6,8 +6,7 @@
 
 #include "engine/haptics/hid/dual_sense.h"
 #include "engine/haptics/hid/hidapi_bus.h"
-#include "engine/haptics/hid/space_mouse.h"
-#include "engine/haptics/hid/vec_pedal.h"
+#include "engine/haptics/hid/simple_drivers.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "engine/haptics/haply/inverse_messages.h"
 #include "engine/haptics/haply/inverse_session.h"
-#include "engine/haptics/haply/json_walk.h"
 #include "tests/fuzz/fuzz_expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -10,16 +10,23 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-STAGES = "engine/haptics/safety"
+CHAIN = "engine/haptics/safety_chain.cpp"
 PROPERTIES = "haptics_safety_properties"
 HID = "engine/haptics/hid"
 LONGEST_S = 120
-STATE = "SafetyState& state) noexcept {\n"
+
+
+def begun(stage):
+    """The head of a stage, up to where its body begins."""
+    head = f"dvec3 {stage}("
+    told = "/*input*/" if stage == "clamp" else "input"
+    return (f"{head}const dvec3& force_n, const SafetyInput& {told}, const SafetyLimits& limits,\n"
+            + " " * len(head) + "SafetyState& state) noexcept {\n")
 
 
 def off(stage):
     """A stage that passes the force on as it came."""
-    return f"{STAGES}/{stage}.cpp", STATE, STATE + "    if (limits.peak_force_n > -1.0) return force_n;\n"
+    return CHAIN, begun(stage), begun(stage) + "    if (limits.peak_force_n > -1.0) return force_n;\n"
 
 
 # A lock that the I/O thread holds while it tells a device, and that the tick wants.
@@ -38,13 +45,13 @@ MUTATIONS = [
     (1, "the continuous force", off("budget"), PROPERTIES),
     (1, "the largest force ever told", ("game/haptic/job.cpp", "std::max(largest_force_n2_, glm::dot(",
                                         "std::max(0.0, glm::dot("), PROPERTIES),
-    (2, "the direction", (f"{STAGES}/clamp.cpp", "return safety::at_most(force_n, limits.peak_force_n, state);",
-                          "return glm::clamp(force_n, dvec3(-limits.peak_force_n), dvec3(limits.peak_force_n));"),
+    (2, "the direction", (CHAIN, "    return safety::at_most(force_n, limits.peak_force_n, state);",
+                          "    return glm::clamp(force_n, dvec3(-limits.peak_force_n), dvec3(limits.peak_force_n));"),
      PROPERTIES),
-    (3, "the slew limit", (f"{STAGES}/slew.cpp", STATE, STATE +
+    (3, "the slew limit", (CHAIN, begun("slew"), begun("slew") +
                            "    if (limits.peak_force_n > -1.0) return state.applied_force_n = force_n;\n"), PROPERTIES),
     (4, "the ramp", off("ramp"), PROPERTIES),
-    (4, "the wait for a small force", (f"{STAGES}/ramp.cpp", "state.calm_ticks <= limits.small_force_ticks",
+    (4, "the wait for a small force", (CHAIN, "state.calm_ticks <= limits.small_force_ticks",
                                        "state.calm_ticks > 1000000"), PROPERTIES),
     (5, "the latched fault", off("gate"), PROPERTIES),
     (6, "the velocity gate", off("speed"), PROPERTIES),
@@ -66,23 +73,23 @@ MUTATIONS = [
      "unit_jobs"),
     (7, "what the supervisor tells the devices", (f"{HID}/hid_device.cpp", "        driver->stop(**port);\n", ""),
      "unit_hid"),
-    (8, "the refreshed place of a USB device", (f"{HID}/tool_mover.cpp", "input.refreshed != last_refreshed_",
+    (8, "the refreshed place of a USB device", (f"{HID}/tool_tracker.cpp", "input.refreshed != last_refreshed_",
                                                 "input.heartbeat != 0"), "unit_hid"),
     (8, "the habit of a stick", (f"{HID}/pid_driver.cpp", "habit_.reports_all_the_time();",
                                  "habit_.reports_all_the_time() && !was_heard_;"), "unit_hid"),
-    (8, "the stale position", (f"{STAGES}/hand.cpp", "input.hand_is_there && !is_stale",
+    (8, "the stale position", (CHAIN, "input.hand_is_there && !is_stale",
                                "input.hand_is_there && (!is_stale || state.stale_s > 0.0)"), PROPERTIES),
     (9, "the passivity controller", off("passivity"), PROPERTIES),
-    (9, "the wheel's credit for no more than it did", (f"{STAGES}/passivity.cpp", "glm::dot(state.applied_driven_n,",
+    (9, "the wheel's credit for no more than it did", (CHAIN, "glm::dot(state.applied_driven_n,",
                                                        "glm::dot(input.driven_force_n,"), "unit_haptics"),
-    (9, "the motor's part through the ramp", (f"{STAGES}/ramp.cpp",
-                                              "safety::share_of(force_n, state.ramp, state)",
+    (9, "the motor's part through the ramp", (CHAIN,
+                                              "safety::fraction_of(force_n, state.ramp, state)",
                                               "force_n * state.ramp"), "unit_haptics"),
     (9, "the share that a change of hands leaves", ("engine/haptics/hands.cpp",
-                                                    "    signs.force_share *= motors_[holder_].given_share;\n", ""),
+                                                    "    signs.force_fraction *= motors_[holder_].given_fraction;\n", ""),
      "unit_haptics"),
-    (9, "the share that the gate leaves", (f"{HID}/hid_session.cpp", "published.force_share = gate_.share();",
-                                           "published.force_share = 1.0;"), "unit_hid"),
+    (9, "the share that the gate leaves", (f"{HID}/hid_session.cpp", "published.force_fraction = gate_.fraction();",
+                                           "published.force_fraction = 1.0;"), "unit_hid"),
     (10, "the check of stiffness at load", ("game/haptic/job.cpp", "    if (!work_.fits()) return work_.fits();\n", ""),
      PROPERTIES),
     (10, "the bound of a force over USB", ("game/haptic/device_force.cpp",
@@ -105,17 +112,17 @@ MUTATIONS = [
     (12, "the next device where one fails", (f"{HID}/hid_session.cpp", "is_worse) told = std::move(status);",
                                              "is_worse) told = std::move(status);\n"
                                              "        if (is_worse) break;"), "unit_hid"),
-    (12, "the ramp after a reopening", (f"{STAGES}/hand.cpp", "            restart_ramp(state);\n", ""), PROPERTIES),
+    (12, "the ramp after a reopening", (CHAIN, "            restart_ramp(state);\n", ""), PROPERTIES),
     (13, "the tick without allocation", ("game/haptic/job.cpp", "    obey_commands();\n    put_on_states();\n",
                                          "    obey_commands();\n    delete new HapticState(start_);\n"
                                          "    put_on_states();\n"), "haptics_quiet_tick"),
-    (14, "the dead man's switch", (f"{STAGES}/hand.cpp", "input.hand_is_there && !is_stale",
+    (14, "the dead man's switch", (CHAIN, "input.hand_is_there && !is_stale",
                                    "input.dt_s >= 0.0 && !is_stale"), PROPERTIES),
     (14, "letting go when nobody is there", ("game/haptic/job.cpp", "                nobody_is_there_ = true;\n",
                                              "                nobody_is_there_ = false;\n"), PROPERTIES),
     (14, "letting go when the picture hangs", ("game/haptic/job.cpp", " || watchdog_.picture_stands_still();",
                                                ";"), PROPERTIES),
-    (14, "the stop key", (f"{STAGES}/gate.cpp", "} else if (input.stop) {", "} else if (input.stop && input.dt_s < 0.0) {"),
+    (14, "the stop key", (CHAIN, "} else if (input.stop) {", "} else if (input.stop && input.dt_s < 0.0) {"),
      PROPERTIES),
     (15, "the record of what was felt", ("game/haptic/job.cpp", "    record.tool = state_.tool;\n",
                                          "    record.tool = start_.tool;\n"), PROPERTIES),

@@ -2,10 +2,10 @@
 // than that can be asked of it: it makes no views of images.
 #include <gtest/gtest.h>
 
-#include "engine/render/frame/shadow_map.h"
+#include "engine/render/frame/still_meshes.h"
 #include "engine/render/quality.h"
 #include "engine/render/vulkan/overlay_pass.h"
-#include "engine/render/vulkan/prop_pass.h"
+#include "engine/render/vulkan/vulkan_backend.h"
 #include "engine/render/vulkan/vulkan_frame.h"
 #include "shaders/frame_data.h"
 

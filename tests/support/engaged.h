@@ -1,7 +1,7 @@
 // The safety chain as tests of it begin: at 4 kHz, past the ramp, as after a second of calm.
 #pragma once
 
-#include "engine/haptics/safety/state.h"
+#include "engine/haptics/safety_chain.h"
 
 namespace onggi::haptics {
 

@@ -21,7 +21,7 @@
 #include <string>
 #include <thread>
 
-#include "engine/haptics/hid/space_mouse.h"
+#include "engine/haptics/hid/simple_drivers.h"
 #include "game/app/devices/gamepad_hand.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_gamepad.h"

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "engine/haptics/hid/dual_sense.h"
+#include "engine/haptics/hid/hand_input.h"
 #include "engine/haptics/hid/hid_driver.h"
-#include "engine/haptics/hid/local_wall.h"
 
 namespace onggi::haptics::hid {
 

@@ -10,7 +10,7 @@
 
 #include "engine/files/read_file.h"
 #include "engine/haptics/hid/hid_kind.h"
-#include "engine/haptics/hid/hidapi_library.h"
+#include "engine/haptics/hid/hidapi_bus.h"
 #include "engine/haptics/hid/report_descriptor.h"
 
 namespace onggi::haptics {

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "engine/haptics/hid/local_wall.h"
+#include "engine/haptics/hid/hand_input.h"
 
 namespace onggi::haptics::hid {
 namespace {

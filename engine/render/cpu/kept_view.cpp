@@ -1,9 +1,305 @@
 #include "engine/render/cpu/kept_view.h"
 
-#include "engine/render/frame/shadow_map.h"
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/render/frame/pipelines.h"
+#include "engine/render/frame/still_meshes.h"
+#include "engine/render/scene.h"
 #include "engine/render/shapes/frame_build.h"
+#include "engine/vk/readback.h"
+#include "shaders/shaders.h"
 
 namespace onggi::render {
+
+Result<void> create_pipelines(const FrameContext& frame, LayerPipelines& pipelines) {
+    const std::array formats{frame.desc.colour_format, kPackedFormat};
+    vk::PipelineDesc places = mesh_pipeline(frame, "places of the still life", shaders::kPlacesFrag);
+    places.vertex_spirv = shaders::kBackgroundSurfaceVert;
+    places.attributes = std::span(kMeshAttributes).first(2);
+    places.colour_formats = formats;
+    PipelineMaker maker(frame.device);
+    maker.make(pipelines.places, places);
+    return maker.outcome();
+}
+
+Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, LayerPipelines& pipelines) {
+    if (scene.background) return {};
+    const std::array formats{frame.desc.colour_format, frame.desc.colour_format, kPackedFormat};
+    vk::PipelineDesc backdrop = screen_pipeline(frame, "backdrop", shaders::kBackdropLayersFrag);
+    backdrop.colour_formats = formats;
+    vk::PipelineDesc still = mesh_pipeline(frame, "still life", shaders::kMeshLayersFrag);
+    still.colour_formats = formats;
+    PipelineMaker maker(frame.device);
+    maker.make(pipelines.backdrop, backdrop);
+    maker.make(pipelines.still, still);
+    return maker.outcome();
+}
+
+namespace {
+
+HostPhotograph host_photograph(const FrameContext& frame, const asset::Image& picture) {
+    return {picture.width, picture.height, picture.rgba, byte_order(frame.desc.colour_format)};
+}
+
+std::vector<std::shared_ptr<const Background>> backgrounds_of(const Scene& scene) {
+    std::vector<std::shared_ptr<const Background>> backgrounds = scene.backgrounds_at_hand;
+    if (scene.background) backgrounds.push_back(scene.background);
+    if (scene.next_view && scene.next_view->background) backgrounds.push_back(scene.next_view->background);
+    return backgrounds;
+}
+
+}  // namespace
+
+Result<void> HostBackgrounds::fit(const FrameContext& frame, const Scene& scene) {
+    const std::vector<std::shared_ptr<const Background>> wanted = backgrounds_of(scene);
+    const auto is_wanted = [&](const std::unique_ptr<Resident>& resident) {
+        return std::find(wanted.begin(), wanted.end(), resident->background) != wanted.end();
+    };
+    residents_.erase(std::partition(residents_.begin(), residents_.end(), is_wanted), residents_.end());
+    for (const std::shared_ptr<const Background>& background : wanted) {
+        if (find(background)) continue;
+        const auto pair = whole_pair(*background);
+        if (!pair) return pair.error();
+        residents_.push_back(std::make_unique<Resident>(Resident{
+            background, {host_photograph(frame, (*pair)->key), host_photograph(frame, (*pair)->ambient)}}));
+        background->photographs->let_go();
+    }
+    return {};
+}
+
+Result<const HostBackground*> HostBackgrounds::find(
+    const std::shared_ptr<const Background>& background) const {
+    for (const auto& resident : residents_) {
+        if (resident->background == background) return &std::as_const(resident->photographs);
+    }
+    return failed("background: expected one of the scene's, found another");
+}
+
+namespace {
+
+ShadeLight shade_light(const LightLevels& levels, VkFormat format) {
+    const vec3& ambient = levels.ambient;
+    if (byte_order(format) == ByteOrder::kRedFirst) return {{ambient.x, ambient.y, ambient.z}, levels.key};
+    return {{ambient.z, ambient.y, ambient.x}, levels.key};
+}
+
+}  // namespace
+
+Result<void> HostShade::fit(const FrameContext& frame) {
+    const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
+    if (shaded_.size() == bytes) return {};
+    auto buffer = vk::Buffer::create(frame.device, {.name = "shaded still life",
+                                                    .size = bytes,
+                                                    .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                                    .use = vk::MemoryUse::kWork});
+    if (!buffer) return buffer.error();
+    shaded_ = std::move(*buffer);
+    touch(shaded_);
+    return {};
+}
+
+void HostShade::learn(const FrameContext& frame, const ShadeLayers& layers) {
+    tiles_.learn({layers.width, layers.height}, layers.places);
+    edges_.forget();
+    if (frame.desc.smooths_outlines) edges_.find(layers.width, layers.places);
+    has_mask_ = false;
+}
+
+void HostShade::note_light(const LightLevels& levels) {
+    // Of the light, from frame to frame: what no eye sees where it lies beside what has not changed yet.
+    constexpr float kLittle = 0.04F;
+    const vec3 ambient = glm::abs(levels.ambient - levels_.ambient);
+    const float change = std::max({ambient.x, ambient.y, ambient.z, std::abs(levels.key - levels_.key)});
+    if (change == 0.0F) return;
+    levels_ = levels;
+    tiles_.note_light(change < kLittle ? LightChange::kLittle : LightChange::kMuch);
+}
+
+bool HostShade::shade(const FrameContext& frame, const Scene& scene, const ShadeLayers& layers,
+                      std::span<const std::uint8_t> moving, TileNumbers& numbers) {
+    const std::uint64_t shadow = shadow_hash(scene);
+    const bool is_another = !has_mask_ || mask_of_ != shadow;
+    if (is_another) {
+        std::swap(mask_, mask_before_);
+        fill_shadow_mask(frame.built.frame, *mask_);
+    }
+    mask_of_ = shadow;
+    if (!has_mask_) {
+        levels_ = scene.levels;
+        has_mask_ = true;
+    } else {
+        if (is_another) {
+            keep_what_is_alike(*mask_before_, *mask_);
+            tiles_.note_mask(*mask_before_, *mask_);
+        }
+        note_light(scene.levels);
+    }
+    tiles_.take(moving, numbers.next(), rects_);
+    shade_pixels(layers, *mask_, shade_light(scene.levels, frame.desc.colour_format), rects_,
+                 shaded_.as<std::uint32_t>());
+    edges_.smooth(*mask_, rects_, shaded_.as<std::uint32_t>());
+    return is_another;
+}
+
+namespace {
+
+// What is drawn at once: all of the picture's width, and these of its rows.
+struct Band {
+    VkExtent2D extent;
+    std::uint32_t top = 0;
+};
+
+Result<vk::Image> layer(const FrameContext& frame, const Band& band, const char* name, VkFormat format) {
+    return vk::Image::create(
+        frame.device, {.name = name,
+                       .format = format,
+                       .extent = band.extent,
+                       .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+}
+
+Result<vk::Image> depth_layer(const FrameContext& frame, const Band& band) {
+    return vk::Image::create(
+        frame.device, {.name = "still life's depth",
+                       .format = kDepthFormat,
+                       .extent = band.extent,
+                       .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                       .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
+}
+
+struct Reading {
+    const vk::Image& image;
+    const vk::Buffer& into;
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+};
+
+void record_reading(const FrameContext& frame, const Band& band, const Reading& reading,
+                    const vk::ImageState& drawn) {
+    vk::barrier(frame.commands, reading.image, drawn, vk::state::kCopySource);
+    const VkBufferImageCopy region{.bufferOffset = VkDeviceSize{4} * band.top * band.extent.width,
+                                   .imageSubresource = {reading.aspect, 0, 0, 1},
+                                   .imageExtent = {band.extent.width, band.extent.height, 1}};
+    vkCmdCopyImageToBuffer(frame.commands, reading.image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           reading.into.handle(), 1, &region);
+}
+
+// In commands of their own: `draw` inside a pass over cleared images, and then what came of it, with its
+// depth, to where the host reads it.
+template <typename Draw>
+Result<void> draw_and_read(FrameContext& frame, const Band& band, std::span<const Reading> readings,
+                           const vk::Buffer& depth_into, Draw&& draw) {
+    const auto depth = depth_layer(frame, band);
+    if (!depth) return depth.error();
+    return frame.run_once([&] {
+        const VkCommandBuffer commands = frame.commands;
+        std::vector<PassColour> colours;
+        for (const Reading& reading : readings) {
+            vk::barrier(commands, reading.image, vk::state::kUndefined, vk::state::kColour);
+            colours.push_back({.view = reading.image.view(), .load = VK_ATTACHMENT_LOAD_OP_CLEAR});
+        }
+        vk::barrier(commands, *depth, vk::state::kUndefined, vk::state::kDepth);
+        begin_pass(commands, band.extent, colours,
+                   {.view = depth->view(), .store = VK_ATTACHMENT_STORE_OP_STORE});
+        const VkViewport whole{0.0F,
+                               -static_cast<float>(band.top),
+                               static_cast<float>(frame.extent.width),
+                               static_cast<float>(frame.extent.height),
+                               0.0F,
+                               1.0F};
+        vkCmdSetViewport(commands, 0, 1, &whole);
+        draw();
+        vkCmdEndRendering(commands);
+        record_reading(frame, band, {*depth, depth_into, VK_IMAGE_ASPECT_DEPTH_BIT}, vk::state::kDepth);
+        for (const Reading& reading : readings)
+            record_reading(frame, band, reading, vk::state::kColour);
+        vk::barrier_to_host(commands);
+    });
+}
+
+}  // namespace
+
+Result<void> StillLayers::fit(const FrameContext& frame) {
+    const VkExtent2D extent = frame.extent;
+    if (extent.width == extent_.width && extent.height == extent_.height) return {};
+    extent_ = {};
+    struct Request {
+        vk::Buffer& into;
+        const char* name;
+    };
+    for (const Request& request : {Request{with_key_, "still life with the key light"},
+                                   Request{without_key_, "still life without the key light"},
+                                   Request{places_, "still life's places in the shadow mask"},
+                                   Request{depth_, "still life's depth"}}) {
+        auto buffer = vk::Buffer::create(
+            frame.device, {.name = request.name,
+                           .size = VkDeviceSize{4} * extent.width * extent.height,
+                           .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                           .use = vk::MemoryUse::kReadback});
+        if (!buffer) return buffer.error();
+        request.into = std::move(*buffer);
+        touch(request.into);
+    }
+    extent_ = extent;
+    return {};
+}
+
+void StillLayers::let_go() {
+    for (vk::Buffer* buffer : {&with_key_, &without_key_, &places_, &depth_})
+        *buffer = {};
+    extent_ = {};
+}
+
+Result<void> StillLayers::draw_own(FrameContext& frame, const LayerPipelines& pipelines,
+                                   const StillMeshes& meshes) {
+    const Band all{extent_};
+    auto with_key = layer(frame, all, "still life with the key light", frame.desc.colour_format);
+    if (!with_key) return with_key.error();
+    auto without_key = layer(frame, all, "still life without the key light", frame.desc.colour_format);
+    if (!without_key) return without_key.error();
+    auto coords = layer(frame, all, "still life's places in the shadow mask", kPackedFormat);
+    if (!coords) return coords.error();
+    const std::array readings{Reading{*with_key, with_key_}, Reading{*without_key, without_key_},
+                              Reading{*coords, places_}};
+    return draw_and_read(frame, all, readings, depth_, [&] {
+        frame.bind(pipelines.still);
+        meshes.draw(frame, StillMeshes::Which::kAll);
+        frame.draw_screen(pipelines.backdrop);
+    });
+}
+
+Result<void> StillLayers::draw_places(FrameContext& frame, const LayerPipelines& pipelines,
+                                      const StillMeshes& meshes, RowSpan rows) {
+    const Band band{{extent_.width, static_cast<std::uint32_t>(rows.end - rows.first)},
+                    static_cast<std::uint32_t>(rows.first)};
+    auto foot = layer(frame, band, "still life's nearness to the foot", frame.desc.colour_format);
+    if (!foot) return foot.error();
+    auto coords = layer(frame, band, "still life's places in the shadow mask", kPackedFormat);
+    if (!coords) return coords.error();
+    const std::array readings{Reading{*foot, without_key_}, Reading{*coords, places_}};
+    return draw_and_read(frame, band, readings, depth_, [&] {
+        frame.bind(pipelines.places);
+        meshes.draw(frame, StillMeshes::Which::kAll);
+    });
+}
+
+void StillLayers::lay(const HostBackground& background, vec4 window, RowSpan rows) {
+    lay_photographs(background, window, static_cast<int>(extent_.width), rows, with_key_.as<std::uint32_t>(),
+                    without_key_.as<std::uint32_t>());
+}
+
+void StillLayers::turn_into_places() {
+    render::turn_into_places(places_.as<std::uint32_t>());
+}
+
+ShadeLayers StillLayers::layers() const {
+    return {.width = static_cast<int>(extent_.width),
+            .height = static_cast<int>(extent_.height),
+            .with_key = with_key_.as<std::uint32_t>(),
+            .without_key = without_key_.as<std::uint32_t>(),
+            .places = places_.as<std::uint32_t>()};
+}
+
 namespace {
 
 std::uint64_t hash_of(const FrameContext& frame, const Scene& scene) {

@@ -1,9 +1,153 @@
 #include "engine/render/pixels/shade_tiles.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cstdlib>
 
 namespace onggi::render {
+namespace {
+
+constexpr int kAcross = shaders::kMaskTexels;
+
+struct Texel {
+    int u;
+    int v;
+};
+Texel texel_of(std::uint32_t place) {
+    const int number = static_cast<int>(place >> 16U);
+    return {number % kAcross, number / kAcross};
+}
+
+// Nothing is in shade at the mask's border, where all that lies beside the mask is put too.
+bool is_border(const Texel& at) {
+    return at.u == 0 || at.v == 0 || at.u >= kAcross - 2 || at.v >= kAcross - 2;
+}
+
+// On one surface the next pixel lies in the same texel of the mask or not far from it, which nearly all do:
+// in the same row of texels or in the next.
+constexpr int kFarTexels = 3;
+[[gnu::always_inline]] inline unsigned may_be_another_thing(std::uint32_t place, std::uint32_t next) {
+    const int apart = std::abs(static_cast<int>(place >> 16U) - static_cast<int>(next >> 16U));
+    const unsigned is_far = apart >= kFarTexels ? 1U : 0U;
+    return std::abs(apart - kAcross) >= kFarTexels ? is_far : 0U;
+}
+
+bool is_another_thing(std::uint32_t place, std::uint32_t next) {
+    if (may_be_another_thing(place, next) == 0) return false;
+    const Texel a = texel_of(place);
+    const Texel b = texel_of(next);
+    if (is_border(a) && is_border(b)) return false;
+    return std::abs(a.u - b.u) >= kFarTexels || std::abs(a.v - b.v) >= kFarTexels;
+}
+
+// One entry a pixel: whether an outline may be at it. Loops that the compiler makes vectors of.
+std::vector<std::uint8_t> look_roughly(std::size_t width, std::span<const std::uint32_t> places) {
+    if (places.size() <= width) return std::vector<std::uint8_t>(places.size(), 0);
+    const std::size_t count = places.size() - width;
+    std::vector<std::uint8_t> before(places.size(), 0);  // one to the right of it or below
+    for (std::size_t i = 0; i < count; ++i) {
+        before[i] = static_cast<std::uint8_t>(may_be_another_thing(places[i], places[i + 1]) |
+                                              may_be_another_thing(places[i], places[i + width]));
+    }
+    std::vector<std::uint8_t> may_be = before;
+    for (std::size_t i = width; i < places.size(); ++i)
+        may_be[i] = static_cast<std::uint8_t>(before[i] | before[i - 1] | before[i - width]);
+    return may_be;
+}
+
+// How far the key light at some texels is apart, of 255.
+int apart(const ShadowMask& mask, const std::array<std::uint16_t, 3>& texels) {
+    std::array<int, 3> keys{};
+    std::transform(texels.begin(), texels.end(), keys.begin(),
+                   [&](std::uint16_t texel) { return static_cast<int>(mask[texel] & 0xFFFFU); });
+    const auto [least, most] = std::minmax_element(keys.begin(), keys.end());
+    return *most - *least;
+}
+
+std::uint32_t two_thirds_and_one(std::uint32_t inner, std::uint32_t outer) {
+    std::uint32_t mixed = 0;
+    for (std::uint32_t shift = 0; shift < 32U; shift += 8U)
+        mixed |= (2U * (inner >> shift & 0xFFU) + (outer >> shift & 0xFFU) + 1U) / 3U << shift;
+    return mixed;
+}
+
+}  // namespace
+
+void ShadeEdges::find_at(int x, int y, std::span<const std::uint32_t> places) {
+    const auto at = [&](int column, int row) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(column);
+    };
+    const auto differ = [&](int column, int row, int right, int down) {
+        return is_another_thing(places[at(column, row)], places[at(column + right, row + down)]);
+    };
+    // An outline that runs more from side to side than up and down has its two sides above and below.
+    int level = 0;
+    int upright = 0;
+    for (int off = -2; off <= 2; ++off) {
+        level += (differ(x + off, y, 0, -1) ? 1 : 0) + (differ(x + off, y, 0, 1) ? 1 : 0);
+        upright += (differ(x, y + off, -1, 0) ? 1 : 0) + (differ(x, y + off, 1, 0) ? 1 : 0);
+    }
+    const int right = level >= upright ? 0 : 1;
+    const int down = 1 - right;
+    const bool is_after = differ(x, y, -right, -down);
+    if (!is_after && !differ(x, y, right, down)) return;
+    const int way = is_after ? -1 : 1;
+    const std::size_t pixel = at(x, y);
+    const std::size_t inner = at(x - way * right, y - way * down);
+    const std::size_t outer = at(x + 2 * way * right, y + 2 * way * down);
+    const auto texel = [&](std::size_t of) { return static_cast<std::uint16_t>(places[of] >> 16U); };
+    edges_.push_back({static_cast<std::uint32_t>(pixel),
+                      static_cast<std::uint32_t>(inner),
+                      static_cast<std::uint32_t>(outer),
+                      {texel(pixel), texel(inner), texel(outer)}});
+}
+
+void ShadeEdges::find(int width, std::span<const std::uint32_t> places) {
+    constexpr int kReach = 3;  // of what is looked at about a pixel
+    edges_.clear();
+    row_begins_.assign(1, 0);
+    width_ = width;
+    const int height = static_cast<int>(places.size()) / std::max(width, 1);
+    if (height == 0) return;
+    const std::vector<std::uint8_t> may_be = look_roughly(static_cast<std::size_t>(width), places);
+    for (int y = 0; y < height; ++y) {
+        if (y >= kReach && y + kReach < height) {
+            const std::uint8_t* const row = may_be.data() + static_cast<std::ptrdiff_t>(y) * width_;
+            for (int x = kReach; x + kReach < width_; ++x) {
+                if (row[x] != 0) find_at(x, y, places);
+            }
+        }
+        row_begins_.push_back(edges_.size());
+    }
+}
+
+void ShadeEdges::smooth(const ShadowMask& mask, std::span<const PixelRect> rects,
+                        std::span<std::uint32_t> picture) {
+    constexpr int kAlike = 16;
+    if (edges_.empty()) return;
+    const auto edge_at = [&](std::size_t number) {
+        return edges_.begin() + static_cast<std::ptrdiff_t>(number);
+    };
+    mixed_.clear();
+    for (const PixelRect& rect : rects) {
+        for (int y = rect.y; y < rect.y + rect.height; ++y) {
+            const auto row = static_cast<std::size_t>(y);
+            const auto first = static_cast<std::uint32_t>(y * width_ + rect.x);
+            const std::uint32_t end = first + static_cast<std::uint32_t>(rect.width);
+            const auto last = edge_at(row_begins_[row + 1]);
+            auto edge = std::lower_bound(edge_at(row_begins_[row]), last, first,
+                                         [](const Edge& a, std::uint32_t pixel) { return a.pixel < pixel; });
+            for (; edge != last && edge->pixel < end; ++edge) {
+                if (apart(mask, edge->texels) < kAlike) continue;
+                mixed_.push_back(
+                    {edge->pixel, two_thirds_and_one(picture[edge->inner], picture[edge->outer])});
+            }
+        }
+    }
+    for (const Mixed& mixed : mixed_)
+        picture[mixed.pixel] = mixed.colour;
+}
+
 namespace {
 
 constexpr std::size_t kTexelsAcross = shaders::kMaskTexels;

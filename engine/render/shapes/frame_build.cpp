@@ -7,12 +7,254 @@
 
 #include "engine/core/hash.h"
 #include "engine/render/shapes/lathe_edges.h"
-#include "engine/render/shapes/lathe_section.h"
-#include "engine/render/shapes/lathe_sectors.h"
-#include "engine/render/shapes/lathe_vertices.h"
-#include "engine/render/shapes/sky_light.h"
+#include "shaders/sky.h"
 
 namespace onggi::render {
+
+std::size_t add_section(const LatheMeshInput& input, int sectors,
+                        std::vector<shaders::VertexData>& vertices) {
+    const std::size_t rows = input.rows.size();
+    const auto in_row = static_cast<std::size_t>(sectors) + 1;
+    if (rows < 2 || vertices.size() < rows * in_row) return 0;
+    const std::size_t before = vertices.size();
+    std::size_t summit = 0;
+    for (std::size_t row = 1; row < rows; ++row) {
+        if (input.rows[row].place.y > input.rows[summit].place.y) summit = row;
+    }
+    for (const std::size_t edge : {std::size_t{0}, in_row - 1}) {
+        const float side = edge == 0 ? -1.0F : 1.0F;
+        const auto corner = [&](std::size_t row, float across) {
+            const vec4& place = vertices[row * in_row + edge].place;
+            return shaders::VertexData{
+                .place = vec4(vec3(place), 1.0F),
+                .lean = vec4(side * input.rows[row].place.x, input.rows[row].water.z, across, 0.0F)};
+        };
+        // Two chains from the base to the top of the rim: up the outside, and from the axis over the floor up
+        // the inside. Whichever is lower takes the next step, so that triangles stay level.
+        std::vector<shaders::VertexData> outer;
+        std::vector<shaders::VertexData> inner;
+        for (std::size_t row = 0; row <= summit; ++row)
+            outer.push_back(corner(row, 0.0F));
+        inner.push_back({.place = vec4(0.0F, 0.0F, 0.0F, 1.0F), .lean = vec4(0.0F, 0.0F, 0.5F, 0.0F)});
+        for (std::size_t row = rows; row-- > summit;)
+            inner.push_back(corner(row, 1.0F));
+        std::size_t o = 0;
+        std::size_t i = 0;
+        while (o + 1 < outer.size() || i + 1 < inner.size()) {
+            const bool outer_next = i + 1 >= inner.size() ||
+                                    (o + 1 < outer.size() && outer[o + 1].place.y <= inner[i + 1].place.y);
+            const shaders::VertexData& next = outer_next ? outer[o + 1] : inner[i + 1];
+            if (vertices.size() - before + 3 > kMaxSectionVertices) return vertices.size() - before;
+            const shaders::VertexData a = outer[o];
+            const shaders::VertexData b = inner[i];
+            vertices.push_back(a);
+            vertices.push_back(b);
+            vertices.push_back(next);
+            (outer_next ? o : i) += 1;
+        }
+    }
+    return vertices.size() - before;
+}
+
+namespace {
+
+constexpr float kHalfTurn = std::numbers::pi_v<float>;
+
+// A chord of a circle lies off it by r (1 - cos(half its angle)).
+float angle_of_chord(float radius_px, float error_px) {
+    // Light is interpolated between the vertices too, which bears no more.
+    constexpr float kWidest = 18.0F * kHalfTurn / 180.0F;
+    const float cosine = 1.0F - error_px / std::max(radius_px, 1e-3F);
+    return cosine > 0.0F ? std::min(2.0F * std::acos(cosine), kWidest) : kWidest;
+}
+
+// How many sectors there are in a radian, by the angle from the line of sight.
+float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
+    const float across = std::abs(std::sin(from_sight_rad));
+    const float down = std::cos(from_sight_rad) * std::sin(seen.pitch_rad);
+    // Walls that lean turn away up to some forty degrees before or behind a right angle.
+    constexpr float kAtAll = 0.64F;  // sines
+    constexpr float kWhole = 0.80F;
+    const float fraction = std::clamp((across - kAtAll) / (kWhole - kAtAll), 0.0F, 1.0F);
+    const float rim_px = seen.rim_px * std::hypot(across, down);
+    return 1.0F / angle_of_chord(std::max(seen.widest_px * fraction, rim_px), error_px);
+}
+
+}  // namespace
+
+std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
+    // A lathe's own sectors run the other way, counter-clockwise.
+    const float start = lathe.cut ? kHalfTurn - lathe.cut->towards_rad : 0.0F;
+    const float sweep = lathe.cut ? kHalfTurn : 2.0F * kHalfTurn;
+    std::vector<float> angles;
+    angles.reserve(static_cast<std::size_t>(sectors) + 1);
+    for (int i = 0; i <= sectors; ++i)
+        angles.push_back(start + sweep * static_cast<float>(i) / static_cast<float>(sectors));
+    return angles;
+}
+
+std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budget) {
+    // The sum of the density up to each of some angles, over half a turn.
+    constexpr std::size_t kSteps = 180;
+    constexpr float kStep = kHalfTurn / static_cast<float>(kSteps);
+    std::array<float, kSteps + 1> sum{};
+    for (std::size_t i = 0; i < kSteps; ++i)
+        sum[i + 1] = sum[i] + kStep * density(seen, (static_cast<float>(i) + 0.5F) * kStep, budget.error_px);
+    // By twos, so that a pot that widens by a hair is not cut anew in every frame.
+    constexpr int kFewest = 8;
+    const int wanted = (static_cast<int>(std::ceil(sum[kSteps])) + 1) / 2 * 2;
+    const int half = std::clamp(wanted, kFewest, std::max(budget.max_sectors / 2, kFewest));
+    std::vector<float> to_side;
+    to_side.reserve(static_cast<std::size_t>(half) + 1);
+    std::size_t at = 0;
+    for (int i = 0; i <= half; ++i) {
+        const float fraction = sum[kSteps] * static_cast<float>(i) / static_cast<float>(half);
+        while (at + 1 < kSteps && sum[at + 1] < fraction)
+            ++at;
+        const float within = (fraction - sum[at]) / (sum[at + 1] - sum[at]);
+        to_side.push_back((static_cast<float>(at) + std::clamp(within, 0.0F, 1.0F)) * kStep);
+    }
+    std::vector<float> angles;
+    angles.reserve(2 * static_cast<std::size_t>(half) + 1);
+    for (const float angle : to_side)
+        angles.push_back(seen.azimuth_rad + angle);
+    for (int i = half; i-- > 0;)
+        angles.push_back(seen.azimuth_rad + 2.0F * kHalfTurn - to_side[static_cast<std::size_t>(i)]);
+    return angles;
+}
+
+namespace {
+
+// The corners of a face: below, the next one below, above, the next one above.
+using Corners = std::array<const shaders::VertexData*, 4>;
+
+// Whether the shadow of a sphere may fall within margin_mm of a point; past_sphere() of shaders/surface.h.
+bool may_be_in_shadow(const shaders::FrameData& frame, vec3 point, float margin_mm) {
+    const vec3 light(frame.key_direction);
+    return std::any_of(std::begin(frame.spheres), std::end(frame.spheres), [&](const vec4& sphere) {
+        const vec3 to = vec3(sphere) - point;
+        const float along = glm::dot(to, light);
+        if (along < -margin_mm) return false;
+        const float reach =
+            sphere.w + std::max((along + margin_mm) * frame.key_direction.w, 0.5F) + margin_mm;
+        return glm::dot(to, to) - along * along < reach * reach;
+    });
+}
+
+bool may_be_in_shadow(const shaders::FrameData& frame, const Corners& corners) {
+    const auto in_the_dark = [](const shaders::VertexData* corner) { return corner->place.w == 0.0F; };
+    if (std::all_of(corners.begin(), corners.end(), in_the_dark)) return false;
+    vec3 middle(0.0F);
+    for (const shaders::VertexData* corner : corners)
+        middle += 0.25F * vec3(corner->place);
+    float reach_2_mm2 = 0.0F;
+    for (const shaders::VertexData* corner : corners) {
+        const vec3 to = vec3(corner->place) - middle;
+        reach_2_mm2 = std::max(reach_2_mm2, glm::dot(to, to));
+    }
+    return may_be_in_shadow(frame, middle, std::sqrt(reach_2_mm2));
+}
+
+void add_face(std::size_t below, std::size_t in_row, std::vector<std::uint16_t>& indices) {
+    const std::size_t above = below + in_row;
+    for (const std::size_t index : {below, above, below + 1, below + 1, above, above + 1})
+        indices.push_back(static_cast<std::uint16_t>(index));
+}
+
+// Twice the area of a triangle in the picture, y down: below 0 it turns counter-clockwise.
+float turn_of(const vec4& a, const vec4& b, const vec4& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+}  // namespace
+
+void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, const shaders::FrameData& frame,
+                  const EdgeView& view, LatheFaces& faces) {
+    faces.clear();
+    const auto in_row = static_cast<std::size_t>(sectors) + 1;
+    const std::size_t rows = vertices.size() / in_row;
+    if (rows < 2) return;
+    const Projector project(view);
+    std::vector<vec4> pixels;
+    pixels.reserve(vertices.size());
+    for (const shaders::VertexData& vertex : vertices)
+        pixels.push_back(project(vec3(vertex.place)));
+    std::vector<std::uint16_t> near_spheres;
+    constexpr float kEdgeOn = 0.05F;  // pixels squared, more than a rounded coordinate can turn it by
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        for (std::size_t s = 0; s + 1 < in_row; ++s) {
+            const std::size_t below = row * in_row + s;
+            const std::size_t above = below + in_row;
+            const vec4& corner = pixels[below + 1];
+            const bool is_known =
+                std::min(std::min(pixels[below].w, corner.w),
+                         std::min(pixels[above].w, pixels[above + 1].w)) > view.camera.near_mm;
+            const bool looks_away = turn_of(pixels[below], pixels[above], corner) > kEdgeOn &&
+                                    turn_of(corner, pixels[above], pixels[above + 1]) > kEdgeOn;
+            if (is_known && looks_away) continue;
+            const bool is_near = may_be_in_shadow(
+                frame, {&vertices[below], &vertices[below + 1], &vertices[above], &vertices[above + 1]});
+            add_face(below, in_row, is_near ? near_spheres : faces.indices);
+        }
+    }
+    faces.plain = static_cast<std::uint32_t>(faces.indices.size());
+    faces.indices.insert(faces.indices.end(), near_spheres.begin(), near_spheres.end());
+}
+
+void take_all_faces(std::size_t rows, int sectors, LatheFaces& faces) {
+    faces.clear();
+    const auto in_row = static_cast<std::size_t>(sectors) + 1;
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        for (std::size_t s = 0; s + 1 < in_row; ++s)
+            add_face(row * in_row + s, in_row, faces.indices);
+    }
+}
+
+vec3 sky_radiance(const Environment& environment, vec3 direction) {
+    vec3 radiance = glm::mix(environment.horizon, direction.y > 0.0F ? environment.zenith : environment.nadir,
+                             shaders::sky_height(direction.y));
+    for (const Environment::Panel& panel : environment.panels)
+        radiance +=
+            panel.radiance * std::exp(panel.sharpness * (glm::dot(panel.direction, direction) - 1.0F));
+    return radiance;
+}
+
+std::array<vec3, 9> sky_irradiance(const Environment& environment) {
+    // Midpoint rule over the sphere; the sky is smooth, so a coarse grid is exact enough.
+    constexpr int kRows = 32;
+    constexpr int kColumns = 64;
+    std::array<vec3, 9> coefficients{};
+    for (int row = 0; row < kRows; ++row) {
+        const float y = 1.0F - (static_cast<float>(row) + 0.5F) * 2.0F / kRows;
+        const float across = std::sqrt(1.0F - y * y);
+        for (int column = 0; column < kColumns; ++column) {
+            const float angle =
+                (static_cast<float>(column) + 0.5F) * 2.0F * std::numbers::pi_v<float> / kColumns;
+            const vec3 d(across * std::cos(angle), y, across * std::sin(angle));
+            const std::array<float, 9> basis{0.282095F,
+                                             0.488603F * d.y,
+                                             0.488603F * d.z,
+                                             0.488603F * d.x,
+                                             1.092548F * d.x * d.y,
+                                             1.092548F * d.y * d.z,
+                                             0.315392F * (3.0F * d.z * d.z - 1.0F),
+                                             1.092548F * d.x * d.z,
+                                             0.546274F * (d.x * d.x - d.y * d.y)};
+            const vec3 radiance = sky_radiance(environment, d);
+            for (std::size_t i = 0; i < basis.size(); ++i)
+                coefficients[i] += radiance * basis[i];
+        }
+    }
+    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the basis' own constants.
+    constexpr float kCell = 4.0F * std::numbers::pi_v<float> / (kRows * kColumns);
+    constexpr std::array<float, 9> kFold{0.282095F,         0.488603F * 2 / 3, 0.488603F * 2 / 3,
+                                         0.488603F * 2 / 3, 1.092548F / 4,     1.092548F / 4,
+                                         0.315392F / 4,     1.092548F / 4,     0.546274F / 4};
+    for (std::size_t i = 0; i < kFold.size(); ++i)
+        coefficients[i] *= kCell * kFold[i];
+    return coefficients;
+}
+
 namespace {
 
 mat4 key_projection(const DirectionalLight& light, const StillBounds& still) {

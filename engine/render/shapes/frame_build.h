@@ -2,20 +2,89 @@
 // pixel. Any thread. mm, pixels.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/render/renderer_desc.h"
 #include "engine/render/scene.h"
 #include "engine/render/shapes/lathe_edges.h"
-#include "engine/render/shapes/lathe_faces.h"
 #include "engine/render/shapes/lathe_profile.h"
 #include "engine/render/shapes/lathe_rows.h"
+#include "engine/render/shapes/lathe_vertices.h"
 #include "engine/render/shapes/shadow_region.h"
 #include "engine/render/shapes/tiles.h"
 #include "shaders/frame_data.h"
 
 namespace onggi::render {
+
+// The faces of a wall that has been cut open: what lies between outside and inside where the cut goes
+// through it, on both sides of the axis. mm.
+
+constexpr std::size_t kMaxSectionVertices = 4096;
+
+// Appends triangles, three vertices each, to a cut lathe's `vertices`: place.xyz in the world; lean.x how far
+// from the axis, left negative; lean.y load; lean.z 0 on the outer face to 1 on the inner one. Says how many.
+std::size_t add_section(const LatheMeshInput& input, int sectors, std::vector<shaders::VertexData>& vertices);
+
+// At which angles a lathe's rows have their vertices. rad from +X towards +Z,
+// px.
+
+// Evenly round, or from one side of a cut to the other: sectors + 1 angles, the last a whole turn (or half a
+// turn) after the first.
+[[nodiscard]] std::vector<float> even_sectors(const Lathe& lathe, int sectors);
+
+struct SectorBudget {
+    float error_px = 0.35F;  // wanted: how far an edge of the pot may lie from its circle
+    int max_sectors = 48;    // hard
+};
+
+// As seen by the eye: close to each other where the wall turns away and its edge is seen against what lies
+// behind, further apart in front and behind, where only the rim's edge shows a corner. An even number of
+// sectors, the same on both sides of the line of sight.
+struct LatheSeen {
+    float widest_px = 0.0F;  // radii
+    float rim_px = 0.0F;
+    float azimuth_rad = 0.0F;  // of the eye
+    float pitch_rad = 0.0F;    // how far it looks down
+};
+[[nodiscard]] std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budget);
+
+// Which faces of a lathe's grid are drawn: those that look at the eye, in two heaps, because a pixel that
+// must ask the moving spheres for their shadow costs twice one that need not.
+// mm.
+
+// Two triangles a face, counter-clockwise from outside, as indices of the grid's vertices.
+struct LatheFaces {
+    std::vector<std::uint16_t> indices;
+    std::uint32_t plain = 0;  // how many of them, at the front, no sphere's shadow reaches
+
+    void clear() {
+        indices.clear();
+        plain = 0;
+    }
+};
+
+// The grid as add_grid_edges() has it. `frame` says where the spheres are and where the light comes from. A
+// face that is seen edge on, or of which it cannot be said, is drawn: the device looks once more.
+void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, const shaders::FrameData& frame,
+                  const EdgeView& view, LatheFaces& faces);
+
+// All of them, in the second heap.
+void take_all_faces(std::size_t rows, int sectors, LatheFaces& faces);
+
+// The environment's diffuse light, as nine spherical-harmonic coefficients. Any thread; a pure function, run
+// when the environment changes. R. Ramamoorthi, P. Hanrahan, "An Efficient Representation for Irradiance
+// Environment Maps", 2001.
+
+// Radiance from a direction (unit length), the same formula as in shaders/sky.glsl.
+[[nodiscard]] vec3 sky_radiance(const Environment& environment, vec3 direction);
+
+// Irradiance / pi for a white surface, folded so that the shader evaluates
+// c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3 z^2 - 1) + c7 xz + c8 (x^2 - y^2) at the normal.
+[[nodiscard]] std::array<vec3, 9> sky_irradiance(const Environment& environment);
 
 struct BuiltFrame {
     shaders::FrameData frame{};

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "engine/render/shapes/projector.h"
-
 namespace onggi::render {
 
 void add_edge(const vec4& from, const vec4& to, std::vector<OutlinePiece>& edges) {

@@ -3,6 +3,7 @@
 // (edge_pixels.h). Any thread; pure functions. mm, pixels.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -12,6 +13,49 @@
 #include "shaders/frame_data.h"
 
 namespace onggi::render {
+
+// The camera and the picture that the outlines are seen in.
+struct EdgeView {
+    const Camera& camera;
+    int width_px;
+    int height_px;
+};
+
+// World to pixels for whole grids of points. Also to a depth a little nearer than the point's own, so that an
+// edge is not hidden by the faces it belongs to. What lies behind the eye is taken to be right before it.
+class Projector {
+  public:
+    explicit Projector(const EdgeView& view)
+        : matrix_(view_projection(view.camera, view.width_px, view.height_px)),
+          half_(0.5F * static_cast<float>(view.width_px), 0.5F * static_cast<float>(view.height_px)),
+          least_mm_(view.camera.near_mm) {
+        const float near = view.camera.near_mm;
+        const float far = view.camera.far_mm;
+        depth_scale_ = -near * far / (far - near);
+        depth_offset_ = far / (far - near);
+    }
+    // z: depth; w: distance along the view in mm.
+    [[nodiscard]] vec4 operator()(vec3 point) const {
+        constexpr float kNearerMm = 2.5F;
+        const float x =
+            matrix_[0][0] * point.x + matrix_[1][0] * point.y + matrix_[2][0] * point.z + matrix_[3][0];
+        const float y =
+            matrix_[0][1] * point.x + matrix_[1][1] * point.y + matrix_[2][1] * point.z + matrix_[3][1];
+        const float w = std::max(
+            matrix_[0][3] * point.x + matrix_[1][3] * point.y + matrix_[2][3] * point.z + matrix_[3][3],
+            least_mm_);
+        const float fraction = 1.0F / w;
+        return {half_.x + half_.x * x * fraction, half_.y + half_.y * y * fraction,
+                std::max(depth_offset_ + depth_scale_ / std::max(w - kNearerMm, least_mm_), 0.0F), w};
+    }
+
+  private:
+    mat4 matrix_;
+    vec2 half_;
+    float least_mm_;
+    float depth_scale_ = 0.0F;
+    float depth_offset_ = 0.0F;
+};
 
 constexpr std::size_t kMaxEdges = 4096;
 
@@ -28,11 +72,6 @@ void add_edge(const vec4& from, const vec4& to, std::vector<OutlinePiece>& edges
 // A grid of vertices as the lathe has it: rows of sectors + 1, outward faces counter-clockwise. Added are the
 // edges between a face that looks at the eye and one that looks away, and the border of the first row; with
 // open_sides also the two borders across the rows. Hidden ones are there too: the depth test knows.
-struct EdgeView {
-    const Camera& camera;
-    int width_px;
-    int height_px;
-};
 void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, bool open_sides,
                     const EdgeView& view, std::vector<OutlinePiece>& edges);
 

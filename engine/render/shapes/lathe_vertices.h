@@ -19,8 +19,8 @@ struct LatheMeshInput {
     const LatheRows& chosen;
     std::span<const shaders::RowData> rows;
 };
-// A row has a vertex at each of the angles (lathe_sectors.h), the last where the first is or at the other
-// side of a cut. `vertices` is used again.
+// A row has a vertex at each of the angles (seen_sectors() and even_sectors() in frame_build.h), the last
+// where the first is or at the other side of a cut. `vertices` is used again.
 void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
                    std::span<const float> angles_rad, std::vector<shaders::VertexData>& vertices);
 

@@ -5,8 +5,6 @@
 
 #include <string>
 
-#include "engine/haptics/haply/json_walk.h"
-
 namespace onggi::haptics::haply {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "engine/haptics/hid/local_wall.h"
+#include "engine/haptics/hid/hand_input.h"
 
 namespace onggi::haptics::hid {
 namespace {

@@ -9,7 +9,6 @@
 #include "engine/haptics/hid/dual_sense_driver.h"
 #include "engine/haptics/hid/hid_session.h"
 #include "engine/haptics/hid/pid_driver.h"
-#include "engine/haptics/hid/report_habit.h"
 #include "engine/haptics/hid/simple_drivers.h"
 #include "engine/haptics/hid/tool_tracker.h"
 #include "engine/haptics/safety_chain.h"

@@ -1,5 +1,5 @@
 // The SpaceMouse's reports, as captured in public, and what they do to the tool.
-#include "engine/haptics/hid/space_mouse.h"
+#include "engine/haptics/hid/simple_drivers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The foot pedal's reports, as captured in public.
-#include "engine/haptics/hid/vec_pedal.h"
+#include "engine/haptics/hid/simple_drivers.h"
 
 #include <gtest/gtest.h>
 

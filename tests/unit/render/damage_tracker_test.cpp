@@ -1,4 +1,4 @@
-#include "engine/render/cpu/damage_tracker.h"
+#include "engine/render/cpu/host_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/render/shapes/projector.h"
+#include "engine/render/shapes/lathe_edges.h"
 
 namespace onggi::render {
 namespace {

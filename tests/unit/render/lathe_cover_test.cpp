@@ -1,8 +1,8 @@
-#include "engine/render/shapes/lathe_cover.h"
+#include "engine/render/shapes/moving_tiles.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/render/shapes/lathe_sectors.h"
+#include "engine/render/shapes/frame_build.h"
 #include "engine/render/shapes/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"
 

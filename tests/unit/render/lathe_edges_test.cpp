@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/render/shapes/lathe_sectors.h"
+#include "engine/render/shapes/frame_build.h"
 #include "engine/render/shapes/lathe_vertices.h"
 #include "tests/unit/render/lathe_samples.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/render/shapes/lathe_sectors.h"
+#include "engine/render/shapes/frame_build.h"
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/shapes/projector.h"
+#include "engine/render/shapes/lathe_edges.h"
 
 namespace onggi::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/render/pixels/overlay_tiles.h"
+#include "engine/render/pixels/overlay_paint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/shapes/prop_faces.h"
+#include "engine/render/shapes/prop_models.h"
 
 #include <gtest/gtest.h>
 

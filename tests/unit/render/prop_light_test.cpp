@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/render/shapes/projector.h"
+#include "engine/render/shapes/lathe_edges.h"
 #include "shaders/transfer.h"
 
 namespace onggi::render {

@@ -1,4 +1,4 @@
-#include "engine/render/shapes/ring_lod.h"
+#include "engine/render/shapes/lathe_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/render/pixels/shade_edges.h"
+#include "engine/render/pixels/shade_tiles.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/haptics/safety/state.h"
+#include "engine/haptics/safety_chain.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/visit_parts.h"

@@ -1,4 +1,4 @@
-#include "engine/render/frame/background_pair.h"
+#include "engine/render/scene.h"
 
 namespace onggi::render {
 namespace {
@@ -23,6 +23,19 @@ Result<const PhotographPair*> whole_pair(const Background& background) {
         return failed("background: expected two whole pictures of one size, found others");
     }
     return pair;
+}
+
+Result<const PhotographPair*> Photographs::pair() {
+    if (!pair_) {
+        auto again = read_();
+        if (!again) return again.error();
+        pair_ = std::move(*again);
+    }
+    return static_cast<const PhotographPair*>(&*pair_);
+}
+
+void Photographs::let_go() {
+    if (read_) pair_.reset();
 }
 
 }  // namespace onggi::render
