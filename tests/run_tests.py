@@ -164,7 +164,7 @@ class Cores:
 class Suite:
     def __init__(self, build, tests):
         self.build = build
-        self.waiting = sorted(tests, key=lambda test: -test.cost_s)
+        self.waiting = sorted(tests, key=lambda test: (test.is_serial, -test.cost_s))
         self.count = len(tests)
         self.logs = Path(build, "Testing")
         self.logs.mkdir(parents=True, exist_ok=True)
