@@ -49,4 +49,12 @@ Result<std::vector<std::byte>> encode_webp(const Image& image, int quality);
 // an honest file, or claim a side above kMaxImageSide.
 Result<Image> decode_jpeg(std::span<const std::byte> bytes, std::string_view name);
 
+// What every encoder asks of a picture: its sides are within 1..kMaxImageSide, and rgba holds them.
+[[nodiscard]] inline bool is_whole(const Image& image) {
+    return image.width >= 1 && image.width <= kMaxImageSide && image.height >= 1 &&
+           image.height <= kMaxImageSide &&
+           image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                    static_cast<std::size_t>(image.height);
+}
+
 }  // namespace onggi::asset

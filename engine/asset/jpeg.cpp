@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "engine/asset/image.h"
-#include "engine/asset/image_rules.h"
 
 namespace onggi::asset {
 namespace {

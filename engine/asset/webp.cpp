@@ -3,7 +3,6 @@
 #include <webp/encode.h>
 
 #include "engine/asset/image.h"
-#include "engine/asset/image_rules.h"
 
 namespace onggi::asset {
 

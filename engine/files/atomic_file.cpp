@@ -2,15 +2,90 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/types.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <optional>
 #include <utility>
 
+#include "engine/core/result.h"
 #include "engine/files/file_errors.h"
-#include "engine/files/output_place.h"
 
 namespace onggi::files {
 namespace {
+
+// Where an output file really goes, and whether it can.
+struct OutputPlace {
+    std::filesystem::path file;      // absolute, a symbolic link at its end followed
+    std::filesystem::path folder;    // its folder
+    std::optional<mode_t> old_mode;  // permissions of the file that stands there already
+};
+
+Result<std::filesystem::path> follow_link(const std::filesystem::path& destination) {
+    struct stat status {};
+    if (::lstat(destination.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return destination;
+    // Renaming onto a link would replace the link and leave the file it stands for as it was.
+    std::error_code error;
+    auto target = std::filesystem::canonical(destination, error);
+    if (!error) return target;
+    if (error.value() == ENOENT) {
+        return bad_input(fmt::format("{}: is a link to a file that is not there", shown(destination)));
+    }
+    return error_of_errno(destination, error.value(), "write");
+}
+
+Result<void> check_folder(const std::filesystem::path& destination, const std::filesystem::path& folder) {
+    struct stat status {};
+    if (::stat(folder.c_str(), &status) != 0) {
+        if (errno == ENOENT) {
+            return bad_input(
+                fmt::format("{}: the folder {} is not there", shown(destination), shown(folder)));
+        }
+        return error_of_errno(destination, errno, "write");
+    }
+    if (!S_ISDIR(status.st_mode)) {
+        return bad_input(fmt::format("{}: expected a folder at {}, found {}", shown(destination),
+                                     shown(folder), kind_of_file(status.st_mode)));
+    }
+    return {};
+}
+
+Result<void> check_rights(const std::filesystem::path& destination, const std::filesystem::path& asked,
+                          int rights) {
+    // AT_EACCESS: with the rights the program has now, not with those of who started it.
+    if (::faccessat(AT_FDCWD, asked.c_str(), rights, AT_EACCESS) == 0) return {};
+    return error_of_errno(destination, errno, "write");
+}
+
+// Looks, touches nothing. Refuses as check_output_place does.
+[[nodiscard]] Result<OutputPlace> find_output_place(const std::filesystem::path& destination) {
+    if (destination.empty()) return bad_input("expected the name of an output file, found an empty one");
+    auto followed = follow_link(destination);
+    if (!followed) return followed.error();
+    std::error_code error;
+    OutputPlace place;
+    place.file = std::filesystem::absolute(*followed, error);
+    if (error) return error_of_errno(destination, error.value(), "write");
+    place.folder = place.file.parent_path();
+
+    if (auto folder = check_folder(destination, place.folder); !folder) return folder.error();
+    struct stat status {};
+    if (::stat(place.file.c_str(), &status) == 0) {
+        if (!S_ISREG(status.st_mode)) {
+            return bad_input(fmt::format("{}: expected the place of a file, found {}", shown(destination),
+                                         kind_of_file(status.st_mode)));
+        }
+        place.old_mode = status.st_mode & 07777U;
+    } else if (errno != ENOENT) {
+        return error_of_errno(destination, errno, "write");
+    }
+    if (auto rights = check_rights(destination, place.folder, W_OK | X_OK); !rights) return rights.error();
+    if (place.old_mode) {
+        if (auto rights = check_rights(destination, place.file, W_OK); !rights) return rights.error();
+    }
+    return place;
+}
 
 constexpr std::size_t kBufferBytes = std::size_t{64} << 10U;
 constexpr int kMostNames = 1000;
@@ -46,6 +121,11 @@ int sync_new_name(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+Result<void> check_output_place(const std::filesystem::path& destination) {
+    if (auto place = find_output_place(destination); !place) return place.error();
+    return {};
+}
 
 Result<AtomicFile> AtomicFile::create(const std::filesystem::path& destination, Beside beside) {
     auto place = find_output_place(destination);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "engine/jobs/pacer.h"
@@ -44,5 +45,40 @@ class FramePacer {
     Period frame_;
     Histogram interval_ns_;
 };
+
+// Whether a display is asked for its beat: a driver that let the whole wait go by (a display that is off, a
+// window that nobody sees) is asked again a second later, then two, up to minutes, so that waiting for
+// nothing costs next to nothing. Times in ns of one clock; one thread.
+class DisplayBeat {
+  public:
+    [[nodiscard]] bool is_asked(std::int64_t now_ns) const noexcept { return now_ns >= asked_from_ns_; }
+    void was_told() noexcept { pause_ns_ = kFirstPauseNs; }
+    void was_not_told(std::int64_t now_ns) noexcept {
+        asked_from_ns_ = now_ns + pause_ns_;
+        pause_ns_ = std::min(2 * pause_ns_, kLongestPauseNs);
+    }
+
+  private:
+    static constexpr std::int64_t kFirstPauseNs = 1'000'000'000;
+    static constexpr std::int64_t kLongestPauseNs = 256 * kFirstPauseNs;
+
+    std::int64_t asked_from_ns_ = 0;
+    std::int64_t pause_ns_ = kFirstPauseNs;
+};
+
+// How many frames a second suit a display. Any thread; pure.
+
+constexpr double kUsualFrameRateHz = 60.0;
+
+// The display's own rate, or the largest whole fraction of it that is not above most_hz: every frame is then
+// shown for as many refreshes as the next. A display that says nothing (0), or what none does, is a usual
+// one. most_hz: from kUsualFrameRateHz on.
+[[nodiscard]] inline double frame_rate_hz(double refresh_hz, double most_hz) {
+    constexpr double kLeastHz = 20.0;
+    constexpr double kMostHz = 1000.0;
+    constexpr double kRounding = 1.01;  // drivers say 75 of 74.97, and 61 of 60.6
+    if (!(refresh_hz >= kLeastHz && refresh_hz <= kMostHz)) return kUsualFrameRateHz;
+    return refresh_hz / std::max(1.0, std::ceil(refresh_hz / (kRounding * most_hz)));
+}
 
 }  // namespace onggi::jobs

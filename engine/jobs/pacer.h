@@ -10,9 +10,24 @@
 #include <cstdint>
 
 #include "engine/jobs/clock.h"
-#include "engine/jobs/tick_stats.h"
+#include "engine/jobs/histogram.h"
 
 namespace onggi::jobs {
+
+// What a fixed-rate loop measures of itself. Written by its own thread, read by others after it has ended.
+struct TickStats {
+    Histogram tick_ns;  // how long the work took
+    Histogram
+        wake_latency_ns;      // start of the work minus the deadline that was waited for, after any spinning
+    std::uint64_t ticks = 0;  // how often the work ran
+    std::uint64_t skipped_periods = 0;  // periods that had gone by before their work could begin
+    std::uint64_t overrun_periods = 0;  // periods whose work ended after the next deadline
+
+    // Periods whose tick had not finished one period after its deadline, skipped periods counted.
+    [[nodiscard]] std::uint64_t missed_deadlines() const noexcept {
+        return skipped_periods + overrun_periods;
+    }
+};
 
 enum class WaitMode {
     kHybrid,  // sleep until shortly before the deadline, then spin: punctual to 0.1 us, costs core time

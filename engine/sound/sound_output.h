@@ -17,7 +17,6 @@
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/mailbox.h"
 #include "engine/sound/sound_player.h"
-#include "engine/sound/sound_scene.h"
 #include "engine/sound/spoken_line.h"
 #include "engine/sound/synthesiser.h"
 

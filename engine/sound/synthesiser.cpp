@@ -1,6 +1,5 @@
 #include "engine/sound/synthesiser.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace onggi::sound {

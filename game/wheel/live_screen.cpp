@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/jobs/clock.h"
-#include "engine/jobs/frame_rate.h"
+#include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
 
 namespace onggi::wheel {

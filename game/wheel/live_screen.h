@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/jobs/display_beat.h"
+#include "engine/jobs/frame_pacer.h"
 #include "engine/render/quality.h"
 #ifdef ONGGI_SHADER_RELOAD
 #include "engine/render/shader_reload.h"

@@ -1,4 +1,4 @@
-#include "engine/jobs/frame_rate.h"
+#include "engine/jobs/frame_pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/jobs/display_beat.h"
 #include "engine/jobs/frame_pacer.h"
 #include "tests/support/virtual_clock.h"
 

@@ -1,4 +1,4 @@
-#include "engine/window/leading_finger.h"
+#include "engine/window/touch_screen.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
