@@ -1,4 +1,5 @@
 #include "tests/cli/run_program.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/places.h"
 
 #include <fcntl.h>
@@ -139,12 +140,14 @@ void RunningOnggi::signal(int number) const {
     ::kill(child_, number);
 }
 
-int RunningOnggi::exit_code(int most_ms) {
-    for (int waited_ms = 0; at_work() && waited_ms < most_ms; waited_ms += 5) {
-        ::poll(nullptr, 0, 5);
-        (void)printed();  // a full pipe would hold it up
-    }
-    return !at_work() && WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
+int RunningOnggi::exit_code(std::chrono::seconds most) {
+    const bool has_ended = comes_true(
+        [&] {
+            (void)printed();  // a full pipe would hold it up
+            return !at_work();
+        },
+        most);
+    return has_ended && WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
 }
 
 }  // namespace onggi::test

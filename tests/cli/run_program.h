@@ -1,6 +1,7 @@
 // Runs the built program and looks at what a caller sees: exit code, output, errors, memory.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -43,8 +44,8 @@ class RunningOnggi {
     [[nodiscard]] bool at_work();
     void signal(int number) const;
     [[nodiscard]] int process() const { return child_; }
-    // Waits for it to end by itself, at most so long. -1: it did not, or a signal ended it.
-    int exit_code(int most_ms);
+    // Waits for it to end by itself, at most so long (comes_true.h). -1: it did not, or a signal ended it.
+    int exit_code(std::chrono::seconds most = std::chrono::seconds(60));
 
   private:
     int child_ = -1;

@@ -7,7 +7,10 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <chrono>
 #include <utility>
+
+#include "tests/support/patience.h"
 
 namespace onggi::test {
 
@@ -17,7 +20,8 @@ HttpClient::HttpClient(int port, int wait_ms, std::uint32_t from)
                       .sin_port = htons(static_cast<std::uint16_t>(port)),
                       .sin_addr = {htonl(INADDR_LOOPBACK)},
                       .sin_zero = {}};
-    const timeval wait{.tv_sec = wait_ms / 1000, .tv_usec = (wait_ms % 1000) * 1000};
+    const auto wait_us = std::chrono::microseconds(scaled(std::chrono::milliseconds(wait_ms))).count();
+    const timeval wait{.tv_sec = wait_us / 1'000'000, .tv_usec = wait_us % 1'000'000};
     ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
     ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &wait, sizeof wait);
     const sockaddr_in own{.sin_family = AF_INET, .sin_port = 0, .sin_addr = {htonl(from)}, .sin_zero = {}};

@@ -19,7 +19,8 @@ struct HttpAnswer {
 // 0x7f010203 for 127.1.2.3.
 class HttpClient {
   public:
-    explicit HttpClient(int port, int wait_ms = 5000, std::uint32_t from = 0x7f000001);
+    // Waits so long for each answer, which scaled() makes longer on a slow machine.
+    explicit HttpClient(int port, int wait_ms = 30'000, std::uint32_t from = 0x7f000001);
     HttpClient(HttpClient&& other) noexcept;
     HttpClient(const HttpClient&) = delete;
     HttpClient& operator=(const HttpClient&) = delete;

@@ -10,6 +10,7 @@
 #include "game/app/sharing/listen_place.h"
 #include "tests/sharing/http_client.h"
 #include "tests/sharing/served_outbox.h"
+#include "tests/support/held_port.h"
 #include "tests/support/hostile_system.h"
 
 namespace onggi::test {
@@ -62,27 +63,29 @@ TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
     }
 }
 
-TEST(ShareProgram, EndsWhenAsked) {
+// Were it to wait for its clients, this one would keep it at work.
+TEST(ShareProgram, EndsWhenAskedAlthoughAClientGoesOnAsking) {
     ServedOutbox served;
-    HttpClient waiting(served.port());
+    const HttpClient waiting(served.port());
+    HttpClient asking(served.port());
     served.server().signal(SIGTERM);
-    EXPECT_EQ(served.server().exit_code(5000), 0);
+    EXPECT_TRUE(comes_true([&] {
+        if (asking.say("GET / HTTP/1.1\r\nHost: pots\r\n\r\n")) static_cast<void>(asking.answer());
+        return !served.server().at_work();
+    }));
+    EXPECT_EQ(served.server().exit_code(), 0);
 }
 
 TEST(ShareProgram, ReadsTheSettingsAndForgetsThem) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "box");
-    const auto free = app::listen_at("127.0.0.1", 0);
-    ASSERT_TRUE(free);
-    const std::string port = std::to_string(app::port_of(*free));
-    ::close(*free);
-    put_file(folder / "kiosk.toml", "[sharing]\nlisten = \"lo\"\nport = " + port + "\noutbox = \"" +
-                                        (folder / "box").string() + "\"\n[staff]\npin = \"48151623\"\n");
+    const HeldPort port;
+    put_file(folder / "kiosk.toml", "[sharing]\nlisten = \"lo\"\nport = " + std::to_string(port.number()) +
+                                        "\noutbox = \"" + (folder / "box").string() +
+                                        "\"\n[staff]\npin = \"48151623\"\n");
     RunningOnggi server({"share", "--config", (folder / "kiosk.toml").string()});
-    HttpAnswer answer;
-    for (int tries = 0; answer.status == 0 && tries < 500; ++tries, ::usleep(10'000))
-        answer = get(std::stoi(port), "/");
-    ASSERT_EQ(answer.status, 200) << server.printed();
+    ASSERT_EQ(port_said_by(server), port.number());
+    ASSERT_EQ(get(port.number(), "/").status, 200) << server.printed();
     // No page of its memory that it could write has a word of them.
     const std::string process = "/proc/" + std::to_string(server.process());
     std::ifstream maps(process + "/maps");

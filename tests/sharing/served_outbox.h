@@ -13,6 +13,7 @@
 
 #include "game/sharing/outbox.h"
 #include "tests/cli/run_program.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/shared_pot_samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,20 +25,27 @@ inline sharing::ShareTime from_now(std::int64_t stays_s = 36'000) {
     return {.now_s = now_s, .expires_s = now_s + stays_s};
 }
 
+// The port that `onggi share` says it got, once it says so.
+inline int port_said_by(RunningOnggi& server) {
+    int port = 0;
+    comes_true([&] {
+        const std::string& said = server.printed();
+        const std::size_t at = said.find("port ");
+        if (at == std::string::npos || said.find('\n', at) == std::string::npos) return !server.at_work();
+        std::from_chars(said.data() + at + 5, said.data() + said.size(), port);
+        return true;
+    });
+    EXPECT_NE(port, 0) << server.printed();
+    return port;
+}
+
 class ServedOutbox {
   public:
-    explicit ServedOutbox(std::vector<std::string> more = {})
+    // At a port that the system chooses, where `port` is 0.
+    explicit ServedOutbox(std::vector<std::string> more = {}, int port = 0)
         : outbox_(open()),
-          server_(words(std::move(more))) {
-        for (int tries = 0; port_ == 0 && tries < 500; ++tries) {
-            const std::string& said = server_.printed();
-            const std::size_t at = said.find("port ");
-            if (at != std::string::npos && said.find('\n', at) != std::string::npos)
-                std::from_chars(said.data() + at + 5, said.data() + said.size(), port_);
-            if (port_ == 0) ::usleep(10'000);
-        }
-        EXPECT_NE(port_, 0) << server_.printed();
-    }
+          server_(words(std::move(more), port)),
+          port_(port_said_by(server_)) {}
 
     std::string put(const sharing::SharedPot& pot, const sharing::ShareTime& time = from_now()) {
         const auto code = outbox_.put(pot, time);
@@ -57,9 +65,9 @@ class ServedOutbox {
         EXPECT_TRUE(outbox) << outbox.error().message;
         return std::move(outbox).value();
     }
-    std::vector<std::string> words(std::vector<std::string> more) const {
-        std::vector<std::string> all{
-            "share", "--outbox", (folder_ / "box").string(), "--listen", "127.0.0.1", "--port", "0"};
+    std::vector<std::string> words(std::vector<std::string> more, int port) const {
+        std::vector<std::string> all{"share",     "--outbox", (folder_ / "box").string(), "--listen",
+                                     "127.0.0.1", "--port",   std::to_string(port)};
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
@@ -67,7 +75,7 @@ class ServedOutbox {
     TemporaryFolder folder_;
     sharing::Outbox outbox_;
     RunningOnggi server_;
-    int port_ = 0;
+    int port_;
 };
 
 }  // namespace onggi::test

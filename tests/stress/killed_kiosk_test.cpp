@@ -126,7 +126,7 @@ class Life {
     }
     void kill() {
         onggi_.signal(SIGKILL);
-        EXPECT_EQ(onggi_.exit_code(10'000), -1) << "it ended by itself:\n" << onggi_.printed();
+        EXPECT_EQ(onggi_.exit_code(), -1) << "it ended by itself:\n" << onggi_.printed();
         said_by("xdotool mouseup 1");
     }
 
@@ -350,7 +350,7 @@ TEST_F(RealKiosk, WithoutAnyFontSaysSoAndGoesOn) {
     life.press("choose free");
     EXPECT_TRUE(life.comes_to("throw")) << "who cannot read can throw";
     life.program().signal(SIGTERM);
-    EXPECT_EQ(life.program().exit_code(60'000), 0) << life.program().printed();
+    EXPECT_EQ(life.program().exit_code(), 0) << life.program().printed();
 }
 
 }  // namespace

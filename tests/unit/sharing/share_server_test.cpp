@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,14 +40,15 @@ class ShareServerAtWork : public testing::Test {
         server_ = std::move(server).value();
     }
 
+    // A round waits for at most 20 ms, and not at all where there is something to do.
     void turn(int rounds = 6) {
         for (int i = 0; i < rounds; ++i)
             server_->run(20);
     }
-    int status_of(const std::string& request) {
+    int status_of(const std::string& request, int rounds = 6) {
         test::HttpClient client(port_, 500);
         client.say(request);
-        turn();
+        turn(rounds);
         return client.answer().status;
     }
     std::string page() const { return "GET /" + code_ + "/ HTTP/1.1\r\nHost: pots\r\n\r\n"; }
@@ -94,6 +96,37 @@ TEST_F(ShareServerAtWork, CutsOffWhoIsSilentSlowOrAway) {
     bool closed = false;
     EXPECT_EQ(silent.rest(&closed), "");
     EXPECT_TRUE(closed);
+    EXPECT_EQ(status_of(page()), 200);
+}
+
+// Each from an address of its own: as many as the server takes.
+TEST_F(ShareServerAtWork, CutsOffACrowdOfSilentOnesAfterASecond) {
+    std::vector<test::HttpClient> crowd;
+    constexpr std::uint32_t kFirstAddress = 0x7f010101;
+    for (std::uint32_t i = 0; i < 512; ++i) {
+        crowd.emplace_back(port_, 500, kFirstAddress + 256 * i);
+        ASSERT_TRUE(crowd.back().is_open()) << i;
+        if (i % 100 == 99) turn(100);  // a round takes in a few of those that wait
+    }
+    turn(100);
+    ASSERT_EQ(server_->connections(), 512U);
+    EXPECT_EQ(status_of(page()), 0) << "there is no room";
+    now_s_ += 0.9;
+    turn();
+    EXPECT_EQ(server_->connections(), 512U);
+    now_s_ += 0.5;
+    turn(20);
+    EXPECT_EQ(server_->connections(), 0U) << "ten seconds of silence are for who has room";
+    EXPECT_EQ(status_of(page()), 200);
+}
+
+TEST_F(ShareServerAtWork, TellsWhoGuessesCodesToWait) {
+    std::map<int, int> answers;
+    for (int i = 0; i < 120; ++i)
+        ++answers[status_of("GET /7777ZZZZ/ HTTP/1.1\r\nHost: pots\r\n\r\n", 2)];
+    // A question takes a token and a miss fifteen more, of 400.
+    EXPECT_EQ(answers, (std::map<int, int>{{404, 25}, {429, 95}}));
+    now_s_ += 1.0;
     EXPECT_EQ(status_of(page()), 200);
 }
 
