@@ -9,6 +9,7 @@
 
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/listen_place.h"
+#include "tests/support/held_port.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -138,9 +139,10 @@ TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
     EXPECT_EQ(house.verdict, Verdict::kGood) << house.found;
     EXPECT_NE(house.found.find("https://museum.org/pots"), std::string::npos);
 
-    const auto listening = listen_at("127.0.0.1", 0);
+    const test::HeldPort held;
+    const std::string port = std::to_string(held.number());
+    const auto listening = listen_at("127.0.0.1", held.number());
     ASSERT_TRUE(listening) << listening.error().message;
-    const std::string port = std::to_string(port_of(*listening));
     const Finding good = sharing("listen = \"lo\"\nport = " + port + "\n").back();
     EXPECT_EQ(good.verdict, Verdict::kGood) << good.found;
     EXPECT_TRUE(good.found.ends_with("127.0.0.1, port " + port + ", answers")) << good.found;
@@ -169,13 +171,13 @@ TEST(Findings, SayWhoHearsTheStopKey) {
 }
 
 TEST(SystemProbes, SayThatNoInverseServiceListensWithoutCallingItALack) {
-    // Port 1 is nobody's.
-    const Finding none = probe_inverse({.port = 1});
+    const test::HeldPort held;
+    const std::string place = "127.0.0.1:" + std::to_string(held.number());
+    const Finding none = probe_inverse({.port = held.number()});
     EXPECT_EQ(none.verdict, Verdict::kNote);
-    EXPECT_EQ(
-        none.found,
-        "Haply Inverse3: looked for at 127.0.0.1:1 while the wheel runs; not found now: nothing listens at "
-        "127.0.0.1:1; its maker's service must be installed and run");
+    EXPECT_EQ(none.found, "Haply Inverse3: looked for at " + place +
+                              " while the wheel runs; not found now: nothing listens at " + place +
+                              "; its maker's service must be installed and run");
 }
 
 TEST(SystemProbes, AlwaysFindTheSimulatedTool) {

@@ -43,7 +43,8 @@ TEST(Pulse, StopsWithTheHandsLoopAndGoesOnWithIt) {
     EXPECT_TRUE(pulse.is_due(60.0, {7000, 2}));
 }
 
-// A manager that listens where $NOTIFY_SOCKET says; a name that begins with @ is of the abstract kind.
+// A manager that listens where $NOTIFY_SOCKET says: at that place, or, where it is empty, at an abstract name
+// that the kernel chooses, which begins with @ in the variable.
 class Manager {
   public:
     explicit Manager(std::string name) {
@@ -51,9 +52,14 @@ class Manager {
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
         std::memcpy(address.sun_path, name.data(), std::min(name.size(), sizeof address.sun_path - 1));
-        if (name.front() == '@') address.sun_path[0] = '\0';
-        const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
+        constexpr std::size_t kHead = offsetof(sockaddr_un, sun_path);
+        auto size = static_cast<socklen_t>(kHead + name.size());
         EXPECT_EQ(::bind(socket_, reinterpret_cast<const sockaddr*>(&address), size), 0) << name;
+        if (name.empty()) {
+            size = sizeof address;
+            EXPECT_EQ(::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+            name = "@" + std::string(address.sun_path + 1, size - kHead - 1);
+        }
         ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
     }
     ~Manager() {
@@ -81,8 +87,7 @@ using Words = std::vector<std::string>;
 
 TEST(Service, TellsItsManagerWhatGoesOn) {
     const test::TemporaryFolder folder;
-    for (const std::string& name :
-         {folder.path().string() + "/notify", "@onggi-test-" + std::to_string(::getpid())}) {
+    for (const std::string& name : {folder.path().string() + "/notify", std::string()}) {
         Manager manager(name);
         ::setenv("WATCHDOG_USEC", "10000000", 1);
         Service service;

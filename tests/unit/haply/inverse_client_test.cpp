@@ -6,6 +6,7 @@
 
 #include "engine/haptics/haply/inverse_device.h"
 #include "tests/support/comes_true.h"
+#include "tests/support/held_port.h"
 #include "tests/unit/haply/fake_service.h"
 
 namespace onggi::haptics {
@@ -91,27 +92,24 @@ TEST_F(InverseDeviceTest, LetsGoWhenTheWatchdogAsksAlthoughItsOrdersGoOn) {
     };
     ASSERT_TRUE(comes_true(device, [&] { return hears(R"("x":1.0000)"); }, {1.0, 0.0, 0.0}));
     device.silence();
-    bool is_loose = false;
-    for (int round = 0; round < 5'000 && !is_loose; ++round) {
+    EXPECT_TRUE(test::comes_true([&] {
         (void)device.read(tick_++, 0.001);
         device.write({1.0, 0.0, 0.0});
-        is_loose = hears("probe_position");
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    EXPECT_TRUE(is_loose) << service.last_heard();
+        return hears("probe_position");
+    })) << service.last_heard();
 }
 
 TEST_F(InverseDeviceTest, ComesAndGoesWithItsService) {
-    auto service = std::make_unique<FakeService>();
-    const int port = service->port();
-    InverseDevice device({.port = port});
+    const test::HeldPort port;
+    auto service = std::make_unique<FakeService>(port.number());
+    InverseDevice device({.port = port.number()});
     ASSERT_TRUE(device.open());
     ASSERT_TRUE(comes_true(device, [&] { return device.is_here(); }));
     const dvec3 left_at = tool_.position_mm;
     service.reset();
     ASSERT_TRUE(comes_true(device, [&] { return !device.is_here(); }));
     EXPECT_EQ(tool_.position_mm, left_at);
-    service = std::make_unique<FakeService>(port);
+    service = std::make_unique<FakeService>(port.number());
     service->put_cursor_m({0.1, 0.0, 0.0});
     ASSERT_TRUE(comes_true(device, [&] { return device.is_here(); }));
     EXPECT_NEAR(glm::length(tool_.position_mm - left_at), 0.0, 1e-9) << "and goes on from where it was left";
@@ -136,12 +134,8 @@ TEST_F(InverseDeviceTest, RejectsAServiceThatSpeaksNonsenseWithOneLineAndTriesAg
 }
 
 TEST_F(InverseDeviceTest, IsSimplyAbsentWhereThereIsNoService) {
-    int port = 0;
-    {
-        const FakeService service;
-        port = service.port();
-    }
-    InverseDevice device({.port = port});
+    const test::HeldPort port;
+    InverseDevice device({.port = port.number()});
     ASSERT_TRUE(device.open());
     EXPECT_FALSE(device.read(0, 0.001).wheel_button);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <vector>
 
+#include "tests/support/held_port.h"
 #include "tests/unit/haply/fake_service.h"
 
 namespace onggi::haptics::haply {
@@ -25,15 +26,11 @@ TEST(FindService, FindsOneThatListens) {
 }
 
 TEST(FindService, SaysThatNothingListens) {
-    int port = 0;
-    {
-        const FakeService service;
-        port = service.port();
-    }
-    const auto found = find_service({.port = port});
+    const test::HeldPort port;
+    const auto found = find_service({.port = port.number()});
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().kind, ErrorKind::kSystemLacks);
-    EXPECT_EQ(found.error().message, fmt::format("nothing listens at 127.0.0.1:{}", port));
+    EXPECT_EQ(found.error().message, fmt::format("nothing listens at 127.0.0.1:{}", port.number()));
 }
 
 TEST(FindService, GivesUpOnWhoeverDoesNotAnswerInTime) {
