@@ -68,12 +68,15 @@ stroke() {
 }
 # hands WORDS: what the hands at a device do, as hands_at says it, or finger; until they have done it.
 hands() {
-    local answer=
+    local answer= piece=
     echo "$*" >&8
-    until read -r -t 1 answer <&9; do
+    # A line may come in pieces.
+    until read -r -t 1 piece <&9; do
         [ $? -gt 128 ] || break  # the hand has gone
+        answer+=$piece
         keeps_living "hand that does $*"
     done
+    answer+=$piece
     [ "$answer" = "done" ] || fail "expected the $hand to $*, found '$answer'"
 }
 # pad_to RADIUS HEIGHT: the finger off the clay and out to its farthest, which nobody can miss, and from there to a place.
