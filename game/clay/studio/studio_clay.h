@@ -102,8 +102,6 @@ class StudioClay {
     // Bottom first, ring_count() of each.
     [[nodiscard]] std::span<const double> outer_mm() const { return column(rings_.outer_mm); }
     [[nodiscard]] std::span<const double> inner_mm() const { return column(rings_.inner_mm); }
-    [[nodiscard]] std::span<const double> heights_mm() const { return column(rings_.height_mm); }
-    [[nodiscard]] std::span<const double> volumes_mm3() const { return column(rings_.volume_mm3); }
     [[nodiscard]] double centre_height_mm(int ring) const { return rings_.centre_mm(ring); }
     // Off-centre of a ring, its x and z in the clay's frame.
     [[nodiscard]] dvec2 centre_mm(int ring) const;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "game/screens/page/design.h"
 
@@ -262,14 +262,6 @@ std::string spiral_path(float fraction) {
                         0.5F * kSpiralSide + radius * std::sin(angle));
     }
     return path;
-}
-
-std::span<const std::string_view> icon_paths(Icon icon) {
-    static thread_local std::vector<std::string_view> paths;
-    paths.clear();
-    for (const Stroke& stroke : strokes_of(icon))
-        paths.push_back(stroke.path);
-    return paths;
 }
 
 }  // namespace onggi::screens
