@@ -43,8 +43,4 @@ template <std::integral T>
     return std::bit_cast<double>(get<std::uint64_t>(bytes));
 }
 
-[[nodiscard]] inline float get_float(const std::byte* bytes) noexcept {
-    return std::bit_cast<float>(get<std::uint32_t>(bytes));
-}
-
 }  // namespace onggi::little_endian

@@ -28,6 +28,68 @@ VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, VkShader
             .pSpecializationInfo = &constants};
 }
 
+// The modules may go once the pipeline is made.
+struct Stages {
+    ShaderModule vertex;
+    ShaderModule fragment;
+    std::vector<VkPipelineShaderStageCreateInfo> infos;
+};
+
+Result<Stages> create_stages(const Device& device, const PipelineDesc& desc,
+                             const VkSpecializationInfo& constants) {
+    Stages stages;
+    auto vertex = create_module(device, device.in_place_of(desc.vertex_spirv));
+    if (!vertex) return vertex.error();
+    stages.vertex = std::move(*vertex);
+    stages.infos.push_back(stage_info(VK_SHADER_STAGE_VERTEX_BIT, stages.vertex.get(), constants));
+    if (!desc.fragment_spirv.empty()) {
+        auto fragment = create_module(device, device.in_place_of(desc.fragment_spirv));
+        if (!fragment) return fragment.error();
+        stages.fragment = std::move(*fragment);
+        stages.infos.push_back(stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, stages.fragment.get(), constants));
+    }
+    return stages;
+}
+
+// Both arguments outlive it.
+VkPipelineVertexInputStateCreateInfo vertex_input_of(const PipelineDesc& desc,
+                                                     const VkVertexInputBindingDescription& binding) {
+    VkPipelineVertexInputStateCreateInfo vertex_input{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    if (desc.vertex_stride > 0) {
+        vertex_input.vertexBindingDescriptionCount = 1;
+        vertex_input.pVertexBindingDescriptions = &binding;
+        vertex_input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(desc.attributes.size());
+        vertex_input.pVertexAttributeDescriptions = desc.attributes.data();
+    }
+    return vertex_input;
+}
+
+VkPipelineRasterizationStateCreateInfo raster_of(const PipelineDesc& desc) {
+    return {.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+            .polygonMode = VK_POLYGON_MODE_FILL,
+            .cullMode = desc.cull,
+            .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+            .depthBiasEnable = desc.depth_bias ? VK_TRUE : VK_FALSE,
+            .depthBiasConstantFactor = desc.depth_bias ? 2.0F : 0.0F,
+            .depthBiasSlopeFactor = desc.depth_bias ? 2.5F : 0.0F,
+            .lineWidth = 1.0F};
+}
+
+// The same for every colour attachment.
+VkPipelineColorBlendAttachmentState blend_of(const PipelineDesc& desc) {
+    VkPipelineColorBlendAttachmentState state{.colorWriteMask =
+                                                  VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                                                  VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
+    if (desc.blend) {
+        state.blendEnable = VK_TRUE;
+        state.srcColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+        state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
+    }
+    return state;
+}
+
 }  // namespace
 
 Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc) {
@@ -38,27 +100,11 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
     const VkSpecializationInfo constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                          desc.constants.size_bytes(), desc.constants.data()};
 
-    auto vertex = create_module(device, device.in_place_of(desc.vertex_spirv));
-    if (!vertex) return vertex.error();
-    std::vector<VkPipelineShaderStageCreateInfo> stages{
-        stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex->get(), constants)};
-    ShaderModule fragment_module;
-    if (!desc.fragment_spirv.empty()) {
-        auto fragment = create_module(device, device.in_place_of(desc.fragment_spirv));
-        if (!fragment) return fragment.error();
-        fragment_module = std::move(*fragment);
-        stages.push_back(stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, fragment_module.get(), constants));
-    }
+    const auto stages = create_stages(device, desc, constants);
+    if (!stages) return stages.error();
 
     const VkVertexInputBindingDescription binding{0, desc.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
-    VkPipelineVertexInputStateCreateInfo vertex_input{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    if (desc.vertex_stride > 0) {
-        vertex_input.vertexBindingDescriptionCount = 1;
-        vertex_input.pVertexBindingDescriptions = &binding;
-        vertex_input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(desc.attributes.size());
-        vertex_input.pVertexAttributeDescriptions = desc.attributes.data();
-    }
+    const VkPipelineVertexInputStateCreateInfo vertex_input = vertex_input_of(desc, binding);
     const VkPipelineInputAssemblyStateCreateInfo assembly{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
@@ -66,15 +112,7 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
         .viewportCount = 1,
         .scissorCount = 1};
-    const VkPipelineRasterizationStateCreateInfo raster{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
-        .polygonMode = VK_POLYGON_MODE_FILL,
-        .cullMode = desc.cull,
-        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
-        .depthBiasEnable = desc.depth_bias ? VK_TRUE : VK_FALSE,
-        .depthBiasConstantFactor = desc.depth_bias ? 2.0F : 0.0F,
-        .depthBiasSlopeFactor = desc.depth_bias ? 2.5F : 0.0F,
-        .lineWidth = 1.0F};
+    const VkPipelineRasterizationStateCreateInfo raster = raster_of(desc);
     const VkPipelineMultisampleStateCreateInfo multisample{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = desc.samples};
@@ -83,16 +121,8 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
         .depthTestEnable = desc.depth_test ? VK_TRUE : VK_FALSE,
         .depthWriteEnable = desc.depth_write ? VK_TRUE : VK_FALSE,
         .depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL};
-    VkPipelineColorBlendAttachmentState opaque{.colorWriteMask =
-                                                   VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                                                   VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
-    if (desc.blend) {
-        opaque.blendEnable = VK_TRUE;
-        opaque.srcColorBlendFactor = opaque.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-        opaque.dstColorBlendFactor = opaque.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-        opaque.colorBlendOp = opaque.alphaBlendOp = VK_BLEND_OP_ADD;
-    }
-    const std::vector<VkPipelineColorBlendAttachmentState> attachments(desc.colour_formats.size(), opaque);
+    const std::vector<VkPipelineColorBlendAttachmentState> attachments(desc.colour_formats.size(),
+                                                                       blend_of(desc));
     const VkPipelineColorBlendStateCreateInfo blend{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
         .attachmentCount = static_cast<std::uint32_t>(attachments.size()),
@@ -111,8 +141,8 @@ Result<Pipeline> create_pipeline(const Device& device, const PipelineDesc& desc)
 
     const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
                                             .pNext = &rendering,
-                                            .stageCount = static_cast<std::uint32_t>(stages.size()),
-                                            .pStages = stages.data(),
+                                            .stageCount = static_cast<std::uint32_t>(stages->infos.size()),
+                                            .pStages = stages->infos.data(),
                                             .pVertexInputState = &vertex_input,
                                             .pInputAssemblyState = &assembly,
                                             .pViewportState = &viewport,

@@ -206,32 +206,14 @@ void touch_clay(Turn& turn, bool goes_on) {
     state.pace.seen_since_touch.reset();
 }
 
-}  // namespace
-
-std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules) {
-    Turn turn{.state = state, .now_s = now_s, .rules = rules};
-    const bool showed = state.throwing.shown.has_value();
+// Events of the clay on the wheel and of the hand on it.
+void take_throwing(Turn& turn, const Event& event) {
+    State& state = turn.state;
     switch (event.kind) {
-        case Event::Kind::kTick:
-            pass_time(turn);
-            break;
-        case Event::Kind::kInput:
-            wake(turn);
-            if (event.value == 1) end_show(turn);
-            break;
-        case Event::Kind::kPressed:
-            press(turn, event);
-            break;
-        case Event::Kind::kClayTouched:
-            touch_clay(turn, event.value == 1);
-            break;
         case Event::Kind::kHeld:
             // Who has just let go is not shown anything at once.
-            if (state.pace.held && event.value != 1) state.pace.touched_s = now_s;
+            if (state.pace.held && event.value != 1) state.pace.touched_s = turn.now_s;
             state.pace.held = event.value == 1;
-            break;
-        case Event::Kind::kShowOver:
-            end_show(turn);
             break;
         case Event::Kind::kSoaked:
             if (state.screen == Screen::kThrow) state.throwing.water = std::max(1, state.throwing.water - 1);
@@ -239,7 +221,7 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
         case Event::Kind::kProgress:
             if (state.screen == Screen::kThrow && event.value > state.throwing.steps_done) {
                 state.throwing.steps_done = std::min(event.value, kTeachingSteps);
-                state.pace.progress_s = now_s;
+                state.pace.progress_s = turn.now_s;
             }
             break;
         case Event::Kind::kWarned:
@@ -256,6 +238,64 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
                     static_cast<Warning>(std::clamp(event.value, 0, static_cast<int>(Warning::kFast)));
                 turn.show(Screen::kFailure);
             }
+            break;
+        default:
+            break;
+    }
+}
+
+// The wheel cannot work any more.
+void enter_fault(Turn& turn) {
+    State& state = turn.state;
+    if (state.screen == Screen::kFault) return;
+    // The staff looks into it: what they have before them stays.
+    const bool is_staffs = state.panel == Panel::kPin || state.panel == Panel::kStaff;
+    const Panel panel = is_staffs ? state.panel : Panel::kNone;
+    const Staff staff = state.staff;
+    const double used_s = state.staff_used_s;
+    turn.end_visit();
+    turn.show(Screen::kFault);
+    if (is_staffs) {
+        turn.lay_over(panel);
+        state.staff = staff;
+        state.staff_used_s = used_s;
+    }
+}
+
+void ask_for_pin(Turn& turn) {
+    State& state = turn.state;
+    if (turn.rules.pin_digits <= 0 || state.panel == Panel::kStaff) return;
+    state.staff = {};
+    state.staff_used_s = turn.now_s;
+    state.input_s = turn.now_s;
+    turn.lay_over(Panel::kPin);
+}
+
+void take(Turn& turn, const Event& event) {
+    State& state = turn.state;
+    switch (event.kind) {
+        case Event::Kind::kTick:
+            pass_time(turn);
+            break;
+        case Event::Kind::kInput:
+            wake(turn);
+            if (event.value == 1) end_show(turn);
+            break;
+        case Event::Kind::kPressed:
+            press(turn, event);
+            break;
+        case Event::Kind::kClayTouched:
+            touch_clay(turn, event.value == 1);
+            break;
+        case Event::Kind::kShowOver:
+            end_show(turn);
+            break;
+        case Event::Kind::kHeld:
+        case Event::Kind::kSoaked:
+        case Event::Kind::kProgress:
+        case Event::Kind::kWarned:
+        case Event::Kind::kCollapsed:
+            take_throwing(turn, event);
             break;
         case Event::Kind::kBowl:
         case Event::Kind::kSetAside:
@@ -291,20 +331,7 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             state.force_rests = event.kind == Event::Kind::kForceRests;
             break;
         case Event::Kind::kFault:
-            if (state.screen != Screen::kFault) {
-                // The staff looks into it: what they have before them stays.
-                const bool is_staffs = state.panel == Panel::kPin || state.panel == Panel::kStaff;
-                const Panel panel = is_staffs ? state.panel : Panel::kNone;
-                const Staff staff = state.staff;
-                const double used_s = state.staff_used_s;
-                turn.end_visit();
-                turn.show(Screen::kFault);
-                if (is_staffs) {
-                    turn.lay_over(panel);
-                    state.staff = staff;
-                    state.staff_used_s = used_s;
-                }
-            }
+            enter_fault(turn);
             break;
         case Event::Kind::kFaultOver:
             if (state.screen == Screen::kFault) turn.end_visit();
@@ -314,17 +341,20 @@ std::vector<Effect> step(State& state, const Event& event, double now_s, const R
             state.interrupted_jar = event.value;
             break;
         case Event::Kind::kCornerHeld:
-            if (rules.pin_digits > 0 && state.panel != Panel::kStaff) {
-                state.staff = {};
-                state.staff_used_s = now_s;
-                state.input_s = now_s;
-                turn.lay_over(Panel::kPin);
-            }
+            ask_for_pin(turn);
             break;
         case Event::Kind::kCloseAsked:
-            if (!rules.locked) turn.add(Effect::Kind::kQuit);
+            if (!turn.rules.locked) turn.add(Effect::Kind::kQuit);
             break;
     }
+}
+
+}  // namespace
+
+std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules) {
+    Turn turn{.state = state, .now_s = now_s, .rules = rules};
+    const bool showed = state.throwing.shown.has_value();
+    take(turn, event);
     if (state.screen != Screen::kThrow || state.panel != Panel::kNone) end_show(turn);
     // Before whatever else is done to the clay.
     if (showed && !state.throwing.shown)

@@ -202,103 +202,99 @@ void about(Page& page, const Rect& rect, const Choice& choice, int index) {
                false);
 }
 
-}  // namespace
-
-void draw_choose(Page& page) {
-    const View& view = page.view();
-    const float width = page.width();
-    const float height = page.height();
-    const bool tall = page.is_tall();
-    const bool square = page.is_square();
+std::vector<Choice> all_choices(const Page& page) {
     std::vector<Choice> choices{{page.t("choose.free"), page.t("choose.free2"), "", "", nullptr}};
-    for (const Exhibit& exhibit : *view.exhibits) {
+    for (const Exhibit& exhibit : *page.view().exhibits) {
         choices.push_back({page.t(exhibit.name_key), page.t(exhibit.museum_key), page.t(exhibit.date_key),
                            size_of(page, exhibit), &exhibit});
     }
-    page.museum({0.5F * width, 0.4F * height}, {0.6F * width, 0.5F * height}, 0.20F);
-    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
-               {.text = page.t("choose.title"), .type = design::kTitle, .colour = design::kSlip});
-    const float foot_y = height - 77.0F;
-    page.languages_token({width - 182.0F, foot_y, 150.0F, 60.0F});
-    // Brought low, a tall screen has its cards side by side, as the others always have.
-    const bool in_rows = tall && !page.is_low();
+    return choices;
+}
 
-    // As many as have room beside each other, fewer with the largest text or brought low, and a way to the
-    // others.
-    const bool is_narrow = square || page.text_scale() > 1.9F || page.is_low();
-    const int all = static_cast<int>(choices.size());
-    const int count = std::min(all, is_narrow ? 3 : 4);
-    const bool is_paged = count < all;
-    const int first = std::clamp(view.state.shelf_first, 0, all - count);
-    const auto choice_at = [&](int i) -> const Choice& {
-        return choices[static_cast<std::size_t>(first + i)];
-    };
-    const float scale = in_rows ? 0.52F : 0.58F;
-    const auto pot = [&](const Choice& choice, vec2 foot) -> Rect {
-        const bool free = choice.exhibit == nullptr;
-        const Rect rect =
-            page.pot(free ? pot::fresh_lump() : choice.exhibit->shape,
-                     free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
-        page.keep_clear(rect);
-        // Where a finger finds it, however flat a bowl is.
-        const float wide = std::max(rect.width, design::kLeastTarget);
-        const float high = std::max(rect.height, design::kLeastTarget);
-        return {foot.x - 0.5F * wide, rect.bottom() - high, wide, high};
-    };
-    if (in_rows) {
-        const float top = 116.0F;
-        const float step =
-            std::min(count < 4 ? 350.0F : 266.0F, (height - top - 100.0F) / static_cast<float>(count));
-        for (int i = 0; i < count; ++i) {
-            const float y = top + step * static_cast<float>(i);
-            const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
-            page.down(shelf, design::kShelf, design::kShelfEdge);
-            const Rect touched = pot(choice_at(i), {shelf.centre().x, shelf.y + 5.0F});
-            draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F - kAboutRoom, step - 14.0F}),
-                      choice_at(i), first + i);
-            page.also_touched_at(touched);
-            about(page,
-                  page.mirrored({width - 24.0F - kAboutSide, y + 0.5F * (step - 14.0F - kAboutSide),
-                                 kAboutSide, kAboutSide}),
-                  choice_at(i), first + i);
-        }
-    } else {
-        const float shelf_y = page.lower_by() + (tall     ? 606.0F
-                                                 : square ? (page.is_low() ? 346.0F : 306.0F)
-                                                          : 340.0F);
-        const float card_top = shelf_y + 40.0F;
-        const float card_height = height - card_top - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
-        const float gap = 10.0F;
-        const float card_width =
-            (width - 48.0F - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
-        page.shelf(shelf_y, 30.0F);
-        for (int i = 0; i < count; ++i) {
-            const Rect card = page.mirrored(
-                {24.0F + static_cast<float>(i) * (card_width + gap), card_top, card_width, card_height});
-            const Rect touched = pot(choice_at(i), {card.centre().x, shelf_y + 9.0F});
-            draw_card(page, card, choice_at(i), first + i);
-            page.also_touched_at(touched);
-            // On the shelf beside its pot, or brought low below its card.
-            const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
-            about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, choice_at(i),
-                  first + i);
-        }
+// As many of the choices as have room beside each other, all at one scale.
+struct ShownChoices {
+    std::vector<Choice> all;
+    int count = 0;
+    int first = 0;
+    float scale = 1.0F;  // u/mm
+
+    [[nodiscard]] bool is_paged() const { return count < static_cast<int>(all.size()); }
+    [[nodiscard]] const Choice& at(int place) const { return all[static_cast<std::size_t>(first + place)]; }
+};
+
+// Gives where a finger finds it, however flat a bowl is.
+Rect choice_pot(Page& page, const Choice& choice, float scale, vec2 foot) {
+    const bool free = choice.exhibit == nullptr;
+    const Rect rect =
+        page.pot(free ? pot::fresh_lump() : choice.exhibit->shape,
+                 free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
+    page.keep_clear(rect);
+    const float wide = std::max(rect.width, design::kLeastTarget);
+    const float high = std::max(rect.height, design::kLeastTarget);
+    return {foot.x - 0.5F * wide, rect.bottom() - high, wide, high};
+}
+
+void choices_in_rows(Page& page, const ShownChoices& shown) {
+    const float width = page.width();
+    const float top = 116.0F;
+    const float step = std::min(shown.count < 4 ? 350.0F : 266.0F,
+                                (page.height() - top - 100.0F) / static_cast<float>(shown.count));
+    for (int i = 0; i < shown.count; ++i) {
+        const float y = top + step * static_cast<float>(i);
+        const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
+        page.down(shelf, design::kShelf, design::kShelfEdge);
+        const Rect touched = choice_pot(page, shown.at(i), shown.scale, {shelf.centre().x, shelf.y + 5.0F});
+        draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F - kAboutRoom, step - 14.0F}),
+                  shown.at(i), shown.first + i);
+        page.also_touched_at(touched);
+        about(page,
+              page.mirrored({width - 24.0F - kAboutSide, y + 0.5F * (step - 14.0F - kAboutSide), kAboutSide,
+                             kAboutSide}),
+              shown.at(i), shown.first + i);
     }
-    page.back_token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}));
-    if (is_paged) {
-        const bool rtl = page.right_to_left();
-        page.token(page.mirrored({222.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfBefore,
-                   page.t("choose.before"), std::max(0, first - count), rtl ? Icon::kRight : Icon::kLeft,
-                   false);
-        page.token(page.mirrored({322.0F, foot_y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfNext,
-                   page.t("choose.next"), std::min(first + count, all - count),
-                   rtl ? Icon::kLeft : Icon::kRight, false);
+}
+
+void choices_on_shelf(Page& page, const ShownChoices& shown) {
+    const float shelf_y = page.lower_by() + (page.is_tall()     ? 606.0F
+                                             : page.is_square() ? (page.is_low() ? 346.0F : 306.0F)
+                                                                : 340.0F);
+    const float card_top = shelf_y + 40.0F;
+    const float card_height = page.height() - card_top - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
+    const float gap = 10.0F;
+    const float card_width =
+        (page.width() - 48.0F - gap * static_cast<float>(shown.count - 1)) / static_cast<float>(shown.count);
+    page.shelf(shelf_y, 30.0F);
+    for (int i = 0; i < shown.count; ++i) {
+        const Rect card = page.mirrored(
+            {24.0F + static_cast<float>(i) * (card_width + gap), card_top, card_width, card_height});
+        const Rect touched = choice_pot(page, shown.at(i), shown.scale, {card.centre().x, shelf_y + 9.0F});
+        draw_card(page, card, shown.at(i), shown.first + i);
+        page.also_touched_at(touched);
+        // On the shelf beside its pot, or brought low below its card.
+        const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
+        about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, shown.at(i),
+              shown.first + i);
     }
-    // The scale, drawn and in words; where the token of languages is brought low, it makes room.
+}
+
+void paging_tokens(Page& page, const ShownChoices& shown, float y) {
+    const bool rtl = page.right_to_left();
+    page.token(page.mirrored({222.0F, y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfBefore,
+               page.t("choose.before"), std::max(0, shown.first - shown.count),
+               rtl ? Icon::kRight : Icon::kLeft, false);
+    page.token(page.mirrored({322.0F, y, 84.0F, 60.0F}), Look::kToken, kiosk::Button::kShelfNext,
+               page.t("choose.next"),
+               std::min(shown.first + shown.count, static_cast<int>(shown.all.size()) - shown.count),
+               rtl ? Icon::kLeft : Icon::kRight, false);
+}
+
+// The scale, drawn and in words; where the token of languages is brought low, it makes room.
+void scale_bar(Page& page, const ShownChoices& shown, float foot_y) {
+    const bool tall = page.is_tall();
     const bool is_on_top = tall && page.is_low();
     const float scale_y = is_on_top ? 30.0F : foot_y;
-    const float scale_right = width - 32.0F - (page.is_low() && !tall ? 170.0F : 0.0F);
-    const float bar = 100.0F * scale;
+    const float scale_right = page.width() - 32.0F - (page.is_low() && !tall ? 170.0F : 0.0F);
+    const float bar = 100.0F * shown.scale;
     const Rect bar_rect = page.mirrored({scale_right - bar, scale_y + 22.0F, bar, 14.0F});
     ui::Sketch sketch;
     sketch.add(ui::Shape{.path = fmt::format("M1.5 1.5 V12.5 H{0:.1f} V1.5", bar - 1.5F),
@@ -311,7 +307,7 @@ void draw_choose(Page& page) {
                 .colour = design::kSlip2,
                 .align = ui::Align::kEnd});
     const float note_width = scale_right - bar - 132.0F - 220.0F;
-    if (page.text_scale() < 1.9F && !is_paged && note_width > 200.0F) {
+    if (page.text_scale() < 1.9F && !shown.is_paged() && note_width > 200.0F) {
         page.words(page.mirrored({212.0F, foot_y - (note_width < 420.0F ? 6.0F : -8.0F), note_width,
                                   note_width < 420.0F ? 68.0F : 36.0F}),
                    {.text = page.t("choose.scale"),
@@ -319,6 +315,35 @@ void draw_choose(Page& page) {
                     .colour = design::kSlip2,
                     .align = ui::Align::kEnd});
     }
+}
+
+}  // namespace
+
+void draw_choose(Page& page) {
+    const float width = page.width();
+    const float height = page.height();
+    ShownChoices shown{.all = all_choices(page)};
+    page.museum({0.5F * width, 0.4F * height}, {0.6F * width, 0.5F * height}, 0.20F);
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t("choose.title"), .type = design::kTitle, .colour = design::kSlip});
+    const float foot_y = height - 77.0F;
+    page.languages_token({width - 182.0F, foot_y, 150.0F, 60.0F});
+    // Brought low, a tall screen has its cards side by side, as the others always have.
+    const bool in_rows = page.is_tall() && !page.is_low();
+    // Fewer with the largest text or brought low, and a way to the others.
+    const bool is_narrow = page.is_square() || page.text_scale() > 1.9F || page.is_low();
+    const int all = static_cast<int>(shown.all.size());
+    shown.count = std::min(all, is_narrow ? 3 : 4);
+    shown.first = std::clamp(page.view().state.shelf_first, 0, all - shown.count);
+    shown.scale = in_rows ? 0.52F : 0.58F;
+    if (in_rows) {
+        choices_in_rows(page, shown);
+    } else {
+        choices_on_shelf(page, shown);
+    }
+    page.back_token(page.mirrored({32.0F, foot_y, 170.0F, 60.0F}));
+    if (shown.is_paged()) paging_tokens(page, shown, foot_y);
+    scale_bar(page, shown, foot_y);
 }
 
 }  // namespace onggi::screens

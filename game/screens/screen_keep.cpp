@@ -65,6 +65,10 @@ void measures_card(Page& page, const Rect& card) {
     }
 }
 
+float mirrored_x(const Page& page, float x) {
+    return page.right_to_left() ? page.width() - x : x;
+}
+
 void height_bracket(Page& page, float x, float foot_y, float height) {
     ui::Sketch sketch;
     sketch.add(ui::Shape{.path = fmt::format("M10 2 V{0:.1f} M1.5 2 H18.5 M1.5 {0:.1f} H18.5", height),
@@ -160,17 +164,16 @@ void draw_your_pot(Page& page) {
                           (foot_y - 108.0F) / (relative->shape.height_mm() * 1.1F)});
     }
     scale = std::min(scale, 2.2F);
-    const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
     const float own_x = 62.0F + 0.5F * own_box;
     page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
-                                     {mirrored_x(own_x), foot_y}));
+                                     {mirrored_x(page, own_x), foot_y}));
     if (is_off_round) {
         const float radius_mm =
             view.pot->shape.radius_mm() - 0.5F * static_cast<float>(*view.pot->off_round_mm);
-        true_circle(page, {mirrored_x(own_x), foot_y - 0.5F * view.pot->shape.height_mm() * scale},
+        true_circle(page, {mirrored_x(page, own_x), foot_y - 0.5F * view.pot->shape.height_mm() * scale},
                     radius_mm * scale);
     }
-    height_bracket(page, mirrored_x(42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
+    height_bracket(page, mirrored_x(page, 42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
     const float names_y = shelf_y + 40.0F;
     const Rect own_name =
         page.mirrored({own_x - 116.0F < 24.0F ? 24.0F : own_x - 116.0F, names_y, 232.0F, 74.0F});
@@ -180,7 +183,7 @@ void draw_your_pot(Page& page) {
     if (relative != nullptr) {
         const float x = 62.0F + own_box + 14.0F + 0.5F * other_box;
         page.keep_clear(page.turning_pot(relative->shape, finish::glaze_at(relative->glaze), scale,
-                                         {mirrored_x(x), foot_y}));
+                                         {mirrored_x(page, x), foot_y}));
         const float name_width = std::min(other_box + 40.0F, 400.0F);
         page.words(page.mirrored({x - 0.5F * name_width, names_y, name_width, 106.0F}),
                    {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) +
@@ -207,51 +210,130 @@ void draw_your_pot(Page& page) {
                Look::kPrimary, kiosk::Button::kKeep, page.t("your.keep"));
 }
 
+namespace {
+
+bool is_kept(const View& view) {
+    return view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
+}
+
+bool has_phone_card(const View& view) {
+    return view.state.keeping.phone != kiosk::Phone::kNone && is_kept(view);
+}
+
+// The pots of the day on both sides of the new one, dimmer.
+void day_pots(Page& page, vec2 new_foot) {
+    const View& view = page.view();
+    if (!view.shelf) return;
+    const float width = page.width();
+    const float own_reach = 190.0F;
+    float reach[2]{new_foot.x - own_reach, new_foot.x + own_reach};
+    for (std::size_t i = 0; i < view.shelf->size(); ++i) {
+        const ShelfPot& other = (*view.shelf)[i];
+        const float scale =
+            std::min({0.8F, 130.0F / other.shape.height_mm(), 70.0F / other.shape.radius_mm()});
+        const float half = other.shape.radius_mm() * scale + 12.0F;
+        const bool left = i % 2 == 0;
+        const float x = left ? reach[0] - half : reach[1] + half;
+        const float taken = page.is_tall()         ? 24.0F
+                            : has_phone_card(view) ? 508.0F
+                            : page.is_low()        ? 206.0F
+                                                   : 24.0F;
+        if (x - half < 24.0F || x + half > width - taken) continue;
+        page.pot(other.shape, finish::glaze_at(other.glaze), scale, {mirrored_x(page, x), new_foot.y}, 0.76F);
+        (left ? reach[0] : reach[1]) += left ? -2.0F * half : 2.0F * half;
+    }
+}
+
+void new_pot(Page& page, vec2 foot) {
+    const View& view = page.view();
+    if (!view.pot) return;
+    const float scale = std::min({2.2F, 330.0F / (2.0F * view.pot->shape.radius_mm()),
+                                  (foot.y - 150.0F) / (view.pot->shape.height_mm() * 1.12F)});
+    page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
+                                     {mirrored_x(page, foot.x), foot.y}));
+}
+
+void keep_title(Page& page) {
+    const View& view = page.view();
+    const bool tall = page.is_tall();
+    const bool full = view.state.keeping.outcome == kiosk::Keeping::Outcome::kFull;
+    const float title_width = tall ? page.width() - 250.0F : page.width() - 260.0F;
+    page.words(page.mirrored({32.0F, 24.0F, title_width, tall || full ? 126.0F : 66.0F}),
+               {.text = full            ? page.t("keep.fail")
+                        : is_kept(view) ? page.t(has_phone_card(view) ? "home.title" : "keep.title")
+                                        : "",
+                .type = full ? design::bold(34.0F, 44.0F) : design::kTitle});
+}
+
+// The number of a kept pot, and what is promised about it.
+void keep_promise(Page& page, float shelf_y) {
+    const View& view = page.view();
+    const bool tall = page.is_tall();
+    const bool has_phone = has_phone_card(view);
+    const float y =
+        tall ? (has_phone ? 1028.0F : 930.0F) + page.lower_by() : shelf_y + (view.has_wall ? 36.0F : 54.0F);
+    const Rect rect = page.mirrored({36.0F, y, page.by_shape(620.0F, 480.0F, page.width() - 72.0F),
+                                     (has_phone && tall) || (view.has_wall && !tall) ? 44.0F : 84.0F});
+    const std::string number = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number)));
+    const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");
+    const bool one_line = tall ? has_phone : view.has_wall;
+    page.words(rect, {.text = one_line ? promise : number + "\n" + promise,
+                      .type = design::kLine,
+                      .colour = design::kSlip3,
+                      .align = tall ? ui::Align::kCentre : ui::Align::kStart});
+}
+
+// To the wall of the day, on, and to the end.
+void keep_tokens(Page& page, float finish_width) {
+    const View& view = page.view();
+    const float width = page.width();
+    const bool joins = has_phone_card(view) && view.state.keeping.phone == kiosk::Phone::kWifi;
+    const kiosk::Button next = joins ? kiosk::Button::kOnWifi : kiosk::Button::kAnother;
+    const std::string& next_name = page.t(joins ? "home.wnext" : "keep.again");
+    const bool offers_wall = is_kept(view) && view.has_wall;
+    const auto wall_token = [&](const Rect& rect) {
+        page.token(page.mirrored(rect), Look::kToken, kiosk::Button::kOnWall, page.t("home.shelf"), 0,
+                   view.state.keeping.on_wall ? std::optional(Icon::kCheck) : std::nullopt);
+    };
+    if (page.is_tall()) {
+        const float down = page.lower_by();
+        const float wall_width = offers_wall ? 0.62F * (width - 120.0F) : 0.0F;
+        if (offers_wall) wall_token({60.0F, 1090.0F + down, wall_width - 18.0F, 84.0F});
+        page.token(page.mirrored({60.0F + wall_width, 1090.0F + down, width - 120.0F - wall_width, 84.0F}),
+                   Look::kPrimary, next, next_name);
+        page.token(page.mirrored({60.0F, 1190.0F + down, finish_width, 68.0F}), Look::kOutline,
+                   kiosk::Button::kFinish, page.t("keep.end"));
+        return;
+    }
+    const bool square = page.is_square();
+    const float y = page.height() - (square ? 118.0F : 130.0F);
+    const float again = square ? 240.0F : 264.0F;
+    page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary, next, next_name);
+    page.token(page.mirrored({width - 50.0F - again - finish_width, y, finish_width, 78.0F}), Look::kOutline,
+               kiosk::Button::kFinish, page.t("keep.end"));
+    if (offers_wall) {
+        const float room = width - 50.0F - again - finish_width - 18.0F - 32.0F;
+        // In a square picture the promise stands close above.
+        const float lower = square ? 30.0F : 0.0F;
+        wall_token({32.0F, y + lower, std::min(room, 440.0F), 78.0F - 0.5F * lower});
+    }
+}
+
+}  // namespace
+
 void draw_keep(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    const bool square = page.is_square();
+    const bool has_phone = has_phone_card(view);
     const float shelf_y = page.by_shape(508.0F, 548.0F, 560.0F);
-    const float foot_y = shelf_y + 12.0F;
-    const bool has_phone = view.state.keeping.phone != kiosk::Phone::kNone &&
-                           view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
-    const float pot_x = !has_phone || tall ? 0.5F * width : square ? 270.0F : 390.0F;
-    const auto mirrored_x = [&](float x) { return page.right_to_left() ? width - x : x; };
-    page.museum({mirrored_x(pot_x), 0.44F * height}, {0.46F * width, 0.6F * height}, 0.32F);
+    const vec2 foot(!has_phone || tall ? 0.5F * width : page.is_square() ? 270.0F : 390.0F, shelf_y + 12.0F);
+    page.museum({mirrored_x(page, foot.x), 0.44F * height}, {0.46F * width, 0.6F * height}, 0.32F);
     page.shelf(shelf_y, 32.0F);
-    // The pots of the day on both sides, dimmer than the new one.
-    const float own_reach = 190.0F;
-    if (view.shelf) {
-        float reach[2]{pot_x - own_reach, pot_x + own_reach};
-        for (std::size_t i = 0; i < view.shelf->size(); ++i) {
-            const ShelfPot& other = (*view.shelf)[i];
-            const float scale =
-                std::min({0.8F, 130.0F / other.shape.height_mm(), 70.0F / other.shape.radius_mm()});
-            const float half = other.shape.radius_mm() * scale + 12.0F;
-            const bool left = i % 2 == 0;
-            const float x = left ? reach[0] - half : reach[1] + half;
-            const float taken = tall ? 24.0F : has_phone ? 508.0F : page.is_low() ? 206.0F : 24.0F;
-            if (x - half < 24.0F || x + half > width - taken) continue;
-            page.pot(other.shape, finish::glaze_at(other.glaze), scale, {mirrored_x(x), foot_y}, 0.76F);
-            (left ? reach[0] : reach[1]) += left ? -2.0F * half : 2.0F * half;
-        }
-    }
-    if (view.pot) {
-        const float scale = std::min({2.2F, 330.0F / (2.0F * view.pot->shape.radius_mm()),
-                                      (foot_y - 150.0F) / (view.pot->shape.height_mm() * 1.12F)});
-        page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
-                                         {mirrored_x(pot_x), foot_y}));
-    }
-    const bool full = view.state.keeping.outcome == kiosk::Keeping::Outcome::kFull;
-    const bool kept = view.state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
-    const float title_width = tall ? width - 250.0F : width - 260.0F;
-    page.words(page.mirrored({32.0F, 24.0F, title_width, tall || full ? 126.0F : 66.0F}),
-               {.text = full   ? page.t("keep.fail")
-                        : kept ? page.t(has_phone ? "home.title" : "keep.title")
-                               : "",
-                .type = full ? design::bold(34.0F, 44.0F) : design::kTitle});
+    day_pots(page, foot);
+    new_pot(page, foot);
+    keep_title(page);
     // Brought low, the token of languages stands under the phone's card, or beside the last token.
     // A code is only looked at and may stand high; what can be pressed may not.
     const kiosk::Phone phone = view.state.keeping.phone;
@@ -266,49 +348,9 @@ void draw_keep(Page& page) {
                           : has_phone ? phone_card.bottom() + 18.0F
                                       : 432.0F + down,
                           150.0F, 60.0F});
-    const float words_y =
-        tall ? (has_phone ? 1028.0F : 930.0F) + down : shelf_y + (view.has_wall ? 36.0F : 54.0F);
-    if (kept) {
-        const Rect rect = page.mirrored({36.0F, words_y, page.by_shape(620.0F, 480.0F, width - 72.0F),
-                                         (has_phone && tall) || (view.has_wall && !tall) ? 44.0F : 84.0F});
-        const std::string number = page.t("keep.no", page.digits(std::to_string(view.state.keeping.number)));
-        const std::string promise = page.t(has_phone ? "home.priv" : "keep.priv");
-        const bool one_line = tall ? has_phone : view.has_wall;
-        page.words(rect, {.text = one_line ? promise : number + "\n" + promise,
-                          .type = design::kLine,
-                          .colour = design::kSlip3,
-                          .align = tall ? ui::Align::kCentre : ui::Align::kStart});
-    }
+    if (is_kept(view)) keep_promise(page, shelf_y);
     if (has_phone) add_phone_card(page, phone_card);
-    if (view.state.keeping.outcome == kiosk::Keeping::Outcome::kSaving) return;
-    const bool joins = has_phone && view.state.keeping.phone == kiosk::Phone::kWifi;
-    const kiosk::Button next = joins ? kiosk::Button::kOnWifi : kiosk::Button::kAnother;
-    const std::string& next_name = page.t(joins ? "home.wnext" : "keep.again");
-    const bool offers_wall = kept && view.has_wall;
-    const auto wall_token = [&](const Rect& rect) {
-        page.token(page.mirrored(rect), Look::kToken, kiosk::Button::kOnWall, page.t("home.shelf"), 0,
-                   view.state.keeping.on_wall ? std::optional(Icon::kCheck) : std::nullopt);
-    };
-    if (tall) {
-        const float wall_width = offers_wall ? 0.62F * (width - 120.0F) : 0.0F;
-        if (offers_wall) wall_token({60.0F, 1090.0F + down, wall_width - 18.0F, 84.0F});
-        page.token(page.mirrored({60.0F + wall_width, 1090.0F + down, width - 120.0F - wall_width, 84.0F}),
-                   Look::kPrimary, next, next_name);
-        page.token(page.mirrored({60.0F, 1190.0F + down, finish_width, 68.0F}), Look::kOutline,
-                   kiosk::Button::kFinish, page.t("keep.end"));
-        return;
-    }
-    const float y = height - (square ? 118.0F : 130.0F);
-    const float again = square ? 240.0F : 264.0F;
-    page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary, next, next_name);
-    page.token(page.mirrored({width - 50.0F - again - finish_width, y, finish_width, 78.0F}), Look::kOutline,
-               kiosk::Button::kFinish, page.t("keep.end"));
-    if (offers_wall) {
-        const float room = width - 50.0F - again - finish_width - 18.0F - 32.0F;
-        // In a square picture the promise stands close above.
-        const float lower = square ? 30.0F : 0.0F;
-        wall_token({32.0F, y + lower, std::min(room, 440.0F), 78.0F - 0.5F * lower});
-    }
+    if (view.state.keeping.outcome != kiosk::Keeping::Outcome::kSaving) keep_tokens(page, finish_width);
 }
 
 }  // namespace onggi::screens

@@ -65,26 +65,22 @@ void draw_idle(Page& page) {
                page.t("idle.stay"));
 }
 
-void draw_language(Page& page) {
+namespace {
+
+constexpr float kComfortGap = 24.0F;
+
+// A token for each language. Gives the lowest edge of them.
+float language_tokens(Page& page) {
     const View& view = page.view();
-    const kiosk::Comfort& comfort = view.state.comfort;
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    const auto& languages = *view.languages;
-    const int count = static_cast<int>(languages.size());
-    veil(page, 0.86F, 0.96F);
-    std::string title;
-    for (const kiosk::Language& language : languages)
-        title += (title.empty() ? "" : " \u00b7 ") + language.shown("lang.title");
-    page.words(
-        {60.0F, 48.0F, width - 120.0F, 76.0F},
-        {.text = title, .type = design::serif(40.0F, 56.0F), .align = ui::Align::kCentre, .language = 0});
+    const int count = static_cast<int>(view.languages->size());
     // Brought low, all of it stands close together in the lower half; more than four languages need more.
     const bool low = page.is_low();
     const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
     const int rows = (count + columns - 1) / columns;
-    const float gap = 24.0F;
+    const float gap = kComfortGap;
     const float wide =
         std::min(tall ? 480.0F : 330.0F,
                  (width - 64.0F - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
@@ -102,10 +98,18 @@ void draw_language(Page& page) {
     for (int i = 0; i < count; ++i) {
         const Rect rect{left + static_cast<float>(i % columns) * (wide + gap),
                         top + static_cast<float>(i / columns) * (high + between), wide, high};
-        page.language_token(rect, i, i == comfort.language);
+        page.language_token(rect, i, i == view.state.comfort.language);
         bottom = std::max(bottom, rect.bottom());
     }
-    const float y = low ? bottom + 14.0F : tall ? bottom + 70.0F : 352.0F;
+    return bottom;
+}
+
+// Sizes of text and sound, what is brought low, left, or kept still: in one row, on a tall screen in two.
+void comfort_controls(Page& page, float y) {
+    const kiosk::Comfort& comfort = page.view().state.comfort;
+    const float width = page.width();
+    const bool tall = page.is_tall();
+    const float gap = kComfortGap;
     const bool reversed = page.right_to_left();
     const auto stepper = [&](const Rect& place, Icon icon, int dots, int on, Button less, Button more,
                              const char* key) {
@@ -135,7 +139,7 @@ void draw_language(Page& page) {
         stepper({x + stepper_width + gap, y, stepper_width, 84.0F}, Icon::kSound, kiosk::kMostVolume,
                 comfort.volume, Button::kSoundLess, Button::kSoundMore, "lang.sound");
     }
-    const float toggles_y = tall ? y + (low ? 162.0F : 200.0F) : y;
+    const float toggles_y = tall ? y + (page.is_low() ? 162.0F : 200.0F) : y;
     const float toggles_x = tall ? 0.5F * (width - 3.0F * toggle_width - 2.0F * gap)
                                  : 0.5F * (width + 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap) -
                                        3.0F * toggle_width - 2.0F * gap;
@@ -145,7 +149,24 @@ void draw_language(Page& page) {
            Button::kLeftHand, "lang.left");
     toggle({toggles_x + 2.0F * (toggle_width + gap), toggles_y, toggle_width, 84.0F}, Icon::kStill,
            comfort.still, Button::kStill, "lang.still");
-    const float done_y = height - (low ? 98.0F : tall ? 160.0F : 120.0F);
+}
+
+}  // namespace
+
+void draw_language(Page& page) {
+    const float width = page.width();
+    const bool tall = page.is_tall();
+    const bool low = page.is_low();
+    veil(page, 0.86F, 0.96F);
+    std::string title;
+    for (const kiosk::Language& language : *page.view().languages)
+        title += (title.empty() ? "" : " \u00b7 ") + language.shown("lang.title");
+    page.words(
+        {60.0F, 48.0F, width - 120.0F, 76.0F},
+        {.text = title, .type = design::serif(40.0F, 56.0F), .align = ui::Align::kCentre, .language = 0});
+    const float bottom = language_tokens(page);
+    comfort_controls(page, low ? bottom + 14.0F : tall ? bottom + 70.0F : 352.0F);
+    const float done_y = page.height() - (low ? 98.0F : tall ? 160.0F : 120.0F);
     page.token({0.5F * (width - 280.0F), done_y, 280.0F, low ? 80.0F : 84.0F}, Look::kPrimary,
                Button::kComfortDone, page.t("lang.done"));
 }

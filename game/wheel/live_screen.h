@@ -56,7 +56,6 @@ class LiveScreen {
 
     void resize(window::Size size);
     [[nodiscard]] VkExtent2D extent() const { return target().extent(); }
-    [[nodiscard]] bool is_seen() const { return swapchain_ != nullptr; }
     [[nodiscard]] const vk::Device& device() const { return *device_; }
     [[nodiscard]] const std::vector<std::string>& messages() const { return instance_->messages(); }
     [[nodiscard]] const render::FrameStats& stats() const { return renderer_->stats(); }

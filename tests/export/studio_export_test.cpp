@@ -25,7 +25,7 @@ double clay_mm3(const clay::StudioClay& pot) {
     double sum = 0.0;
     for (std::size_t i = 0; i < pot.outer_mm().size(); ++i) {
         sum += M_PI * (pot.outer_mm()[i] * pot.outer_mm()[i] - pot.inner_mm()[i] * pot.inner_mm()[i]) *
-               pot.heights_mm()[i];
+               pot.rings().height_mm[i];
     }
     return sum;
 }

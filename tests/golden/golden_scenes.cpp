@@ -174,28 +174,14 @@ std::string test_name(const GoldenScene& scene) {
 
 namespace {
 
-std::vector<GoldenScene> made_scenes() {
-    using clay::ClayBody;
-    using clay::Firing;
-    using clay::studio::Side;
-    using wheel::StillView;
-    pot::Pot uneven_rim = studio_pot(cylinder());
-    lean(uneven_rim, 3.0, 1.0);
-    press_dent(uneven_rim, 158.0, 5.2, 4.0, 20.0);
-    pot::Pot dented = studio_pot(cylinder());
-    press_dent(dented, 90.0, 4.9, 9.0, 15.0);
-    pot::Pot off_centre = studio_pot(lump());
-    lean(off_centre, 9.0, -3.0);
-    pot::Pot failed = studio_pot(jar());
-    slump(failed);
-    pot::Pot loaded = studio_pot(jar());
-    slump(loaded);
-    loaded.centre_mm.clear();
-    loaded.dents_mm.clear();
-    StudioShape dry_jar = jar();
-    dry_jar.liquidity = dry_jar.film = 0.0;
-    std::vector<GoldenScene> all{
-        // The paper's clay: solid.
+using clay::ClayBody;
+using clay::Firing;
+using clay::studio::Side;
+using wheel::StillView;
+
+// The paper's clay: solid.
+std::vector<GoldenScene> paper_scenes() {
+    return {
         {.name = "fresh-lump", .pot = paper_pot([](double) { return 60.0; })},
         {.name = "vase", .pot = paper_pot(vase), .wheel_direction = {0.6, 0.8}},
         {.name = "stepped",
@@ -207,7 +193,14 @@ std::vector<GoldenScene> made_scenes() {
          .tool_position_mm = {67.0, 95.0, 0.0},
          .tool_radius_mm = 16.0,
          .contacts = 320},
-        // Three bodies, wet, dry, bisque and glazed.
+    };
+}
+
+// Three bodies, wet, dry, bisque and glazed.
+std::vector<GoldenScene> body_scenes() {
+    StudioShape dry_jar = jar();
+    dry_jar.liquidity = dry_jar.film = 0.0;
+    return {
         {.name = "stoneware-wet", .pot = studio_pot(jar()), .tool_shown = false},
         {.name = "porcelain-wet", .pot = pot_of(bottle(), ClayBody::kPorcelain), .tool_shown = false},
         {.name = "earthenware-wet", .pot = pot_of(bowl(), ClayBody::kEarthenware), .tool_shown = false},
@@ -220,7 +213,15 @@ std::vector<GoldenScene> made_scenes() {
         {.name = "celadon",
          .pot = pot_of(bottle(), ClayBody::kStoneware, Firing::kGlaze),
          .tool_shown = false},
-        // Views.
+    };
+}
+
+std::vector<GoldenScene> view_scenes() {
+    pot::Pot loaded = studio_pot(jar());
+    slump(loaded);
+    loaded.centre_mm.clear();
+    loaded.dents_mm.clear();
+    return {
         {.name = "inside", .pot = studio_pot(jar()), .tool_shown = false, .view = StillView::kLookingIn},
         {.name = "inside-portrait",
          .width = 405,
@@ -240,7 +241,13 @@ std::vector<GoldenScene> made_scenes() {
         {.name = "cutaway", .pot = studio_pot(jar()), .view = StillView::kCutaway},
         {.name = "load", .pot = loaded, .view = StillView::kCutaway},
         {.name = "wide", .width = 960, .height = 540, .pot = studio_pot(bowl()), .tool_shown = false},
-        // Moves and what goes wrong.
+    };
+}
+
+std::vector<GoldenScene> move_scenes() {
+    pot::Pot off_centre = studio_pot(lump());
+    lean(off_centre, 9.0, -3.0);
+    return {
         {.name = "centring",
          .pot = off_centre,
          .tool_position_mm = {70.0, 40.0, 8.0},
@@ -295,6 +302,19 @@ std::vector<GoldenScene> made_scenes() {
          .tool_position_mm = {47.0, 10.0, 18.0},
          .tool = clay::StudioTool::kTrimmer,
          .contacts = 60},
+    };
+}
+
+// What goes wrong, and the wire.
+std::vector<GoldenScene> mishap_scenes() {
+    pot::Pot uneven_rim = studio_pot(cylinder());
+    lean(uneven_rim, 3.0, 1.0);
+    press_dent(uneven_rim, 158.0, 5.2, 4.0, 20.0);
+    pot::Pot dented = studio_pot(cylinder());
+    press_dent(dented, 90.0, 4.9, 9.0, 15.0);
+    pot::Pot failed = studio_pot(jar());
+    slump(failed);
+    return {
         {.name = "wire-at-the-rim", .pot = uneven_rim, .tool_shown = false, .wire_height_mm = 146.0},
         {.name = "wire-off-the-wheel", .pot = studio_pot(jar()), .tool_shown = false, .wire_height_mm = 1.5},
         {.name = "rough-grooves", .pot = studio_pot(rough()), .tool_shown = false},
@@ -302,8 +322,13 @@ std::vector<GoldenScene> made_scenes() {
         {.name = "failure", .pot = failed, .tool_shown = false, .wheel_direction = {0.8, -0.6}},
         {.name = "empty-wheel", .tool_shown = false},
     };
-    for (GoldenScene& drawn : drawn_scenes())
-        all.push_back(std::move(drawn));
+}
+
+std::vector<GoldenScene> made_scenes() {
+    std::vector<GoldenScene> all;
+    for (const auto& part :
+         {paper_scenes(), body_scenes(), view_scenes(), move_scenes(), mishap_scenes(), drawn_scenes()})
+        all.insert(all.end(), part.begin(), part.end());
     return all;
 }
 

@@ -74,6 +74,68 @@ TEST(House, NoFileHasMoreThanAThousandLines) {
     }
 }
 
+// How many lines each block has that ends in a line of `}` alone, by the number of the line it begins at.
+// That is every body of a function: in formatted code it ends at the indentation of its first line. The other
+// such blocks stand inside of functions.
+std::map<int, int> block_lengths(const std::string& text) {
+    std::map<int, int> found;
+    std::map<std::size_t, int> last_at;  // the last line at each indentation
+    std::istringstream lines(text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const std::size_t indentation = line.find_first_not_of(' ');
+        if (indentation == std::string::npos || line[indentation] == '#') continue;
+        if (std::string_view(line).substr(indentation) == "}")
+            found[last_at[indentation]] = number - last_at[indentation] + 1;
+        last_at[indentation] = number;
+    }
+    return found;
+}
+
+TEST(House, NoFunctionHasMoreThanEightyLines) {
+    for (const auto& [path, text] : sources()) {
+        for (const auto& [line, length] : block_lengths(text))
+            EXPECT_LE(length, 80) << path << ":" << line << ": which parts has it?";
+    }
+}
+
+TEST(BlockLengths, AreThoseOfFunctions) {
+    const std::string code = R"(
+namespace a {
+constexpr int kTable[] = {
+    1,
+};
+
+struct B {
+    int c() const {
+        if (d) {
+            return 1;
+        } else {
+            return 2;
+        }
+#if E
+
+#endif
+    }
+
+  private:
+    int d = 0;
+};
+
+B::B(int wide,
+     int wrapped)
+    : d(wide) {
+    for (;;) {
+    }
+}
+
+int inline_one() { return 1; }
+}  // namespace a
+)";
+    EXPECT_EQ(block_lengths(code), (std::map<int, int>{{8, 10}, {11, 3}, {23, 6}, {26, 2}}));
+}
+
 TEST(House, EveryRoomHasAReadme) {
     const fs::path root = test::in_checkout();
     for (const char* wing : {"engine", "game"}) {

@@ -79,9 +79,9 @@ inline void expect_sound(const StudioClay& clay) {
         const auto at = static_cast<std::size_t>(i);
         const double outer = clay.outer_mm()[at];
         const double inner = clay.inner_mm()[at];
-        ASSERT_EQ(clay.heights_mm()[at], ring_height_mm(clay.volumes_mm3()[at], outer, inner))
+        ASSERT_EQ(clay.rings().height_mm[at], ring_height_mm(clay.rings().volume_mm3[at], outer, inner))
             << "ring " << i;
-        ASSERT_GT(clay.heights_mm()[at], 0.0) << "ring " << i;
+        ASSERT_GT(clay.rings().height_mm[at], 0.0) << "ring " << i;
         ASSERT_GE(inner, 0.0) << "ring " << i;
         ASSERT_GT(outer - inner, 1.0) << "ring " << i;
         ASSERT_LE(outer, kWidestMm) << "ring " << i;

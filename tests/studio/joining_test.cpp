@@ -36,7 +36,7 @@ StudioClay flared(double foot_mm, double rim_mm, double wall_mm, double height_m
 double floor_mm3(const StudioClay& pot) {
     double sum = 0.0;
     for (int i = 0; i < pot.rings().first_hollow; ++i)
-        sum += pot.volumes_mm3()[static_cast<std::size_t>(i)];
+        sum += pot.rings().volume_mm3[static_cast<std::size_t>(i)];
     return sum;
 }
 

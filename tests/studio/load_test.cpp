@@ -24,7 +24,7 @@ TEST(Load, OfACylinderIsItsWeight) {
     bench.wall(45.0, 6.0, 12.0, 112.0, 1000);
     Above above;
     for (int i = 999; i > bench.clay.rings().first_hollow; --i)
-        above.volume_mm3 += bench.clay.volumes_mm3()[static_cast<std::size_t>(i)];
+        above.volume_mm3 += bench.clay.rings().volume_mm3[static_cast<std::size_t>(i)];
     above.volume_radius_mm4 = above.volume_mm3 * 42.0;
     const Stress stress = stress_in(bench.clay.rings(), bench.clay.rings().first_hollow, above, 0.0, 0.0);
     // 100 mm of clay: 1900 kg/m^3 x 9.81 m/s^2 x 0.1 m = 1.864 kPa, whatever the wall.
@@ -86,7 +86,7 @@ Outcome spin_bowl(double liquidity, double rev_min, bool forgiving = false) {
     Bench bench({.mass_g = 1500.0, .rings = 1000});
     flare(bench, 45.0, 100.0, 6.5, 75.0, liquidity);
     bench.parameters.forgiving = forgiving;
-    bench.parameters.wheel = electric_wheel();
+    bench.parameters.wheel = WheelParameters();  // which a hand slows
     bench.clay.set_wheel_speed(0.0);
     bench.input.wheel_speed_rad_s = units::rad_s_from_rev_min(rev_min);
     bench.lift();
@@ -353,7 +353,7 @@ TEST(Water, DriesFromThinWallsFaster) {
 
 TEST(Wheel, TakesItsTimeAndFeelsTheHand) {
     PoweredWheel wheel;
-    const WheelParameters electric = electric_wheel();
+    const WheelParameters electric;
     int ticks = 0;
     while (wheel.speed_rad_s() < 0.95 * kThrowingSpeed && ticks < 10000) {
         wheel.step(kThrowingSpeed, 0.0, 0.001, electric);
@@ -383,7 +383,7 @@ TEST(Wheel, AKickWheelRunsOnByItself) {
     EXPECT_NEAR(kicked.speed_rad_s() / kThrowingSpeed, std::exp(-10.0 / 72.0), 0.001);
     PoweredWheel braked({}, kThrowingSpeed);
     for (int k = 0; k < 1000; ++k)
-        braked.step(0.0, 0.0, 0.001, electric_wheel());
+        braked.step(0.0, 0.0, 0.001, WheelParameters());
     EXPECT_LT(braked.speed_rad_s(), 0.05 * kThrowingSpeed);
 }
 

@@ -48,7 +48,7 @@ TEST(Rings, PlacesAreTheRunningSumOfHeights) {
     const StudioClay clay({.mass_g = 500.0});
     double sum = 0.0;
     for (int i = 0; i < clay.ring_count(); ++i) {
-        const double height = clay.heights_mm()[static_cast<std::size_t>(i)];
+        const double height = clay.rings().height_mm[static_cast<std::size_t>(i)];
         EXPECT_NEAR(clay.centre_height_mm(i), sum + 0.5 * height, 1e-10);
         EXPECT_EQ(clay.rings().ring_at(sum + 0.5 * height), i);
         sum += height;

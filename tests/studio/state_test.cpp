@@ -98,9 +98,9 @@ TEST(State, RejectsDamagedBytes) {
     EXPECT_FALSE(with_double(4, 1e12)) << "a mass beyond all lumps";
     EXPECT_FALSE(with_double(4, std::nan("")));
     constexpr std::size_t kFirstVolume = 44 + 24;
-    EXPECT_FALSE(with_double(kFirstVolume, clay.volumes_mm3()[0] + 0x1p-20))
+    EXPECT_FALSE(with_double(kFirstVolume, clay.rings().volume_mm3[0] + 0x1p-20))
         << "one grain more than the ledger has";
-    EXPECT_FALSE(with_double(kFirstVolume, clay.volumes_mm3()[0] + 0x1p-22)) << "a part of a grain";
+    EXPECT_FALSE(with_double(kFirstVolume, clay.rings().volume_mm3[0] + 0x1p-22)) << "a part of a grain";
     EXPECT_FALSE(with_double(kFirstVolume, -1.0));
     const std::size_t first_outer = kFirstVolume + 8 * static_cast<std::size_t>(clay.ring_count());
     EXPECT_FALSE(with_double(first_outer, 1e6));

@@ -132,6 +132,52 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
 // How a kiosk ended.
 enum class KioskEnd { kDone, kStartAnew };
 
+Result<std::unique_ptr<wheel::LiveView>> open_view(const KioskOptions& options, const KioskSettings& settings,
+                                                   const jobs::CoreChoice& core, bool is_safe_mode,
+                                                   std::string quality_note) {
+    return wheel::LiveView::open({.width = options.size.width,
+                                  .height = options.size.height,
+                                  .full_screen = options.full_screen || settings.config.screen.full_screen,
+                                  .plain = is_safe_mode,
+                                  .draw_threads = draw_threads(core),
+                                  .backend = backend_of(options, settings.config),
+                                  .quality_note = std::move(quality_note),
+                                  .workshop = settings.config.screen.room,
+                                  .title = "Onggi"});
+}
+
+void warn_of_lacks(const KioskSettings& settings, const wheel::LiveView& view) {
+    for (const std::string& line : settings.remarks)
+        warn(line);
+    if (const std::string& lack = view.workshop_lack(); !lack.empty()) warn(lack);
+    if (const std::string lack = screens::missing_fonts(); !lack.empty()) warn(lack);
+    for (const std::string& lack : panel_lacks(settings.config, view.width(), view.height()))
+        warn(lack);
+}
+
+Show show_of(const ShowClay& clay) {
+    std::vector<std::string> lacks;
+    Show show = load_show(clay, lacks);
+    for (const std::string& line : lacks)
+        warn(line);
+    return show;
+}
+
+haptic::HapticJobOptions kiosk_job_options(const jobs::RealTimeRequest& real_time, double rate_hz) {
+    haptic::HapticJobOptions options;
+    options.spares_the_core = true;
+    options.real_time = real_time;
+    // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
+    constexpr double kMostLateS = 16.0;
+    options.record_capacity = static_cast<std::size_t>(kMostLateS * rate_hz);
+    return options;
+}
+
+void tell_last_answers(KioskKeeper& keeper) {
+    while (const auto answer = keeper.next_answer())
+        if (!answer->words.empty()) answer->is_trouble ? warn(answer->words) : remark(answer->words);
+}
+
 Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     auto settings = settings_of(options);
     if (!settings) return settings.error();
@@ -141,24 +187,10 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     StartKeeper starts(state_folder(settings->config.gallery.folder));
     const StartReport start_report = starts.begin_now(settings->remarks);
     PictureNote picture(state_folder(settings->config.gallery.folder));
-    auto view =
-        wheel::LiveView::open({.width = options.size.width,
-                               .height = options.size.height,
-                               .full_screen = options.full_screen || settings->config.screen.full_screen,
-                               .plain = start_report.is_safe_mode,
-                               .draw_threads = draw_threads(core),
-                               .backend = backend_of(options, settings->config),
-                               .quality_note = picture.read(),
-                               .workshop = settings->config.screen.room,
-                               .title = "Onggi"});
+    auto view = open_view(options, *settings, core, start_report.is_safe_mode, picture.read());
     if (!view) return view.error();
     leave_haptic_core_wholly(core);
-    for (const std::string& line : settings->remarks)
-        warn(line);
-    if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) warn(lack);
-    if (const std::string lack = screens::missing_fonts(); !lack.empty()) warn(lack);
-    for (const std::string& lack : panel_lacks(settings->config, (*view)->width(), (*view)->height()))
-        warn(lack);
+    warn_of_lacks(*settings, **view);
 
     const jobs::RealTimeRequest real_time{.core = core};
     const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
@@ -171,21 +203,13 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     hand.set_target(resting_hand());
     parameters.safety = haptics::limits_for(device->capabilities());
     const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
-    std::vector<std::string> show_lacks;
-    const Show show = load_show({start, parameters.studio.forgiving}, show_lacks);
-    for (const std::string& line : show_lacks)
-        warn(line);
+    const Show show = show_of({start, parameters.studio.forgiving});
     auto first_hand =
         std::make_unique<DemonstrationHand>(std::move(device), show.recordings, parameters.rate_hz());
     auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(first_hand), false);
     if (!devices) return devices.error();
-    haptic::HapticJobOptions job_options;
-    job_options.spares_the_core = true;
-    job_options.real_time = real_time;
-    // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
-    constexpr double kMostLateS = 16.0;
-    job_options.record_capacity = static_cast<std::size_t>(kMostLateS * parameters.rate_hz());
-    haptic::HapticJob job(start, parameters, devices->take(), job_options);
+    haptic::HapticJob job(start, parameters, devices->take(),
+                          kiosk_job_options(real_time, parameters.rate_hz()));
     KioskKeeper keeper(job, start, parameters, Gallery(settings->config), statistics_folder(settings->config),
                        KioskHeartbeat(settings->config));
     if (auto started = job.start(); !started) return started.error();
@@ -224,8 +248,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     phone.stop();
     keeper.stop();
     job.stop();
-    while (const auto answer = keeper.next_answer())
-        if (!answer->words.empty()) answer->is_trouble ? warn(answer->words) : remark(answer->words);
+    tell_last_answers(keeper);
     // An error that ends the program counts as a fall: it is started again, and may fail again.
     if (played) played = starts.end_now();
     if (!played) return played.error();

@@ -8,7 +8,6 @@
 #include "engine/core/quote.h"
 #include "engine/files/read_file.h"
 #include "engine/haptics/gesture.h"
-#include "game/app/replay/session_marks.h"
 #include "game/clay/studio/joining.h"
 #include "game/haptic/tools.h"
 
@@ -34,36 +33,9 @@ Result<void> check_brings_its_own(const InputOptions& options) {
     return {};
 }
 
-std::string clay_of(const record::SessionHeader& header) {
-    return fmt::format("{} clay of {} elements and {} sectors",
-                       header.tool_detail == record::ToolDetail::kPlain ? "paper" : "studio",
-                       header.element_count, header.sector_count);
-}
-
-Result<LoadedSession> session_in_file(const std::string& file) {
-    auto bytes = files::read_file(file, record::kMaxSessionBytes);
-    if (!bytes) return bytes.error();
-    auto session = record::parse_session(std::move(bytes).value(), file);
-    if (!session) return session.error();
-    const record::SessionHeader& header = session->header();
-    auto start = haptic::start_from_bytes(session->start_state(), header.rate_hz);
-    if (!start) {
-        return Error{start.error().kind, fmt::format("{}: {}", shown_path(file), start.error().message)};
-    }
-    auto decoration = decoration_in(*session, file);
-    if (!decoration) return decoration.error();
-    record::SessionHeader of_start = haptic::session_header(*start);
-    of_start.start_state_hash = header.start_state_hash;  // a replay compares that one
-    if (of_start != header) {
-        return bad_input(fmt::format("{}: expected {} as the header says, found {} in the start state",
-                                     shown_path(file), clay_of(header), clay_of(of_start)));
-    }
-    return LoadedSession{std::move(session).value(), std::move(start).value(), std::move(decoration).value()};
-}
-
 Result<Performance> performance_of_session(const InputOptions& options) {
     if (auto own = check_brings_its_own(options); !own) return own.error();
-    auto loaded = session_in_file(options.file);
+    auto loaded = load_session(options.file);
     if (!loaded) return loaded.error();
     Performance performance;
     performance.start = std::move(loaded->start);
@@ -133,24 +105,6 @@ Result<Performance> load_performance(const InputOptions& options) {
     if (auto gesture = haptics::check_gesture_start(*start, options.file, haptic::kGestureWords); !gesture)
         return gesture.error();
     return performance_of_gesture(options);
-}
-
-Result<LoadedSession> load_session(const std::string& file) {
-    const auto start = files::read_file_start(file, record::kMagic.size());
-    if (!start) return start.error();
-    if (!record::opens_a_session(*start)) {
-        // The parser says it in its own words, and needs no more of the file for it.
-        return record::parse_session(*start, file).error();
-    }
-    return session_in_file(file);
-}
-
-std::optional<std::string> remark_on_cut(const record::Session& session, const std::string& file) {
-    if (session.is_complete()) return std::nullopt;
-    return fmt::format(
-        "{}: cut short: expected the end marker, found the end of the file at byte {}; plays {} "
-        "ticks, up to the last whole block at byte {}",
-        shown_path(file), session.file_bytes(), session.tick_count(), session.usable_bytes());
 }
 
 namespace {

@@ -9,10 +9,9 @@
 
 #include "engine/core/result.h"
 #include "engine/haptics/haptic_device.h"
-#include "engine/record/session.h"
 #include "game/app/command_line/options.h"
+#include "game/app/replay/stored_session.h"
 #include "game/clay/studio/studio_clay.h"
-#include "game/decoration/stroke.h"
 #include "game/haptic/start_state.h"
 
 namespace onggi::app {
@@ -31,18 +30,6 @@ struct Performance {
 // The lump and the parameters that these options ask for, whatever their file. Bad input: an option that the
 // clay does not have.
 [[nodiscard]] Result<haptic::Start> fresh_start(const InputOptions& options);
-
-// A session and its start, for a replay that compares.
-struct LoadedSession {
-    record::Session session;
-    haptic::Start start;
-    decoration::Recorded decoration{};  // of the pot that is left
-};
-[[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
-
-// "FILE: cut short ..." for a session that does not end with its end marker.
-[[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
-                                                       const std::string& file);
 
 // What a gesture of the studio clay is thrown on when it is not a fresh lump: the pot that a session left, or
 // two of them joined. Nothing where none is asked for. The sessions are replayed to their end. Bad input:

@@ -6,9 +6,9 @@
 
 #include "engine/core/quote.h"
 #include "game/app/command_line/commands.h"
-#include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/replay/replay.h"
+#include "game/app/replay/stored_session.h"
 #include "game/app/system/report.h"
 
 namespace onggi::app {

@@ -68,6 +68,24 @@ void find_rim_contact(Contact& contact, const Rings& rings, const Hand& hand) no
     contact.rim_depth_mm = rings.top_mm() - (hand.position_mm.y - drop);
 }
 
+// Deepens rows of rings that are not round by their residuals under the hand. sign: 1 outside, -1 inside.
+void add_residuals(Contact& contact, const Rings& rings, const Hand& hand, double sign) noexcept {
+    const int first = contact.range.first;
+    const int n = contact.range.size();
+    bool rough = false;
+    for (int k = 0; k < n; ++k)
+        rough = rough || rings.rough_mm[Rings::at(first + k)] > 0.0F;
+    contact.has_rough_rows = rough;
+    if (!rough) return;
+    const double turn = turn_of(hand.in_clay);
+    for (int k = 0; k < n; ++k) {
+        const bool is_rough = rings.rough_mm[Rings::at(first + k)] > 0.0F;
+        const double w = is_rough ? residual_at(rings, first + k, turn) : 0.0;
+        contact.residual_mm[Rings::at(k)] = w;
+        contact.depth_mm[Rings::at(k)] += sign * w;
+    }
+}
+
 }  // namespace
 
 void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const HandState& state,
@@ -128,19 +146,7 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
         push[k] = x > 0.0 ? x : 0.0;
     }
 
-    bool rough = false;
-    for (int k = 0; k < n; ++k)
-        rough = rough || rings.rough_mm[Rings::at(first + k)] > 0.0F;
-    contact.has_rough_rows = rough;
-    if (rough) {
-        const double turn = turn_of(hand.in_clay);
-        for (int k = 0; k < n; ++k) {
-            const bool is_rough = rings.rough_mm[Rings::at(first + k)] > 0.0F;
-            const double w = is_rough ? residual_at(rings, first + k, turn) : 0.0;
-            contact.residual_mm[Rings::at(k)] = w;
-            depth[k] += sign * w;
-        }
-    }
+    add_residuals(contact, rings, hand, sign);
 
     double deepest = -1e9;
     for (int k = 0; k < n; ++k)

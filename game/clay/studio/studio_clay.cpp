@@ -433,31 +433,12 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
     return felt.forces;
 }
 
-StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& parameters) noexcept {
-    StudioForces result;
+StudioClay::Hands StudioClay::find_hands(const StudioInput& input, const StudioParameters& parameters,
+                                         bool touch) {
+    Hands hands;
+    auto& [hand, present, opposite] = hands;
+    present = {touch, touch && input.has_second && is_finite(input.second)};
     const double dt = parameters.dt_s();
-    wheel_.step(allowed_speed(input.wheel_speed_rad_s, parameters), carried_.wheel_load_n_mm, dt,
-                parameters.wheel);
-    carried_.wheel_load_n_mm = 0.0;
-    carried_.load_height_mm = 0.0;
-    if (input.water > carried_.film) carried_.film = std::min(input.water, 1.0);
-    carried_.film -= carried_.film * studio::relaxed_fraction(dt / parameters.film_time_s);
-    carried_.stripe = (carried_.stripe + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
-    const std::uint64_t changes_before = carried_.splits + carried_.joins;
-    const int rings_before = rings_.count;
-    use_wire(input);
-    if (rings_.count == 0 || carried_.cut_off) {
-        result.rings_moved = rings_.count != rings_before;
-        return result;
-    }
-
-    // The hands, and what each touches.
-    std::array<Hand, 2> hand{};
-    const bool touches = input.pressing && is_finite(input.hand);
-    const bool guided = touches && input.guided;
-    std::array<bool, 2> present{touches && !guided,
-                                touches && !guided && input.has_second && is_finite(input.second)};
-    if (!guided) studio::let_go(grip_);
     for (std::size_t h = 0; h < 2; ++h) {
         if (present[h]) {
             hand[h] = studio::follow_hand(hands_[h], rings_, h == 0 ? input.hand : input.second,
@@ -476,13 +457,7 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         present[1] = true;
     }
     if (present[1]) studio::find_contact(contacts_[1], rings_, hand[1], hands_[1], parameters);
-    result.side = hand[0].side;
-    result.second_side = hand[1].side;
-    result.has_second = present[1];
-    result.second_position_mm = hand[1].position_mm;
-
-    std::array<const Hand*, 2> other{nullptr, nullptr};
-    if (present[0] && present[1] && are_opposite(hand[0].side, hand[1].side)) other = {&hand[1], &hand[0]};
+    opposite = present[0] && present[1] && are_opposite(hand[0].side, hand[1].side);
     for (std::size_t h = 0; h < 2; ++h) {
         if (!present[h]) continue;
         if (hand[h].side == Side::kFree || !(contacts_[h].deepest_mm > -kLetGoMm))
@@ -490,7 +465,13 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         else if (!hand[h].is_assist)
             studio::follow_wobble(hands_[h], hand[h], wheel_.speed_rad_s() * dt);
     }
+    return hands;
+}
 
+void StudioClay::work_hands(const Hands& hands, double water, const StudioParameters& parameters,
+                            StudioForces& result) {
+    const auto& [hand, present, opposite] = hands;
+    const std::array<const Hand*, 2> other{opposite ? &hand[1] : nullptr, opposite ? &hand[0] : nullptr};
     for (std::size_t h = 0; h < 2; ++h) {
         if (!present[h] || !contacts_[h].touches()) continue;
         ContactForces& forces = h == 0 ? result.hand : result.second;
@@ -502,13 +483,42 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         // What flows is the mean circle, which an off-centre ring may bring past a hand that it does not
         // touch.
         if (!present[h] || hand[h].side == Side::kFree) continue;
-        const Changed by_hand = act(hands_[h], contacts_[h], hand[h], other[h], input.water, parameters);
+        const Changed by_hand = act(hands_[h], contacts_[h], hand[h], other[h], water, parameters);
         ContactForces& forces = h == 0 ? result.hand : result.second;
         forces.first_touched = by_hand.first;
         forces.touched_count = by_hand.size();
         changed = studio::together(changed, by_hand);
     }
     if (changed.size() > 0) rings_.place(changed.first, changed.end);
+}
+
+StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& parameters) noexcept {
+    StudioForces result;
+    const double dt = parameters.dt_s();
+    wheel_.step(allowed_speed(input.wheel_speed_rad_s, parameters), carried_.wheel_load_n_mm, dt,
+                parameters.wheel);
+    carried_.wheel_load_n_mm = 0.0;
+    carried_.load_height_mm = 0.0;
+    if (input.water > carried_.film) carried_.film = std::min(input.water, 1.0);
+    carried_.film -= carried_.film * studio::relaxed_fraction(dt / parameters.film_time_s);
+    carried_.stripe = (carried_.stripe + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
+    const std::uint64_t changes_before = carried_.splits + carried_.joins;
+    const int rings_before = rings_.count;
+    use_wire(input);
+    if (rings_.count == 0 || carried_.cut_off) {
+        result.rings_moved = rings_.count != rings_before;
+        return result;
+    }
+
+    const bool touches = input.pressing && is_finite(input.hand);
+    const bool guided = touches && input.guided;
+    if (!guided) studio::let_go(grip_);
+    const Hands hands = find_hands(input, parameters, touches && !guided);
+    result.side = hands.hand[0].side;
+    result.second_side = hands.hand[1].side;
+    result.has_second = hands.present[1];
+    result.second_position_mm = hands.hand[1].position_mm;
+    work_hands(hands, input.water, parameters, result);
     if (guided) guide(input, parameters, result);
 
     result.wheel_load_n_mm = carried_.wheel_load_n_mm;

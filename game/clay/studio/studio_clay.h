@@ -102,8 +102,6 @@ class StudioClay {
     // Bottom first, ring_count() of each.
     [[nodiscard]] std::span<const double> outer_mm() const { return column(rings_.outer_mm); }
     [[nodiscard]] std::span<const double> inner_mm() const { return column(rings_.inner_mm); }
-    [[nodiscard]] std::span<const double> heights_mm() const { return column(rings_.height_mm); }
-    [[nodiscard]] std::span<const double> volumes_mm3() const { return column(rings_.volume_mm3); }
     [[nodiscard]] double centre_height_mm(int ring) const { return rings_.centre_mm(ring); }
     // Off-centre of a ring, its x and z in the clay's frame.
     [[nodiscard]] dvec2 centre_mm(int ring) const;
@@ -175,7 +173,19 @@ class StudioClay {
     template <typename Self, typename Visitor>
     static void visit_state(Self& self, Visitor& visitor);
 
+    // The hands of one tick that no grip guides; the second may be the assist.
+    struct Hands {
+        std::array<studio::Hand, 2> hand{};
+        std::array<bool, 2> present{};
+        bool opposite = false;  // each bears against the other, across a wall
+    };
+
     void use_wire(const StudioInput& input);
+    // touch: of those that press, and are not guided. Leaves in contacts_ what each of them touches.
+    Hands find_hands(const StudioInput& input, const StudioParameters& parameters, bool touch);
+    // What the hands feel, then what they do to the clay.
+    void work_hands(const Hands& hands, double water, const StudioParameters& parameters,
+                    StudioForces& result);
     studio::Changed act(studio::HandState& state, studio::Contact& contact, const studio::Hand& hand,
                         const studio::Hand* other, double water, const StudioParameters& parameters);
     [[nodiscard]] studio::GripClimate climate(const StudioParameters& parameters) const;

@@ -10,6 +10,7 @@ namespace onggi::clay::studio {
 
 constexpr double kFastestWheelRadS = 10.0 * std::numbers::pi;  // 300 rev/min
 
+// As they are: an electric wheel.
 struct WheelParameters {
     double inertia_kg_m2 = 0.12;          // a 30 cm head of cast metal with its rotor
     double largest_torque_n_mm = 6000.0;  // of the motor, or of the foot
@@ -18,10 +19,7 @@ struct WheelParameters {
     bool can_brake = true;                // a motor slows the wheel too; a foot does not
 };
 
-// An electric wheel, and a kick wheel: a heavy flywheel, a foot that only drives, little drag.
-constexpr WheelParameters electric_wheel() {
-    return {};
-}
+// A heavy flywheel, a foot that only drives, little drag.
 constexpr WheelParameters kick_wheel() {
     return {.inertia_kg_m2 = 1.8,
             .largest_torque_n_mm = 9000.0,

@@ -1,8 +1,7 @@
 // The pictures on the tokens, as strokes in a field of 64 x 64. Any thread; constant.
 #pragma once
 
-#include <span>
-#include <string_view>
+#include <string>
 
 #include "engine/ui/sketch.h"
 
@@ -76,8 +75,5 @@ void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colo
 // where its turns are to touch.
 constexpr float kSpiralSide = 360.0F;
 [[nodiscard]] std::string spiral_path(float fraction);
-
-// All paths, for the test that reads them.
-[[nodiscard]] std::span<const std::string_view> icon_paths(Icon icon);
 
 }  // namespace onggi::screens

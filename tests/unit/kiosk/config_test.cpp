@@ -77,122 +77,117 @@ TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
     EXPECT_FALSE(shares(*config)) << "off unless somebody says so";
 }
 
+const struct {
+    const char* toml;
+    const char* message;
+} kMistakes[] = {
+    {"# 가\n[visit]\n\xEF\xB3\xBFs = 5\n",
+     "kiosk.toml, line 3: expected plain letters outside of quotes, each string on one line, found a "
+     "letter of "
+     "another alphabet"},
+    {"[staff]\nname = \"\"\"Wheel\"\"\"\n",
+     "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found three "
+     "quotes"},
+    {"[!]\nidle_s = 60\n", "kiosk.toml, line 1: expected TOML, found "},
+    {"[\x0e\n", "kiosk.toml, line 1: expected TOML, found "},
+    {"[sharing]\nport = 8-\"/\xC6\xB3\"\n", "kiosk.toml, line 2: expected TOML, found "},
+    {"[visit]\nidle_s = 4.\x01t['i\xEF\xBE\xB7[v\n", "kiosk.toml, line 2: expected TOML, found "},
+    {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
+    {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
+    {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
+    {"[visit]\n\nidle = 60\n",
+     "kiosk.toml, line 3: expected one of countdown_s, forgiving, idle_s, shows_by_itself in [visit], "
+     "found 'idle'"},
+    {"[vist]\nidle_s = 60\n",
+     "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
+     "[sound], "
+     "[hours], [sharing] or [staff], found 'vist'"},
+    {"visit = 3\n",
+     "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
+     "[sound], "
+     "[hours], [sharing] or [staff], found 'visit'"},
+    {"[sound]\nvolume = 2.5\n", "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 2.5"},
+    {"[staff]\npin = \"12\"\n",
+     "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found '12'"},
+    {"[staff]\nlocked = 1\n", "kiosk.toml, line 2: expected true or false for locked, found 1"},
+    {"[hours]\nopens = \"25:00\"\n",
+     "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found '25:00'"},
+    {"[languages]\norder = []\n",
+     "kiosk.toml, line 2: expected 1 to 8 language codes such as [\"ko\", \"en\"], each once for order, "
+     "found a list"},
+    {"[languages]\norder = [\"ko\"]\nfirst = \"en\"\n",
+     "kiosk.toml, line 3: expected one of languages.order for first, found 'en'"},
+    {"[languages]\norder = [\"ko\", \"ko\"]\n",
+     "kiosk.toml, line 2: expected 1 to 8 language codes such as [\"ko\", \"en\"], each once for order, "
+     "found a list"},
+    {"[languages]\nfirst = \"english language\"\n",
+     "kiosk.toml, line 2: expected a language code such as \"ko\" for first, found 'english language'"},
+    {"[screen]\ndistance_mm = 60\n", "kiosk.toml, line 2: expected 200 to 5000 for distance_mm, found 60"},
+    {"[screen]\ndiagonal_inch = \"24\"\n",
+     "kiosk.toml, line 2: expected 7 to 120 for diagonal_inch, found '24'"},
+    {"[screen]\nbackend = \"vulkan\"\n",
+     "kiosk.toml, line 2: expected auto, gpu or cpu for backend, found 'vulkan'"},
+    {"[screen]\nfull_screen = yes\n", "kiosk.toml, line 2: expected TOML, found "},
+    {"[staff]\nlocked = tru\n", "kiosk.toml, line 2: expected TOML, found "},
+    {"[sound]\nvolume = 6\n", "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 6"},
+    {"[sound]\nvolume = 99999999999999999999\n", "kiosk.toml, line 2: expected TOML, found "},
+    {"[staff]\npin = 1234\n",
+     "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found 1234"},
+    {"[staff]\npin = \"12a4\"\n",
+     "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found '12a4'"},
+    {"[staff]\ncloses_after_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for closes_after_s, found 5"},
+    {"[staff]\nname = \"\"\n", "kiosk.toml, line 2: expected a name for name, found ''"},
+    {"[gallery]\nmost_pots = 0\n",
+     "kiosk.toml, line 2: expected a whole number, 1 to 100000 for most_pots, found 0"},
+    {"[gallery]\nfolder = [\"out\"]\n", "kiosk.toml, line 2: expected a folder for folder, found a list"},
+    {"[sharing]\nlisten = \"10.0.0.5 or so\"\n",
+     "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\" for "
+     "listen, found '10.0.0.5 or so'"},
+    {"[sharing]\nport = 0\n", "kiosk.toml, line 2: expected a whole number, 1 to 65535 for port, found 0"},
+    {"[sharing]\npublic_url = \"museum.org/pots\"\n",
+     "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
+     "'museum.org/pots'"},
+    {"[sharing]\npublic_url = \"https://museum.org/\\\"onload=\"\n",
+     "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
+     "'https://museum.org/\"onload='"},
+    {"[sharing]\npublic_url = \"https:///pots\"\n",
+     "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
+     "'https:///pots'"},
+    {"[sharing]\n\nlisten = \"0.0.0.0\"\n",
+     "kiosk.toml, line 3: expected public_url beside '0.0.0.0' for listen, so that phones learn where, "
+     "found "
+     "none"},
+    {"[sharing]\noutbox = \"\"\n", "kiosk.toml, line 2: expected a folder for outbox, found ''"},
+    {"[sharing]\nwifi_key = \"short\"\n",
+     "kiosk.toml, line 2: expected 8 to 63 letters between quotes, or nothing for wifi_key, found "
+     "'short'"},
+    {"[sharing]\nwifi_name = \"123456789012345678901234567890123\"\n",
+     "kiosk.toml, line 2: expected a name of 32 letters at most for wifi_name, found "
+     "'123456789012345678901234567890123'"},
+    {"[sharing]\nhours = 169\n",
+     "kiosk.toml, line 2: expected a whole number, 0 to 168 for hours, found 169"},
+    {"[sharing]\nmost_pots = 0\n",
+     "kiosk.toml, line 2: expected a whole number, 1 to 10000 for most_pots, found 0"},
+    {"[sharing]\nmost_mb = 1\n", "kiosk.toml, line 2: expected 10 to 1000000 for most_mb, found 1"},
+    {"[sharing]\nadress = \"\"\n",
+     "kiosk.toml, line 2: expected one of counter, hours, listen, most_mb, most_pots, outbox, port, "
+     "public_url, wifi_key, wifi_name in [sharing], found 'adress'"},
+    {"[hours]\nopens = 09:30:00\n",
+     "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found a date or a time"},
+    {"[haptics]\nrate_hz = 20000\n", "kiosk.toml, line 2: expected 100 to 10000 for rate_hz, found 20000"},
+    {"[visit]\nidle_s = 60\nidle_s = 70\n", "kiosk.toml, line 3: expected TOML, found "},
+    {"[visit]\nidle_s = 60\n[visit]\ncountdown_s = 30\n", "kiosk.toml, line 3: expected TOML, found "},
+    {"[visit.idle_s]\nseconds = 60\n", "kiosk.toml, line 1: expected 10 to 600 for idle_s, found a table"},
+    {"staff.lock = true\n",
+     "kiosk.toml, line 1: expected one of closes_after_s, locked, metrics_folder, name, pin, "
+     "statistics_folder in "
+     "[staff], "
+     "found 'lock'"},
+    {"[staff]\nname = \"\xff\"\n", "kiosk.toml, line 2: expected TOML, found "},
+};
+
 TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
-    const struct {
-        const char* toml;
-        const char* message;
-    } kCases[] = {
-        {"# 가\n[visit]\n\xEF\xB3\xBFs = 5\n",
-         "kiosk.toml, line 3: expected plain letters outside of quotes, each string on one line, found a "
-         "letter of "
-         "another alphabet"},
-        {"[staff]\nname = \"\"\"Wheel\"\"\"\n",
-         "kiosk.toml, line 2: expected plain letters outside of quotes, each string on one line, found three "
-         "quotes"},
-        {"[!]\nidle_s = 60\n", "kiosk.toml, line 1: expected TOML, found "},
-        {"[\x0e\n", "kiosk.toml, line 1: expected TOML, found "},
-        {"[sharing]\nport = 8-\"/\xC6\xB3\"\n", "kiosk.toml, line 2: expected TOML, found "},
-        {"[visit]\nidle_s = 4.\x01t['i\xEF\xBE\xB7[v\n", "kiosk.toml, line 2: expected TOML, found "},
-        {"[visit]\nidle_s = 5\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 5"},
-        {"[visit]\nidle_s = nan\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found nan"},
-        {"[visit]\nidle_s = \"long\"\n", "kiosk.toml, line 2: expected 10 to 600 for idle_s, found 'long'"},
-        {"[visit]\n\nidle = 60\n",
-         "kiosk.toml, line 3: expected one of countdown_s, forgiving, idle_s, shows_by_itself in [visit], "
-         "found 'idle'"},
-        {"[vist]\nidle_s = 60\n",
-         "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
-         "[sound], "
-         "[hours], [sharing] or [staff], found 'vist'"},
-        {"visit = 3\n",
-         "kiosk.toml, line 1: expected a section [screen], [languages], [visit], [haptics], [gallery], "
-         "[sound], "
-         "[hours], [sharing] or [staff], found 'visit'"},
-        {"[sound]\nvolume = 2.5\n",
-         "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 2.5"},
-        {"[staff]\npin = \"12\"\n",
-         "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found '12'"},
-        {"[staff]\nlocked = 1\n", "kiosk.toml, line 2: expected true or false for locked, found 1"},
-        {"[hours]\nopens = \"25:00\"\n",
-         "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found '25:00'"},
-        {"[languages]\norder = []\n",
-         "kiosk.toml, line 2: expected 1 to 8 language codes such as [\"ko\", \"en\"], each once for order, "
-         "found a list"},
-        {"[languages]\norder = [\"ko\"]\nfirst = \"en\"\n",
-         "kiosk.toml, line 3: expected one of languages.order for first, found 'en'"},
-        {"[languages]\norder = [\"ko\", \"ko\"]\n",
-         "kiosk.toml, line 2: expected 1 to 8 language codes such as [\"ko\", \"en\"], each once for order, "
-         "found a list"},
-        {"[languages]\nfirst = \"english language\"\n",
-         "kiosk.toml, line 2: expected a language code such as \"ko\" for first, found 'english language'"},
-        {"[screen]\ndistance_mm = 60\n",
-         "kiosk.toml, line 2: expected 200 to 5000 for distance_mm, found 60"},
-        {"[screen]\ndiagonal_inch = \"24\"\n",
-         "kiosk.toml, line 2: expected 7 to 120 for diagonal_inch, found '24'"},
-        {"[screen]\nbackend = \"vulkan\"\n",
-         "kiosk.toml, line 2: expected auto, gpu or cpu for backend, found 'vulkan'"},
-        {"[screen]\nfull_screen = yes\n", "kiosk.toml, line 2: expected TOML, found "},
-        {"[staff]\nlocked = tru\n", "kiosk.toml, line 2: expected TOML, found "},
-        {"[sound]\nvolume = 6\n", "kiosk.toml, line 2: expected a whole number, 0 to 5 for volume, found 6"},
-        {"[sound]\nvolume = 99999999999999999999\n", "kiosk.toml, line 2: expected TOML, found "},
-        {"[staff]\npin = 1234\n",
-         "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found 1234"},
-        {"[staff]\npin = \"12a4\"\n",
-         "kiosk.toml, line 2: expected 4 to 8 digits between quotes, or nothing for pin, found '12a4'"},
-        {"[staff]\ncloses_after_s = 5\n",
-         "kiosk.toml, line 2: expected 10 to 600 for closes_after_s, found 5"},
-        {"[staff]\nname = \"\"\n", "kiosk.toml, line 2: expected a name for name, found ''"},
-        {"[gallery]\nmost_pots = 0\n",
-         "kiosk.toml, line 2: expected a whole number, 1 to 100000 for most_pots, found 0"},
-        {"[gallery]\nfolder = [\"out\"]\n", "kiosk.toml, line 2: expected a folder for folder, found a list"},
-        {"[sharing]\nlisten = \"10.0.0.5 or so\"\n",
-         "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\" for "
-         "listen, found '10.0.0.5 or so'"},
-        {"[sharing]\nport = 0\n",
-         "kiosk.toml, line 2: expected a whole number, 1 to 65535 for port, found 0"},
-        {"[sharing]\npublic_url = \"museum.org/pots\"\n",
-         "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
-         "'museum.org/pots'"},
-        {"[sharing]\npublic_url = \"https://museum.org/\\\"onload=\"\n",
-         "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
-         "'https://museum.org/\"onload='"},
-        {"[sharing]\npublic_url = \"https:///pots\"\n",
-         "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
-         "'https:///pots'"},
-        {"[sharing]\n\nlisten = \"0.0.0.0\"\n",
-         "kiosk.toml, line 3: expected public_url beside '0.0.0.0' for listen, so that phones learn where, "
-         "found "
-         "none"},
-        {"[sharing]\noutbox = \"\"\n", "kiosk.toml, line 2: expected a folder for outbox, found ''"},
-        {"[sharing]\nwifi_key = \"short\"\n",
-         "kiosk.toml, line 2: expected 8 to 63 letters between quotes, or nothing for wifi_key, found "
-         "'short'"},
-        {"[sharing]\nwifi_name = \"123456789012345678901234567890123\"\n",
-         "kiosk.toml, line 2: expected a name of 32 letters at most for wifi_name, found "
-         "'123456789012345678901234567890123'"},
-        {"[sharing]\nhours = 169\n",
-         "kiosk.toml, line 2: expected a whole number, 0 to 168 for hours, found 169"},
-        {"[sharing]\nmost_pots = 0\n",
-         "kiosk.toml, line 2: expected a whole number, 1 to 10000 for most_pots, found 0"},
-        {"[sharing]\nmost_mb = 1\n", "kiosk.toml, line 2: expected 10 to 1000000 for most_mb, found 1"},
-        {"[sharing]\nadress = \"\"\n",
-         "kiosk.toml, line 2: expected one of counter, hours, listen, most_mb, most_pots, outbox, port, "
-         "public_url, wifi_key, wifi_name in [sharing], found 'adress'"},
-        {"[hours]\nopens = 09:30:00\n",
-         "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found a date or a time"},
-        {"[haptics]\nrate_hz = 20000\n",
-         "kiosk.toml, line 2: expected 100 to 10000 for rate_hz, found 20000"},
-        {"[visit]\nidle_s = 60\nidle_s = 70\n", "kiosk.toml, line 3: expected TOML, found "},
-        {"[visit]\nidle_s = 60\n[visit]\ncountdown_s = 30\n", "kiosk.toml, line 3: expected TOML, found "},
-        {"[visit.idle_s]\nseconds = 60\n",
-         "kiosk.toml, line 1: expected 10 to 600 for idle_s, found a table"},
-        {"staff.lock = true\n",
-         "kiosk.toml, line 1: expected one of closes_after_s, locked, metrics_folder, name, pin, "
-         "statistics_folder in "
-         "[staff], "
-         "found 'lock'"},
-        {"[staff]\nname = \"\xff\"\n", "kiosk.toml, line 2: expected TOML, found "},
-    };
-    for (const auto& one : kCases) {
+    for (const auto& one : kMistakes) {
         const auto refused = read_config(one.toml, "kiosk.toml");
         ASSERT_FALSE(refused) << one.toml;
         // What the library says of a text that is no TOML is its own affair, but not where, nor in how many

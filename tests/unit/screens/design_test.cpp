@@ -67,11 +67,12 @@ TEST(Design, WritesCapitalsOfSevenTenthsOfADegree) {
 
 TEST(Icons, AreAllDrawnInWordsThatCanBeRead) {
     for (int icon = 0; icon < kIconCount; ++icon) {
-        const auto paths = icon_paths(static_cast<Icon>(icon));
-        EXPECT_FALSE(paths.empty()) << icon;
-        for (const std::string_view path : paths) {
-            const auto steps = ui::read_path(path);
-            EXPECT_TRUE(steps) << path;
+        ui::Sketch sketch;
+        add_icon(sketch, static_cast<Icon>(icon), vec2(0.0F), 64.0F, kInk);
+        EXPECT_FALSE(sketch.items.empty()) << icon;
+        for (const ui::SketchItem& item : sketch.items) {
+            const std::string& path = std::get<ui::Shape>(item).path;
+            EXPECT_TRUE(ui::read_path(path)) << path;
         }
     }
 }

@@ -114,44 +114,25 @@ void add_jar_views(const View& base, std::vector<SampleView>& all) {
     });
 }
 
-}  // namespace
+using kiosk::Screen;
 
-std::vector<SampleView> sample_views(const SampleRequest& request) {
-    View base;
-    base.width_px = request.width_px;
-    base.height_px = request.height_px;
-    base.px_per_mm = double{px_per_u_of(request.width_px, request.height_px) / design::kMmPerU};
-    base.languages = languages();
-    base.exhibits = sample_exhibits();
-    base.state.comfort.language = place_of(request.language);
-    base.state.comfort.text_size = request.text_size;
-    base.state.comfort.reach = request.reach;
-    base.state.comfort.left_hand = request.left_hand;
-    base.state.comfort.still = request.still;
-    base.scans = request.scans;
-    base.focus = request.scans ? 0 : -1;
-    base.pot = std::make_shared<const FiredPot>(FiredPot{.shape = jar(),
-                                                         .height_mm = 168.0,
-                                                         .width_mm = 152.0,
-                                                         .weight_g = 730.0,
-                                                         .capacity_l = 1.7,
-                                                         .relative = {base.exhibits, &base.exhibits->at(3)},
-                                                         .good_key = "tip.good.belly",
-                                                         .next_key = "tip.next.mouth.more"});
-    base.shelf = std::make_shared<const std::vector<ShelfPot>>(
-        std::vector<ShelfPot>{{jar(), 3}, {sample_exhibits()->at(0).shape, 4}, {jar(), 2}, {jar(), 5}});
-    base.can_look_in = true;
-    add_scene(base);
+void nothing(View&) {}
 
-    std::vector<SampleView> all;
-    const auto add = [&](const std::string& name, kiosk::Screen screen, const auto& change) {
+// Adds views that differ from `base` by a change.
+struct Samples {
+    const View& base;
+    std::vector<SampleView>& all;
+
+    template <typename Change>
+    void operator()(const std::string& name, Screen screen, const Change& change) const {
         View view = base;
         view.state.screen = screen;
         change(view);
         all.push_back({name, std::make_shared<const View>(std::move(view))});
-    };
-    const auto nothing = [](View&) {};
-    using kiosk::Screen;
+    }
+};
+
+void add_first_views(const Samples& add) {
     add("attract", Screen::kAttract, nothing);
     add("attract-heritage", Screen::kAttract, [](View& view) { view.attract_exhibit = 3; });
     add("choose", Screen::kChoose, nothing);
@@ -160,6 +141,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.card = 2;
     });
     add("choose-next", Screen::kChoose, [](View& view) { view.state.shelf_first = 2; });
+}
+
+void add_step_views(const Samples& add) {
     for (int step = 0; step < 4; ++step) {
         add("throw-" + std::to_string(step), Screen::kThrow, [&](View& view) {
             view.state.throwing.steps_done = step;
@@ -191,6 +175,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.scans = true;
         view.focus = 4;
     });
+}
+
+void add_tool_views(const Samples& add) {
     for (int held = 0; held < kiosk::kHeldCount; ++held) {
         const auto holds = [&](View& view) {
             view.state.throwing.held = static_cast<kiosk::Held>(held);
@@ -222,7 +209,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
             });
         }
     }
-    add_jar_views(base, all);
+}
+
+void add_throw_views(const Samples& add) {
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
     add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
     add("throw-reach-left", Screen::kThrow, [](View& view) {
@@ -262,6 +251,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
             view.thinnest_mm = 2.1;
         });
     }
+}
+
+void add_firing_views(const Samples& add) {
     add("failure", Screen::kFailure, nothing);
     for (int stage = 0; stage < 3; ++stage) {
         add("firing-" + std::to_string(stage), Screen::kFiring,
@@ -271,6 +263,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.firing = kiosk::FiringStage::kFire;
         view.heard = "cap.kiln";
     });
+}
+
+void add_done_views(const Samples& add) {
     add("trim", Screen::kTrim, nothing);
     add("trim-taken", Screen::kTrim, [](View& view) {
         view.state.trimming.touched = true;
@@ -306,6 +301,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
             view.state.glaze = glaze;
         });
     }
+}
+
+void add_your_pot_views(const Samples& add) {
     add("your-pot", Screen::kYourPot, nothing);
     add("your-pot-after", Screen::kYourPot, [](View& view) {
         FiredPot pot = *view.pot;
@@ -329,6 +327,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         pot.relative.reset();
         view.pot = std::make_shared<const FiredPot>(pot);
     });
+}
+
+void add_keep_views(const Samples& add) {
     add("keep", Screen::kKeep, [](View& view) { view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14}; });
     for (const auto& [name, phone] :
          {std::pair("home-packing", kiosk::Phone::kPacking), std::pair("home-wifi", kiosk::Phone::kWifi),
@@ -347,6 +348,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.keeping = {kiosk::Keeping::Outcome::kKept, 14, kiosk::Phone::kPacking, true};
         view.has_wall = true;
     });
+}
+
+void add_wall_views(const Samples& add) {
     for (const int count : {1, 18, 27}) {
         add("wall-" + std::to_string(count), Screen::kAttract, [&](View& view) {
             std::vector<ShelfPot> pots;
@@ -357,6 +361,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
             view.wall_is_new = count != 27;
         });
     }
+}
+
+void add_last_views(const Samples& add) {
     add("keep-saving", Screen::kKeep, nothing);
     add("keep-full", Screen::kKeep, [](View& view) {
         view.state.keeping = {kiosk::Keeping::Outcome::kFull, 0};
@@ -371,7 +378,9 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.panel = kiosk::Panel::kLanguage;
         view.state.comfort.still = true;
     });
-    if (!request.staff) return all;
+}
+
+void add_pin_views(const Samples& add) {
     add("pin", Screen::kThrow, [](View& view) {
         view.state.panel = kiosk::Panel::kPin;
         view.state.staff.digits = 2;
@@ -381,6 +390,56 @@ std::vector<SampleView> sample_views(const SampleRequest& request) {
         view.state.staff.was_wrong = true;
         view.seconds_left = 900;
     });
+}
+
+View base_view(const SampleRequest& request) {
+    View base;
+    base.width_px = request.width_px;
+    base.height_px = request.height_px;
+    base.px_per_mm = double{px_per_u_of(request.width_px, request.height_px) / design::kMmPerU};
+    base.languages = languages();
+    base.exhibits = sample_exhibits();
+    base.state.comfort.language = place_of(request.language);
+    base.state.comfort.text_size = request.text_size;
+    base.state.comfort.reach = request.reach;
+    base.state.comfort.left_hand = request.left_hand;
+    base.state.comfort.still = request.still;
+    base.scans = request.scans;
+    base.focus = request.scans ? 0 : -1;
+    base.pot = std::make_shared<const FiredPot>(FiredPot{.shape = jar(),
+                                                         .height_mm = 168.0,
+                                                         .width_mm = 152.0,
+                                                         .weight_g = 730.0,
+                                                         .capacity_l = 1.7,
+                                                         .relative = {base.exhibits, &base.exhibits->at(3)},
+                                                         .good_key = "tip.good.belly",
+                                                         .next_key = "tip.next.mouth.more"});
+    base.shelf = std::make_shared<const std::vector<ShelfPot>>(
+        std::vector<ShelfPot>{{jar(), 3}, {sample_exhibits()->at(0).shape, 4}, {jar(), 2}, {jar(), 5}});
+    base.can_look_in = true;
+    add_scene(base);
+    return base;
+}
+
+}  // namespace
+
+std::vector<SampleView> sample_views(const SampleRequest& request) {
+    const View base = base_view(request);
+    std::vector<SampleView> all;
+    const Samples add{base, all};
+    add_first_views(add);
+    add_step_views(add);
+    add_tool_views(add);
+    add_jar_views(base, all);
+    add_throw_views(add);
+    add_firing_views(add);
+    add_done_views(add);
+    add_your_pot_views(add);
+    add_keep_views(add);
+    add_wall_views(add);
+    add_last_views(add);
+    if (!request.staff) return all;
+    add_pin_views(add);
     add_staff_views(base, all);
     return all;
 }

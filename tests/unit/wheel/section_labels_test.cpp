@@ -19,7 +19,8 @@ pot::Pot pot_of(const clay::StudioClay& clay) {
         const auto ring = static_cast<std::size_t>(i);
         pot.outer_mm.push_back(static_cast<float>(clay.outer_mm()[ring]));
         pot.inner_mm.push_back(static_cast<float>(clay.inner_mm()[ring]));
-        pot.top_mm.push_back(static_cast<float>(clay.centre_height_mm(i) + 0.5 * clay.heights_mm()[ring]));
+        pot.top_mm.push_back(
+            static_cast<float>(clay.centre_height_mm(i) + 0.5 * clay.rings().height_mm[ring]));
     }
     return pot;
 }

@@ -9,7 +9,7 @@
 #include "engine/core/quote.h"
 #include "engine/files/asset_folder.h"
 #include "engine/files/read_file.h"
-#include "game/app/command_line/performance.h"
+#include "game/app/replay/stored_session.h"
 #include "game/haptic/start_state.h"
 #include "game/haptic/tools.h"
 

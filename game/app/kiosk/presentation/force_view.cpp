@@ -76,7 +76,7 @@ screens::ForceArrow arrow_of(const dvec3& from_mm, const dvec3& force_n, double 
                              const Sight& sight) {
     screens::ForceArrow arrow;
     const double size_n = glm::length(force_n);
-    const dvec3 to_mm = arrow_end_mm(from_mm, force_n, mm_per_n);
+    const dvec3 to_mm = from_mm + mm_per_n * force_n;
     const auto from = sight.project(from_mm);
     const auto to = sight.project(to_mm);
     if (!from || !to || size_n * mm_per_n < kLeastShown * ForceView::kFullArrowMm) return arrow;

@@ -27,10 +27,6 @@ using Forces = std::array<dvec3, screens::kForceCount>;
 // Where the tool touches: the clay pushes from there straight through the tool's centre. The centre itself
 // where it does not push.
 [[nodiscard]] dvec3 touched_mm(const dvec3& tool_mm, double radius_mm, const dvec3& stiffness_n);
-// Where the arrow of a force ends that begins at the touch.
-[[nodiscard]] inline dvec3 arrow_end_mm(const dvec3& touch_mm, const dvec3& force_n, double mm_per_n) {
-    return touch_mm + mm_per_n * force_n;
-}
 
 // The rings of the shape in contact, as [first, end): those whose middle lies in the stretch that is touched.
 struct RingSpan {

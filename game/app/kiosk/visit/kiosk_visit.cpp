@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "game/app/kiosk/presentation/snapshot_view.h"
@@ -56,6 +57,7 @@ void KioskVisit::warn(const std::string& line) {
 }
 
 void KioskVisit::dispatch(const Event& event) {
+    assert(moment_ != nullptr);
     const Screen before = state_.screen;
     for (const kiosk::Effect& effect : kiosk::step(state_, event, now_s_, parts_.settings.rules))
         effects_.apply(effect, *moment_, before);

@@ -65,7 +65,7 @@ class KioskVisit final : private VisitFlow {
     VisitScreens screens_;
     screens::Stage stage_;
     LogLines log_;
-    const VisitMoment* moment_ = nullptr;  // of the frame that is being made
+    const VisitMoment* moment_ = nullptr;  // of the frame that is being made; null outside frame()
     double now_s_ = 0.0;
     bool has_begun_ = false;  // the clock is known from the first frame on
     std::string title_;

@@ -21,6 +21,79 @@ constexpr std::size_t kMostOnShelf = 6;
 
 void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk::Screen left) {
     switch (effect.kind) {
+        case Effect::Kind::kVisitBegan:
+            thrown_ = false;
+            kept_ = 0;
+            parts_.keeper.note_attract_break();
+            break;
+        case Effect::Kind::kVisitEnded:
+            parts_.keeper.note({.dwell_s = effect.value, .last = left, .thrown = thrown_, .kept = kept_});
+            break;
+        case Effect::Kind::kMoveHand:
+            move_hand(static_cast<Button>(effect.value));
+            break;
+        case Effect::Kind::kStartDemo:
+        case Effect::Kind::kFreshClay:
+        case Effect::Kind::kUndo:
+        case Effect::Kind::kBeforeCollapse:
+        case Effect::Kind::kCutRim:
+        case Effect::Kind::kShowStep:
+        case Effect::Kind::kStopShow:
+            apply_to_clay(effect, moment);
+            break;
+        case Effect::Kind::kBeginDrawing:
+        case Effect::Kind::kUndoStroke:
+        case Effect::Kind::kClearDrawing:
+        case Effect::Kind::kPutBrush:
+        case Effect::Kind::kEndDrawing:
+            apply_to_drawing(effect, moment);
+            break;
+        case Effect::Kind::kBeginJar:
+        case Effect::Kind::kSetAside:
+        case Effect::Kind::kHoldTogether:
+        case Effect::Kind::kJoinBowls:
+        case Effect::Kind::kTakeBack:
+            apply_to_jar(effect, moment);
+            break;
+        case Effect::Kind::kCutOff:
+        case Effect::Kind::kBeginTrim:
+        case Effect::Kind::kEndTrim:
+        case Effect::Kind::kSave:
+        case Effect::Kind::kShare:
+        case Effect::Kind::kWall:
+        case Effect::Kind::kForgetPot:
+            apply_to_done_pot(effect, moment);
+            break;
+        case Effect::Kind::kResume:
+            resume(moment);
+            break;
+        case Effect::Kind::kDropInterrupted:
+            parts_.keeper.drop_interrupted_session();
+            break;
+        case Effect::Kind::kSetVolume:
+        case Effect::Kind::kKeepHouse:
+        case Effect::Kind::kDeletePot:
+        case Effect::Kind::kWithdrawCode:
+        case Effect::Kind::kTestForce:
+        case Effect::Kind::kTestSound:
+        case Effect::Kind::kRestart:
+        case Effect::Kind::kQuit:
+            apply_to_kiosk(effect);
+            break;
+    }
+}
+
+void VisitEffects::move_hand(Button direction) {
+    if (flow_.state().screen == kiosk::Screen::kDecorate) {
+        input_.lead_by_keys();
+        drawing_.nudge(direction);
+    } else {
+        input_.nudge(direction);
+    }
+}
+
+void VisitEffects::apply_to_clay(const Effect& effect, const VisitMoment& moment) {
+    switch (effect.kind) {
         case Effect::Kind::kStartDemo:
             wheel_.begin_show(moment.now_s);
             break;
@@ -40,14 +113,23 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             parts_.keeper.go_before(tick);
             break;
         }
-        case Effect::Kind::kMoveHand:
-            if (flow_.state().screen == kiosk::Screen::kDecorate) {
-                input_.lead_by_keys();
-                drawing_.nudge(static_cast<Button>(effect.value));
-            } else {
-                input_.nudge(static_cast<Button>(effect.value));
-            }
+        case Effect::Kind::kCutRim:
+            wheel_.hand().cut_rim();
             break;
+        case Effect::Kind::kShowStep:
+            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
+                               side_of(flow_.state()));
+            break;
+        case Effect::Kind::kStopShow:
+            wheel_.hand().stop_showing();
+            break;
+        default:
+            break;
+    }
+}
+
+void VisitEffects::apply_to_drawing(const Effect& effect, const VisitMoment& moment) {
+    switch (effect.kind) {
         case Effect::Kind::kBeginDrawing:
             drawing_.begin(moment.snapshot.wheel_direction);
             break;
@@ -64,6 +146,13 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
         case Effect::Kind::kEndDrawing:
             fire_drawing();
             break;
+        default:
+            break;
+    }
+}
+
+void VisitEffects::apply_to_jar(const Effect& effect, const VisitMoment& moment) {
+    switch (effect.kind) {
         case Effect::Kind::kBeginJar:
             parts_.keeper.begin_jar(jar_.target_id());
             break;
@@ -84,15 +173,17 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             wheel_.clay().expect_state(moment.snapshot);
             parts_.keeper.take_back(effect.value);
             break;
-        case Effect::Kind::kCutRim:
-            wheel_.hand().cut_rim();
+        default:
             break;
-        case Effect::Kind::kShowStep:
-            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
-                               side_of(flow_.state()));
-            break;
-        case Effect::Kind::kStopShow:
-            wheel_.hand().stop_showing();
+    }
+}
+
+void VisitEffects::apply_to_done_pot(const Effect& effect, const VisitMoment& moment) {
+    switch (effect.kind) {
+        case Effect::Kind::kCutOff:
+            may_be_trimmed_ = true;
+            wheel_.hand().release();
+            parts_.keeper.cut_off();
             break;
         case Effect::Kind::kBeginTrim:
             wheel_.hand().leave_clay();
@@ -107,11 +198,6 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             } else {
                 write_session();
             }
-            break;
-        case Effect::Kind::kCutOff:
-            may_be_trimmed_ = true;
-            wheel_.hand().release();
-            parts_.keeper.cut_off();
             break;
         case Effect::Kind::kSave:
             save();
@@ -130,36 +216,28 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             parts_.keeper.forget();
             if (parts_.phone != nullptr) parts_.phone->forget();
             break;
-        case Effect::Kind::kRestart:
-        case Effect::Kind::kQuit:
-            quits_ = true;
-            restarts_ = effect.kind == Effect::Kind::kRestart;
+        default:
             break;
-        case Effect::Kind::kResume:
-            wheel_.end_shows();
-            thrown_ = true;
-            wheel_.rearm_force();
-            wheel_.clay().expect_state(moment.snapshot);
-            parts_.keeper.resume(wheel_.run());
-            drawing_.remember(std::exchange(interrupted_drawing_, nullptr));
-            if (interrupted_bowl_) jar_.set_aside(std::exchange(interrupted_bowl_, nullptr));
-            break;
-        case Effect::Kind::kDropInterrupted:
-            parts_.keeper.drop_interrupted_session();
-            break;
+    }
+}
+
+void VisitEffects::resume(const VisitMoment& moment) {
+    wheel_.end_shows();
+    thrown_ = true;
+    wheel_.rearm_force();
+    wheel_.clay().expect_state(moment.snapshot);
+    parts_.keeper.resume(wheel_.run());
+    drawing_.remember(std::exchange(interrupted_drawing_, nullptr));
+    if (interrupted_bowl_) jar_.set_aside(std::exchange(interrupted_bowl_, nullptr));
+}
+
+void VisitEffects::apply_to_kiosk(const Effect& effect) {
+    switch (effect.kind) {
         case Effect::Kind::kSetVolume:
             parts_.sound.set_volume(effect.value / kLoudestStep);
             break;
         case Effect::Kind::kKeepHouse:
             keep_house();
-            break;
-        case Effect::Kind::kVisitBegan:
-            thrown_ = false;
-            kept_ = 0;
-            parts_.keeper.note_attract_break();
-            break;
-        case Effect::Kind::kVisitEnded:
-            parts_.keeper.note({.dwell_s = effect.value, .last = left, .thrown = thrown_, .kept = kept_});
             break;
         case Effect::Kind::kDeletePot:
             desk_.delete_pot(effect.value);
@@ -172,6 +250,13 @@ void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk:
             break;
         case Effect::Kind::kTestSound:
             desk_.test_sound();
+            break;
+        case Effect::Kind::kRestart:
+        case Effect::Kind::kQuit:
+            quits_ = true;
+            restarts_ = effect.kind == Effect::Kind::kRestart;
+            break;
+        default:
             break;
     }
 }

@@ -50,6 +50,14 @@ class VisitEffects {
     [[nodiscard]] bool restarts() const { return restarts_; }
 
   private:
+    // Parts of apply(), each for the effects on one thing.
+    void apply_to_clay(const kiosk::Effect& effect, const VisitMoment& moment);
+    void apply_to_drawing(const kiosk::Effect& effect, const VisitMoment& moment);
+    void apply_to_jar(const kiosk::Effect& effect, const VisitMoment& moment);
+    void apply_to_done_pot(const kiosk::Effect& effect, const VisitMoment& moment);  // once it is cut off
+    void apply_to_kiosk(const kiosk::Effect& effect);  // its house settings, its staff's desk, its end
+    void move_hand(kiosk::Button direction);           // a button of the pad
+    void resume(const VisitMoment& moment);
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
     void write_session();

@@ -49,7 +49,8 @@ struct VisitMoment {
 class VisitFlow {
   public:
     [[nodiscard]] virtual const kiosk::State& state() const = 0;
-    // Takes the state on and applies the effects before it returns.
+    // Takes the state on and applies the effects before it returns. Precondition: a frame is being made, to
+    // whose moment the effects are applied.
     virtual void dispatch(const kiosk::Event& event) = 0;
     // A line for the log; warn(): of what went wrong and is borne.
     virtual void say(const std::string& line) = 0;

@@ -1,0 +1,26 @@
+// A session in a file, with its start and what was drawn on its pot. Main thread, blocks.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/core/result.h"
+#include "engine/record/session.h"
+#include "game/decoration/stroke.h"
+#include "game/haptic/start_state.h"
+
+namespace onggi::app {
+
+// A session and its start, for a replay that compares.
+struct LoadedSession {
+    record::Session session;
+    haptic::Start start;
+    decoration::Recorded decoration{};  // of the pot that is left
+};
+[[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
+
+// "FILE: cut short ..." for a session that does not end with its end marker.
+[[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
+                                                       const std::string& file);
+
+}  // namespace onggi::app
