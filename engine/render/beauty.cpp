@@ -9,13 +9,13 @@
 namespace onggi::render {
 namespace {
 
-// IEC 61966-2-1.
+// Decodes an 8-bit sRGB value, IEC 61966-2-1.
 float linear_of(int value) {
     const float v = static_cast<float>(value) / 255.0F;
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
-// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: any
-// first part of it is spread evenly.
+// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018:
+// every prefix of the sequence is evenly distributed.
 dvec2 spread(int index, double offset) {
     constexpr double kStepX = 0.7548776662466927;
     constexpr double kStepY = 0.5698402909980532;
@@ -32,10 +32,11 @@ std::uint8_t srgb_byte(float light) {
 
 Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {
     Scene sample = scene;
-    const dvec2 aside = spread(index, 0.5) - 0.5;  // of a pixel
+    const dvec2 aside = spread(index, 0.5) - 0.5;  // fraction of a pixel
     sample.camera.shift = vec2(2.0 * aside.x / width_px, 2.0 * aside.y / height_px);
 
-    // Evenly over the disc that the light shows; what is left of its softness is what one sample stands for.
+    // Samples the light's disc evenly. Each sample keeps a smaller light, which covers the gaps between the
+    // samples.
     const dvec2 on_light = spread(index, 0.25);
     const double angle = 2.0 * std::numbers::pi * on_light.x;
     const double off = std::sqrt(on_light.y) * std::tan(double{scene.key.angular_radius_rad});

@@ -1,6 +1,5 @@
-// Many pictures of a scene that stands still, each seen from a fraction of a pixel aside and lit from another
-// point of its light, put together in linear light: edges without steps, shadows as soft as the light is
-// wide. Pure; any thread.
+// Accumulates many renders of a static scene, each with a different sub-pixel shift and light direction. The
+// mean in linear light has anti-aliased edges and soft shadows as wide as the light. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +11,28 @@
 
 namespace onggi::render {
 
-// The scene as sample `index` of a picture sees it: the same every time. Over many, the shifts fill one pixel
-// and the light's directions its disc evenly.
+// Returns the scene for sample `index` of a picture; deterministic. Over many samples, the shifts fill one
+// pixel evenly and the light directions fill the light's disc evenly.
 [[nodiscard]] Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px);
 
-// Light as a value of the screen, IEC 61966-2-1.
+// Encodes linear light as an 8-bit sRGB value, IEC 61966-2-1.
 [[nodiscard]] std::uint8_t srgb_byte(float light);
 
-// The mean of pictures with exact sRGB values, taken of the light they stand for.
+// Averages sRGB pictures in linear light (exact sRGB curves).
 class Accumulation {
   public:
     Accumulation(int width_px, int height_px);
-    // Precondition: as many bytes as the picture has.
+    // Precondition: `rgba` has four bytes for each pixel of the picture.
     void add(std::span<const std::uint8_t> rgba);
     [[nodiscard]] int count() const { return count_; }
-    // Precondition: at least one was added.
+    // Precondition: count() >= 1.
     [[nodiscard]] asset::Image mean() const;
 
   private:
     int width_px_;
     int height_px_;
     int count_ = 0;
-    std::vector<float> light_;  // three a pixel
+    std::vector<float> light_;  // three floats per pixel
 };
 
 }  // namespace onggi::render

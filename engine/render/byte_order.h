@@ -1,9 +1,9 @@
-// How a pixel's bytes lie in its word. Any thread.
+// Byte order of a pixel within its 32-bit word. Any thread.
 #pragma once
 
 namespace onggi::render {
 
-// Alpha is the highest; the lowest is red or blue.
+// Alpha is the highest byte; the lowest is red or blue.
 enum class ByteOrder { kRedFirst, kBlueFirst };
 
 }  // namespace onggi::render

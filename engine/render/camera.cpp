@@ -18,7 +18,7 @@ Frame frame_of(const Camera& camera) {
     return {forward, right, glm::cross(right, forward)};
 }
 
-// Half the height of the picture one mm in front of the eye.
+// Half the height of the view frustum at a distance of 1 mm.
 double half_height_of(const Camera& camera) {
     return std::tan(0.5 * static_cast<double>(camera.vertical_fov_rad));
 }
@@ -47,7 +47,7 @@ Ray ray_through(const Camera& camera, int width_px, int height_px, dvec2 pixel) 
 std::optional<dvec3> meet_axis_plane(const Ray& ray, const Camera& camera) {
     const dvec3 away(static_cast<double>(camera.eye_mm.x), 0.0, static_cast<double>(camera.eye_mm.z));
     const double distance = glm::length(away);
-    if (distance == 0.0) return std::nullopt;  // seen from straight above, no upright plane faces the eye
+    if (distance == 0.0) return std::nullopt;  // the camera looks straight down: no vertical plane faces it
     const dvec3 normal = away / distance;
     const double slope = glm::dot(ray.direction, normal);
     constexpr double kParallel = 1e-6;
@@ -71,7 +71,7 @@ std::optional<Projected> project(const Camera& camera, int width_px, int height_
 
 namespace {
 
-// How many times the background is enlarged to fill the picture both ways.
+// The factor by which the background is enlarged to cover the picture in both directions.
 double background_scale(int background_width_px, int background_height_px, int width_px, int height_px) {
     return std::max(static_cast<double>(width_px) / background_width_px,
                     static_cast<double>(height_px) / background_height_px);

@@ -1,4 +1,4 @@
-// How a frame went. Pixels, ms.
+// Statistics of a rendered frame. Pixels, ms.
 #pragma once
 
 #include <cstddef>
@@ -8,25 +8,26 @@
 
 namespace onggi::render {
 
-// What a frame asked of the device.
+// The work that a frame submitted to the device.
 struct FrameWork {
     int draws = 0;
-    std::size_t vertices = 0;        // or indices, of all draws
-    std::size_t uploaded_bytes = 0;  // to where the device reads: numbers, texels, pictures
+    std::size_t vertices = 0;        // vertices, or indices of indexed draws, summed over all draws
+    std::size_t uploaded_bytes = 0;  // written to device memory: uniforms, texels, pictures
 };
 
-// What the last frame took, for tests and for whoever watches.
+// Statistics of the last frame, for tests and monitoring.
 struct FrameStats {
     int rings = 0;
-    float ring_error_px = 0.0F;  // the tolerance that met the cap
+    float ring_error_px = 0.0F;  // the tolerance at which the rings fit under the cap
     bool still_life_drawn = false;
     bool shadow_drawn = false;
-    bool next_view_ready = false;  // of the scene: the next frame may show it, in no more time than another
+    bool next_view_ready = false;  // the scene's next view can be shown by the next frame without extra time
     FrameWork work{};
-    double host_ms = 0.0;    // from having the target's image to handing the frame over; 0: no clock
-    double device_ms = 0.0;  // of the frame before, from its first command to its last; 0: not measured
-    std::vector<PassTime> parts{};   // and of its parts, the host's too, where they are measured
-    bool device_drew_scene = false;  // in that time; false: it showed a screen, or a scene at rest under one
+    double host_ms = 0.0;    // from acquiring the target's image to submitting the frame; 0: no host clock
+    double device_ms = 0.0;  // of the previous frame, from its first command to its last; 0: not measured
+    // Of the same frame: its parts on the host and on the device, if measured.
+    std::vector<PassTime> parts{};
+    bool device_drew_scene = false;  // in the same frame; false: a screen or a resting scene
 };
 
 }  // namespace onggi::render

@@ -1,5 +1,5 @@
-// What is laid over a scene, or stands instead of it: a draw list, and the pictures it needs that the device
-// has not got yet. Main thread; must live until the draw call has returned.
+// The overlay that is drawn over a scene or instead of it: a draw list, and the pictures of its atlas that
+// are not on the device yet. Main thread; must live until the draw call returns.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@ struct Overlay {
     const ui::DrawList* list = nullptr;
     std::span<const ui::Atlas::Upload> uploads{};
     int atlas_side_px = 0;
-    // A screen that covers all is fading in or out over the scene, or is about to: the scene may stand still
-    // meanwhile.
+    // A screen that covers everything is fading in or out over the scene, or is about to. The renderer may
+    // freeze the scene meanwhile.
     bool scene_rests = false;
-    bool covers = false;  // every pixel: the scene is not drawn at all, and an unchanged list is only copied
+    bool covers = false;  // covers every pixel: the scene is not drawn, and an unchanged list is only copied
 };
 
 }  // namespace onggi::render

@@ -1,5 +1,5 @@
-// Names the parts of a frame for frame debuggers, and measures them: the whole always, each part on request,
-// since a mark between two parts costs a software device its batching. Main thread.
+// Names the parts of a frame for frame debuggers and measures them. The whole frame is always measured, the
+// parts only on request: a timestamp between two parts breaks up a software device's batches. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace onggi::render {
 
-// What a part of a frame took, on the device or before the device had anything to do.
+// Time that a part of a frame took on the device, or on the host before the device's work.
 struct PassTime {
     const char* name = "";
     double ms = 0.0;
@@ -20,22 +20,23 @@ struct PassTime {
 
 class PassClock {
   public:
-    // Without a host's clock the host's parts are not measured.
+    // Without a host clock in `desc`, the host's parts are not measured.
     static Result<PassClock> create(const vk::Device& device, const RendererDesc& desc);
-    // From the next frame on.
+    // Takes effect with the next frame.
     void measure_parts(bool measures) { measures_parts_ = measures; }
 
-    // What the host works out or draws itself, before begin(). enter_host() ends the part before.
+    // For work of the host before begin(). enter_host() ends the previous part.
     void enter_host(const char* name);
     void end_host();
 
-    // In a command buffer, outside of rendering. enter() ends the part before; inside of rendering too.
+    // begin() and end() record outside of rendering. enter() ends the previous part and may be called inside
+    // of rendering.
     void begin(const vk::Device& device, VkCommandBuffer commands);
     void enter(const vk::Device& device, VkCommandBuffer commands, const char* name);
     void end(const vk::Device& device, VkCommandBuffer commands);
 
-    // Of the frame that has left the device: what all of it took there, 0 where nothing was measured, and its
-    // parts, the host's first.
+    // Reads the previous frame, which the device has finished. Fills in its parts, the host's first. Returns
+    // its total device time; 0 if nothing was measured.
     double read(const vk::Device& device, std::vector<PassTime>& parts);
 
   private:

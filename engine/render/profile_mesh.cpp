@@ -10,11 +10,11 @@ namespace {
 constexpr float kTwoPi = 2.0F * std::numbers::pi_v<float>;
 constexpr float kCosOfCorner = 0.82F;  // 35 degrees
 
-// One row of vertices: a point of the outline with its normal in the half plane. A corner makes two.
+// A row of vertices: an outline point with its normal in the half plane. A corner makes two rows.
 struct Row {
     vec2 point;
     vec2 normal;
-    bool joins_next;  // whether a strip of triangles runs from it to the next row
+    bool joins_next;  // whether a triangle strip connects this row to the next
 };
 
 vec2 outward(vec2 from, vec2 to) {
@@ -42,9 +42,9 @@ std::vector<Row> rows_of(const Profile& profile) {
     return rows;
 }
 
-// Whether a ray from p meets the frustum between two points of an outline, further off than a hair.
+// Whether a ray from p meets the frustum between two outline points, at a distance above kHair.
 bool meets(vec3 p, vec3 d, vec2 a, vec2 b) {
-    // The frustum's points satisfy x^2 + z^2 = (r0 + k y)^2; a flat ring is the plane y = a.y.
+    // Points of the frustum satisfy x^2 + z^2 = (r0 + k y)^2; a flat ring is the plane y = a.y.
     const float kHair = 0.05F;
     const float rise = b.y - a.y;
     if (std::abs(rise) < 1e-4F) {
@@ -78,7 +78,7 @@ float open_sky_at(const Row& row, std::span<const Profile> profiles) {
     const vec3 p = vec3(row.point.x, row.point.y, 0.0F) + 0.2F * normal;
     int open = 0;
     for (int ring = 0; ring < kRings; ++ring) {
-        // Equal shares of the cosine: the square of the distance from the centre of the disc is uniform.
+        // Cosine-weighted: the square of the distance from the disc's centre is uniform.
         const float out = std::sqrt((static_cast<float>(ring) + 0.5F) / kRings);
         for (int spoke = 0; spoke < kSpokes; ++spoke) {
             const float angle =
@@ -118,7 +118,7 @@ Mesh turned_mesh(const Profile& profile, int sectors) {
         for (std::uint32_t sector = 0; sector + 1 < row_size; ++sector) {
             const std::uint32_t here = row * row_size + sector;
             const std::uint32_t above = here + row_size;
-            // The angle grows from +X to +Z, clockwise seen from above: so this order is outward.
+            // The angle grows from +X to +Z, clockwise seen from above; this index order faces outwards.
             if (rows[row].point.x > 0.0F) mesh.indices.insert(mesh.indices.end(), {here, above, here + 1});
             if (rows[row + 1].point.x > 0.0F)
                 mesh.indices.insert(mesh.indices.end(), {here + 1, above, above + 1});

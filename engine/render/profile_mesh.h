@@ -1,5 +1,4 @@
-// Meshes of things that stand still, made from outlines when the program loads. Any thread; pure functions.
-// mm.
+// Static meshes of revolution, made from outlines when the program loads. Any thread; pure functions. mm.
 #pragma once
 
 #include <span>
@@ -9,23 +8,23 @@
 
 namespace onggi::render {
 
-// An outline in the half plane (r, y), walked so that the solid lies on its left hand: up the outside, over
-// the top, in to the axis (or down the inside of a bowl).
+// An outline in the half plane (r, y). The solid lies on the left of its direction: up the outside, over the
+// top, inwards to the axis (or down the inside of a bowl).
 struct Profile {
     std::vector<vec2> points;  // (r, y), r >= 0
 };
 
-// Turned about +Y. Corners sharper than 35 degrees stay corners, the rest is smooth.
+// Revolves the outline about +Y. Corners sharper than 35 degrees stay sharp; the rest is smooth.
 [[nodiscard]] Mesh turned_mesh(const Profile& profile, int sectors);
 
-// Radius 1 about the origin.
+// A sphere of radius 1 about the origin.
 [[nodiscard]] Mesh sphere_mesh(int rows, int sectors);
 
-// Rounds the corner at `corner` between `before` and `after`, steps + 1 points in their order.
+// Appends the corner between `before` and `after`, rounded: steps + 1 points, in order.
 void add_rounded(Profile& profile, vec2 before, vec2 corner, vec2 after, float radius_mm, int steps = 6);
 
-// Sets the open_sky of turned meshes that stand together, by casting cosine-distributed rays from each of
-// their outline's points at all of their profiles. Points and vertices in turned_mesh's order.
+// Sets open_sky of turned meshes that stand together: casts cosine-distributed rays from each outline point
+// against all profiles. The order of points and vertices is that of turned_mesh().
 void set_open_sky(std::span<const Profile> profiles, std::span<Mesh> meshes, int sectors);
 
 }  // namespace onggi::render

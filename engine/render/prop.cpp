@@ -13,7 +13,8 @@ Box about(const Box& a, const Box& b) {
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-// Halves some triangles, each a box, where they reach furthest, until there are few boxes enough.
+// Recursively splits triangles, each given as its box, at the median of the longest axis, and appends the
+// boxes.
 void split(std::span<Box> triangles, int halvings, std::vector<Box>& boxes) {
     if (triangles.empty()) return;
     Box whole = kNothing;

@@ -6,14 +6,15 @@
 namespace onggi::render {
 namespace {
 
-constexpr double kWindowS = 0.75;  // a judgement is made of so much time
-constexpr int kSlowWindows = 2;    // in a row, before a step down
-constexpr double kSlow = 0.92;     // of the budget, by the frame that one in ten exceeds: too slow
-constexpr double kEasy = 0.45;     // time to spare for the next step, which costs up to twice as much
-constexpr double kTriedS = 20.0;   // a step up that lasted so long was right
+constexpr double kWindowS = 0.75;  // frame times are judged over this window
+constexpr int kSlowWindows = 2;    // slow windows in a row before a step down
+constexpr double kSlow = 0.92;     // fraction of the budget; the 90th percentile above it is too slow
+// Fraction of the budget; below it there is time for the next step, which costs up to twice as much.
+constexpr double kEasy = 0.45;
+constexpr double kTriedS = 20.0;  // a step up that lasted this long was right
 constexpr double kMostPatienceS = 600.0;
 
-// What a GPU draws that a still has more of.
+// The settings in which a GPU's steps differ from a still's.
 struct GpuSteps {
     int samples = 4;
     float scale = 1.0F;
@@ -43,8 +44,8 @@ constexpr QualityStep above(QualityStep step) {
     return static_cast<QualityStep>(index_of(step) + 1);
 }
 
-// What a frame of a GPU takes, beside one of the highest step: half of it goes with the samples and pixels,
-// and some stays whatever is drawn.
+// Relative cost of a frame on a GPU, 1 for the highest step: about half scales with samples and pixels, and
+// some is constant.
 double cost_of(QualityStep step) {
     switch (step) {
         case QualityStep::kSlowestGpu:
@@ -182,7 +183,7 @@ bool QualityLadder::step_down() {
     return go_to(below(step_));
 }
 
-// The highest below this one that ought to be quick enough.
+// Returns the highest lower step that should be quick enough.
 QualityStep QualityLadder::fitting_step(double drawn_ms) const {
     constexpr double kQuickEnough = 0.8;  // of the budget
     QualityStep step = below(step_);
@@ -227,7 +228,7 @@ bool QualityLadder::frame(double drawn_ms, double dt_s, bool in_view) {
     easy_s_ = slowest_tenth_ms < kEasy * budget_ms_ ? easy_s_ + judged_s : 0.0;
     if (range_.settles) return judge_what_settles(slowest_tenth_ms, in_view);
     if (slow_windows_ >= kSlowWindows) {
-        // What was taken and had to be given back is not tried again so soon.
+        // Wait longer before retrying a step that had to be given up.
         if (since_up_s_ < kTriedS) patience_s_ = std::min(2.0 * patience_s_, kMostPatienceS);
         return step_down();
     }

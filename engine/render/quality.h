@@ -1,6 +1,6 @@
-// The quality ladder: how much of the picture a machine has time for, from one processor core that draws in
-// software to a graphics card. Where it stands is decided by what frames really take, with patience, so that
-// a picture does not change its mind. Pure; any thread; time comes from the caller. ms, s.
+// The quality ladder: how much detail a machine can draw in time, from one software core to a graphics card.
+// The step follows the measured frame times, with hysteresis so that the picture does not flicker between
+// steps. Pure; any thread; the caller supplies the time. ms, s.
 #pragma once
 
 #include <optional>
@@ -11,52 +11,52 @@
 
 namespace onggi::render {
 
-// Two ladders, one above the other: what the processor draws, and what a GPU does. No device leaves its own.
+// Two ladders in one list: the CPU backend's steps and the GPU's. A device stays on its own ladder.
 enum class QualityStep {
-    kSpare,          // a software core that is too slow or too short of memory for the next
+    kSpare,          // a software core that is too slow or has too little memory for kOneCore
     kOneCore,        // one software core, 60 frames a second at 1280x720
-    kTwoCores,       // finer outlines, for a processor that has time left
-    kSlowestGpu,     // one sample a pixel, of a picture of half the size
-    kSlowerGpu,      // of three quarters
+    kTwoCores,       // finer outlines, for a processor with time to spare
+    kSlowestGpu,     // one sample a pixel, half the resolution
+    kSlowerGpu,      // one sample a pixel, three quarters of the resolution
     kSlowGpu,        // one sample a pixel
-    kIntegratedGpu,  // four
-    kDiscreteGpu,    // the same with as many rings and sectors as a still
+    kIntegratedGpu,  // four samples a pixel
+    kDiscreteGpu,    // four samples, and the rings and sectors of a still
 };
 [[nodiscard]] std::string_view quality_name(QualityStep step);  // "one software core"
 [[nodiscard]] std::optional<QualityStep> quality_named(std::string_view name);
 
-// Whether a camera on its way is drawn as quickly as one at rest: a software core keeps the room as one
-// camera sees it.
+// Whether a moving camera is drawn as quickly as a resting one. A software core is not: it keeps the room as
+// drawn for one camera.
 [[nodiscard]] constexpr bool has_time_for_moving_camera(QualityStep step) {
     return step >= QualityStep::kSlowestGpu;
 }
 
-// What a step asks of the renderer, for a picture of this height.
+// Returns the renderer's settings for a step, for a picture of this height.
 [[nodiscard]] RendererDesc quality_desc(QualityStep step, VkFormat colour_format, int height_px);
 
-// The steps of a device: where a ladder begins, and how far it may go each way.
+// The steps of a device: the first, the lowest and the highest.
 struct QualityRange {
     QualityStep first = QualityStep::kOneCore;
     QualityStep lowest = QualityStep::kSpare;
     QualityStep highest = QualityStep::kTwoCores;
-    // A step changes what is seen: it is changed while nobody looks, in view of a visitor once at most and
-    // only downwards, and what was too slow once is not tried again.
+    // A step is visible, so the ladder settles: it changes steps only while no visitor looks, except for one
+    // change downwards in view of a visitor, and never retries a step that was too slow.
     bool settles = false;
 
     friend bool operator==(const QualityRange&, const QualityRange&) = default;
 };
 enum class DeviceClass { kSoftware, kIntegratedGpu, kDiscreteGpu };
-// Who is to draw, whatever the machine has.
+// Which backend draws, independent of the machine's devices.
 enum class BackendChoice {
-    kAuto,  // the device, where that is a GPU; else the processor
-    kGpu,   // the device, be it software that stands for a GPU
-    kCpu,   // the processor
+    kAuto,  // the GPU if there is one; else the CPU backend
+    kGpu,   // the Vulkan backend, even on a software device
+    kCpu,   // the CPU backend
 };
 [[nodiscard]] std::string_view backend_choice_name(BackendChoice choice);  // "gpu"
 [[nodiscard]] std::optional<BackendChoice> backend_choice_named(std::string_view name);
-// What a device counts as then.
+// Returns the class that `device` counts as under this choice.
 [[nodiscard]] DeviceClass class_for(BackendChoice choice, DeviceClass device);
-// threads: that a software device draws with, 1 or more; a GPU ignores it.
+// threads: drawing threads of a software device, at least 1; ignored for a GPU.
 [[nodiscard]] QualityRange quality_range(DeviceClass device, int threads);
 
 class QualityLadder {
@@ -68,14 +68,14 @@ class QualityLadder {
 
     [[nodiscard]] QualityStep step() const { return step_; }
 
-    // One frame more: what it took to draw, and how long after the one before it came. True if the step has
-    // changed. in_view: a visitor looks at it.
+    // Adds a frame: its drawing time, and the time since the previous frame. in_view: a visitor is looking at
+    // it. Returns whether the step changed.
     bool frame(double drawn_ms, double dt_s, bool in_view = true);
-    // Nobody sees the scene now, drawn or not. True if the step has changed, as frame() would have liked
-    // before.
+    // Call while no visitor sees the scene, whether drawn or not. Applies the step that frame() postponed.
+    // Returns whether the step changed.
     bool unseen();
 
-    // There is no memory for this step. False at the bottom of the ladder.
+    // Steps down because memory is short. False at the bottom of the ladder.
     bool step_down();
 
   private:
@@ -86,14 +86,15 @@ class QualityLadder {
     QualityRange range_;
     QualityStep step_;
     double budget_ms_;
-    std::vector<double> window_ms_{};  // of the frames since the last judgement
+    std::vector<double> window_ms_{};  // frame times since the last judgement
     double window_s_ = 0.0;
     int slow_windows_ = 0;
-    double easy_s_ = 0.0;      // for how long there has been time to spare
-    double patience_s_ = 5.0;  // of it before a step up; doubles with each that did not last
+    double easy_s_ = 0.0;  // how long there has been time to spare
+    // How long there must be time to spare before a step up; doubles with each step up that did not last.
+    double patience_s_ = 5.0;
     double since_up_s_ = 1e9;
-    std::optional<QualityStep> wanted_{};  // for when nobody looks
-    bool changed_in_view_ = false;         // since somebody looks
+    std::optional<QualityStep> wanted_{};  // step to take when no visitor looks
+    bool changed_in_view_ = false;         // a step was taken since a visitor began to look
 };
 
 }  // namespace onggi::render

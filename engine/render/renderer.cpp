@@ -1,4 +1,4 @@
-// Which backend draws, and what a frame is to whoever shows it.
+// Selects the backend, and wraps a frame for the caller.
 #include "engine/render/renderer.h"
 
 #include <cstdint>
@@ -59,7 +59,8 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     const HostClock clock = frame.desc.host_clock;
     const std::int64_t began_ns = clock == nullptr ? 0 : clock();
     std::vector<PassTime> parts = std::move(frame.stats.parts);
-    const double device_ms = frame.clock.read(frame.device, parts);  // the target has waited for it
+    // The target has waited for the previous frame.
+    const double device_ms = frame.clock.read(frame.device, parts);
     if (auto fitted = impl_->backend->fit(scene, image.extent); !fitted) return fitted.error();
     frame.work = {};
     frame.stats.still_life_drawn = frame.stats.shadow_drawn = frame.stats.next_view_ready = false;

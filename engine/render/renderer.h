@@ -1,5 +1,5 @@
-// Draws a Scene into whatever takes frames: a swapchain or an unseen image. Main thread only, one frame in
-// flight: a second one would be a frame of delay that the hand sees.
+// Draws a Scene into a frame target: a swapchain or an offscreen image. Main thread only. One frame in
+// flight: a second one would add a frame of latency between the hand and the picture.
 #pragma once
 
 #include <memory>
@@ -22,11 +22,11 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Waits for the frame before, then records and submits this one. False if the target takes no frame just
-    // now (minimised, resizing). An overlay is laid over the scene, or stands instead of it.
+    // Waits for the previous frame, then records and submits this one. Returns false if the target takes no
+    // frame now (minimised, resizing). The overlay is drawn over the scene, or instead of it.
     Result<bool> draw(const Scene& scene, vk::FrameTarget& target, const Overlay* overlay = nullptr);
 
-    // FrameStats::parts from the frame after the next on, or not any more.
+    // Switches FrameStats::parts on or off, from the frame after the next.
     void measure_parts(bool measures);
 
     [[nodiscard]] const FrameStats& stats() const;

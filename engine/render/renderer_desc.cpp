@@ -40,8 +40,8 @@ RendererDesc live_desc(VkFormat colour_format, bool device_is_cpu, int height_px
         .samples = 1,
         .sectors = is_large ? 72 : 48,
         .sector_error_px = 0.5F,
-        .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which its normals show
-        .ring_error_px = 0.25F,            // a finer line would not be seen
+        .max_rings = is_large ? 128 : 72,  // more would be grooves finer than a pixel, which the normals show
+        .ring_error_px = 0.25F,            // a smaller error is not visible
         .streaks_across = is_large ? 512 : 256,
         .streaks_up = is_large ? 256 : 128,
         .smooths_outlines = true};

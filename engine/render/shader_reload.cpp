@@ -21,9 +21,9 @@ std::string text_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// The source with every #include "..." replaced by what it names, once each, as include guards would have it;
-// #line keeps errors at their place. Empty if a file is missing, as it is for a moment while an editor writes
-// it.
+// Returns the source with each #include "..." replaced by its file, once per file as with include guards;
+// #line directives keep error positions. Empty if a file is missing, which happens briefly while an editor
+// saves it.
 std::string expanded(const std::filesystem::path& folder, const std::string& name,
                      std::vector<std::string>& seen) {
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) return {};
@@ -51,13 +51,13 @@ std::string expanded(const std::filesystem::path& folder, const shaders::Source&
     std::istringstream words(source.definitions);
     for (std::string word; words >> word;)
         definitions += "#define " + word + "\n";
-    // Nothing but comments may stand before #version.
+    // Only comments may precede #version.
     const std::size_t end_of_version = text.find('\n', text.find("#version"));
     if (end_of_version == std::string::npos) return text;
     return text.insert(end_of_version + 1, definitions + "#line 2\n");
 }
 
-// What glslang says of the first error, in one line.
+// Returns the first error of glslang's log, in one line.
 std::string first_error(const char* log) {
     std::istringstream lines(log == nullptr ? "" : log);
     std::string line;
@@ -108,8 +108,8 @@ Result<std::vector<std::uint32_t>> compile(const std::string& file, const std::s
 }
 
 std::filesystem::file_time_type newest_in(const std::filesystem::path& folder) {
-    auto newest = std::filesystem::file_time_type::min();  // its zero lies in 2174
-    std::error_code ignored;                               // gives the least time there is
+    auto newest = std::filesystem::file_time_type::min();  // the epoch of this clock is in 2174
+    std::error_code ignored;                               // the error case returns the minimum time
     for (const std::filesystem::path& file : list_folder(folder).entries)
         newest = std::max(newest, std::filesystem::last_write_time(file, ignored));
     return newest;
@@ -119,7 +119,7 @@ std::filesystem::file_time_type newest_in(const std::filesystem::path& folder) {
 
 struct ShaderReload::Watched {
     shaders::Source source;
-    std::string text;  // expanded, as it was compiled last
+    std::string text;  // expanded, as last compiled
 };
 
 ShaderReload::ShaderReload(std::filesystem::path folder) : folder_(std::move(folder)) {

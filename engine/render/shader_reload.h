@@ -1,6 +1,6 @@
-// Shaders as they are edited, while the picture runs: watches the source folder and compiles what has
-// changed. Only in development builds (ONGGI_SHADER_RELOAD); a release has the shaders it was built with and
-// no compiler. Main thread; blocks while it compiles.
+// Reloads shaders while the program runs: watches the source folder and recompiles changed shaders.
+// Development builds only (ONGGI_SHADER_RELOAD); a release has neither the compiler nor the sources. Main
+// thread; blocks while it compiles.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace onggi::render {
 
 class ShaderReload {
   public:
-    // The folder of the shaders' sources. What lies there now counts as what was built.
+    // `folder` holds the shaders' sources. Its current contents count as the built-in shaders.
     explicit ShaderReload(std::filesystem::path folder);
     ~ShaderReload();
     ShaderReload(const ShaderReload&) = delete;
     ShaderReload& operator=(const ShaderReload&) = delete;
 
-    // True if some shader is now another than at the last call. Bad input: one that does not compile, in one
-    // line with file and line; the others are as they were.
+    // Returns true if a shader has changed since the last call. Errors: a shader does not compile; one line
+    // with file and line. The other shaders stay as they were.
     Result<bool> poll();
 
-    // What stands in for which of the shaders that were built in.
+    // Replacements of built-in shaders.
     [[nodiscard]] const vk::SpirvReplacements& replacements() const { return replacements_; }
 
   private:

@@ -28,7 +28,7 @@ void UploadLedger::done() {
 }
 
 void UploadLedger::lost() {
-    // Nothing of what is there lies under anything that is wanted, so their order is free.
+    // Uploads in the texture never overlap pending ones, so their order does not matter.
     wanted_.insert(wanted_.end(), std::make_move_iterator(there_.begin()),
                    std::make_move_iterator(there_.end()));
     there_.clear();

@@ -1,5 +1,5 @@
-// Which pictures of an overlay lie in its texture and which have still to go there: a frame that was not
-// drawn took none of its pictures along, and a device that is made anew has none at all. Pure; main thread.
+// Tracks which pictures of an overlay are in its texture and which have still to be uploaded: a frame that
+// was skipped uploaded none, and a re-created device has an empty texture. Pure; main thread.
 #pragma once
 
 #include <span>
@@ -9,21 +9,21 @@
 
 namespace onggi::render {
 
-// Whether one lies over part of the other.
+// Whether the two rectangles overlap.
 [[nodiscard]] bool overlap(const ui::Atlas::Upload& a, const ui::Atlas::Upload& b);
 
 class UploadLedger {
   public:
     using Upload = ui::Atlas::Upload;
 
-    // A frame brings these, over whatever lay in their places in a texture of this size; of one of another
-    // size nothing is left.
+    // Adds the uploads of a frame, which replace overlapping ones. If the texture's side has changed, all
+    // older uploads are dropped.
     void bring(std::span<const Upload> uploads, int side_px);
-    // What the next frame has to copy, in this order.
+    // Uploads for the next frame, in this order.
     [[nodiscard]] std::span<const Upload> wanted() const { return wanted_; }
-    // The frame was drawn.
+    // The frame was drawn: its uploads are in the texture.
     void done();
-    // The texture is gone: all that lay in it is wanted again.
+    // The texture is lost: everything in it must be uploaded again.
     void lost();
 
   private:

@@ -112,7 +112,8 @@ void HostMoving::place(FrameContext& frame, const Scene& scene, const PropModels
 }
 
 void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
-    // A pixel of the lathe takes several times as long as one of a hand: what a hand hides is not shaded.
+    // A lathe pixel costs several times a hand's pixel, so hands are drawn first and hide what need not be
+    // shaded.
     for (const Part& part : parts_)
         draw_triangles(corners_of(part), part.indices, canvas);
     const BuiltFrame& built = frame.built;
@@ -136,7 +137,8 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
     edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
 }
 
-// What the lathe covers wholly needs nothing under it but the greatest depth.
+// Tiles that the lathe covers wholly only need their depth cleared; the other moving tiles get a copy of the
+// kept view's pixels and depth.
 void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                             std::span<const float> depth, const PictureCanvas& canvas) {
     const TileGrid grid{canvas.size.width, canvas.size.height};
@@ -175,7 +177,7 @@ Result<void> HostMoving::draw_over(const FrameContext& frame, std::span<const st
 
 namespace {
 
-// What stands still in it, from the next view.
+// Returns the scene's static contents as seen from the next view.
 Scene seen_next(const Scene& scene) {
     Scene seen = scene;
     seen.camera = scene.next_view->camera;
@@ -224,7 +226,7 @@ CpuBackend::Under CpuBackend::look_under(const Scene& scene, const Overlay* over
     if (!will_rest_) {
         resting_.forget();
         if (!covers) return Under::kScene;
-        // Whether the next frame of it takes no longer than any other.
+        // Prepare the covered scene, so that its first frame takes no longer than any other.
         return shown_.shows(frame_, scene) ? Under::kNothing : Under::kCoveredScene;
     }
     if (covers) return resting_.is_here() ? Under::kNothing : Under::kCoveredScene;
@@ -242,7 +244,7 @@ Result<bool> CpuBackend::draw(const Scene& scene, const vk::TargetImage& target,
             if (auto kept = resting_.keep(frame_, *picture, numbers_); !kept) return kept.error();
         }
     } else if (under == Under::kNothing) {
-        // Nobody sees how long the next view takes.
+        // Any part of the next view may take long now, because no visitor sees the scene.
         frame_.stats.next_view_ready = scene.next_view.has_value();
         fade_.end();
         next_.let_go();
@@ -261,7 +263,7 @@ Result<bool> CpuBackend::draw(const Scene& scene, const vk::TargetImage& target,
     return under == Under::kScene;
 }
 
-// As a view alone has it. What moves lies where it did when it was drawn.
+// The picture of a view without a fade. Moving things are taken as they were last drawn.
 HostPicture CpuBackend::picture_of(const KeptView& view) const {
     return {.pixels = view.shaded(),
             .numbers = view.numbers(),
@@ -285,7 +287,7 @@ void CpuBackend::change_view(const Scene& scene) {
 }
 
 Result<void> CpuBackend::make_next_view(const Scene& scene) {
-    if (fade_.is_on()) return {};  // in its memory
+    if (fade_.is_on()) return {};  // the fade uses the next view's memory
     const Scene seen = seen_next(scene);
     if (!next_.shows(frame_, seen)) {
         if (auto made = next_.make_part(frame_, seen, scene, room_, numbers_); !made) return made;
@@ -302,7 +304,7 @@ Result<HostPicture> CpuBackend::make(const Scene& scene) {
     moving_.place(frame_, scene, models_);
     find_moving_tiles(scene, frame_.view(scene), frame_.built);
     frame_.clock.enter_host("room");
-    // It may be seen from another place in any frame, and then there is no time to make room.
+    // A cut to another view may come with any frame, so its memory is allocated in advance.
     if (scene.background) {
         if (auto fitted = next_.fit(frame_); !fitted) return fitted.error();
     }

@@ -1,7 +1,7 @@
-// The picture where the device is the processor: what stands still is drawn once by the device and kept where
-// the processor shades it; what moves the processor draws over that, and the overlay too. The device is left
-// with copies, and of those only what a target does not show already. Another view is made in parts while the
-// one before is shown, and then fades in. Main thread.
+// The backend for a software device. The device draws the still life once into layers; the processor shades
+// those, draws the moving things over them, and paints the overlay. Per frame the device only copies, and
+// only the tiles that a target does not show yet. Another view is made in parts while the current one is
+// shown, then faded in. Main thread.
 #pragma once
 
 #include <cstddef>
@@ -26,35 +26,37 @@
 
 namespace onggi::render {
 
-// From the last picture of a view to those of the next, one mixed into the other; in the memory of the view
-// that is left.
+// Cross-fade from the last picture of a view to the pictures of the next. It works in the memory of the view
+// that was left.
 class CrossFade {
   public:
-    // `last` is what is left; it may lie in the first of what is lent, which stays where it is until end().
+    // Begins a fade from `last`, which is copied to lent.first (parts of it may be there already). That
+    // memory must stay in place until end().
     void begin(const TileGrid& grid, const HostPicture& last, const KeptView::Lent& lent);
     void end() { before_ = mixed_ = nullptr; }
     [[nodiscard]] bool is_on() const { return mixed_ != nullptr; }
 
-    // As much of `now` as the fraction says, 0 to 1, over what was left; it is on. The device is idle.
+    // Mixes `now` over the old picture with weight `fraction`, 0 to 1. Precondition: is_on(). The device is
+    // idle.
     void mix(const HostPicture& now, float fraction, TileNumbers& numbers);
-    // What came of it.
+    // The mixed picture.
     [[nodiscard]] HostPicture picture() const { return {*mixed_, numbers_}; }
 
   private:
     TileGrid grid_;
     const vk::Buffer* before_ = nullptr;
     const vk::Buffer* mixed_ = nullptr;
-    std::vector<std::uint64_t> numbers_;  // of its tiles, all of which are others in every frame
+    std::vector<std::uint64_t> numbers_;  // of the mixed picture's tiles; all change in every frame
     std::vector<std::uint8_t> wanted_;
     std::vector<PixelRect> rects_;
 };
 
-// A scene that stands still while a screen that covers it comes or goes: made once more, and from then on
-// brought into the frames with the overlay on it.
+// A scene that rests while a covering screen fades in or out: drawn once, kept, and then shown in each frame
+// with the overlay over it.
 class RestingScene {
   public:
     void forget() { is_here_ = false; }
-    // No overlay lies on the scene yet: keeps a copy, unless one is here.
+    // Keeps a copy of `scene`, which has no overlay on it yet, unless a copy exists.
     Result<void> keep(const FrameContext& frame, const HostPicture& scene, TileNumbers& numbers);
     [[nodiscard]] bool is_here() const { return is_here_; }
     [[nodiscard]] HostPicture picture() const { return {picture_, numbers_}; }
@@ -68,12 +70,12 @@ class RestingScene {
     std::vector<std::uint64_t> numbers_;
 };
 
-// A picture that the processor draws into, in memory that the device reads, and its depth, which it does
-// not. Pixels.
+// A colour buffer that the processor draws and the device reads, with a depth buffer for the processor alone.
+// Pixels.
 class Framebuffer {
   public:
-    // As large as the frame; what was in it is lost where that has changed. `name` is for tools that show
-    // the device's objects. The device is idle. Errors: no memory.
+    // Resizes to the frame's size; a resize loses the contents. `name` is the buffer's debug name. The device
+    // is idle. Errors: no memory.
     Result<void> fit(const FrameContext& frame, std::string_view name);
     [[nodiscard]] PictureCanvas canvas();
     [[nodiscard]] const vk::Buffer& picture() const { return picture_; }
@@ -84,21 +86,20 @@ class Framebuffer {
     PictureSize size_;
 };
 
-// What moves, by the processor where that is the device: hands, tools and the lathe, and their outlines
-// smoothed, drawn into a picture that the processor makes.
+// Draws the moving things on the processor: hands, tools and the lathe, with smoothed outlines.
 class HostMoving {
   public:
-    // Of a renderer that is described so.
+    // `desc`: the renderer's settings.
     void create(const RendererDesc& desc);
-    // Finds where all of it comes to lie and in which light, and fills the frame's prop_tiles. `frame.built`
-    // must be this frame's, with the models' choice of faces, which must stay until they are drawn.
+    // Projects and lights everything that moves, and fills in the frame's prop_tiles. `frame.built` must be
+    // this frame's, with the faces that the models chose; those must stay until draw_over().
     void place(FrameContext& frame, const Scene& scene, const PropModels& models);
 
-    // Over a copy of a picture that is kept and its depth, where something moves; both as large as the frame.
-    // The device is idle. Errors: no memory for it.
+    // Draws over a copy of the kept picture and its depth, in the tiles where something moves; both are as
+    // large as the frame. The device is idle. Errors: no memory.
     Result<void> draw_over(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                            std::span<const float> depth);
-    // That copy; only the tiles are good in which something moves.
+    // The copy. Only the tiles in which something moves are valid.
     [[nodiscard]] const vk::Buffer& picture() const { return canvas_.picture(); }
 
   private:
@@ -109,7 +110,7 @@ class HostMoving {
     struct Part {
         std::size_t first_corner = 0;
         std::size_t corner_count = 0;
-        std::span<const std::uint32_t> indices;  // the models'
+        std::span<const std::uint32_t> indices;  // owned by the models
     };
     [[nodiscard]] std::span<const PropCorner> corners_of(const Part& part) const {
         return std::span(corners_).subspan(part.first_corner, part.corner_count);
@@ -137,9 +138,9 @@ class CpuBackend : public RenderBackend {
     [[nodiscard]] FrameContext& frame() override { return frame_; }
 
   private:
-    // What an overlay lies on; or covers, made because it will be seen when the overlay has begun to fade, or
-    // because much of it is another than before: what takes several frames' time is done before anybody waits
-    // for it.
+    // What is drawn under the overlay. kCoveredScene is drawn but not shown: because the overlay is about to
+    // fade, or because much of the scene has changed. Work that takes several frames is thus done before a
+    // visitor waits for it.
     enum class Under { kScene, kCoveredScene, kRestingScene, kNothing };
 
     void fit_size(VkExtent2D target);
@@ -156,13 +157,13 @@ class CpuBackend : public RenderBackend {
     TileNumbers numbers_;
     KeptView shown_;
     KeptView next_;
-    bool has_picture_ = false;  // of a frame as large as this one: picture(), until the next is built
+    bool has_picture_ = false;  // picture() is valid for a frame of this size, until the next is built
     CrossFade fade_;
     HostMoving moving_;
     PaintedOverlay overlay_;
     RestingScene resting_;
     HostFrame bringing_;
-    bool will_rest_ = false;  // this frame's overlay says that the scene may
+    bool will_rest_ = false;  // this frame's overlay lets the scene rest
 };
 
 }  // namespace onggi::render

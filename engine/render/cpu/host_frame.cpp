@@ -34,14 +34,14 @@ DamageTracker& HeldTargets::held_by(const vk::TargetImage& target) {
     const auto known = std::find_if(known_.begin(), known_.end(), is_it);
     auto at = static_cast<std::size_t>(known - known_.begin());
     if (known == known_.end()) {
-        // Handles of images that are gone are used again, so that few are ever known.
+        // The driver reuses handles of destroyed images, so only a few are ever known.
         constexpr std::size_t kMostTargets = 16;
         if (known_.size() == kMostTargets) known_.erase(known_.begin());
         at = known_.size();
         known_.emplace_back();
     }
     Known& found = known_[at];
-    // Another handle's image, or one in which a frame was made in another way since.
+    // Otherwise the handle belongs to a new image, or the target's last frame was not drawn here.
     const bool is_as_left = target.frames_before > 0 && target.frames_before == found.frame + 1;
     if (!is_as_left) found.held.forget();
     found.image = target.image;
@@ -97,7 +97,8 @@ bool any(std::span<const std::uint8_t> tiles) {
 }
 
 void begin_copies(const FrameContext& frame, const vk::TargetImage& target) {
-    vk::ImageState left = vk::state::kDiscard;  // as the frame before left it
+    // Undefined if the target has no frame yet; else as its last frame left it.
+    vk::ImageState left = vk::state::kDiscard;
     if (target.frames_before > 0) left.layout = target.final_layout;
     vk::barrier(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, left, vk::state::kCopyTarget);
 }
@@ -128,7 +129,7 @@ void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::spa
         frame.work.uploaded_bytes += std::size_t{4} * static_cast<std::size_t>(rect.width * rect.height);
 }
 
-// With the overlay on it, into what is laid.
+// Composes the overlay over `under` on these tiles, into laid_.
 void HostFrame::lay(const FrameContext& frame, const PaintedOverlay& overlay, const vk::Buffer& under,
                     std::span<const std::uint8_t> tiles) {
     const TileGrid grid = grid_of(frame);

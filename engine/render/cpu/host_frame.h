@@ -1,5 +1,5 @@
-// Brings into a target what the processor made of a frame: a scene with the overlay on it, or an overlay that
-// covers all; and of them only what the target does not show already. Main thread.
+// Copies the processor's frame into a target: a scene with the overlay over it, or a covering overlay. Only
+// tiles that the target does not show yet are copied. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -13,63 +13,63 @@
 
 namespace onggi::render {
 
-// Which tiles of a frame a target shows already, so that they are not brought there again.
+// Damage tracking: which tiles of a frame a target shows already.
 
-// What a frame consists of, one entry a tile.
+// The contents of a frame, one entry per tile.
 struct TileContents {
-    // Of a picture's tiles, each of which has another number whenever it becomes another.
+    // Numbers of the picture's tiles; a tile gets a new number whenever its pixels change.
     std::span<const std::uint64_t> picture;
-    // Not 0 where another picture has its place, which is another in every frame; empty: nowhere.
+    // Not 0 where another picture, which changes in every frame, replaces this one; empty: nowhere.
     std::span<const std::uint8_t> moving{};
-    std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: none
+    std::span<const std::uint64_t> overlay{};  // see OverlayTiles::content(); empty: no overlay
 };
 
-// What of a frame has to be brought to a target, one entry a tile, 0 or not.
+// The tiles of a frame that must be copied to a target, by source; one entry per tile, 0 or 1.
 struct TileWork {
-    std::vector<std::uint8_t> bare;         // the picture as it is
-    std::vector<std::uint8_t> laid_over;    // the picture with the overlay laid over it
-    std::vector<std::uint8_t> moves;        // what moves, as it is
-    std::vector<std::uint8_t> moves_under;  // what moves, with the overlay laid over it
+    std::vector<std::uint8_t> bare;         // the picture
+    std::vector<std::uint8_t> laid_over;    // the picture with the overlay over it
+    std::vector<std::uint8_t> moves;        // the moving picture
+    std::vector<std::uint8_t> moves_under;  // the moving picture with the overlay over it
 };
 
-// What one target shows.
+// The tiles that one target shows.
 class DamageTracker {
   public:
-    // Nothing of it is known.
+    // Marks all tiles as unknown.
     void forget() { picture_.clear(); }
-    // What has to be done so that it shows this; from here on it does.
+    // Computes the tiles to copy so that the target shows `wanted`, and records that it does.
     void take_work(const TileContents& wanted, TileWork& work);
 
   private:
-    std::vector<std::uint64_t> picture_;  // 0: something else
+    std::vector<std::uint64_t> picture_;  // 0: unknown
     std::vector<std::uint64_t> overlay_;
 };
 
-// What each of some targets shows that take turns, as the images of a window do.
+// A DamageTracker for each target of a set that takes turns, such as a window's images.
 class HeldTargets {
   public:
-    // Of this target, in which the caller is about to make a frame. Forgotten if another has made one there
-    // since.
+    // Returns the tracker of this target, in which the caller is about to make a frame. All its tiles are
+    // unknown if another renderer has drawn to the target since.
     DamageTracker& held_by(const vk::TargetImage& target);
 
   private:
     struct Known {
         VkImage image = VK_NULL_HANDLE;
-        std::uint64_t frame = 0;  // which of its frames was made last
+        std::uint64_t frame = 0;  // number of the last frame made in it
         DamageTracker held;
     };
     std::vector<Known> known_;
 };
 
-// The overlay where the device is the processor: painted here, into pixels of its own, only where it has
-// changed; HostFrame lays it over the picture.
+// The overlay for a software device: the processor paints changed tiles into a separate buffer, and HostFrame
+// composes it over the picture.
 class PaintedOverlay {
   public:
-    // Paints what has changed. The device is idle. Null: no overlay.
+    // Repaints the changed tiles. Null: no overlay. The device is idle.
     Result<void> fit(const FrameContext& frame, const Overlay* overlay);
-    // What lies where; nothing where there is no overlay.
+    // The content of each tile; empty without an overlay.
     [[nodiscard]] std::span<const std::uint64_t> content() const { return tiles_.content(); }
-    // As large as the picture; only tiles on which something lies are good.
+    // As large as the picture. Only tiles with overlay content are valid.
     [[nodiscard]] const vk::Buffer& painted() const { return painted_; }
 
   private:
@@ -79,23 +79,23 @@ class PaintedOverlay {
     TileGrid grid_;
     OverlayPictures pictures_;
     OverlayTiles tiles_;
-    std::vector<std::uint64_t> painted_content_;  // what of each tile was painted last
+    std::vector<std::uint64_t> painted_content_;  // content of each tile when it was last painted
     std::vector<std::uint8_t> wanted_;
     std::vector<PixelRect> rects_;
 };
 
-// As large as the frame.
+// A finished picture, as large as the frame.
 struct HostPicture {
     const vk::Buffer& pixels;
     std::span<const std::uint64_t> numbers;  // of its tiles, see TileContents
-    // Another that has its place on these tiles, and is another in every frame; the overlay may be laid on
-    // it. Null: none.
+    // Another picture that replaces this one on the tiles of `instead_on` and changes in every frame; the
+    // overlay may be composed over it. Null: no such picture.
     const vk::Buffer* instead = nullptr;
     std::span<const std::uint8_t> instead_on{};
 };
 
-// Calls with each of the two pictures and the rectangles where it is the one to be seen. `wanted` and `rects`
-// are memory to work in.
+// Calls `visit` with each of the two pictures and the rectangles where it is visible. `wanted` and `rects`
+// are scratch memory.
 template <typename Visit>
 void for_parts(const HostPicture& picture, const TileGrid& grid, std::vector<std::uint8_t>& wanted,
                std::vector<PixelRect>& rects, Visit visit) {
@@ -112,15 +112,15 @@ void for_parts(const HostPicture& picture, const TileGrid& grid, std::vector<std
         visit(picture.pixels, rect);
 }
 
-// Both as one, as large as the frame.
+// Merges both pictures into one, as large as the frame.
 void copy_whole(const HostPicture& picture, const TileGrid& grid, std::span<std::uint32_t> into);
 
 class HostFrame {
   public:
-    // A picture with the overlay; lays the target out as colour. The device is idle.
+    // Composes the picture and the overlay; leaves the target in the colour layout. The device is idle.
     Result<void> record(const FrameContext& frame, const vk::TargetImage& target, const HostPicture& picture,
                         const PaintedOverlay& overlay);
-    // The overlay alone, which covers everything.
+    // Copies only the overlay, which covers everything.
     void record_covered(const FrameContext& frame, const vk::TargetImage& target,
                         const PaintedOverlay& overlay);
 
@@ -132,7 +132,7 @@ class HostFrame {
 
     HeldTargets targets_;
     TileWork work_;
-    vk::Buffer laid_;  // what is shown with the overlay on it; only this frame's tiles of that are good
+    vk::Buffer laid_;  // pictures with the overlay over them; only this frame's tiles are valid
     std::vector<std::uint64_t> no_picture_;
     std::vector<PixelRect> rects_;
     std::vector<VkBufferImageCopy> regions_;

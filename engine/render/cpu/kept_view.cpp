@@ -108,7 +108,7 @@ void HostShade::learn(const FrameContext& frame, const ShadeLayers& layers) {
 }
 
 void HostShade::note_light(const LightLevels& levels) {
-    // Of the light, from frame to frame: what no eye sees where it lies beside what has not changed yet.
+    // Per frame: the eye does not see a change this small beside tiles that have not changed yet.
     constexpr float kLittle = 0.04F;
     const vec3 ambient = glm::abs(levels.ambient - levels_.ambient);
     const float change = std::max({ambient.x, ambient.y, ambient.z, std::abs(levels.key - levels_.key)});
@@ -145,7 +145,7 @@ bool HostShade::shade(const FrameContext& frame, const Scene& scene, const Shade
 
 namespace {
 
-// What is drawn at once: all of the picture's width, and these of its rows.
+// A band of the picture that is drawn at once: full width, these rows.
 struct Band {
     VkExtent2D extent;
     std::uint32_t top = 0;
@@ -184,8 +184,8 @@ void record_reading(const FrameContext& frame, const Band& band, const Reading& 
                            reading.into.handle(), 1, &region);
 }
 
-// In commands of their own: `draw` inside a pass over cleared images, and then what came of it, with its
-// depth, to where the host reads it.
+// Runs `draw` inside a pass over cleared images, in separate commands; then reads the images and their depth
+// back to the host.
 template <typename Draw>
 Result<void> draw_and_read(FrameContext& frame, const Band& band, std::span<const Reading> readings,
                            const vk::Buffer& depth_into, Draw&& draw) {

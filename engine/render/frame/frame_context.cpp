@@ -34,7 +34,7 @@ constexpr std::array kBindings{vk::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kB
                                vk::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 static_assert(kBindings.size() == shaders::kBindings);
 
-// Vulkan does not promise it everywhere; every desktop driver we know has it.
+// Vulkan does not guarantee these features for this format; every known desktop driver has them.
 Result<void> check_depth_format(const vk::Device& device) {
     constexpr VkFormatFeatureFlags kFeatures =
         VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT;
@@ -64,7 +64,7 @@ Result<void> create_shadow_map(FrameContext& frame) {
     frame.shadow_map = std::move(*map);
     vk::write_image(frame.device, frame.set(), shaders::kBindShadowMap, frame.shadow_map.view(),
                     frame.compared.get());
-    // What is bound must be laid out, though not every scene has it drawn or read.
+    // A bound image must have a layout, even if the scene neither draws nor reads it.
     return frame.device.run_once([&](VkCommandBuffer once) {
         vk::barrier(once, frame.shadow_map, vk::state::kUndefined, vk::state::kSampled);
     });
@@ -78,7 +78,7 @@ Result<void> FrameContext::create_layout(std::size_t bindings) {
     scene_set = std::move(*set);
     constexpr auto kPushBytes = static_cast<std::uint32_t>(
         std::max({sizeof(shaders::MeshDraw), sizeof(shaders::LatheDraw), sizeof(shaders::PropDraw)}));
-    static_assert(kPushBytes <= 128);  // what every device has
+    static_assert(kPushBytes <= 128);  // every device supports 128
     auto made = vk::create_pipeline_layout(device, scene_set.layout.get(), kPushBytes, "scene");
     if (!made) return made.error();
     layout = std::move(*made);

@@ -1,5 +1,5 @@
-// What every frame of either backend is made with: the device's objects that both need, what the scene
-// became, and the commands that are recorded. Main thread. Pixels.
+// Shared by the frames of both backends: the device objects that both need, the built scene, and the command
+// buffer. Main thread. Pixels.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct FrameContext {
     RendererDesc desc;
     vk::BoundSet scene_set{};
     vk::PipelineLayout layout{};
-    // The still life's shadow map and what reads it; the pipeline where a scene has needed it.
+    // The still life's shadow map, and what reads it. The pipeline is created when a scene first needs it.
     vk::Image shadow_map{};
     vk::Sampler compared{};
     vk::Pipeline shadow_map_pipeline{};
@@ -32,24 +32,24 @@ struct FrameContext {
     FrameStats stats{};
     PassClock clock{};
     vk::Buffer uniforms{};
-    mutable FrameWork work{};  // counted as it is recorded, by whoever only reads the rest
+    mutable FrameWork work{};  // mutable, so that passes with a const frame can count their draws
 
-    // Makes what is here but the shadow map's pipeline, with the first so many bindings of
-    // shaders/frame_data.h: a software device reads what is in a slot whether a shader does or not. Errors:
-    // the device's, or that it lacks a format.
+    // Creates everything except the shadow map's pipeline, with the first `bindings` bindings of
+    // shaders/frame_data.h: a software device reads bound slots even if no shader uses them. Errors: the
+    // device's, or a missing format.
     Result<void> create(std::size_t bindings);
-    // Of that, only what pipelines are made with.
+    // Creates only the set and the pipeline layout.
     Result<void> create_layout(std::size_t bindings);
-    // The command buffer; end() leaves the target, which is laid out as colour, as whoever shows it wants it.
+    // Begin and end the command buffer. end() moves the target from the colour layout to its final layout.
     Result<void> begin();
     Result<void> end(const vk::TargetImage& target);
-    // A part of the frame begins, on the device.
+    // Begins a part of the frame on the device.
     void enter(const char* part) { clock.enter(device, commands, part); }
 
     [[nodiscard]] EdgeView view(const Scene& scene) const {
         return {scene.camera, static_cast<int>(extent.width), static_cast<int>(extent.height)};
     }
-    // What the scene becomes; the stats begin anew.
+    // Builds the scene's shapes and resets the stats.
     void build(const Scene& scene, const StillBounds& still);
     void upload_uniforms(const shaders::FrameData& data) {
         uniforms.write(std::as_bytes(std::span(&data, 1)));
@@ -62,7 +62,7 @@ struct FrameContext {
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout.get(), 0, 1, &own, 0,
                                 nullptr);
     }
-    // `record` into commands of their own, which are done when this returns.
+    // Records `record` into separate commands; returns when the device has executed them.
     template <typename Record>
     Result<void> run_once(Record&& record) {
         return device.run_once([&](VkCommandBuffer once) {
@@ -84,7 +84,7 @@ struct FrameContext {
         ++work.draws;
         work.vertices += vertices;
     }
-    // One triangle over the whole target.
+    // Draws one triangle that covers the whole target.
     void draw_screen(const vk::Pipeline& pipeline) const {
         bind(pipeline);
         vkCmdDraw(commands, 3, 1, 0, 0);

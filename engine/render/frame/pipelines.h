@@ -1,4 +1,4 @@
-// How both backends make their pipelines: what is alike in all of them, and the making itself. Main thread.
+// Pipeline descriptions common to both backends, and a maker for pipelines. Main thread.
 #pragma once
 
 #include <array>
@@ -21,19 +21,19 @@ inline constexpr std::array kMeshAttributes{
     VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Mesh::Vertex, normal)},
     VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32_SFLOAT, offsetof(Mesh::Vertex, open_sky)}};
 
-// Without constants and colour formats, which the caller adds: a triangle over the whole picture that is seen
-// where nothing is, and meshes that stand still.
+// Descriptions without constants and colour formats, which the caller adds: a full-screen triangle that is
+// visible where nothing else was drawn, and static meshes.
 [[nodiscard]] vk::PipelineDesc screen_pipeline(const FrameContext& frame, std::string_view name,
                                                std::span<const std::uint32_t> fragment_spirv);
 [[nodiscard]] vk::PipelineDesc mesh_pipeline(const FrameContext& frame, std::string_view name,
                                              std::span<const std::uint32_t> fragment_spirv);
 
-// Makes pipelines until one fails; the first failure is kept.
+// Creates pipelines until one fails, and keeps the first error.
 class PipelineMaker {
   public:
     explicit PipelineMaker(const vk::Device& device) : device_(device) {}
 
-    // Where there is none yet: a pipeline takes 2 MB of a software driver's memory.
+    // Does nothing if `into` is set already: a pipeline takes 2 MB of a software driver's memory.
     void make(vk::Pipeline& into, const vk::PipelineDesc& desc);
     [[nodiscard]] Result<void> outcome() const { return error_; }
 

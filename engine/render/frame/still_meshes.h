@@ -1,5 +1,5 @@
-// The still life on the device: one vertex and one index buffer, filled when its revision changes. Main
-// thread.
+// The static meshes on the device: one vertex and one index buffer, uploaded when their revision changes.
+// Main thread.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@
 
 namespace onggi::render {
 
-// One vertex and one index buffer on the device, for many meshes together.
+// One vertex and one index buffer on the device, shared by many meshes.
 class MeshBuffers {
   public:
-    // In place of what was there; nothing to do without indices. `name` is what a debugger calls them.
-    // Precondition: the device does not read what was uploaded before.
+    // Replaces the contents; does nothing if `indices` is empty. `name` is the debug name. Precondition: the
+    // device no longer reads the old contents.
     Result<void> upload(const vk::Device& device, const std::string& name,
                         std::span<const std::byte> vertices, std::span<const std::uint32_t> indices);
-    // Precondition: there were indices.
+    // Precondition: upload() got indices.
     void bind(VkCommandBuffer commands) const;
 
   private:
@@ -34,16 +34,15 @@ class MeshBuffers {
 
 class StillMeshes {
   public:
-    // Uploads a still life, none where it is null, unless it is there as it is now; true: it was not.
-    // Precondition: the device does not read what was uploaded before.
+    // Uploads the static meshes if they changed (null clears them). Returns whether anything was uploaded.
+    // Precondition: the device no longer reads the old contents.
     Result<bool> fit(const vk::Device& device, const std::shared_ptr<const StillLife>& still_life);
 
-    // From now on what is nearer to the eye is drawn before what is farther, so that little is shaded and
-    // then hidden.
+    // Sorts the parts front to back as seen from the eye, to reduce overdraw.
     void look_from(const vec3& eye_mm);
 
     enum class Which { kAll, kCasters };
-    // Draws each part with its push constants.
+    // Draws the parts, each with its push constants.
     void draw(const FrameContext& frame, Which which) const;
     [[nodiscard]] const StillBounds& bounds() const { return bounds_; }
 
@@ -61,14 +60,15 @@ class StillMeshes {
     MeshBuffers buffers_;
     std::vector<Part> parts_;
     StillBounds bounds_;
-    std::shared_ptr<const StillLife> uploaded_;  // held, so that its revision is compared with itself
+    // Keeps its address from being reused, so that comparing revisions is valid.
+    std::shared_ptr<const StillLife> uploaded_;
     std::uint64_t revision_ = 0;
 };
 
-// The shadow map of a still life in its own colours: what stands still casts on itself. Its pipeline, where
-// there is none yet.
+// Creates the pipeline of the still life's shadow map if it does not exist. The map holds the shadows of the
+// still life on itself, where it is drawn in its own colours.
 Result<void> fit_shadow_map(FrameContext& frame);
-// Into the frame's shadow_map, in commands that are outside of any pass.
+// Records the shadow map into the frame's shadow_map. Call outside of any pass.
 void record_shadow_map(const FrameContext& frame, const StillMeshes& meshes);
 
 }  // namespace onggi::render

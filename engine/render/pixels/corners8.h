@@ -1,6 +1,5 @@
-// What corners are lit with by the processor, eight side by side, where that is the device: where they come
-// to lie, and the sky's part of their light. Inline, so that it becomes a part of whatever instructions its
-// user is compiled for. Any thread; pure. mm, pixels.
+// Vertex processing for the CPU backend, eight vertices at a time: projection, and the sky's part of their
+// light. Inline, so that the code is compiled for its caller's instruction set. Any thread; pure. mm, pixels.
 #pragma once
 
 #include <array>
@@ -19,7 +18,7 @@
 
 namespace onggi::render {
 
-// The vertices that some triangles need, in their order.
+// Returns the vertices that some triangles use, in ascending order.
 template <typename Index>
 [[nodiscard]] std::vector<std::uint32_t> vertices_of(std::span<const Index> indices,
                                                      std::size_t vertex_count) {
@@ -46,7 +45,7 @@ template <typename Index>
 [[gnu::always_inline]] inline Float8x3 normalised(const Float8x3& a) {
     return scaled(a, float8::inversesqrt(dot(a, a)));
 }
-// Of a way to the eye, as a surface that looks along n mirrors it.
+// Reflects the direction to the eye at a surface with normal n.
 [[gnu::always_inline]] inline Float8x3 mirrored(const Float8x3& n, const Float8x3& v) {
     const Float8 twice = 2.0F * dot(n, v);
     return {twice * n.x - v.x, twice * n.y - v.y, twice * n.z - v.z};
@@ -57,7 +56,7 @@ template <typename Index>
 
 using Colour8 = std::array<Float8, 3>;
 
-// What a white surface facing n sends back of the sky.
+// The sky's light that a white surface facing n reflects diffusely.
 [[gnu::always_inline]] inline void find_sky_diffuse(const shaders::FrameData& frame, const Float8x3& n,
                                                     Colour8& into) {
     for (int channel = 0; channel < 3; ++channel) {
@@ -86,10 +85,10 @@ template <typename Roughness>
     }
 }
 
-// In the steps that a device has between two pixels, so that a shape covers the same ones as if it drew it.
+// Rounds to a device's sub-pixel steps, so that shapes cover the same pixels as if the device drew them.
 [[gnu::always_inline]] inline auto in_steps(const auto& px) {
     constexpr float kSteps = 256.0F;
-    constexpr float kFarPx = 16384.0F;  // beyond any picture; twice as much in steps is a whole number yet
+    constexpr float kFarPx = 16384.0F;  // beyond any picture; twice this, in steps, is still an exact integer
     const auto from_far = float8::clamp(px + kFarPx, 0.0F, 2.0F * kFarPx);
     return float8::floats(float8::ints(from_far * kSteps + 0.5F)) / kSteps - kFarPx;
 }
@@ -107,7 +106,7 @@ struct Placed8 {
     };
     const Float8 z = row(2);
     const Float8 w = row(3);
-    const Int8 is_before = (w > 0.0F) & (z >= 0.0F);  // the nearest plane
+    const Int8 is_before = (w > 0.0F) & (z >= 0.0F);  // beyond the near plane
     const Float8 fraction = 1.0F / float8::select(is_before, w, 1.0F);
     return {.at = {in_steps(half.x * (row(0) * fraction + 1.0F)),
                    in_steps(half.y * (row(1) * fraction + 1.0F)), z * fraction},

@@ -6,7 +6,7 @@
 namespace onggi::render {
 namespace {
 
-// Of each byte: the fraction of `other`, in 256ths.
+// Blends each byte: `fraction` 256ths of `other`, the rest of `own`.
 std::uint32_t mixed(std::uint32_t own, std::uint32_t other, std::uint32_t fraction) {
     constexpr std::uint32_t kEven = 0x00FF00FFU;
     constexpr std::uint32_t kHalf = 0x00800080U;
@@ -18,7 +18,7 @@ std::uint32_t mixed(std::uint32_t own, std::uint32_t other, std::uint32_t fracti
     return of(0) | of(8) << 8;
 }
 
-// A piece along the axis it mostly runs along, the other one across.
+// A segment in the coordinates of its major axis (along) and minor axis (across).
 struct Line {
     vec2 from;  // along, across
     float lean = 0.0F;
@@ -34,7 +34,7 @@ Line line_of(const OutlinePiece& piece, bool is_level) {
     const vec2 to = turned(piece.to);
     const float length = to.x - from.x;
     const float by = std::abs(length) > 1e-4F ? length : std::copysign(1e-4F, length);
-    // Further at both ends, as the strips are.
+    // Extended at both ends, so that adjacent segments leave no gap.
     constexpr float kBeyond = 0.25F;
     return {.from = from,
             .lean = (to.y - from.y) / by,
@@ -67,7 +67,7 @@ void EdgePixels::smooth(std::span<const OutlinePiece> pieces, const PixelRect& w
             const float across = line.from.y + line.lean * by;
             if (!(across >= static_cast<float>(low_across)) || across >= static_cast<float>(end_across))
                 continue;
-            // The line goes through this one, and parts it where it lies from its middle.
+            // The segment crosses this pixel and splits it at its distance from the pixel's centre.
             const int pixel = static_cast<int>(across);
             const float off = static_cast<float>(pixel) + 0.5F - across;
             const auto at =

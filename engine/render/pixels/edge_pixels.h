@@ -1,5 +1,5 @@
-// Outlines smoothed where a picture has one sample a pixel: by the processor, where that is the device. Any
-// thread; one user of a canvas at a time. Pixels.
+// Anti-aliases silhouettes of a picture with one sample per pixel, for the CPU backend. Any thread; one user
+// of a canvas at a time. Pixels.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace onggi::render {
 
 class EdgePixels {
   public:
-    // Gives each pixel inside `within` through which a piece goes that nothing hides its fraction of what
-    // lies beyond. `within` lies inside the canvas, and so does the pixel around it.
+    // Blends each pixel inside `within` that a visible segment crosses with its neighbour beyond the segment,
+    // by coverage. `within` and the pixels around it must be inside the canvas.
     void smooth(std::span<const OutlinePiece> pieces, const PixelRect& within, const PictureCanvas& canvas);
 
   private:
@@ -24,7 +24,7 @@ class EdgePixels {
         std::size_t at = 0;
         std::uint32_t pixel = 0;
     };
-    std::vector<Smoothed> smoothed_;  // written when all have been read
+    std::vector<Smoothed> smoothed_;  // written after all pixels are read
 };
 
 }  // namespace onggi::render

@@ -1,5 +1,5 @@
-// Light to pixels, eight side by side: encode() of shaders/tone.glsl. Inline, so that it
-// becomes a part of whatever instructions its user is compiled for. Any thread; pure.
+// Encodes light as pixels, eight at a time: encode() of shaders/tone.glsl. Inline, so that the code is
+// compiled for its caller's instruction set. Any thread; pure.
 #pragma once
 
 #include "engine/math/float8.h"
@@ -12,9 +12,9 @@
 
 namespace onggi::render {
 
-constexpr int kOpaque = -16777216;  // alpha of all eight bits, highest
+constexpr int kOpaque = -16777216;  // alpha of 255 in the highest byte
 
-// Light that is not below 0; with one division for its three fractions.
+// `light` must not be negative. The three fractions share one division.
 [[gnu::always_inline]] inline Int8 encoded(const Float8x3& light, ByteOrder order) {
     const Float8x3 under{shaders::curve_under(light.x), shaders::curve_under(light.y),
                          shaders::curve_under(light.z)};

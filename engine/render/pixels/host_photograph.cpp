@@ -8,7 +8,7 @@ namespace onggi::render {
 HostPhotograph::HostPhotograph(int width, int height, std::span<const std::uint8_t> rgba, ByteOrder order)
     : width_(width),
       height_(height),
-      // A row before them and one behind, and what a block reads beyond.
+      // One row before, one row behind, and a block's overread.
       texels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height + 2) + 8) {
     const std::span<std::uint32_t> own = texels();
     const std::size_t red = order == ByteOrder::kRedFirst ? 0 : 2;

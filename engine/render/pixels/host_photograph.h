@@ -1,4 +1,4 @@
-// Photographs where the processor finds them, to be laid by it. Any thread. Texels.
+// Photographs in memory for the CPU backend. Any thread. Texels.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace onggi::render {
 
-// One photograph as the host reads it: texels of four bytes, with the transfer and in the byte order of the
-// picture. Round them lies what a look between two of them may touch beside the last.
+// A photograph in host memory: texels of four bytes, in the picture's encoding and byte order. A border
+// around it holds the texels that interpolation beside the last texel reads.
 class HostPhotograph {
   public:
     HostPhotograph() = default;
@@ -30,7 +30,7 @@ class HostPhotograph {
     std::vector<std::uint32_t> texels_;
 };
 
-// A background's pair.
+// The two photographs of a background.
 struct HostBackground {
     HostPhotograph key;
     HostPhotograph ambient;

@@ -13,7 +13,7 @@
 namespace onggi::render {
 namespace {
 
-// Vertices side by side.
+// Eight vertices.
 struct Vertices8 {
     Float8x3 place;  // mm
     Float8x3 normal;
@@ -32,7 +32,7 @@ struct Vertices8 {
     Float8 load;
 };
 
-// The last one again where there are fewer.
+// Fewer than eight vertices are padded with the last one.
 [[gnu::always_inline]] inline void load(const LatheGrid& grid, std::span<const std::uint32_t> numbers,
                                         Vertices8& into) {
     const auto in_row = static_cast<std::size_t>(grid.draw.turn.y);
@@ -70,7 +70,7 @@ struct Answer8 {
 
 [[gnu::always_inline]] inline void answer_light(const LatheGrid& grid, Vertices8& own, Answer8& answer) {
     const shaders::FrameData& frame = grid.frame;
-    // From the row's normal in its half plane to the vertex's own.
+    // From the row's normal in its half plane to the vertex's normal.
     const Float8 across = own.normal.x;
     own.normal =
         normalised({across * own.outward_x, own.normal.y - across * own.lean, across * own.outward_z});

@@ -1,5 +1,5 @@
-// The corners of the lathe, placed in the picture, with the light that changes slowly over it: what
-// shaders/lathe.vert does, for a device that is the processor. Any thread; pure. mm, pixels.
+// The lathe's vertices, projected and lit with the light that varies slowly: what shaders/lathe.vert does,
+// for the CPU backend. Any thread; pure. mm, pixels.
 #pragma once
 
 #include <cstddef>
@@ -12,33 +12,34 @@
 
 namespace onggi::render {
 
-// What grows evenly from corner to corner. Vectors and colours take three, or as many as they have axes.
+// Values that are interpolated linearly between vertices. A vector or colour takes one index per component.
 namespace lathe_value {
-constexpr std::size_t kToEye = 0;      // unit
-constexpr std::size_t kOutward = 3;    // x and z, unit
-constexpr std::size_t kStreak = 5;     // texels of the streaks across and up, not below 0; times kNear
+constexpr std::size_t kToEye = 0;    // unit
+constexpr std::size_t kOutward = 3;  // x and z, unit
+// Texels of the streaks across and up, not negative; multiplied by kNear.
+constexpr std::size_t kStreak = 5;
 constexpr std::size_t kNormal = 7;     // texels of the outline's normals
-constexpr std::size_t kSeen = 8;       // key light that gets here
-constexpr std::size_t kWater = 9;      // in the body
-constexpr std::size_t kFilm = 10;      // of water on it
-constexpr std::size_t kLean = 11;      // how dents lean the wall, as a slope
-constexpr std::size_t kHalf = 12;      // one over the length of view and light together
-constexpr std::size_t kLoad = kHalf;   // in its place, where load is shown: 1 gives way
+constexpr std::size_t kSeen = 8;       // key light that arrives here
+constexpr std::size_t kWater = 9;      // water in the body
+constexpr std::size_t kFilm = 10;      // water on the surface
+constexpr std::size_t kLean = 11;      // slope of the wall caused by dents
+constexpr std::size_t kHalf = 12;      // one over the length of the sum of view and light direction
+constexpr std::size_t kLoad = kHalf;   // replaces kHalf where the load is shown: 1 collapses
 constexpr std::size_t kAmbient = 13;   // diffuse, of the body's own colour
 constexpr std::size_t kMirrored = 16;  // of the sky
 constexpr std::size_t kNear = 19;      // one over the distance along the view
-constexpr std::size_t kPlain = 20;     // how many the light needs that no moving sphere is near
+constexpr std::size_t kPlain = 20;     // number of values needed where no moving sphere is near
 constexpr std::size_t kPlace = 20;     // mm
-constexpr std::size_t kDepth = 23;     // as the device has it
+constexpr std::size_t kDepth = 23;     // as the device's depth buffer stores it
 constexpr std::size_t kCount = 24;
 }  // namespace lathe_value
 
-// The streaks' texture repeats; some of its widths are added so that no place in it is below 0.
+// The streaks' texture repeats; this many widths are added to keep its coordinates positive.
 constexpr float kStreakWidthsMore = 4.0F;
 
 using LatheCorner = PictureCorner<lathe_value::kCount>;
 
-// What of the streaks' texture is read: texels, powers of two.
+// Size of the streaks' texture: texels, powers of two.
 struct StreakSize {
     int across = 512;
     int up = 512;
@@ -52,8 +53,8 @@ struct LatheGrid {
     StreakSize streaks;
     bool shows_load = false;
 };
-// A corner for each vertex, of which those are good that these triangles need. A processor without wider
-// vectors finds the same bits. `corners` is used again.
+// Computes one corner per vertex; only those that the triangles use are valid. The result is bit-identical
+// with and without wide vectors. Reuses the memory of `corners`.
 void light_corners(const LatheGrid& grid, std::span<const std::uint16_t> indices,
                    std::vector<LatheCorner>& corners);
 

@@ -24,7 +24,7 @@ namespace value = lathe_value;
 using shapes::Reach;
 using shapes::Shape;
 
-// What grows evenly over a triangle, as vectors of values: at its first corner, and from pixel to pixel.
+// Values that are interpolated linearly over a triangle, packed into vectors.
 constexpr std::size_t kValueVectors = value::kCount / kFloat8;
 using Values = std::array<Float8, kValueVectors>;
 
@@ -35,7 +35,7 @@ using Values = std::array<Float8, kValueVectors>;
     return values;
 }
 
-// Which level of the streaks a triangle shows: the one with a texel a pixel or two.
+// Selects the level of the streaks: the one with one to two texels per pixel.
 [[gnu::always_inline]] inline int streak_level(const Shape<value::kCount>& shape, float area) {
     const LatheCorner& first = *shape.corners[0];
     const auto texels_up = [](const LatheCorner& corner) {
@@ -51,14 +51,14 @@ using Values = std::array<Float8, kValueVectors>;
     return (a_pixel > least ? 1 : 0) + (a_pixel > 2.0F * least ? 1 : 0) + (a_pixel > 4.0F * least ? 1 : 0);
 }
 
-// How a triangle's values grow, as vectors of values and one by one.
+// The gradients of a triangle's values, packed and for each value.
 struct Growth {
     vec2 from;    // its first corner
-    int level;    // of the streaks, where a pixel's place in the queue has it
-    Values base;  // there
+    int level;    // level of the streaks, shifted to its position in Queue::at
+    Values base;  // values at `from`
     Values across;
     Values down;
-    alignas(32) std::array<Float8, value::kCount> along;  // a row's first eight pixels
+    alignas(32) std::array<Float8, value::kCount> along;  // offsets of eight pixels in a row
 
     [[gnu::always_inline]] Growth(const Shape<value::kCount>& shape, float area)
         : from(shape.corners[0]->at_px),
@@ -77,7 +77,7 @@ struct Growth {
         for (std::size_t i = 0; i < value::kCount; ++i)
             along[i] = across[i / kFloat8][i % kFloat8] * floats(kFirst8);
     }
-    // At a pixel.
+    // Computes the values at a pixel.
     [[gnu::always_inline]] void find(int x, int y, std::array<float, value::kCount>& found) const {
         const float right_by = static_cast<float>(x) + 0.5F - from.x;
         const float down_by = static_cast<float>(y) + 0.5F - from.y;
@@ -88,7 +88,7 @@ struct Growth {
     }
 };
 
-// By how much a block's load and its place along the hatch change from pixel to pixel: fwidth() of a shader.
+// Screen-space derivatives of the load and of the hatch position for a block, like fwidth() in a shader.
 [[gnu::always_inline]] inline void add_widths(const Growth& growth,
                                               const std::array<float, value::kCount>& first,
                                               const LatheLook& look, Queue& queue, std::size_t at) {
@@ -112,14 +112,14 @@ struct Growth {
     std::memcpy(queue.values[shading::kLoadWidth].data() + at, &load_width, sizeof load_width);
 }
 
-// The part of a row from `x` on that a block holds; `end`: its last pixel's next.
+// Queues one block: the pixels of a row from `x` on that fit in it. `end`: one after the row's last pixel.
 template <Pot kPot>
 [[gnu::always_inline]] inline void add(const Growth& growth, int x, int end, int y, const LatheLook& look,
                                        const PictureCanvas& canvas, Queue& queue) {
     const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(y) * canvas.size.width + x;
     const std::ptrdiff_t at =
         std::min(wanted, static_cast<std::ptrdiff_t>(canvas.pixels.size()) - std::ptrdiff_t{kFloat8});
-    const int early = static_cast<int>(wanted - at);  // pixels of the block before the part
+    const int early = static_cast<int>(wanted - at);  // pixels of the block before `x`
     const int count = std::min(end - x + early, kFloat8);
     alignas(32) std::array<float, value::kCount> first;
     growth.find(x - early, y, first);
@@ -143,7 +143,7 @@ template <Pot kPot>
     queue.count = before + static_cast<std::size_t>(count);
 }
 
-// `area`: twice its own in the picture, below 0: its corners go counter-clockwise.
+// `area`: twice the signed area in the picture; negative, because the corners are counter-clockwise.
 template <Pot kPot>
 [[gnu::always_inline]] inline void draw_triangle(const Shape<value::kCount>& shape, float area,
                                                  const LatheLook& look, Reach& reach,
@@ -166,7 +166,7 @@ template <Pot kPot>
 [[gnu::always_inline]] inline void draw_some(std::span<const LatheCorner> corners,
                                              std::span<const std::uint16_t> indices, const LatheLook& look,
                                              Reach& reach, const PictureCanvas& canvas) {
-    Queue queue{};  // the last block may be part of one
+    Queue queue{};  // zeroed: the last block of eight may be partial
     Shape<value::kCount> shape;
     for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {
         const LatheCorner& a = corners[indices[first]];
@@ -174,7 +174,7 @@ template <Pot kPot>
         const LatheCorner& c = corners[indices[first + 2]];
         if (std::min({a.away_mm, b.away_mm, c.away_mm}) <= 0.0F) continue;
         const float area = shapes::area_of(a.at_px, b.at_px, c.at_px);
-        if (area > -shapes::kNoArea) continue;  // it looks away
+        if (area > -shapes::kNoArea) continue;  // faces away
         shape.corners = {&a, &b, &c, nullptr};
         draw_triangle<kPot>(shape, area, look, reach, canvas, queue);
     }

@@ -1,6 +1,6 @@
-// The lathe's pixels by the processor, where that is the device: as shaders/lathe.h says, eight at a
-// time. lavapipe shades a triangle by the 4 x 4 blocks it touches, three times as many pixels as are seen.
-// Any thread; one user of a canvas at a time. Pixels, mm.
+// Rasterises the lathe for the CPU backend, eight pixels at a time, with the formulas of shaders/lathe.h.
+// lavapipe shades every 4 x 4 block that a triangle touches, three times as many pixels as are visible. Any
+// thread; one user of a canvas at a time. Pixels, mm.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace onggi::render {
 
-// What all of it has in common. `streaks` are texels of four bytes, as streak_levels() makes them.
+// Parameters that are the same for all triangles. `streaks`: four-byte texels made by streak_levels().
 struct LatheLook {
     const shaders::FrameData& frame;
     const shaders::LatheDraw& draw;
@@ -22,14 +22,14 @@ struct LatheLook {
     std::span<const std::uint32_t> streaks;
     StreakSize streak_size;
     ByteOrder order = ByteOrder::kRedFirst;
-    bool shows_load = false;             // which the corners must have then
-    std::span<const LatheMark> marks{};  // of the scene, see LatheMarks; empty: none
+    bool shows_load = false;             // the corners must then have been lit with it
+    std::span<const LatheMark> marks{};  // of the scene, see LatheMarks; empty: no marks
 };
 
-// Draws triangles, three indices of corners each, where they look at the eye and nothing that is there is
-// nearer; those with a corner behind the eye are left out. On the first `plain` indices no sphere's shadow
-// falls. A processor without wider vectors draws the same bits. A canvas of fewer than eight pixels stays as
-// it is: nobody sees what is in it.
+// Draws triangles, three indices of corners each, that face the eye, with a depth test (nearer or equal
+// passes). Triangles with a corner behind the eye are skipped. No sphere's shadow falls on the first `plain`
+// indices. The result is bit-identical with and without wide vectors. A canvas of fewer than eight pixels is
+// left unchanged.
 void draw_lathe(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
                 std::size_t plain, const LatheLook& look, const PictureCanvas& canvas);
 

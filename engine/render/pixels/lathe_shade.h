@@ -1,6 +1,6 @@
-// How the lathe's pixels are shaded by the processor, where that is the device: as shaders/lathe.h says,
-// eight at a time, out of a queue in which they wait. Inline, so that it becomes a part of whatever
-// instructions its user is compiled for. Any thread; pure. Pixels, mm.
+// Shades queued pixels of the lathe for the CPU backend, eight at a time, with the formulas of
+// shaders/lathe.h. Inline, so that the code is compiled for its caller's instruction set. Any thread; pure.
+// Pixels, mm.
 #pragma once
 
 #include <algorithm>
@@ -26,31 +26,31 @@ using float8::ints;
 using float8::looked_up;
 using float8::max;
 
-// Which pixels are drawn together.
+// Variants of the shading; a draw uses one.
 enum class Pot { kPlain, kNearSpheres, kWithLoad, kMarked };
 
-// What a pixel that shows its load has besides: by how much that changes from it to the next ones, and by how
-// many mm the place along the hatch does.
+// Additional values of pixels that show the load: the screen-space derivatives of the load and of the
+// position along the hatch in mm.
 constexpr std::size_t kLoadWidth = value::kDepth;
 constexpr std::size_t kHatchWidth = kLoadWidth + 1;
 
-// Pixels that wait to be shaded, side by side whichever triangles they are of: most rows of a triangle are
-// narrower than a block.
+// Pixels waiting to be shaded, from any number of triangles: most rows of a triangle are narrower than a
+// block.
 struct Queue {
     static constexpr std::size_t kMost = 128;
     std::size_t count = 0;
     alignas(32) std::array<std::array<float, kMost>, kHatchWidth + 1> values;
     std::array<std::int32_t, kMost>
-        at;  // of the picture, below the streaks' level; below 0: something is nearer
+        at;  // index in the picture, with the streaks' level in the upper bits; negative: occluded
 
     [[nodiscard]] bool is_full() const { return count + kFloat8 > kMost; }
 };
 
-// Above a pixel's place: which level of the streaks it shows.
+// The streaks' level is stored above the pixel's index.
 constexpr int kLevelShift = 28;
 static_assert(kStreakLevels <= 1 << (31 - kLevelShift));
 
-// Eight of them.
+// Eight queued pixels.
 struct Pixels {
     const Queue& queue;
     std::size_t first;
@@ -70,7 +70,7 @@ struct Pixels {
     }
 };
 
-// What it has of the texture of streaks, 0 to 1.
+// The streaks' texture at a pixel, 0 to 1.
 struct Streaks {
     Float8 tone;
     Float8 lean_round;
@@ -90,18 +90,18 @@ struct Streaks {
     return {byte(0), byte(8), byte(16), byte(24)};
 }
 
-// What is painted there.
+// The marks at a pixel.
 struct Painted {
-    Float8x3 roots;  // of its light
+    Float8x3 roots;  // square roots of light
     Float8 cover;
     Float8 lean_round;  // counter-clockwise from above
     Float8 lean_up;
 };
-// Between four marks; past the outside's end there is none.
+// Bilinear; there are no marks beyond the end of the outside.
 [[gnu::always_inline]] inline Painted painted_at(const LatheLook& look, const Pixels& own) {
     const vec4& marks = look.draw.marks;
     const Float8 away = 1.0F / own[value::kNear];
-    // Streaks run clockwise from above, two of their texture go round, and some are added to all.
+    // Streak coordinates run clockwise from above, two texture widths per turn, plus a positive offset.
     const float columns_a_texel =
         -0.5F * static_cast<float>(kMarkColumns) / static_cast<float>(look.streak_size.across);
     constexpr float kNotBelow0 = kMarkColumns * 8.0F;
@@ -146,7 +146,7 @@ struct Painted {
             .lean_up = shaders::lathe_mark_lean(found.lean_up, marks.w) * is_outside};
 }
 
-// The way the wall looks there, not of unit length: the outline's own normal, leaned by dents and streaks.
+// The wall's normal, not normalised: the outline's normal, tilted by dents, streaks and marks.
 template <Pot kPot>
 [[gnu::always_inline]] inline Float8x3 normal_at(const LatheLook& look, const Pixels& own,
                                                  const Streaks& streaks, const Painted& painted) {
@@ -177,8 +177,8 @@ template <Pot kPot>
     return seen;
 }
 
-// How much of each light goes to the eye: of the key as the body throws it back, of the key as a mirror
-// does, of the sky as a mirror does; and how light the body is.
+// Weights of the light that goes to the eye: key light reflected diffusely, key light reflected specularly,
+// sky light reflected specularly; and the brightness of the body.
 struct Fractions {
     Float8 body;
     Float8 gloss;
@@ -215,7 +215,7 @@ template <Pot kPot>
     const Float8 rough = shaders::lathe_rough(water);
     const Float8 lit = shaders::lathe_lit(shaders::soft_cosine(n_l, draw.wet.w, draw.turn.w), rough, s,
                                           body_sheen, fraction, shaders::lathe_left(rough));
-    const float mirrors = draw.turn.z;  // straight on
+    const float mirrors = draw.turn.z;  // reflectance at normal incidence
     const Float8 gloss = shaders::lathe_gloss(shaders::ggx_over(light_l, roughness), body_under,
                                               shaders::ggx_over(light_l, draw.gloss.z), sheen_under, mirrors,
                                               film, fraction * t);
@@ -225,7 +225,7 @@ template <Pot kPot>
             .tone = shaders::lathe_tone(draw.dry.w, streaks.tone)};
 }
 
-// How near the lathe is to giving way, laid on its own colour.
+// The load display, blended over the lathe's own colour.
 struct LoadLayers {
     Float8 red;
     Float8 dark;
@@ -237,7 +237,7 @@ struct LoadLayers {
     }
 };
 
-// The light of one channel; with `load` as another colour of the body, null: as it is.
+// The light of one channel. `load` and `painted` replace the body's colour; null: no change.
 [[gnu::always_inline]] inline Float8 light_of(const LatheLook& look, const Pixels& own,
                                               const Fractions& fractions, const LoadLayers* load,
                                               const Painted* painted, int channel) {
@@ -263,7 +263,7 @@ struct LoadLayers {
     return max(body + key * fractions.gloss + own[value::kMirrored + number] * fractions.mirror, 0.0F);
 }
 
-// Where a place in the streaks' texture, in texels, lies along the hatch: round the pot and up it.
+// mm along the hatch per texel of the streaks' texture, around the pot and up.
 struct HatchPerTexel {
     float round_mm;
     float up_mm;
@@ -275,7 +275,7 @@ struct HatchPerTexel {
 [[gnu::always_inline]] inline Float8 hatch_at(const LatheLook& look, const Pixels& own) {
     const HatchPerTexel hatch(look.streak_size);
     const Float8 away = 1.0F / own[value::kNear];
-    // It stands on the lathe, whereas the streaks' texture turns under it.
+    // The hatch stands still on the lathe, whereas the streaks' texture turns.
     const float turned_mm =
         (look.draw.turn.x + kStreakWidthsMore) * static_cast<float>(look.streak_size.across) * hatch.round_mm;
     return (own[value::kStreak] * hatch.round_mm + own[value::kStreak + 1] * hatch.up_mm) * away - turned_mm;

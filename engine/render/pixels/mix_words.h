@@ -1,12 +1,12 @@
-// Two pixels of four bytes each, mixed: inline, so that it becomes a part of whatever instructions its user
-// is compiled for. Any thread; pure.
+// Blends two four-byte pixels. Inline, so that the code is compiled for its caller's instruction set. Any
+// thread; pure.
 #pragma once
 
 #include <cstdint>
 
 namespace onggi::render {
 
-// Of the second `part`, 0 to 256, and of the first the rest of 256; two channels at a time.
+// `part`/256 of the second pixel, the rest of the first; two channels at a time.
 [[gnu::always_inline]] inline std::uint32_t mix_words(std::uint32_t first, std::uint32_t second,
                                                       std::uint32_t part) {
     constexpr std::uint32_t kTwo = 0x00FF00FFU;

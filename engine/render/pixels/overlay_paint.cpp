@@ -84,7 +84,7 @@ void OverlayTiles::learn(const TileGrid& grid, const ui::DrawList& list, const O
 
 namespace {
 
-// Vectors of the compiler's own, so that every processor gets its best instructions for the same bits.
+// Compiler vectors, so that each processor uses its best instructions and computes the same bits.
 constexpr std::size_t kLanes = 4;
 using Words [[gnu::vector_size(16)]] = std::uint32_t;
 using Halves [[gnu::vector_size(16)]] = std::uint16_t;
@@ -93,7 +93,7 @@ using Floats [[gnu::vector_size(16)]] = float;
 
 constexpr std::uint32_t kEvenBytes = 0x00FF00FFU;
 
-// Of 0 to 255, as a part of 256 in both halves of each word.
+// Converts 0..255 to 0..256, in both halves of each word.
 [[gnu::always_inline]] inline Words part_of_256(const Words& of_255) {
     const Words part = of_255 + (of_255 >> 7);
     return part | part << 16;
@@ -106,7 +106,7 @@ constexpr std::uint32_t kEvenBytes = 0x00FF00FFU;
     return std::bit_cast<Words>(even) | (std::bit_cast<Words>(odd) & ~kEvenBytes);
 }
 
-// No byte comes to more than 255, because none of `over` is above its alpha.
+// No byte exceeds 255, because no colour in `over` (premultiplied) exceeds its alpha.
 [[gnu::always_inline]] inline Words laid_over(const Words& under, const Words& over) {
     return over + scaled(under, part_of_256(255U - (over >> 24)));
 }
@@ -121,7 +121,7 @@ std::uint32_t in_order(std::uint32_t pixel, ByteOrder order) {
     return (pixels & 0xFF00FF00U) | (pixels & 0xFFU) << 16 | (pixels >> 16 & 0xFFU);
 }
 
-// Lays over some pixels of a row what `over` gives for four of them, of which the last may be fewer.
+// Composes `over(at, bytes)` over a row, four pixels at a time; the last group may be smaller.
 template <typename Over>
 [[gnu::always_inline]] inline void lay_row(std::uint32_t* pixels, std::size_t count, const Over& over) {
     const auto lay = [&](std::size_t at, std::size_t bytes) {
@@ -132,11 +132,11 @@ template <typename Over>
     };
     std::size_t at = 0;
     for (; at + kLanes <= count; at += kLanes)
-        lay(at, sizeof(Words));  // a size that is known is one instruction
+        lay(at, sizeof(Words));  // with a constant size, memcpy is one instruction
     if (at < count) lay(at, (count - at) * sizeof(std::uint32_t));
 }
 
-// Pixels of a row that shapes lay something over.
+// A run of pixels in a row that a shape is drawn over.
 struct Span {
     int y = 0;
     int left = 0;
@@ -149,7 +149,7 @@ void lay_even(std::uint32_t colour, const Span& span) {
     lay_row(span.pixels, span.count, [&](std::size_t, std::size_t) { return over; });
 }
 
-// Of each byte: in the first pixel of a span, and how it grows from each to the next.
+// For each byte: the value at the first pixel of a span, and the gradient along it.
 struct Shading {
     Floats first{};
     Floats across{};
@@ -168,8 +168,8 @@ void lay_shaded(const Shading& shading, const Span& span) {
         Words over{};
         const Floats alpha = value[3] < kMost ? value[3] : kMost;
         for (std::size_t byte = 0; byte < 4; ++byte) {
-            // Rounding, or a sliver's steep plane, must not leave a colour above its alpha, nor a byte its
-            // place.
+            // Clamp: rounding, or the steep gradient of a sliver, must not raise a colour above its alpha or
+            // overflow a byte.
             const Floats least = value[byte] < alpha ? value[byte] : alpha;
             const Floats kept = least > Floats{} ? least : Floats{};
             over |= std::bit_cast<Words>(__builtin_convertvector(kept, Ints)) << (8 * byte);
@@ -181,7 +181,7 @@ void lay_shaded(const Shading& shading, const Span& span) {
 
 struct Picture {
     const ui::Painting* painting = nullptr;
-    glm::ivec2 corner{0};     // where its upper left pixel comes to lie
+    glm::ivec2 corner{0};     // position of its upper left pixel
     std::uint32_t alpha = 0;  // of 255
     ByteOrder order = ByteOrder::kRedFirst;
 };
@@ -208,14 +208,14 @@ Floats bytes_of(std::uint32_t rgba) {
     return Floats{byte(0), byte(1), byte(2), byte(3)};
 }
 
-// The first pixel whose middle lies at or after this.
+// Returns the first pixel whose centre is at or after `edge`.
 int first_pixel(float edge, int least, int most) {
-    // In this order what is no number is the least.
+    // In this argument order NaN yields `least`.
     return static_cast<int>(
         std::min(std::max(static_cast<float>(least), std::ceil(edge - 0.5F)), static_cast<float>(most)));
 }
 
-// Where the overlay is painted, and how far.
+// The target of the painting and its clip rectangle.
 struct Sheet {
     PixelRect inside;
     int width_px = 0;
@@ -224,7 +224,7 @@ struct Sheet {
     [[nodiscard]] int first_row(float edge) const {
         return first_pixel(edge, inside.y, inside.y + inside.height);
     }
-    // The part of a row between two edges; of no pixels: none.
+    // Returns the part of a row between two edges; may be empty.
     [[nodiscard]] Span span(int y, float left_edge, float right_edge) const {
         const int left = first_pixel(left_edge, inside.x, inside.x + inside.width);
         const int right = first_pixel(right_edge, inside.x, inside.x + inside.width);
@@ -233,10 +233,10 @@ struct Sheet {
     }
 };
 
-// An upright rectangle: first its upper left corner, then clockwise.
+// An axis-aligned rectangle: upper left corner, then clockwise.
 using Quad = std::array<ui::Vertex, 4>;
 
-// Shaded along its left and right sides, and in every row from the one to the other.
+// Interpolates along the left and right sides, then across each row.
 void paint_box(const Quad& box, const Sheet& sheet) {
     const vec2 from = box[0].position_px;
     const vec2 size = box[2].position_px - from;
@@ -266,8 +266,8 @@ void paint_picture(const Quad& box, const Picture& picture, const Sheet& sheet) 
 
 using Triangle = std::array<ui::Vertex, 3>;
 
-// The plane through three corners' colours: of each byte in the pixel whose middle is at 0, 0, and how it
-// grows. Nothing for a triangle without an area.
+// The plane through three corners' colours: for each byte the value at the pixel centre (0, 0) and its
+// gradients. Empty for a triangle without area.
 struct Plane {
     Floats origin{};
     Floats across{};
@@ -287,8 +287,8 @@ std::optional<Plane> plane_of(const Triangle& corners) {
     return Plane{at_a + across * (0.5F - a.x) + down * (0.5F - a.y), across, down};
 }
 
-// Where a line across the picture crosses the sides of a triangle. A side is always walked downwards, so that
-// the two triangles it belongs to find the same pixels on it.
+// Returns where a horizontal line crosses the sides of a triangle. A side is always walked downwards, so that
+// the two triangles that share it agree on its pixels.
 std::optional<vec2> crossed(const Triangle& corners, float y) {
     vec2 ends(1e9F, -1e9F);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -331,7 +331,7 @@ bool may_touch(std::span<const ui::Vertex> corners, const PixelRect& inside) {
     return low.x < to.x && low.y < to.y && high.x > from.x && high.y > from.y;
 }
 
-// The next two triangles as the one box they are.
+// Returns the next two triangles as a box if they form one.
 std::optional<Quad> next_box(std::span<const ui::Vertex> vertices, std::span<const std::uint32_t> indices) {
     if (indices.size() < 6 || indices[3] != indices[0] || indices[4] != indices[2]) return std::nullopt;
     const Quad box{vertices[indices[0]], vertices[indices[1]], vertices[indices[2]], vertices[indices[5]]};

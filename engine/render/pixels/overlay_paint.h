@@ -1,6 +1,6 @@
-// An overlay painted by the processor into pixels of its own, in vectors of four pixels: on a software device
-// a shader that blends costs six to twelve nanoseconds a pixel and layer, this one. Any thread; pure
-// functions. Pixels hold a colour multiplied by alpha, eight bits each, alpha highest.
+// Paints the overlay on the processor into a separate buffer, four pixels at a time: on a software device a
+// blending shader costs six to twelve nanoseconds per pixel and layer, this code one. Any thread; pure
+// functions. Pixels are premultiplied, eight bits per channel, alpha highest.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@
 
 namespace onggi::render {
 
-// The paintings that an overlay's draw list names by their place in the atlas, as they are in memory: for
-// who paints the overlay without a texture. Main thread.
+// The paintings that an overlay's draw list refers to by their place in the atlas, kept in memory for
+// painting without a texture. Main thread.
 class OverlayPictures {
   public:
     struct Picture {
         ui::Atlas::Upload placed;
-        std::uint64_t number = 0;  // no other picture ever had it
+        std::uint64_t number = 0;  // unique; never reused
     };
 
-    // These come, over whatever lay in their places in an atlas of this size; of one of another size nothing
-    // is left.
+    // Adds pictures, which replace overlapping ones. If the atlas's side has changed, all older pictures are
+    // dropped.
     void take(std::span<const ui::Atlas::Upload> uploads, int side_px);
-    // The picture with this upper left corner in the atlas; null: none.
+    // Returns the picture with this upper left corner in the atlas; null if there is none.
     [[nodiscard]] const Picture* at(vec2 corner_px) const;
-    // Another whenever any of them is.
+    // Changes whenever any picture changes.
     [[nodiscard]] std::uint64_t state() const { return last_number_; }
 
   private:
@@ -38,15 +38,16 @@ class OverlayPictures {
     int side_px_ = 0;
 };
 
-// What of an overlay lies on which tile, so that it is painted again only where it has changed, and brought
-// into a target only where that shows something else. Main thread. Pixels.
+// Content hashes of the overlay's tiles, so that only changed tiles are repainted and only tiles that a
+// target does not show are copied. Main thread. Pixels.
 class OverlayTiles {
   public:
-    // With the same list and pictures as before nothing is done.
+    // Does nothing if list and pictures are unchanged.
     void learn(const TileGrid& grid, const ui::DrawList& list, const OverlayPictures& pictures);
     void clear() { content_.clear(); }
 
-    // One entry a tile, or none at all: 0 where nothing lies, else a number for all that lies there.
+    // One entry per tile, or empty without an overlay: 0 where the tile is empty, else a hash of everything
+    // on it.
     [[nodiscard]] std::span<const std::uint64_t> content() const { return content_; }
 
   private:
@@ -56,20 +57,20 @@ class OverlayTiles {
     std::vector<std::uint64_t> content_;
 };
 
-// Red lies lowest in the lists and paintings of an overlay, whatever the order is in the pixels.
+// In an overlay's lists and paintings red is the lowest byte, whatever the order of the pixels.
 struct OverlayPainting {
     const ui::DrawList& list;
     const OverlayPictures& pictures;
     ByteOrder order = ByteOrder::kRedFirst;
 };
 
-// All of the list that lies inside a rectangle of a picture of this width, and nothing where nothing lies. A
-// triangle covers the pixels whose middle it holds, of a side that two share only one of them. `into` has
-// whole rows of `width_px`; the rectangle lies inside.
+// Paints the list inside a rectangle, and clears the rest of the rectangle. A triangle covers the pixels
+// whose centres it contains; a pixel centre on a shared side belongs to one triangle only. `into` has whole
+// rows of `width_px`; the rectangle must be inside.
 void paint_overlay(const OverlayPainting& painting, const PixelRect& inside, int width_px,
                    std::span<std::uint32_t> into);
 
-// What was painted, laid over another picture of the same width; `into` may be that picture.
+// Composes the painted overlay over a picture of the same width. `into` may be that picture.
 void lay_over(std::span<const std::uint32_t> painted, std::span<const std::uint32_t> under,
               const PixelRect& inside, int width_px, std::span<std::uint32_t> into);
 

@@ -16,23 +16,23 @@ using shapes::fixed;
 using shapes::kOne;
 using shapes::Slope;
 
-// What both layers are made of, and memory to work in.
+// Parameters and scratch memory of both layers.
 struct Layers {
     vec4 window;
     std::size_t width = 0;
     RowSpan rows;
     std::uint32_t* with_key = nullptr;
     std::uint32_t* without_key = nullptr;
-    std::uint32_t* unlit = nullptr;  // a row of the picture
-    std::uint32_t* mixed = nullptr;  // a row of a photograph, and the texel behind it
+    std::uint32_t* unlit = nullptr;  // scratch: a row of the picture
+    std::uint32_t* mixed = nullptr;  // scratch: a row of a photograph, plus one texel
 };
 
 std::uint32_t part_of(int place) {
     return static_cast<std::uint32_t>(place) >> 8U & 255U;
 }
 
-// Where a place lies along a photograph's width or height, sixteen bits behind the point: beside it as
-// shaders/background_edge.h says, and how far outside.
+// A position along a photograph's width or height in 16.16 fixed point, mirrored outside of it as in
+// shaders/background_edge.h, and the distance outside.
 struct Along {
     int at = 0;
     float out = 0.0F;
@@ -44,7 +44,7 @@ struct Along {
     return {fixed(std::clamp(shaders::mirrored(at) * size - 0.5F, 0.0F, size - 1.0F)), shaders::beside(at)};
 }
 
-// A row of a photograph, a texel a pixel from this place on.
+// Takes a row of a photograph at one texel per pixel, from this position on.
 [[gnu::always_inline]] inline void take_as_it_is(const std::uint32_t* texels, int at, std::size_t count,
                                                  std::uint32_t* pixels) {
     const std::uint32_t* const first = texels + (at >> 16);
@@ -59,7 +59,7 @@ struct Along {
         pixels[i] = mix_words(texels[at >> 16], texels[(at >> 16) + 1], part_of(at));
 }
 
-// One that lies, or may lie, beside the photograph; `out` of the row.
+// Takes pixels that are, or may be, outside the photograph. `out`: the row's own distance outside.
 [[gnu::always_inline]] inline void take_beside(const std::uint32_t* texels, int across, const Slope& u,
                                                float out, std::size_t count, std::uint32_t* pixels) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -71,10 +71,10 @@ struct Along {
     }
 }
 
-// A row of the picture, first mixed down the photograph and then along it.
+// Takes a row of the picture: interpolated vertically in the photograph, then horizontally.
 [[gnu::always_inline]] inline void take_row(const HostPhotograph& photograph, const Layers& layers, int y,
                                             std::uint32_t* pixels) {
-    // So short that steps in whole numbers hold their place.
+    // Short enough for fixed-point steps to stay accurate.
     constexpr std::size_t kPiece = 256;
     constexpr float kAlike = 1.0F / 65536.0F;
     const int across = photograph.width();
@@ -92,7 +92,7 @@ struct Along {
     for (std::size_t x = 0; x < layers.width; x += kPiece) {
         const std::size_t count = std::min(kPiece, layers.width - x);
         const Slope u{whole.at(static_cast<int>(x)), whole.step};
-        // The fringe is there for what rounding makes of the border.
+        // The fringe allows for rounding at the border.
         constexpr float kFringe = 1.0F / 256.0F;
         const bool is_inside = v.out == 0.0F && u.first >= -kFringe &&
                                u.at(static_cast<int>(count) - 1) <= width - 1.0F + kFringe;
@@ -119,7 +119,7 @@ struct Along {
         for (std::size_t i = 0; i < layers.width; ++i) {
             constexpr std::uint32_t kColours = 0x00FFFFFFU;
             without_key[i] = (without_key[i] & ~kColours) | (layers.unlit[i] & kColours);
-            // Compression may leave the lit picture the darker one by a level.
+            // Compression may leave the lit photograph darker by one level.
             std::uint32_t lit = 0xFF000000U;
             for (std::uint32_t shift = 0; shift < 24U; shift += 8U) {
                 const std::uint32_t channel = 0xFFU << shift;

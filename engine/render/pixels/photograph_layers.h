@@ -1,5 +1,5 @@
-// The layers of a photographed room where the camera stands: the photographs themselves, moved and stretched
-// to where the picture shows them. Any thread; pure. Pixels, texels.
+// The layers of a photographed room for a camera: the photographs, shifted and scaled to the picture. Any
+// thread; pure. Pixels, texels.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace onggi::render {
 
-// Of a picture, from the top.
+// Rows of a picture, from the top.
 struct RowSpan {
     int first = 0;
-    int end = 0;  // one after the last
+    int end = 0;  // one after the last row
 };
 
-// Fills these rows of both layers, which are `width` pixels wide without gaps; of `without_key` the alphas
-// stay as they are. The pixel's middle * window.xy + window.zw is the place in the photographs, 0 to 1. What
-// lies beside them is as shaders/background_edge.glsl says. The same bits on every processor.
+// Fills these rows of both layers, which are `width` pixels wide without gaps; the alphas of `without_key`
+// are kept. The pixel's centre * window.xy + window.zw is the position in the photographs, 0 to 1. Outside
+// the photographs the picture continues as in shaders/background_edge.glsl. Bit-identical on every processor.
 void lay_photographs(const HostBackground& background, vec4 window, int width, RowSpan rows,
                      std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key);
 

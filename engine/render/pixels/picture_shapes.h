@@ -1,6 +1,5 @@
-// The shapes that the processor draws where it is the device: which lines of the picture they reach, and how
-// what they show grows over them. Inline, so that they become a part of whatever instructions their user is
-// compiled for. Any thread; pure. Pixels.
+// Rasterisation common to the CPU backend's shapes: the lines that a shape covers, and the gradients of its
+// values. Inline, so that the code is compiled for its caller's instruction set. Any thread; pure. Pixels.
 #pragma once
 
 #include <algorithm>
@@ -22,26 +21,26 @@ struct PictureSize {
     friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
-// What is drawn into, row by row.
+// A target picture, row by row.
 struct PictureCanvas {
     PictureSize size;
     std::span<std::uint32_t> pixels;  // alpha highest
-    std::span<float> depth;           // as the device has it, of what is there already
+    std::span<float> depth;           // depth buffer, in the device's format
 };
 
-// A corner of a shape, with what grows evenly from it to the next.
+// A vertex of a shape, with the values that are interpolated between vertices.
 template <std::size_t kValues>
 struct PictureCorner {
     vec2 at_px{0.0F};
-    float away_mm = 0.0F;  // along the view; not above 0: at the eye or behind it
-    float depth = 1.0F;    // as the device has it
+    float away_mm = 0.0F;  // distance along the view; not positive: at the eye or behind it
+    float depth = 1.0F;    // in the device's format
     std::array<float, kValues> values{};
 };
 }  // namespace onggi::render
 
 namespace onggi::render::shapes {
 
-// Something that grows evenly from pixel to pixel.
+// A value that changes linearly from pixel to pixel.
 struct Slope {
     float first = 0.0F;
     float step = 0.0F;
@@ -49,18 +48,18 @@ struct Slope {
     [[nodiscard]] float at(int i) const { return first + step * static_cast<float>(i); }
 };
 
-// Sixteen bits behind the point.
+// 16.16 fixed point.
 constexpr int kOne = 65536;
 [[gnu::always_inline]] inline int fixed(float value) {
     return static_cast<int>(value * static_cast<float>(kOne));
 }
 
-// The pixel whose middle is the first at or after an edge.
+// Returns the first pixel whose centre is at or after an edge.
 [[gnu::always_inline]] inline int first_pixel(float edge, int most) {
     return static_cast<int>(std::clamp(std::ceil(edge - 0.5F), 0.0F, static_cast<float>(most)));
 }
 
-// From where to where a shape reaches in each line of the picture; only its own lines are good.
+// Horizontal extent of a shape in each line of the picture; only lines top to end are valid.
 struct Reach {
     explicit Reach(const PictureSize& size)
         : left(static_cast<std::size_t>(size.height)),
@@ -71,18 +70,18 @@ struct Reach {
     int end = 0;
 };
 
-// A convex shape of three or four corners, and how its values grow from pixel to pixel.
+// A convex shape with three or four corners, and the gradients of its values.
 template <std::size_t kValues>
 struct Shape {
     std::array<const PictureCorner<kValues>*, 4> corners;
     std::size_t count = 3;
-    std::array<float, kValues + 1> across;  // the last: depth
+    std::array<float, kValues + 1> across;  // the last entry: depth
     std::array<float, kValues + 1> down;
 
     [[nodiscard]] float value(std::size_t corner, std::size_t number) const {
         return number < kValues ? corners[corner]->values[number] : corners[corner]->depth;
     }
-    // Of a value, from this pixel on.
+    // Returns a value as a Slope, starting at this pixel.
     [[nodiscard]] Slope slope(std::size_t number, int x, int y) const {
         const vec2 from = corners[0]->at_px;
         return {value(0, number) + across[number] * (static_cast<float>(x) + 0.5F - from.x) +
@@ -98,13 +97,13 @@ struct Shape {
     }
 };
 
-// Twice the area; above 0 where the corners go clockwise in a picture whose y points down.
+// Twice the signed area; positive for clockwise corners in a picture with y down.
 [[gnu::always_inline]] inline float area_of(vec2 a, vec2 b, vec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Where an edge passes the lines it reaches. The same for both shapes at it, so no pixel is left out between
-// them and none is drawn twice.
+// Computes where an edge crosses the centres of lines. Both shapes at an edge get the same result, so no
+// pixel is skipped or drawn twice between them.
 [[gnu::always_inline]] inline void walk(vec2 from, vec2 to, const PictureSize& size, std::vector<int>& into) {
     const int end = first_pixel(to.y, size.height);
     int y = first_pixel(from.y, size.height);
@@ -121,7 +120,7 @@ struct Shape {
         into[static_cast<std::size_t>(y)] = static_cast<int>(std::clamp(x >> 16, std::int64_t{0}, most));
 }
 
-// Which lines a shape reaches, and how far.
+// Computes the lines that a shape covers, and its extent in each.
 template <std::size_t kValues>
 [[gnu::always_inline]] inline void find_reach(const Shape<kValues>& shape, bool is_clockwise,
                                               const PictureSize& size, Reach& reach) {
@@ -132,7 +131,7 @@ template <std::size_t kValues>
         const vec2 to = shape.corners[i + 1 < shape.count ? i + 1 : 0]->at_px;
         top = std::min(top, from.y);
         low = std::max(low, from.y);
-        // Clockwise, what goes down is on the right.
+        // Clockwise: an edge that goes down is on the right.
         if (from.y < to.y) walk(from, to, size, is_clockwise ? reach.right : reach.left);
         if (to.y < from.y) walk(to, from, size, is_clockwise ? reach.left : reach.right);
     }
@@ -140,7 +139,7 @@ template <std::size_t kValues>
     reach.end = first_pixel(low, size.height);
 }
 
-// From the first three corners.
+// Computes the gradients from the first three corners.
 template <std::size_t kValues>
 [[gnu::always_inline]] inline void find_slopes(Shape<kValues>& shape, float area) {
     const vec2 from = shape.corners[0]->at_px;
@@ -154,8 +153,7 @@ template <std::size_t kValues>
     }
 }
 
-// Asks for what a shape will draw over some rows later: they are too far apart for a processor to guess the
-// next.
+// Prefetches pixels a few rows ahead: rows are too far apart for the hardware prefetcher.
 [[gnu::always_inline]] inline void fetch_ahead(const PictureCanvas& canvas, int x, int y) {
     constexpr std::size_t kRows = 3;
     const std::size_t at =

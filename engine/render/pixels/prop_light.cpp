@@ -18,16 +18,16 @@
 namespace onggi::render {
 namespace {
 
-// Vertices side by side.
+// Eight vertices.
 struct Vertices8 {
     Float8x3 place;  // mm
     Float8x3 normal;
-    Float8 tone;  // these three 0 to 1
+    Float8 tone;  // tone, smear and open: 0 to 1
     Float8 smear;
     Float8 open;
 };
 
-// The last one again where there are fewer.
+// Fewer than eight vertices are padded with the last one.
 [[gnu::always_inline]] inline void load(std::span<const PropMesh::Vertex> vertices,
                                         std::span<const std::uint32_t> numbers, const mat4& place,
                                         Vertices8& into) {
@@ -55,7 +55,7 @@ struct Vertices8 {
     into.normal = normalised(turned(into.normal, 0.0F));
 }
 
-// past_lathe_to_light() of shaders/lathe_shadow.glsl, from a little before the skin.
+// past_lathe_to_light() of shaders/lathe_shadow.glsl, starting a little off the skin.
 [[gnu::always_inline]] inline Float8 seen_past_lathe(const PropView& view, const Vertices8& own) {
     const float height = view.frame.lathe.x;
     if (height <= 0.0F) return Float8{} + 1.0F;

@@ -1,5 +1,5 @@
-// The corners of hands and tools, placed in the picture and lit: what shaders/prop.vert does where it lights
-// vertices, for a device that is the processor. Any thread; pure. mm, pixels.
+// Projects and lights the vertices of hands and tools for the CPU backend: the vertex lighting of
+// shaders/prop.vert. Any thread; pure. mm, pixels.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,15 @@
 
 namespace onggi::render {
 
-// What is the same for all of a frame. `samples` are of its lathe; their outside keeps the key light off.
+// Parameters of a frame. `samples`: the lathe's; its outside blocks the key light.
 struct PropView {
     const shaders::FrameData& frame;
     const LatheSamples& samples;
     ByteOrder order = ByteOrder::kRedFirst;
 };
 
-// Appends a corner for each vertex of one of the prop's meshes, of which those are good that these triangles
-// need, with colours as encode() gives them. A processor without wider vectors finds the same
-// bits.
+// Appends one corner per vertex of a prop's mesh; only those that the triangles use are valid. Colours are
+// encoded as by encode(). The result is bit-identical with and without wide vectors.
 void light_corners(const PropMesh& mesh, std::span<const std::uint32_t> indices, const Prop& prop,
                    const PropView& view, std::vector<PropCorner>& corners);
 

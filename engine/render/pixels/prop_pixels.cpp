@@ -19,17 +19,16 @@ using shapes::Reach;
 using shapes::Shape;
 using shapes::Slope;
 
-// Adds one channel of a block at its place in the pixels.
+// Adds one channel to a block of pixels.
 [[gnu::always_inline]] inline void add_channel(const Slope& slope, const Float8& numbers, int shift,
                                                Int8& pixels) {
     constexpr float kMost = 255.0F;
-    // A sliver's values may leave its corners' by rounding.
+    // In a sliver, rounding may push values beyond those of its corners.
     const Float8 value = float8::clamp((slope.first + 0.5F) + slope.step * numbers, 0.0F, kMost);
     pixels |= float8::ints(value) << shift;
 }
 
-// A row of a shape from `first` on, which is a pixel of the canvas. What lies beside the row inside a block
-// is written as it was.
+// Draws a row of a shape from pixel `first` on. Pixels of a block outside the row are written back unchanged.
 [[gnu::always_inline]] inline void draw_row(const std::array<Slope, 4>& slopes, std::ptrdiff_t first,
                                             int count, const PictureCanvas& canvas) {
     const auto last = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kFloat8;

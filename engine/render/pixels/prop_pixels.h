@@ -1,6 +1,5 @@
-// Triangles of hands and tools by the processor, where that is the device: each would cost lavapipe as much
-// as four pixels by four wherever it touches them, and this hardly more than its own pixels. Any thread; one
-// user of a canvas at a time. Pixels, mm.
+// Rasterises hands and tools for the CPU backend: lavapipe would pay for every 4 x 4 block that a triangle
+// touches, this code for little more than its pixels. Any thread; one user of a canvas at a time. Pixels, mm.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +10,16 @@
 
 namespace onggi::render {
 
-// Its values are three channels in the picture's byte order, 0 to 255, spread evenly between the corners.
+// Values: three channels in the picture's byte order, 0 to 255.
 using PropCorner = PictureCorner<3>;
 
-// Draws triangles, three indices of corners each, where nothing that is there is as near; those with a corner
-// behind the eye are left out. A processor without wider vectors draws the same bits. A canvas of fewer than
-// eight pixels stays as it is: nobody sees what is in it.
+// Draws triangles, three indices of corners each, with a depth test (nearer passes). Triangles with a corner
+// behind the eye are skipped. The result is bit-identical with and without wide vectors. A canvas of fewer
+// than eight pixels is left unchanged.
 void draw_triangles(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
                     const PictureCanvas& canvas);
 
-// Wants the tiles in which they may be drawn.
+// Marks the tiles that the triangles may touch.
 void want_triangles(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
                     const TileGrid& grid, std::span<std::uint8_t> wanted);
 

@@ -20,23 +20,23 @@ using shapes::Reach;
 using shapes::Shape;
 using shapes::Slope;
 
-// A number that changes over the picture, and by how much it does from a pixel to the next ones.
+// A value that varies over the picture, and its screen-space derivative.
 struct Spread {
     Float8 value;
     Float8 width;
 };
 
-// Eight pixels of a row: what is known of them, and how it grows to either side.
+// Eight pixels of a row, with the gradients of their values.
 struct Pixels {
     const std::array<Slope, value::kCount + 1>& slopes;
     const Shape<value::kCount>& shape;
-    Float8 in_row;  // how far along
+    Float8 in_row;  // position in the row
     Float8 near;
 
     [[gnu::always_inline]] [[nodiscard]] Float8 at(std::size_t number) const {
         return slopes[number].first + slopes[number].step * in_row;
     }
-    // With the width of fwidth() in a shader.
+    // Returns a value with the width that fwidth() has in a shader.
     [[gnu::always_inline]] [[nodiscard]] Spread spread(std::size_t number) const {
         const Float8 found = at(number) / near;
         const Float8 across = shape.across[number] - found * shape.across[value::kNear];
@@ -47,7 +47,8 @@ struct Pixels {
 };
 
 [[gnu::always_inline]] inline Int8 shown(const Pixels& own, const SectionLook& look) {
-    constexpr float kFarMm = 2100.0F;  // whole hatches and scales away: no place is below 0
+    // A multiple of the hatch's and the scale's period that keeps positions positive.
+    constexpr float kFarMm = 2100.0F;
     const Spread from_axis = own.spread(value::kFromAxis);
     const Spread up = own.spread(value::kUp);
     const Spread load = own.spread(value::kLoad);

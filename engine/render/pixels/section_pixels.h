@@ -1,5 +1,5 @@
-// The faces of a cut by the processor, where that is the device: what shaders/lathe_section.frag does, eight
-// pixels at a time. Any thread; one user of a canvas at a time. Pixels, mm, linear light.
+// Rasterises the cut faces for the CPU backend as shaders/lathe_section.frag does, eight pixels at a time.
+// Any thread; one user of a canvas at a time. Pixels, mm, linear light.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace onggi::render {
 
-// What grows evenly from corner to corner; all but the last times the last.
+// Values that are interpolated between corners; all except the last are multiplied by the last.
 namespace section_value {
-constexpr std::size_t kFromAxis = 0;  // mm, left negative
+constexpr std::size_t kFromAxis = 0;  // mm, negative on the left
 constexpr std::size_t kUp = 1;        // mm
-constexpr std::size_t kLoad = 2;      // 1 gives way
+constexpr std::size_t kLoad = 2;      // 1 collapses
 constexpr std::size_t kThrough = 3;   // 0 on the outer face, 1 on the inner one
 constexpr std::size_t kNear = 4;      // one over the distance along the view
 constexpr std::size_t kCount = 5;
 }  // namespace section_value
 using SectionCorner = PictureCorner<section_value::kCount>;
 
-// Corners of the triangles of add_section(), three each. `corners` is used again.
+// Projects the triangles of add_section(), three corners each. Reuses the memory of `corners`.
 void place_section(std::span<const shaders::VertexData> vertices, const shaders::FrameData& frame,
                    std::vector<SectionCorner>& corners);
 
@@ -33,8 +33,8 @@ struct SectionLook {
     ByteOrder order = ByteOrder::kRedFirst;
 };
 
-// Draws them where nothing that is there is nearer, seen from either side; those with a corner behind the eye
-// are left out. A canvas of fewer than eight pixels stays as it is: nobody sees what is in it.
+// Draws the triangles, two-sided, with a depth test (nearer or equal passes). Triangles with a corner behind
+// the eye are skipped. A canvas of fewer than eight pixels is left unchanged.
 void draw_section(std::span<const SectionCorner> corners, const SectionLook& look,
                   const PictureCanvas& canvas);
 

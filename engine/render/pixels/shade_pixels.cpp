@@ -15,8 +15,8 @@ namespace {
 constexpr std::uint32_t kAcross = shaders::kMaskTexels;
 constexpr std::size_t kBlock = kShadeBlockPx;
 
-// Where a coordinate of sixteen bits lies: the texel before it and, in 1/256, how far it is to the next.
-// Outside of the first and the last half texel it is their middle.
+// Converts a 16-bit coordinate to a texel index and the fraction towards the next texel in 1/256. Coordinates
+// in the outer half texels are clamped to the texels' centres.
 [[gnu::always_inline]] inline std::uint32_t steps_of(std::uint32_t coordinate) {
     constexpr int kHalf = 128;
     constexpr int kMost = 256 * (static_cast<int>(kAcross) - 1) - 1;
@@ -33,14 +33,12 @@ constexpr std::size_t kBlock = kShadeBlockPx;
     return (texel << 16U) | ((down & 0xFFU) << 8U) | (across & 0xFFU);
 }
 
-// Of a block of pixels, each part side by side, so that every loop over it is one the compiler makes vectors
-// of.
+// One part of each pixel of a block, as an array, so that the compiler vectorises every loop over a block.
 template <typename T>
 using Lanes = std::array<T, kBlock>;
 
-// The texels of the mask about each pixel's place, key and sky as the two halves of a word, the left one and
-// the right one side by side as they lie in the mask; and how far the place is from the first towards the
-// last.
+// The four mask texels about each pixel: the left and right texel of a row in one word, each with key and sky
+// in its two halves; and the fractions between them.
 struct MaskAbout {
     Lanes<std::uint64_t> near;
     Lanes<std::uint64_t> far;
@@ -54,7 +52,7 @@ static_assert(std::endian::native == std::endian::little);
     return static_cast<std::uint32_t>(texels >> 32U);
 }
 
-// Whether nothing of them is in shade.
+// Returns whether nothing in the block is in shade.
 [[gnu::always_inline]] inline bool read_mask(const ShadowMask& mask, const std::uint32_t* places,
                                              MaskAbout& about) {
     constexpr std::uint64_t kBothUnshaded = std::uint64_t{kUnshaded} << 32U | kUnshaded;
@@ -69,10 +67,10 @@ static_assert(std::endian::native == std::endian::little);
     return all_of == kBothUnshaded;
 }
 
-// The curve of shaders/curve.h of both lights together, between values of the screen, for one channel of a
-// texel: the light without the key times `ambient`, and the key's own, which is the difference of the two,
-// times `key`, all of it times `left`. As one fraction instead of three: of a = A / (1 - .8 A) and b alike it
-// is (A (ambient - key)(1 - .8 B) + B key (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
+// Mixes both layers of one channel in linear light and encodes the result with the curve of shaders/curve.h:
+// the light without the key times `ambient`, plus the key's own light (the difference of the layers) times
+// `key`, all times `left`. The three fractions are merged into one: with a = A / (1 - .8 A), and b likewise,
+// the light is (A (ambient - key)(1 - .8 B) + B key (1 - .8 A)) left over (1 - .8 A)(1 - .8 B).
 [[gnu::always_inline]] inline std::uint32_t mix_lights(std::uint32_t without_key, std::uint32_t with_key,
                                                        float ambient, float key, float left) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
@@ -104,8 +102,8 @@ static_assert(std::endian::native == std::endian::little);
     std::memcpy(without_key.data(), layers.without_key.data() + first, sizeof(without_key));
     Lanes<std::uint32_t> out;
     for (std::size_t i = 0; i < kBlock; ++i) {
-        // The four texels mixed, times 65536: nothing is lost on the way, because where little of a bright
-        // light is left the eye sees less than 1/255 of it.
+        // The four texels interpolated, times 65536. This keeps full precision: where little is left of a
+        // bright light, steps of 1/255 would be visible.
         const std::uint32_t across = about.place[i] & 0xFFU;
         const std::uint32_t down = (about.place[i] >> 8U) & 0xFFU;
         const std::uint32_t near_row =
@@ -130,8 +128,7 @@ static_assert(std::endian::native == std::endian::little);
     std::memcpy(into + first, out.data(), sizeof(out));
 }
 
-// Asks for what a block reads and writes: rows of a picture are too far apart for a processor to guess the
-// next.
+// Prefetches what a block reads and writes: rows of a picture are too far apart for the hardware prefetcher.
 [[gnu::always_inline]] inline void fetch_block(const ShadeLayers& layers, std::size_t first,
                                                std::uint32_t* into) {
     __builtin_prefetch(layers.places.data() + first);
@@ -140,8 +137,8 @@ static_assert(std::endian::native == std::endian::little);
     __builtin_prefetch(into + first, 1);
 }
 
-// Whole blocks only: the last of a line begins earlier, and a rectangle that is narrower than one is shaded
-// with its neighbours.
+// Shades whole blocks only: the last block of a line starts earlier, and a rectangle narrower than a block is
+// shaded with its neighbours.
 [[gnu::always_inline]] inline void shade_rect(const ShadeLayers& layers, const ShadowMask& mask,
                                               const ShadeLight& light, const PixelRect& rect,
                                               std::uint32_t* into) {

@@ -1,5 +1,5 @@
-// The shade over the kept still life, and the light of the hour, by the processor: a shader would pay fifty
-// nanoseconds a pixel for its four textures where the device is the processor itself. Any thread; pure.
+// Applies shade and light levels to the kept still life on the processor: on a software device, a shader
+// would pay fifty nanoseconds per pixel for its four textures. Any thread; pure.
 #pragma once
 
 #include <array>
@@ -11,9 +11,8 @@
 
 namespace onggi::render {
 
-// The layers of a still life by full light, texels of four bytes, rows of `width` without gaps: what it is
-// with the key light, without it (alpha: how much of the sky's shade falls on it), and where each pixel lies
-// in the mask.
+// The layers of a still life in full light; texels of four bytes, rows of `width` without gaps: with the key
+// light; without it (alpha: the weight of the sky's shade); and each pixel's place in the shadow mask.
 struct ShadeLayers {
     int width = 0;
     int height = 0;
@@ -22,7 +21,7 @@ struct ShadeLayers {
     std::span<const std::uint32_t> places;  // see mask_place()
 };
 
-// What there is of the light, 1: all of it. Of everything but the key by the bytes of a texel.
+// Light levels, 1: full light. `ambient` is everything except the key light, in the byte order of a texel.
 struct ShadeLight {
     std::array<float, 3> ambient{1.0F, 1.0F, 1.0F};
     float key = 1.0F;
@@ -30,18 +29,18 @@ struct ShadeLight {
     friend bool operator==(const ShadeLight&, const ShadeLight&) = default;
 };
 
-// From the two numbers of sixteen bits in a texel of the coordinates (shaders/packed.glsl) to what the shade
-// reads a million times a second: the texel, and in its low bytes how far towards the next, across and down.
+// Converts the two 16-bit numbers of a coordinate texel (shaders/packed.glsl) to the form that the shading
+// reads a million times a second: the mask texel's index, and in the low bytes the fractions to the next
+// texel, across and down.
 [[nodiscard]] std::uint32_t mask_place(std::uint32_t packed_coords);
-// The same of a whole picture, in its place.
+// Converts a whole picture in place.
 void turn_into_places(std::span<std::uint32_t> packed_coords);
 
 constexpr int kShadeBlockPx = 16;  // pixels that are shaded side by side
 
-// Writes the shaded picture inside the rectangles, which lie inside the picture, and
-// here and there a few pixels beside one, to `into`, laid out as the layers are. The
-// same bits on every processor. Layers that are narrower than a block are copied as they are: nobody sees
-// what is in them.
+// Writes the shaded picture to `into`, laid out like the layers, for the rectangles and possibly a few pixels
+// beside them. The rectangles must be inside the picture. Bit-identical on every processor. Layers narrower
+// than a block are copied unshaded.
 void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
                   std::span<const PixelRect> rects, std::span<std::uint32_t> into);
 

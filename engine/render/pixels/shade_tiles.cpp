@@ -17,13 +17,13 @@ Texel texel_of(std::uint32_t place) {
     return {number % kAcross, number / kAcross};
 }
 
-// Nothing is in shade at the mask's border, where all that lies beside the mask is put too.
+// The mask's border is never in shade, and everything outside the mask is mapped to it.
 bool is_border(const Texel& at) {
     return at.u == 0 || at.v == 0 || at.u >= kAcross - 2 || at.v >= kAcross - 2;
 }
 
-// On one surface the next pixel lies in the same texel of the mask or not far from it, which nearly all do:
-// in the same row of texels or in the next.
+// Neighbouring pixels of one surface have mask texels close to each other, mostly in the same or the next row
+// of texels.
 constexpr int kFarTexels = 3;
 [[gnu::always_inline]] inline unsigned may_be_another_thing(std::uint32_t place, std::uint32_t next) {
     const int apart = std::abs(static_cast<int>(place >> 16U) - static_cast<int>(next >> 16U));
@@ -39,11 +39,11 @@ bool is_another_thing(std::uint32_t place, std::uint32_t next) {
     return std::abs(a.u - b.u) >= kFarTexels || std::abs(a.v - b.v) >= kFarTexels;
 }
 
-// One entry a pixel: whether an outline may be at it. Loops that the compiler makes vectors of.
+// Returns for each pixel whether it may be at a silhouette. The compiler vectorises the loops.
 std::vector<std::uint8_t> look_roughly(std::size_t width, std::span<const std::uint32_t> places) {
     if (places.size() <= width) return std::vector<std::uint8_t>(places.size(), 0);
     const std::size_t count = places.size() - width;
-    std::vector<std::uint8_t> before(places.size(), 0);  // one to the right of it or below
+    std::vector<std::uint8_t> before(places.size(), 0);  // whether the pixel to the right or below differs
     for (std::size_t i = 0; i < count; ++i) {
         before[i] = static_cast<std::uint8_t>(may_be_another_thing(places[i], places[i + 1]) |
                                               may_be_another_thing(places[i], places[i + width]));
@@ -54,7 +54,7 @@ std::vector<std::uint8_t> look_roughly(std::size_t width, std::span<const std::u
     return may_be;
 }
 
-// How far the key light at some texels is apart, of 255.
+// The range of the key light at some texels, of 255.
 int apart(const ShadowMask& mask, const std::array<std::uint16_t, 3>& texels) {
     std::array<int, 3> keys{};
     std::transform(texels.begin(), texels.end(), keys.begin(),
@@ -80,7 +80,7 @@ void ShadeEdges::find_at(int x, int y, std::span<const std::uint32_t> places) {
     const auto differ = [&](int column, int row, int right, int down) {
         return is_another_thing(places[at(column, row)], places[at(column + right, row + down)]);
     };
-    // An outline that runs more from side to side than up and down has its two sides above and below.
+    // At a mostly horizontal silhouette the two sides are above and below.
     int level = 0;
     int upright = 0;
     for (int off = -2; off <= 2; ++off) {
@@ -103,7 +103,7 @@ void ShadeEdges::find_at(int x, int y, std::span<const std::uint32_t> places) {
 }
 
 void ShadeEdges::find(int width, std::span<const std::uint32_t> places) {
-    constexpr int kReach = 3;  // of what is looked at about a pixel
+    constexpr int kReach = 3;  // neighbourhood that find_at() reads
     edges_.clear();
     row_begins_.assign(1, 0);
     width_ = width;
@@ -156,7 +156,7 @@ constexpr std::size_t kSums = kTexelsAcross + 1;
 }  // namespace
 
 void ShadeTiles::Reach::hold(std::span<const std::uint32_t> places) {
-    // Vectors divide by multiplying; so wide that no texel's number is too large.
+    // Division by multiplication, which vectorises; the shift is wide enough for every texel index.
     constexpr int kShift = 22;
     constexpr int kOneOver = (1 << kShift) / int{kTexelsAcross} + 1;
     int least_u = left;
@@ -172,7 +172,7 @@ void ShadeTiles::Reach::hold(std::span<const std::uint32_t> places) {
         least_v = std::min(least_v, v);
         most_v = std::max(most_v, v);
     }
-    // A place lies between a texel and the next, both ways.
+    // A place lies between a texel and the next, in both directions.
     left = static_cast<std::uint8_t>(least_u);
     right = static_cast<std::uint8_t>(most_u + 1);
     top = static_cast<std::uint8_t>(least_v);
@@ -198,7 +198,7 @@ void ShadeTiles::learn(const TileGrid& grid, std::span<const std::uint32_t> plac
 }
 
 void ShadeTiles::note_mask(const ShadowMask& before, const ShadowMask& now) {
-    // Sums over all texels above and to the left, so that a tile's reach costs four of them.
+    // Summed-area table of changed texels, so that each tile's reach costs four lookups.
     changed_above_left_.assign(kSums * kSums, 0);
     for (std::size_t v = 0; v < kTexelsAcross; ++v) {
         std::uint16_t in_row = 0;

@@ -1,5 +1,5 @@
-// Which tiles of the picture a changed shadow mask makes another picture of, so that what has not changed is
-// not shaded again. Any thread; one user at a time. Pixels.
+// Tracks which tiles a changed shadow mask or light affects, so that the others are not shaded again. Any
+// thread; one user at a time. Pixels.
 #pragma once
 
 #include <array>
@@ -13,28 +13,29 @@
 
 namespace onggi::render {
 
-// The shade where one thing's outline lies before another. A pixel of a photograph shows both there, and by
-// its one place in the shadow mask it is shaded as if it were all of one, or of what is seen in a gap
-// between them: stairs of dark and bright pixels, which are mixed here of their neighbours on both sides.
-// Any thread. Pixels.
+// Smooths the shade at silhouettes of static things. A photograph's pixel there shows both sides, but its
+// single place in the shadow mask shades it as one side, or as something seen in a gap between them; the
+// result is stairs of dark and bright pixels. They are replaced by a mix of the neighbours on both sides. Any
+// thread. Pixels.
 class ShadeEdges {
   public:
-    // Looks for outlines in layers of this width, by each pixel's mask_place(). Those that no shadow can
-    // reach are left out.
+    // Finds silhouettes in layers of this width by each pixel's mask_place(). Those outside the reach of
+    // shadows are left out.
     void find(int width, std::span<const std::uint32_t> places);
     void forget() { edges_.clear(); }
 
-    // Where the shade on the two sides differs, inside the rectangles of a picture that has just been shaded
-    // there and is laid out as the layers are.
+    // Mixes silhouette pixels inside the rectangles where the shade differs between the two sides. The
+    // picture has just been shaded there and is laid out like the layers.
     void smooth(const ShadowMask& mask, std::span<const PixelRect> rects, std::span<std::uint32_t> picture);
 
   private:
-    // A pixel at an outline, and those next to the outline's two pixels: on its own side and on the other.
+    // A silhouette pixel, and the pixels behind the silhouette's two pixels: on its own side and on the
+    // other.
     struct Edge {
         std::uint32_t pixel = 0;
         std::uint32_t inner = 0;
         std::uint32_t outer = 0;
-        std::array<std::uint16_t, 3> texels{};  // of the mask, in which these three lie
+        std::array<std::uint16_t, 3> texels{};  // mask texels of these three pixels
     };
     struct Mixed {
         std::uint32_t pixel = 0;
@@ -44,53 +45,52 @@ class ShadeEdges {
 
     int width_ = 0;
     std::vector<Edge> edges_;              // row by row
-    std::vector<std::size_t> row_begins_;  // one more than there are rows
+    std::vector<std::size_t> row_begins_;  // one entry more than rows
     std::vector<Mixed> mixed_;
 };
 
-// From one frame to the next: so little that a tile may wait a frame for it, or not.
+// Change of the light between frames: small enough for a tile to wait a frame for it, or not.
 enum class LightChange { kLittle, kMuch };
 
-// A shaded picture's tiles. Each has a number, another whenever its pixels become others: that of the frame
-// in which they were shaded.
+// The tiles of a shaded picture. Each has a number that changes with its pixels: that of the frame in which
+// it was shaded.
 class ShadeTiles {
   public:
-    // For layers of this size, each of whose pixels lies at a place of the mask (mask_place()). Every tile
-    // has to be shaded.
+    // Starts with layers of this size and each pixel's mask_place(). All tiles need shading.
     void learn(const TileGrid& grid, std::span<const std::uint32_t> places);
-    // The mask becomes another: the tiles that read a texel which differs have to be shaded.
+    // The mask has changed: the tiles that read a changed texel need shading.
     void note_mask(const ShadowMask& before, const ShadowMask& now);
-    // The light becomes another.
+    // The light has changed.
     void note_light(LightChange change);
-    // The tiles that have to be shaded, as rectangles; from here on they count as shaded and have this
-    // number, which no picture has had. Those that are covered wait until they are seen, and every other row
-    // of those that may wait. `moving`: one entry a tile, or empty: nothing moves.
+    // Returns the tiles to shade as rectangles, and assigns them `number`, which must be unused. Covered
+    // tiles wait until they are visible; of the tiles that may wait, every other row waits. `moving`: one
+    // entry per tile, or empty if nothing moves.
     void take(std::span<const std::uint8_t> moving, std::uint64_t number, std::vector<PixelRect>& rects);
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
-    // 0 of those that were never shaded.
+    // 0 for tiles that were never shaded.
     [[nodiscard]] std::span<const std::uint64_t> numbers() const { return numbers_; }
 
   private:
-    // Texels of the mask that a tile reads, both ends included.
+    // Range of mask texels that a tile reads, both ends inclusive.
     struct Reach {
         std::uint8_t left = 255;
         std::uint8_t right = 0;
         std::uint8_t top = 255;
         std::uint8_t bottom = 0;
 
-        // At least one, see mask_place().
+        // `places` is not empty, see mask_place().
         void hold(std::span<const std::uint32_t> places);
     };
 
     TileGrid grid_;
     std::vector<Reach> reach_;
     std::vector<std::uint8_t> is_stale_;
-    std::vector<std::uint8_t> may_wait_;  // of a little other light; one frame
-    int waiting_rows_ = 0;                // the even ones or the odd ones
+    std::vector<std::uint8_t> may_wait_;  // for one frame, after a small change of the light
+    int waiting_rows_ = 0;                // the even or the odd rows
     std::vector<std::uint8_t> is_due_;
     std::vector<std::uint64_t> numbers_;
-    std::vector<std::uint16_t> changed_above_left_;  // how many texels have changed, summed over both axes
+    std::vector<std::uint16_t> changed_above_left_;  // summed-area table of changed texels
 };
 
 }  // namespace onggi::render

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kAcross = shaders::kMaskTexels;
 static_assert(kAcross % kFloat8 == 0);
 
-// Texels side by side, where they lie on the ground.
+// Eight texels' places on the ground.
 struct Ground8 {
     Float8 x;
     Float8 z;
@@ -34,7 +34,7 @@ struct Up {
     return float8::ints(float8::clamp(fraction, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
-// shaders/mask.frag.
+// As shaders/mask.frag.
 [[gnu::always_inline]] inline Int8 texels(const shaders::FrameData& frame, const Float8& u, float v) {
     const vec4& origin = frame.mask_origin;
     const vec4& axes = frame.mask_axes;

@@ -16,7 +16,7 @@ float hashed(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
     return static_cast<float>((h ^ (h >> 15)) >> 8) * (1.0F / 16777216.0F);
 }
 
-// Smooth noise of across x up cells that repeats over the texture.
+// Smooth noise with `across` x `up` cells; it tiles with the texture.
 float noise(int x, int y, std::uint32_t across, std::uint32_t up, std::uint32_t seed) {
     const float fx = static_cast<float>(x) * static_cast<float>(across) / kSize;
     const float fy = static_cast<float>(y) * static_cast<float>(up) / kSize;
@@ -34,8 +34,8 @@ float noise(int x, int y, std::uint32_t across, std::uint32_t up, std::uint32_t 
     return low + ty * (high - low);
 }
 
-// Height of the streaks, about -0.5 to 0.5. The texture is 67 mm high on the pot, some 120 pixels of a
-// picture of 720: what is finer than a millimetre would flicker there as it turns.
+// Height of the streaks, about -0.5 to 0.5. The texture spans 67 mm of the pot's height, about 120 pixels of
+// a 720-line picture; detail below a millimetre would flicker as the pot turns.
 float streaks(int x, int y) {
     const float streaks =
         0.46F * noise(x, y, 3, 18, 1) + 0.32F * noise(x, y, 5, 40, 2) + 0.16F * noise(x, y, 11, 64, 3);

@@ -1,5 +1,5 @@
-// The streaks that fingers leave on what turns, as a texture made when it is first asked for: long
-// round the pot and thin up it, a fine grain, a few pits. Any thread; the same bytes every time.
+// The texture of the streaks that fingers leave on the turning pot, created on first use: streaks long around
+// and thin upwards, a fine grain, a few pits. Any thread; deterministic.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,17 @@ namespace onggi::render {
 
 constexpr int kDetailTexels = 512;
 
-// kDetailTexels squared, RGBA: lighter or darker, lean round, lean up, thickness of the film; 128 is the
-// mean. It repeats both ways.
+// kDetailTexels squared, RGBA: brightness, slope around, slope upwards, thickness of the film; 128 is the
+// mean. Tiles in both directions.
 [[nodiscard]] const std::vector<std::uint8_t>& detail_texture();
 
-// The same with fewer texels, each the mean of those it stands for: finer than the pixels it is seen by, a
-// texture flickers, and falls out of the processor's cache. Both numbers divide kDetailTexels.
+// Returns the texture with fewer texels, each the mean of a block. A texture finer than the pixels would
+// flicker and would not fit into the processor's cache. `across` and `up` divide kDetailTexels.
 [[nodiscard]] std::vector<std::uint8_t> coarser_detail(std::span<const std::uint8_t> texels, int across,
                                                        int up);
 
-// That many, one after another: each texel of a level is the mean of twice as many above one another as in
-// the level before, the first as it is. For walls that are seen so slantwise that several texels lie under a
-// pixel.
+// Returns kStreakLevels copies of full size, back to back; each texel of level n is the mean of 2^n texels in
+// a column. For walls at grazing angles, where several texels fall on one pixel.
 constexpr int kStreakLevels = 4;
 [[nodiscard]] std::vector<std::uint8_t> streak_levels(std::span<const std::uint8_t> texels, int across,
                                                       int up);

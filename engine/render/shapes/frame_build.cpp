@@ -30,7 +30,7 @@ std::size_t add_section(const LatheMeshInput& input, int sectors,
                 .lean = vec4(side * input.rows[row].place.x, input.rows[row].water.z, across, 0.0F)};
         };
         // Two chains from the base to the top of the rim: up the outside, and from the axis over the floor up
-        // the inside. Whichever is lower takes the next step, so that triangles stay level.
+        // the inside. The chain with the lower next vertex advances, so that the triangles stay level.
         std::vector<shaders::VertexData> outer;
         std::vector<shaders::VertexData> inner;
         for (std::size_t row = 0; row <= summit; ++row)
@@ -60,19 +60,19 @@ namespace {
 
 constexpr float kHalfTurn = std::numbers::pi_v<float>;
 
-// A chord of a circle lies off it by r (1 - cos(half its angle)).
+// A chord deviates from its circle by r (1 - cos(half its angle)).
 float angle_of_chord(float radius_px, float error_px) {
-    // Light is interpolated between the vertices too, which bears no more.
+    // Light is interpolated between the vertices too and allows no wider chord.
     constexpr float kWidest = 18.0F * kHalfTurn / 180.0F;
     const float cosine = 1.0F - error_px / std::max(radius_px, 1e-3F);
     return cosine > 0.0F ? std::min(2.0F * std::acos(cosine), kWidest) : kWidest;
 }
 
-// How many sectors there are in a radian, by the angle from the line of sight.
+// Sectors per radian at this angle from the line of sight.
 float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
     const float across = std::abs(std::sin(from_sight_rad));
     const float down = std::cos(from_sight_rad) * std::sin(seen.pitch_rad);
-    // Walls that lean turn away up to some forty degrees before or behind a right angle.
+    // Leaning walls turn away from the eye up to about forty degrees before or behind a right angle.
     constexpr float kAtAll = 0.64F;  // sines
     constexpr float kWhole = 0.80F;
     const float fraction = std::clamp((across - kAtAll) / (kWhole - kAtAll), 0.0F, 1.0F);
@@ -83,7 +83,7 @@ float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
 }  // namespace
 
 std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
-    // A lathe's own sectors run the other way, counter-clockwise.
+    // The lathe's own sectors run counter-clockwise, these angles clockwise.
     const float start = lathe.cut ? kHalfTurn - lathe.cut->towards_rad : 0.0F;
     const float sweep = lathe.cut ? kHalfTurn : 2.0F * kHalfTurn;
     std::vector<float> angles;
@@ -94,13 +94,13 @@ std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
 }
 
 std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budget) {
-    // The sum of the density up to each of some angles, over half a turn.
+    // The integral of the density from 0 to each angle, over half a turn.
     constexpr std::size_t kSteps = 180;
     constexpr float kStep = kHalfTurn / static_cast<float>(kSteps);
     std::array<float, kSteps + 1> sum{};
     for (std::size_t i = 0; i < kSteps; ++i)
         sum[i + 1] = sum[i] + kStep * density(seen, (static_cast<float>(i) + 0.5F) * kStep, budget.error_px);
-    // By twos, so that a pot that widens by a hair is not cut anew in every frame.
+    // An even number, so that a pot that widens slightly is not divided differently in every frame.
     constexpr int kFewest = 8;
     const int wanted = (static_cast<int>(std::ceil(sum[kSteps])) + 1) / 2 * 2;
     const int half = std::clamp(wanted, kFewest, std::max(budget.max_sectors / 2, kFewest));
@@ -125,10 +125,11 @@ std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budge
 
 namespace {
 
-// The corners of a face: below, the next one below, above, the next one above.
+// The corners of a face: below, next below, above, next above.
 using Corners = std::array<const shaders::VertexData*, 4>;
 
-// Whether the shadow of a sphere may fall within margin_mm of a point; past_sphere() of shaders/surface.h.
+// Whether a sphere's shadow may fall within margin_mm of a point; the formula of past_sphere() in
+// shaders/surface.h.
 bool may_be_in_shadow(const shaders::FrameData& frame, vec3 point, float margin_mm) {
     const vec3 light(frame.key_direction);
     return std::any_of(std::begin(frame.spheres), std::end(frame.spheres), [&](const vec4& sphere) {
@@ -161,7 +162,7 @@ void add_face(std::size_t below, std::size_t in_row, std::vector<std::uint16_t>&
         indices.push_back(static_cast<std::uint16_t>(index));
 }
 
-// Twice the area of a triangle in the picture, y down: below 0 it turns counter-clockwise.
+// Twice the signed area of a triangle in the picture (y down); negative: counter-clockwise.
 float turn_of(const vec4& a, const vec4& b, const vec4& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -180,7 +181,7 @@ void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, co
     for (const shaders::VertexData& vertex : vertices)
         pixels.push_back(project(vec3(vertex.place)));
     std::vector<std::uint16_t> near_spheres;
-    constexpr float kEdgeOn = 0.05F;  // pixels squared, more than a rounded coordinate can turn it by
+    constexpr float kEdgeOn = 0.05F;  // square pixels; larger than an error from rounded coordinates
     for (std::size_t row = 0; row + 1 < rows; ++row) {
         for (std::size_t s = 0; s + 1 < in_row; ++s) {
             const std::size_t below = row * in_row + s;
@@ -220,7 +221,7 @@ vec3 sky_radiance(const Environment& environment, vec3 direction) {
 }
 
 std::array<vec3, 9> sky_irradiance(const Environment& environment) {
-    // Midpoint rule over the sphere; the sky is smooth, so a coarse grid is exact enough.
+    // Midpoint rule over the sphere; the sky is smooth, so a coarse grid is accurate enough.
     constexpr int kRows = 32;
     constexpr int kColumns = 64;
     std::array<vec3, 9> coefficients{};
@@ -245,7 +246,7 @@ std::array<vec3, 9> sky_irradiance(const Environment& environment) {
                 coefficients[i] += radiance * basis[i];
         }
     }
-    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the basis' own constants.
+    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the constants of the basis.
     constexpr float kCell = 4.0F * std::numbers::pi_v<float> / (kRows * kColumns);
     constexpr std::array<float, 9> kFold{0.282095F,         0.488603F * 2 / 3, 0.488603F * 2 / 3,
                                          0.488603F * 2 / 3, 1.092548F / 4,     1.092548F / 4,
@@ -309,7 +310,7 @@ void build_backdrop(const Scene& scene, int width_px, int height_px, shaders::Fr
                           scene.camera, width_px, height_px);
 }
 
-// All of it but what moves.
+// Fills in everything except the moving things.
 void build_scene(const Scene& scene, const StillBounds& still, int width_px, int height_px,
                  shaders::FrameData& frame) {
     frame.view_projection = view_projection(scene.camera, width_px, height_px);
@@ -318,7 +319,7 @@ void build_scene(const Scene& scene, const StillBounds& still, int width_px, int
     build_backdrop(scene, width_px, height_px, frame);
 }
 
-// How far the streaks' texture has turned, in its own widths: two of it go round.
+// How far the streaks' texture has turned, in texture widths; two widths make a turn.
 float streak_turn(vec2 turn) {
     const float angle = std::atan2(turn.y, turn.x);
     return angle / std::numbers::pi_v<float>;
@@ -380,7 +381,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
         built.section.wet = vec4(vec3(0.0F), lathe.shows_load ? 1.0F : 0.0F);
     }
     constexpr float kFootprintPx =
-        1.2F;  // a normal a pixel, so grooves of two pixels must have begun to fade
+        1.2F;  // one normal per pixel, so grooves of two pixels must have begun to fade
     profile_normals(built.profile, kFootprintPx / px_per_mm, built.normals);
     if (desc.smooths_outlines)
         add_grid_edges(std::span(built.vertices).first(built.section_first), built.sectors,
@@ -395,7 +396,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     const LatheMaterial& material = lathe.material;
     built.lathe.dry = vec4(material.albedo, material.streaks);
     built.lathe.wet = vec4(wet_albedo(material.albedo, 1.0F), material.soft_edge);
-    // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
+    // A highlight is as wide as its light: the light's half width is added to the lobe's.
     const float film = film_roughness(material);
     const float width = 0.5F * std::tan(scene.key.angular_radius_rad);
     const float film_lobe = std::sqrt(std::sqrt(film * film * film * film + width * width));
@@ -407,13 +408,13 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
                              built.profile.points[edge].along_mm, kMarkColumns, kMarkLean);
 }
 
-// Rays from the ground towards the light, past the outline at evenly spaced heights.
+// Points on rays from the ground towards the light, at evenly spaced heights of the outline.
 void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
     shaders::FrameData& frame = built.frame;
     const float rise = std::max(key.towards_light.y, 0.05F);
     const float tangent = frame.key_direction.w;
-    constexpr int kIntervals = 28;     // what is left of the steps repeats the last
-    constexpr float kFinestMm = 2.0F;  // near the foot a penumbra is as narrow as a texel can show
+    constexpr int kIntervals = 28;     // the remaining steps repeat the last
+    constexpr float kFinestMm = 2.0F;  // close to the foot, a mask texel cannot resolve a narrower penumbra
     for (int i = 0; i < shaders::kShadowSteps; ++i) {
         const float fraction = static_cast<float>(std::min(i, kIntervals)) / kIntervals;
         const float y_mm = built.profile.height_mm * fraction;
@@ -514,7 +515,7 @@ std::uint64_t still_hash(const Scene& scene, int width_px, int height_px) {
     hash.add(width_px);
     hash.add(height_px);
     hash.add(scene.still_life ? scene.still_life->revision : 0);
-    // Structs of floats without gaps between them.
+    // Structs of floats without padding.
     const auto add = [&](const auto& floats) {
         static_assert(sizeof(floats) % sizeof(float) == 0);
         hash.add_bytes(std::as_bytes(std::span(&floats, 1)));
@@ -537,7 +538,7 @@ std::uint64_t shadow_hash(const Scene& scene) {
         hash.add(lathe.top_mm);
         add(lathe.element_height_mm);
         if (!lathe.centre_mm.empty()) {
-            // A pot off its centre carries its shadow round with it.
+            // An off-centre pot's shadow turns with it.
             for (const float value : {lathe.centre_mm[0].x, lathe.centre_mm[0].y, lathe.turn.x, lathe.turn.y})
                 add(value);
         }

@@ -1,5 +1,5 @@
-// From a scene to what one frame uploads: pure functions, so that most of the renderer is tested without a
-// pixel. Any thread. mm, pixels.
+// Builds what one frame uploads from a scene. Pure functions, so most of the renderer can be tested without
+// pixels. Any thread. mm, pixels.
 #pragma once
 
 #include <array>
@@ -20,46 +20,45 @@
 
 namespace onggi::render {
 
-// The faces of a wall that has been cut open: what lies between outside and inside where the cut goes
-// through it, on both sides of the axis. mm.
+// The cut faces of an open wall: the area between outside and inside in the cutting plane, on both sides of
+// the axis. mm.
 
 constexpr std::size_t kMaxSectionVertices = 4096;
 
-// Appends triangles, three vertices each, to a cut lathe's `vertices`: place.xyz in the world; lean.x how far
-// from the axis, left negative; lean.y load; lean.z 0 on the outer face to 1 on the inner one. Says how many.
+// Appends triangles, three vertices each, to a cut lathe's `vertices`: place.xyz in the world; lean.x
+// distance from the axis, negative on the left; lean.y load; lean.z 0 on the outer face to 1 on the inner
+// one. Returns the number of vertices.
 std::size_t add_section(const LatheMeshInput& input, int sectors, std::vector<shaders::VertexData>& vertices);
 
-// At which angles a lathe's rows have their vertices. rad from +X towards +Z,
-// px.
+// The angles of the vertices in a lathe's rows. rad from +X towards +Z, px.
 
-// Evenly round, or from one side of a cut to the other: sectors + 1 angles, the last a whole turn (or half a
-// turn) after the first.
+// Evenly spaced, around the turn or from one side of a cut to the other: sectors + 1 angles, the last a whole
+// turn (or half a turn) after the first.
 [[nodiscard]] std::vector<float> even_sectors(const Lathe& lathe, int sectors);
 
 struct SectorBudget {
-    float error_px = 0.35F;  // wanted: how far an edge of the pot may lie from its circle
-    int max_sectors = 48;    // hard
+    float error_px = 0.35F;  // wanted maximum distance of an edge of the pot from its circle
+    int max_sectors = 48;    // hard cap
 };
 
-// As seen by the eye: close to each other where the wall turns away and its edge is seen against what lies
-// behind, further apart in front and behind, where only the rim's edge shows a corner. An even number of
-// sectors, the same on both sides of the line of sight.
+// Angles for the eye's position: dense where the wall turns away, because its silhouette is visible there;
+// sparse in front and behind, where only the rim's edge shows corners. The number of sectors is even, and
+// both sides of the line of sight have the same number.
 struct LatheSeen {
-    float widest_px = 0.0F;  // radii
+    float widest_px = 0.0F;  // largest radius of the pot
     float rim_px = 0.0F;
-    float azimuth_rad = 0.0F;  // of the eye
-    float pitch_rad = 0.0F;    // how far it looks down
+    float azimuth_rad = 0.0F;  // direction of the eye
+    float pitch_rad = 0.0F;    // angle by which the eye looks down
 };
 [[nodiscard]] std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budget);
 
-// Which faces of a lathe's grid are drawn: those that look at the eye, in two heaps, because a pixel that
-// must ask the moving spheres for their shadow costs twice one that need not.
-// mm.
+// The faces of a lathe's grid that are drawn: those that face the eye. They are in two groups, because
+// testing the moving spheres' shadows doubles the cost of a pixel. mm.
 
-// Two triangles a face, counter-clockwise from outside, as indices of the grid's vertices.
+// Two triangles per face, counter-clockwise from outside, as indices of the grid's vertices.
 struct LatheFaces {
     std::vector<std::uint16_t> indices;
-    std::uint32_t plain = 0;  // how many of them, at the front, no sphere's shadow reaches
+    std::uint32_t plain = 0;  // number of indices, at the front, whose faces no sphere's shadow reaches
 
     void clear() {
         indices.clear();
@@ -67,23 +66,23 @@ struct LatheFaces {
     }
 };
 
-// The grid as add_grid_edges() has it. `frame` says where the spheres are and where the light comes from. A
-// face that is seen edge on, or of which it cannot be said, is drawn: the device looks once more.
+// `vertices` is a grid as for add_grid_edges(). `frame` contains the spheres and the light's direction. Faces
+// that are edge-on or undecidable are kept; the rasteriser culls them exactly.
 void choose_faces(std::span<const shaders::VertexData> vertices, int sectors, const shaders::FrameData& frame,
                   const EdgeView& view, LatheFaces& faces);
 
-// All of them, in the second heap.
+// Takes all faces, in the second group.
 void take_all_faces(std::size_t rows, int sectors, LatheFaces& faces);
 
 // The environment's diffuse light, as nine spherical-harmonic coefficients. Any thread; a pure function, run
 // when the environment changes. R. Ramamoorthi, P. Hanrahan, "An Efficient Representation for Irradiance
 // Environment Maps", 2001.
 
-// Radiance from a direction (unit length), the same formula as in shaders/sky.glsl.
+// Returns the radiance from a direction (unit length); the same formula as in shaders/sky.glsl.
 [[nodiscard]] vec3 sky_radiance(const Environment& environment, vec3 direction);
 
-// Irradiance / pi for a white surface, folded so that the shader evaluates
-// c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3 z^2 - 1) + c7 xz + c8 (x^2 - y^2) at the normal.
+// Returns irradiance / pi for a white surface, folded so that the shader evaluates c0 + c1 y + c2 z + c3 x +
+// c4 xy + c5 yz + c6 (3 z^2 - 1) + c7 xz + c8 (x^2 - y^2) at the normal.
 [[nodiscard]] std::array<vec3, 9> sky_irradiance(const Environment& environment);
 
 struct BuiltFrame {
@@ -95,23 +94,24 @@ struct BuiltFrame {
     std::vector<shaders::RowData> rows;
     int sectors = 0;  // a row has one vertex more
     std::vector<shaders::VertexData> vertices;
-    std::vector<OutlinePiece> edges;  // outlines of what moves, where they are smoothed
+    std::vector<OutlinePiece> edges;  // silhouettes of moving things, if they are smoothed
     NormalTexels normals{};
     shaders::LatheDraw section{};
-    std::uint32_t section_first = 0;  // of the vertices, the faces of a cut
+    std::uint32_t section_first = 0;  // first vertex of the cut faces
     std::uint32_t section_count = 0;
     bool shows_load = false;
-    const LatheMarks* marks = nullptr;  // of the scene; null: none are shown
-    LatheFaces faces;                   // none: no lathe
-    PixelRect moving;                   // where anything that moves can be seen
-    // For the processor: which tiles that is in (kMoves and its like), and which of them hands and tools are
-    // in; one entry a tile.
+    const LatheMarks* marks = nullptr;  // the scene's; null: no marks are shown
+    LatheFaces faces;                   // empty: no lathe
+    PixelRect moving;                   // where moving things can be seen
+    // For the CPU backend, one entry per tile: where something moves (kMoves, kCovered), and where hands and
+    // tools are.
     std::vector<std::uint8_t> moving_tiles;
     std::vector<std::uint8_t> prop_tiles;
     float ring_error_px = 0.0F;
 };
 
-// What of the still life the frame needs to know: its ground's depth and the size of what casts shadows.
+// What a frame needs to know about the still life: the depth of its ground and the extent of its shadow
+// casters.
 struct StillBounds {
     float lowest_mm = 0.0F;
     vec3 centre_mm{0.0F};
@@ -119,31 +119,31 @@ struct StillBounds {
 };
 [[nodiscard]] StillBounds bounds_of(const StillLife& still_life);
 
-// Into `built`, whose memory is used again. The tiles in which something moves are found when all outlines
-// are there, see moving_tiles.h.
+// Reuses the memory of `built`. The moving tiles are found later, when all outlines are known, see
+// moving_tiles.h.
 void build_frame(const Scene& scene, const StillBounds& still, const RendererDesc& desc, int width_px,
                  int height_px, BuiltFrame& built);
 
-// The frame's uniforms for what stands still alone, with all lights full, whatever the scene's levels.
+// Returns the uniforms for the still life alone, with all lights full, regardless of the scene's levels.
 [[nodiscard]] shaders::FrameData still_frame(const Scene& scene, const StillBounds& still, int width_px,
                                              int height_px);
 
 [[nodiscard]] shaders::MeshDraw mesh_draw(const Material& material, vec3 position_mm);
 
-// Of everything the layers of what stands still depend on (the levels of the light do not count), and of
-// everything the shadow mask does.
+// Hashes of everything that the still life's layers depend on (not the light levels), and of everything that
+// the shadow mask depends on.
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
 [[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
 
-// A wet body is darker and more saturated: light that the water throws back into it is filtered once more.
-// J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A), where p is the
-// fraction of diffuse light that water reflects back inside; 0.66 of a body full of it.
+// A wet body is darker and more saturated, because light that the water reflects back into it is filtered
+// once more. J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A),
+// where p is the fraction of diffuse light that water reflects back inside; 0.66 for a saturated body.
 [[nodiscard]] vec3 wet_albedo(vec3 albedo, float wetness);
-// Of the body full of it.
+// Roughness of the saturated body.
 [[nodiscard]] float wet_roughness(const LatheMaterial& material);
 
-// Of the film of water or glaze on a turned body, to gloss: water lies thinner and smoother on it than it is
-// itself; a glaze is thick.
+// Roughness of the film of water or glaze. A film of water is thin and follows the body's roughness smoothed;
+// a glaze is thick.
 [[nodiscard]] float film_roughness(const LatheMaterial& material);
 
 }  // namespace onggi::render

@@ -32,7 +32,7 @@ void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, 
             front[s] = rising.x * falling.y - rising.y * falling.x > 0.0F ? 1 : 0;
         }
         for (std::size_t s = 0; s + 1 < in_row; ++s) {
-            // Across the row below; under the first lies nothing.
+            // The edge below this face; the first row has no faces below it.
             if (front[s] != front_below[s]) add_edge(below[s], below[s + 1], edges);
             const char before = s > 0 ? front[s - 1] : (open_sides ? char{0} : front[in_row - 2]);
             if (front[s] != before) add_edge(below[s], above[s], edges);

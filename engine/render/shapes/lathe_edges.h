@@ -1,6 +1,6 @@
-// The outlines that moving things make in the picture, as pieces of line: a pixel on one of them is shared
-// between what lies on its two sides. Where the picture has one sample a pixel it is smoothed by them
-// (edge_pixels.h). Any thread; pure functions. mm, pixels.
+// Silhouettes of moving things as line segments: a pixel on a segment is shared by what is on its two sides.
+// A picture with one sample per pixel is smoothed along them (edge_pixels.h). Any thread; pure functions. mm,
+// pixels.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,16 @@
 
 namespace onggi::render {
 
-// The camera and the picture that the outlines are seen in.
+// The camera and the picture's size.
 struct EdgeView {
     const Camera& camera;
     int width_px;
     int height_px;
 };
 
-// World to pixels for whole grids of points. Also to a depth a little nearer than the point's own, so that an
-// edge is not hidden by the faces it belongs to. What lies behind the eye is taken to be right before it.
+// Projects points from the world to pixels, for whole grids. The depth is a little nearer than the point's
+// own, so that an edge is not hidden by its own faces. Points behind the eye are treated as just in front of
+// it.
 class Projector {
   public:
     explicit Projector(const EdgeView& view)
@@ -59,19 +60,19 @@ class Projector {
 
 constexpr std::size_t kMaxEdges = 4096;
 
-// Between two points of the picture.
+// A line segment of the picture.
 struct OutlinePiece {
     vec4 from;  // xy pixels, z depth
     vec4 to;
 };
 
-// Appends a piece of an outline, from and to as a Projector gives them, unless it is next to nothing or there
-// are too many.
+// Appends a segment; from and to are a Projector's results. Very short segments are skipped, and all of them
+// once kMaxEdges are there.
 void add_edge(const vec4& from, const vec4& to, std::vector<OutlinePiece>& edges);
 
-// A grid of vertices as the lathe has it: rows of sectors + 1, outward faces counter-clockwise. Added are the
-// edges between a face that looks at the eye and one that looks away, and the border of the first row; with
-// open_sides also the two borders across the rows. Hidden ones are there too: the depth test knows.
+// `vertices` is a lathe's grid: rows of sectors + 1, outward faces counter-clockwise. Appends the edges
+// between front and back faces and the border of the first row; with open_sides also the two borders across
+// the rows. Hidden edges are included: the depth test rejects them.
 void add_grid_edges(std::span<const shaders::VertexData> vertices, int sectors, bool open_sides,
                     const EdgeView& view, std::vector<OutlinePiece>& edges);
 

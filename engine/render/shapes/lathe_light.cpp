@@ -12,8 +12,8 @@ constexpr float kTurn = 6.28318531F;
 constexpr int kSkyRays = 40;
 constexpr int kSkySteps = 14;
 
-// Directions about +Y with a cosine's density, on a spiral of the golden angle: the same every time, and no
-// two of them in one plane with the axis.
+// Cosine-distributed directions about +Y on a golden-angle spiral: deterministic, and no two of them are
+// coplanar with the axis.
 const std::array<vec3, kSkyRays>& sky_rays() {
     static const std::array<vec3, kSkyRays> rays = [] {
         std::array<vec3, kSkyRays> made{};
@@ -34,7 +34,7 @@ float smooth_step(float from, float to, float value) {
     return fraction * fraction * (3.0F - 2.0F * fraction);
 }
 
-// The cosine of each column's angle from the light.
+// The cosine of each column's azimuth from the light.
 const KeyColumns& column_cosines() {
     static const KeyColumns cosines = [] {
         KeyColumns made{};
@@ -49,14 +49,14 @@ const KeyColumns& column_cosines() {
 }  // namespace
 
 float open_outside(const LatheSamples& samples, float radius_mm, float y_mm) {
-    constexpr int kStride = 8;    // a horizon is made by the belly, not by a groove
-    float steepest_above = 0.0F;  // tangent of the horizon's lean over the place, outwards from upright
+    constexpr int kStride = 8;    // the horizon is formed by the belly, not by a groove
+    float steepest_above = 0.0F;  // tangent of the upper horizon's outward angle from vertical
     float steepest_below = 0.0F;
     const float step_mm = samples.per_mm > 0.0F ? 1.0F / samples.per_mm : 0.0F;
     for (int i = kStride / 2; i < LatheSamples::kCount; i += kStride) {
         const float rise = (static_cast<float>(i) + 0.5F) * step_mm - y_mm;
         const float out = samples.outer_mm[static_cast<std::size_t>(i)] - radius_mm;
-        // A horizon nearer than a sample's width is the place's own slope, which its normal knows of.
+        // A nearer horizon is the wall's own slope, which the normal accounts for.
         if (rise > 2.0F * kStride * step_mm) steepest_above = std::max(steepest_above, out / rise);
         if (rise < -2.0F * kStride * step_mm) steepest_below = std::max(steepest_below, out / -rise);
     }
@@ -65,7 +65,7 @@ float open_outside(const LatheSamples& samples, float radius_mm, float y_mm) {
 }
 
 float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2 normal) {
-    // The place is at (radius, y, 0); its frame is the normal, the way round, and what is upright to both.
+    // The point is (radius, y, 0); its frame: the normal, the tangent around, and their perpendicular.
     const vec2 across(normal.y, -normal.x);
     const float widest = *std::max_element(samples.inner_mm.begin(), samples.inner_mm.end());
     const float reach = 2.0F * widest + (samples.height_mm - y_mm);
@@ -74,7 +74,7 @@ float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2
         const vec3 direction(normal.x * ray.y + across.x * ray.x, normal.y * ray.y + across.y * ray.x, ray.z);
         bool seen = direction.y > 0.0F;
         for (int step = 1; seen && step <= kSkySteps; ++step) {
-            // Close steps first: the wall that hides a place is mostly the one beside it.
+            // Short steps first: the occluder is mostly the adjacent wall.
             const float fraction = static_cast<float>(step) / kSkySteps;
             const float t = reach * fraction * fraction;
             const float y = y_mm + direction.y * t;
@@ -91,12 +91,12 @@ float open_inside(const LatheSamples& samples, float radius_mm, float y_mm, vec2
 
 namespace {
 
-// What is met on the way from a place towards the light, the same in all directions about the axis.
+// Samples along a ray towards the light, the same for all azimuths.
 struct KeySteps {
     static constexpr std::size_t kCount = 16;
     std::array<float, kCount> t{};
     std::array<float, kCount> one_over_t{};
-    std::array<float, kCount> wall_mm{};  // the wall's radius at that height
+    std::array<float, kCount> wall_mm{};  // radius of the wall at that height
 };
 KeySteps key_steps(const LatheSamples& samples, LatheFace face, float y_mm, const KeyRay& key) {
     KeySteps steps;
@@ -110,7 +110,7 @@ KeySteps key_steps(const LatheSamples& samples, LatheFace face, float y_mm, cons
     return steps;
 }
 
-// flat: how far the light goes across while it goes by 1; cosine: of the angle from its azimuth.
+// flat: horizontal distance for each unit along the ray; cosine: of the azimuth from the light.
 float past_lathe(const KeySteps& steps, LatheFace face, float radius_mm, float cosine, float flat,
                  const KeyRay& key) {
     const float x = radius_mm * cosine;
@@ -122,8 +122,8 @@ float past_lathe(const KeySteps& steps, LatheFace face, float radius_mm, float c
         const float gap = outwards * (std::sqrt(ahead * ahead + z2) - steps.wall_mm[i]);
         least = std::min(least, gap * steps.one_over_t[i]);
     }
-    // Along a convex wall the gap opens as slowly as the light grazes it; that shade is the cosine's, so only
-    // what is truly inside the wall counts as hidden.
+    // Along a convex wall the gap opens slowly where the light grazes. The cosine term already shades that,
+    // so only points clearly inside the wall count as hidden.
     if (face == LatheFace::kOuter) return smooth_step(-2.0F * key.tangent, 0.25F * key.tangent, least);
     return smooth_step(-key.tangent, key.tangent, least);
 }
@@ -134,12 +134,12 @@ void key_columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2 n
                  KeyColumns& columns) {
     const float flat = std::hypot(key.towards_light.x, key.towards_light.z);
     const KeyColumns& cosines = column_cosines();
-    // From a little off the wall, or it would hide itself.
+    // Start a little off the wall to avoid self-shadowing.
     const vec2 from = place + 0.5F * normal;
     const KeySteps steps = key_steps(samples, face, from.y, key);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const float cosine = normal.x * flat * cosines[i] + normal.y * key.towards_light.y;
-        // What faces away is dark without a shadow; a soft edge of light must still fade into it.
+        // Back faces are dark without a shadow test; the light's soft edge must still fade in.
         const bool may_be_lit = cosine > -0.35F;
         columns[i] = may_be_lit ? past_lathe(steps, face, from.x, cosines[i], flat, key)
                                 : (face == LatheFace::kOuter ? 1.0F : 0.0F);

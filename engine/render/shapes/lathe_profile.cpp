@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kHalfTurn = 3.14159265F;
 
-// A ring's faces and its middle.
+// The radii of both faces of a ring, and its heights.
 struct Ring {
     float outer_mm;
     float inner_mm;
@@ -28,7 +28,7 @@ Ring ring_of(const Lathe& lathe, std::size_t i) {
             .top_mm = stacked ? lathe.top_mm[i] : (number + 1.0F) * lathe.element_height_mm};
 }
 
-// A face's radius at a height between the middles of two rings; beyond the last middle, the last radius.
+// Interpolates a face's radius between the middles of two rings; above the last middle it is constant.
 ProfilePoint face_at(const Lathe& lathe, std::size_t below, float y_mm, bool inner) {
     const std::size_t above = std::min(below + 1, lathe.radii_mm.size() - 1);
     const Ring low = ring_of(lathe, below);
@@ -62,7 +62,7 @@ void add_edge(LatheProfile& profile, const ProfilePoint& outer, const ProfilePoi
     }
 }
 
-// A walk along the outline that only ever goes forward.
+// Samples the outline at increasing positions.
 class Walk {
   public:
     explicit Walk(const LatheProfile& profile) : points_(profile.points) {}
@@ -95,7 +95,7 @@ std::uint32_t packed_normal(vec2 normal) {
     return sixteen_bits(normal.x) | sixteen_bits(normal.y) << 16U;
 }
 
-// Outwards of a chord walked with the solid on its left hand.
+// The outward normal of a chord; the solid is on the chord's left.
 vec2 outward_of(vec2 chord) {
     const float length = glm::length(chord);
     return length > 1e-6F ? vec2(chord.y, -chord.x) / length : vec2(0.0F, 1.0F);
@@ -112,7 +112,7 @@ void build_profile(const Lathe& lathe, LatheProfile& profile) {
     if (count == 0) return;
     const Ring top = ring_of(lathe, count - 1);
     profile.height_mm = top.top_mm;
-    // The hollow reaches down to the highest ring that is solid.
+    // The hollow ends above the highest solid ring.
     std::size_t first_hollow = count;
     while (first_hollow > 0 && ring_of(lathe, first_hollow - 1).inner_mm > 0.0F)
         --first_hollow;
@@ -124,7 +124,7 @@ void build_profile(const Lathe& lathe, LatheProfile& profile) {
     profile.rounding_mm = std::clamp(lathe.edge_rounding_mm, 0.0F, std::min(0.5F * wall_mm, room_mm));
     const float wall_top_mm = profile.height_mm - profile.rounding_mm;
 
-    // Up the outside. Heights that do not rise are left out.
+    // Up the outside. Rings whose height does not increase are skipped.
     profile.points.push_back({.radius_mm = lathe.radii_mm[0], .y_mm = 0.0F});
     std::size_t last_below = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -180,7 +180,7 @@ void sample_profile(const LatheProfile& profile, LatheSamples& samples) {
     if (profile.empty()) return;
     const auto fill = [&](std::array<float, LatheSamples::kCount>& into, auto first, auto last,
                           float from_mm) {
-        // Points in rising order of height; above the last, as far out as it.
+        // Points in ascending order of height; above the last point the radius is constant.
         auto point = first;
         for (int i = 0; i < LatheSamples::kCount; ++i) {
             const float y_mm = (static_cast<float>(i) + 0.5F) / samples.per_mm;
@@ -198,7 +198,7 @@ void sample_profile(const LatheProfile& profile, LatheSamples& samples) {
     };
     const auto begin = profile.points.begin();
     const auto at = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
-    // The rounded edge belongs to both faces: its highest point divides it.
+    // The rounded edge belongs to both faces, divided at its highest point.
     const auto summit =
         std::max_element(begin + at(profile.edge), begin + at(profile.inside),
                          [](const ProfilePoint& a, const ProfilePoint& b) { return a.y_mm < b.y_mm; });
@@ -218,12 +218,12 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
     texels.fill(packed_normal({0.0F, 1.0F}));
     if (profile.points.size() < 2) return;
     const float texel_mm = profile.length_mm() / (shaders::kProfileTexels - 1);
-    // Two rings at least, or the steps between them would show.
+    // At least two rings, or the steps between them would show.
     const float ring_mm = profile.height_mm / std::max(1.0F, profile.points[profile.edge - 1].ring + 1.0F);
     const float half_mm = 0.5F * std::max({footprint_mm, texel_mm, 2.0F * ring_mm});
     Walk behind(profile);
     Walk ahead(profile);
-    // Side by side by axis, so that the last loop is one the compiler makes vectors of.
+    // One array per axis, so that the compiler vectorises the last loop.
     constexpr std::size_t kCount = shaders::kProfileTexels;
     struct Axes {
         std::array<float, kCount> r;
@@ -237,8 +237,8 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
         normals->r[i] = normal.x;
         normals->y[i] = normal.y;
     }
-    // A chord is an average with hard ends, which lets a groove of its own length through in part; averaged
-    // once more over the same length, next to nothing of it is left.
+    // A chord is a box filter, which passes part of a groove of its own length; a second box filter of the
+    // same length removes nearly all of it.
     const auto reach = static_cast<std::size_t>(std::max(0.5F * footprint_mm / texel_mm, 0.0F));
     const auto sums = std::make_unique<Axes>();
     vec2 sum(0.0F);

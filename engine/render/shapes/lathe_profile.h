@@ -1,6 +1,6 @@
-// A lathe's outline in the half plane (r, y), walked with the solid on its left hand: up the outside from the
-// base, over the rounded edge, and down the inside to the floor and in to the axis, or flat across the top of
-// a solid one. Any thread; pure functions. mm.
+// A lathe's outline in the half plane (r, y), with the solid on the left of its direction: up the outside
+// from the base, over the rounded edge, then down the inside to the floor and in to the axis, or flat across
+// the top of a solid one. Any thread; pure functions. mm.
 #pragma once
 
 #include <array>
@@ -17,34 +17,33 @@ namespace onggi::render {
 struct ProfilePoint {
     float radius_mm = 0.0F;
     float y_mm = 0.0F;
-    float along_mm = 0.0F;  // of the outline, from the base
-    float ring = 0.0F;      // whose it is; between two, their fraction
+    float along_mm = 0.0F;  // arc length from the base
+    float ring = 0.0F;      // number of its ring; fractional between two rings
 };
 
 struct LatheProfile {
-    // outside [0, edge), edge [edge, inside), inside [inside, floor), floor or top [floor, size). The edge's
-    // first and last points belong to the walls.
+    // outside [0, edge), edge [edge, inside), inside [inside, floor), floor or top [floor, size). The first
+    // and last points of the edge belong to the walls.
     std::vector<ProfilePoint> points;
     std::size_t edge = 0;
     std::size_t inside = 0;
     std::size_t floor = 0;
     bool hollow = false;
     float height_mm = 0.0F;
-    float floor_mm = 0.0F;     // of the hollow; the height of a solid one
-    float rounding_mm = 0.0F;  // of the edge: what there is room for, at most the wanted one
+    float floor_mm = 0.0F;     // of the hollow; solid: the full height
+    float rounding_mm = 0.0F;  // of the edge, as wide as there is room, up to the wanted rounding
 
     [[nodiscard]] bool empty() const { return points.empty(); }
     [[nodiscard]] float length_mm() const { return points.empty() ? 0.0F : points.back().along_mm; }
     [[nodiscard]] float foot_mm() const { return points.empty() ? 0.0F : points.front().radius_mm; }
 };
 
-constexpr int kQuarterSteps = 12;  // of the edge's rounding
+constexpr int kQuarterSteps = 12;  // steps in each quarter of the edge's rounding
 
-// Into `profile`, whose memory is used again. Rings of no height or with radii that are not numbers are drawn
-// as if they were not there.
+// Reuses the memory of `profile`. Rings without height or with NaN or infinite radii are skipped.
 void build_profile(const Lathe& lathe, LatheProfile& profile);
 
-// Both faces by height, evenly: what rays are walked against. Above the top nothing is met.
+// Radii of both faces at evenly spaced heights, for ray marching. Rays above the top hit nothing.
 struct LatheSamples {
     static constexpr int kCount = shaders::kOutlineSamples;
     std::array<float, kCount> outer_mm{};
@@ -61,16 +60,16 @@ struct LatheSamples {
 };
 void sample_profile(const LatheProfile& profile, LatheSamples& samples);
 
-// The outward normal (r, y) along the whole outline, for the texels that fragments read: -1 to 1 as 0 to
-// 65535, r in the lower half of a word. footprint_mm: how much of the outline one pixel shows; slopes are
+// The outward normal (r, y) along the whole outline, as texels for the fragment shaders: -1 to 1 as 0 to
+// 65535, r in the lower half of a word. footprint_mm: length of outline that one pixel covers; normals are
 // averaged over it, so that grooves finer than a pixel fade instead of flickering.
 using NormalTexels = std::array<std::uint32_t, shaders::kProfileTexels>;
 void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexels& texels);
 
-// Where a place along the outline lies in that texture.
+// Returns the coordinate in that texture of a position along the outline.
 [[nodiscard]] float texture_place(const LatheProfile& profile, float along_mm);
 
-// The normal over some span of the outline about a place, as a unit vector.
+// Returns the unit normal averaged over a span of the outline about a position.
 [[nodiscard]] vec2 profile_normal(const LatheProfile& profile, float along_mm, float span_mm);
 
 }  // namespace onggi::render

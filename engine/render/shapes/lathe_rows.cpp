@@ -8,8 +8,8 @@
 namespace onggi::render {
 namespace {
 
-// The furthest element to which one chord from `from` keeps the tolerance. The chord's slope must lie within
-// an interval that every element passed on the way narrows; an end point is good if its own slope is inside.
+// Returns the furthest element that a chord from `from` can end at within the tolerance. Each element on the
+// way narrows the interval of valid slopes; an end is valid if its own slope is inside.
 std::size_t end_of_chord(const LodFace& face, std::size_t from, float tolerance, std::size_t last,
                          float max_span) {
     float lowest = -std::numeric_limits<float>::infinity();
@@ -30,7 +30,7 @@ std::size_t end_of_chord(const LodFace& face, std::size_t from, float tolerance,
     return end;
 }
 
-// False as soon as there are more than `room`, which it takes from.
+// Returns false as soon as more than `room` rings are needed; subtracts the rings it uses from `room`.
 bool try_face(const LodFace& face, float tolerance, std::size_t max_step, float max_span, std::size_t& room,
               std::vector<std::uint32_t>& elements) {
     elements.clear();
@@ -57,7 +57,7 @@ std::vector<RingChoice> choose_face_rings(std::span<const LodFace> faces, const 
     }
     const auto cap = std::max(static_cast<std::size_t>(std::max(budget.max_rings, 0)),
                               2 * std::max<std::size_t>(faces.size(), 1));
-    // Steps that alone need more rings than there may be could never be met.
+    // max_step must not require more rings than the cap.
     const std::size_t shared = std::max<std::size_t>(cap - faces.size(), 1);
     const std::size_t least_step = elements == 0 ? 1 : (elements - 1) / shared + 1;
     const std::size_t max_step = std::max(static_cast<std::size_t>(std::max(budget.max_step, 1)), least_step);
@@ -78,10 +78,11 @@ std::vector<RingChoice> choose_face_rings(std::span<const LodFace> faces, const 
     while (!try_all(tolerance)) {
         too_fine = tolerance;
         tolerance = std::max(tolerance * 2.0F, 1e-4F);
-        if (!std::isfinite(tolerance)) return choices;  // radii that are not numbers are not drawn
+        if (!std::isfinite(tolerance)) return choices;  // NaN or infinite radii are not drawn
     }
     if (too_fine > 0.0F) {
-        // Between the last that failed and the first that passed; four halvings are within 6 % of the least.
+        // Bisect between the last tolerance that failed and the first that passed; four steps come within 6 %
+        // of the smallest.
         for (int halving = 0; halving < 4; ++halving) {
             const float middle = 0.5F * (too_fine + tolerance);
             (try_all(middle) ? tolerance : too_fine) = middle;
@@ -92,7 +93,7 @@ std::vector<RingChoice> choose_face_rings(std::span<const LodFace> faces, const 
 
 namespace {
 
-// A ring's value of a column that may not be there, between rings by their fraction.
+// Interpolates an optional column at a fractional ring; `without` if the column is empty.
 float column_at(std::span<const float> column, float ring, float without) {
     if (column.empty()) return without;
     const float last = static_cast<float>(column.size() - 1);
@@ -102,15 +103,15 @@ float column_at(std::span<const float> column, float ring, float without) {
     return column[below] + (place - static_cast<float>(below)) * (column[above] - column[below]);
 }
 
-// Whether a point inside, across the axis from the eye (x < 0) or on its near side, is in sight: in the
-// upright plane through eye and axis, no ring above it may cut the line of sight.
+// Visibility test for inside points, across the axis from the eye (x < 0) or on its near side: in the
+// vertical plane through eye and axis, no ring above the point may block the line of sight.
 class Sight {
   public:
     Sight(const LatheProfile& profile, vec3 eye_mm, float slack_mm)
         : eye_(std::hypot(eye_mm.x, eye_mm.z), eye_mm.y) {
         const std::size_t count = profile.floor - profile.inside;
         const std::size_t stride = std::max<std::size_t>(count / kLevels, 1);
-        // The highest of the edge, where the wall is thinnest, then down.
+        // From the highest ring of the edge, where the wall is thinnest, downwards.
         for (std::size_t i = profile.inside; i < profile.floor; i += stride)
             rings_.emplace_back(profile.points[i].radius_mm + slack_mm, profile.points[i].y_mm);
         rim_mm_ = profile.height_mm;
@@ -141,14 +142,14 @@ std::size_t points_seen(const LatheProfile& profile, vec3 eye_mm, float slack_mm
     for (const float fraction : {-0.98F, -0.6F, -0.2F, 0.2F, 0.6F, 0.98F}) {
         if (sight.reaches({fraction * corner.radius_mm, corner.y_mm})) return profile.points.size();
     }
-    // From the floor up, to the deepest of the far wall that shows.
+    // From the floor up to the deepest visible point of the far wall.
     std::size_t end = profile.floor;
     while (end > profile.inside) {
         const ProfilePoint& point = profile.points[end - 1];
         if (sight.reaches({-point.radius_mm, point.y_mm})) break;
         --end;
     }
-    // A margin, because only forty levels of what hides were looked at.
+    // A margin, because only forty levels of occluders were tested.
     const float lower_mm = end > profile.inside ? profile.points[end - 1].y_mm - 3.0F - slack_mm : 0.0F;
     while (end > profile.inside && end < profile.floor && profile.points[end].y_mm > lower_mm)
         ++end;
@@ -165,7 +166,7 @@ LatheRows choose_rows(const LatheProfile& profile, std::size_t seen, const RowBu
     const std::size_t floor = seen > profile.floor ? profile.points.size() - profile.floor : 0;
     const std::size_t inner_end = std::min(seen, profile.floor);
 
-    // Both walls by height, rising.
+    // Both walls in ascending order of height.
     std::array<std::vector<float>, 2> radii;
     std::array<std::vector<float>, 2> places;
     for (std::size_t i = 0; i < profile.edge; ++i) {
@@ -200,14 +201,16 @@ LatheRows choose_rows(const LatheProfile& profile, std::size_t seen, const RowBu
 
 void fill_rows(const Lathe& lathe, const LatheProfile& profile, const LatheSamples& samples,
                const LatheRows& chosen, std::vector<shaders::RowData>& rows) {
-    constexpr float kNormalSpanMm = 3.0F;  // of what lights a whole row: wider than a groove
-    constexpr float kOpenEveryMm = 9.0F;   // rays are walked that often, and interpolated between
+    // Smoothing span of the normal that lights a whole row: wider than a groove.
+    constexpr float kNormalSpanMm = 3.0F;
+    // Spacing of the ray-marched rows; rows between them are interpolated.
+    constexpr float kOpenEveryMm = 9.0F;
     rows.clear();
     float open = 1.0F;
     float open_at_mm = -1e9F;
     std::size_t open_row = 0;
     const auto spread_open = [&](std::size_t row, float value) {
-        // Linear between the last walked row and this one.
+        // Linear between the last ray-marched row and this one.
         const float from = rows[open_row].place.w;
         const float run = rows[row].place.w - from;
         for (std::size_t i = open_row + 1; i < row; ++i)

@@ -9,16 +9,17 @@ namespace {
 
 constexpr float kHalfTurn = 3.14159265F;
 
-// What is the same in every row of a sector's edge.
+// Values of a sector's edge that are the same in every row.
 struct SectorEdge {
     vec2 outward;         // (x, z)
-    std::size_t dent;     // the sector of the dents below it
-    float dent_fraction;  // of the next one
-    std::size_t column;   // of the key's columns, likewise
+    std::size_t dent;     // index of the dents' sector below it
+    float dent_fraction;  // weight of the next sector
+    std::size_t column;   // likewise, of the key light's columns
     float column_fraction;
-    float fraction;  // of a turn from +X; of the way from one side of a cut to the other
+    float fraction;  // of a turn from +X, or of the way from one side of a cut to the other
     float
-        straddle;  // a polygon inside the circle looks thinner than it: half of the sag outside, half inside
+        // An inscribed polygon looks thinner than its circle: half of the sag lies outside, half inside.
+        straddle;
 };
 
 std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight& key,
@@ -31,9 +32,9 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
     const float sweep = angles_rad[last] - angles_rad[0];
     for (std::size_t i = 0; i <= last; ++i) {
         SectorEdge edge{};
-        // The last edge of a whole turn is the first, to the bit.
+        // The last edge of a whole turn equals the first bit by bit.
         const float shown = angles_rad[!lathe.cut && i == last ? 0 : i];
-        // Streaks lie where they lie on the lathe, whichever way the eye looks.
+        // The streaks' coordinate is fixed to the lathe, independent of the eye.
         edge.fraction =
             lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / (2.0F * kHalfTurn);
         const std::size_t from = i > 0 ? i - 1 : 0;
@@ -42,7 +43,7 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         edge.straddle = 1.0F + 0.5F * (1.0F - std::cos(0.5F * chord));
         edge.outward = {std::cos(shown), std::sin(shown)};
         float own = (-shown - turned) / (2.0F * kHalfTurn);
-        // A sector's value is that of its middle.
+        // A sector's value applies at its middle.
         own = (own - std::floor(own)) * kDentSectors + kDentSectors - 0.5F;
         edge.dent = static_cast<std::size_t>(own) % kDentSectors;
         edge.dent_fraction = own - std::floor(own);
@@ -57,11 +58,11 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
     return edges;
 }
 
-// A row of the dents at a height, and how it changes with height.
+// Dents at one height, and their derivatives.
 struct DentRow {
     std::array<float, kDentSectors> off_mm{};
-    std::array<float, kDentSectors> rise{};   // a mm of height
-    std::array<float, kDentSectors> round{};  // a sector
+    std::array<float, kDentSectors> rise{};   // per mm of height
+    std::array<float, kDentSectors> round{};  // per sector
 };
 
 bool dents_at(const Lathe& lathe, float y_mm, float height_mm, DentRow& row) {
@@ -78,7 +79,7 @@ bool dents_at(const Lathe& lathe, float y_mm, float height_mm, DentRow& row) {
         row.off_mm[s] = low[s] + fraction * (high[s] - low[s]);
         row.rise[s] = above > below ? (high[s] - low[s]) / step_mm : 0.0F;
     }
-    // Slopes at the middles, so that between them they change evenly and no facet shows.
+    // Slopes at the sectors' middles, so that they vary linearly between them and no facet shows.
     for (std::size_t s = 0; s < kDentSectors; ++s)
         row.round[s] =
             0.5F * (row.off_mm[(s + 1) % kDentSectors] - row.off_mm[(s + kDentSectors - 1) % kDentSectors]);
@@ -121,8 +122,7 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
         const std::size_t point = input.chosen.points[row];
         const bool is_inside = input.profile.hollow && row >= input.chosen.inside;
         const bool is_edge = point >= input.profile.edge && point < input.profile.inside;
-        // Nothing stands over the rounded edge or a solid's top.
-        // Into a pot that is cut open the light comes from the front.
+        // Nothing shades the rounded edge or a solid's top. The inside of a cut pot is lit from the front.
         if (is_edge || (row >= input.chosen.inside && (!input.profile.hollow || lathe.cut))) {
             seen.fill(1.0F);
         } else {
@@ -131,7 +131,7 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
         }
         const bool dented = dents_at(lathe, place.y, input.profile.height_mm, dents);
         vec2 centre(0.0F);
-        vec2 drift(0.0F);  // of the centre, a mm of height
+        vec2 drift(0.0F);  // of the centre, per mm of height
         if (off_centre) {
             const vec2 own = centre_at(lathe.centre_mm, input.profile.points[point].ring);
             centre = {own.x * lathe.turn.x + own.y * lathe.turn.y,
@@ -149,12 +149,12 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
                 const std::size_t next = (edge.dent + 1) % kDentSectors;
                 off_mm = dents.off_mm[edge.dent] +
                          edge.dent_fraction * (dents.off_mm[next] - dents.off_mm[edge.dent]);
-                // A floor moves with its wall at the corner, and not at the axis.
+                // At the corner the floor moves with the wall, at the axis not at all.
                 if (point >= input.profile.floor)
                     off_mm *= place.x / input.profile.points[input.profile.floor - 1].radius_mm;
                 lean +=
                     dents.rise[edge.dent] + edge.dent_fraction * (dents.rise[next] - dents.rise[edge.dent]);
-                // Sectors run against the angle, so their slope round does too.
+                // Sectors run against the angle, so their slope changes sign.
                 const float round = dents.round[edge.dent] +
                                     edge.dent_fraction * (dents.round[next] - dents.round[edge.dent]);
                 const float slope =

@@ -1,5 +1,5 @@
-// A lathe's vertices: its rows turned about the axis, moved by dents and by rings off the centre, with the
-// key light that gets to each. Any thread; a pure function. mm, rad.
+// A lathe's vertices: its rows turned about the axis and displaced by dents and off-centre rings, with the
+// key light that reaches each vertex. Any thread; a pure function. mm, rad.
 #pragma once
 
 #include <span>
@@ -19,12 +19,12 @@ struct LatheMeshInput {
     const LatheRows& chosen;
     std::span<const shaders::RowData> rows;
 };
-// A row has a vertex at each of the angles (seen_sectors() and even_sectors() in frame_build.h), the last
-// where the first is or at the other side of a cut. `vertices` is used again.
+// Each row has a vertex at each of the angles (seen_sectors() and even_sectors() in frame_build.h); the last
+// vertex coincides with the first or is on the other side of a cut. Reuses the memory of `vertices`.
 void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
                    std::span<const float> angles_rad, std::vector<shaders::VertexData>& vertices);
 
-// How far dents and centres move the wall at most.
+// Maximum displacement of the wall by dents and centres.
 [[nodiscard]] float largest_offset_mm(const Lathe& lathe);
 
 }  // namespace onggi::render

@@ -29,7 +29,8 @@ std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> verti
             if (pixel.x > right.x) right = pixel;
         }
         if (row > 0) {
-            // The ends of two rings are the corners of a piece of pot; a line through both sides passes it.
+            // The extreme points of two rings span a quadrilateral of the pot; a line that crosses both sides
+            // passes through it.
             const float top = std::max(std::min(left.y, left_before.y), std::min(right.y, right_before.y));
             const float low = std::min(std::max(left.y, left_before.y), std::max(right.y, right_before.y));
             const auto first = static_cast<int>(std::ceil(std::max(top - 0.5F, 0.0F)));
@@ -55,13 +56,13 @@ std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> verti
 
 namespace {
 
-// The pixels between which a row of the lathe's vertices lies.
+// Bounding box of a row of the lathe's vertices, in pixels.
 struct Extent {
     vec2 low{std::numeric_limits<float>::max()};
     vec2 high{std::numeric_limits<float>::lowest()};
 };
 
-// False where part of it lies beside the eye or behind it: then it may be anywhere.
+// Returns false if part of the row is beside or behind the eye: it may then be anywhere.
 bool want_lathe(const EdgeView& view, const TileGrid& grid, BuiltFrame& built) {
     const Projector project(view);
     const auto in_row = static_cast<std::size_t>(built.sectors) + 1;
@@ -85,7 +86,7 @@ bool want_lathe(const EdgeView& view, const TileGrid& grid, BuiltFrame& built) {
     return true;
 }
 
-// The tiles that the pot lies over wholly.
+// Marks the tiles that the pot covers completely.
 void note_covered(const EdgeView& view, const TileGrid& grid, BuiltFrame& built) {
     const std::vector<Covered> lines = covered_by_lathe(built.vertices, built.choice.inside, built.sectors,
                                                         view.camera, view.width_px, view.height_px);
@@ -114,7 +115,7 @@ void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& bui
     std::vector<std::uint8_t>& tiles = built.moving_tiles;
     tiles.assign(grid.count(), 0);
     for (const OutlinePiece& edge : built.edges) {
-        // Half a pixel to each side is smoothed, and reads the pixel beyond.
+        // Smoothing changes half a pixel to each side and reads the next pixel.
         constexpr float kReachPx = 2.0F;
         want_tiles(grid,
                    rect_about(glm::min(vec2(edge.from), vec2(edge.to)) - kReachPx,
@@ -123,7 +124,7 @@ void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& bui
     }
     std::transform(tiles.begin(), tiles.end(), built.prop_tiles.begin(), tiles.begin(),
                    [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-    // The faces of a cut are no rows.
+    // The faces of a cut are not rows.
     const bool is_whole = scene.lathe && !scene.lathe->cut && want_lathe(view, grid, built);
     if (scene.lathe && !is_whole) {
         const Box box = lathe_box(*scene.lathe);

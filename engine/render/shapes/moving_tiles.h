@@ -1,5 +1,5 @@
-// The tiles of a picture in which something moves, as closely as its shape allows: all of them are copied
-// anew every frame. Pure; any thread. Pixels.
+// Finds the tiles in which something moves, as tightly as its shape allows: all of them are copied in every
+// frame. Pure; any thread. Pixels.
 #pragma once
 
 #include <span>
@@ -12,25 +12,24 @@
 
 namespace onggi::render {
 
-// The pixels that the lathe covers for sure: what lies under them need not be made.
-// Pixels.
+// The pixels that the lathe certainly covers: what is under them need not be drawn. Pixels.
 
-// Where a line across the picture passes the pot for sure.
+// The part of a line of pixels that the pot certainly covers.
 struct Covered {
     float left = 0.0F;
-    float right = 0.0F;  // not above left: nowhere
+    float right = 0.0F;  // not greater than left: empty
 };
 
-// What is drawn of the pot are chords of its circles: this far from its ends it covers for sure.
+// The drawn pot consists of chords of its circles; this far from the ends it certainly covers.
 constexpr float kCoveredMarginPx = 2.0F;
 
-// One entry a line of pixels, the first at the top: what lies between the two ends of a ring that is drawn,
-// and between those of one ring and the next, is pot. `vertices` are the lathe's, rows of sectors + 1.
+// Returns one entry per line of pixels, from the top: the area between the two extreme points of each drawn
+// ring and of the next is covered. `vertices` are the lathe's, rows of sectors + 1.
 [[nodiscard]] std::vector<Covered> covered_by_lathe(std::span<const shaders::VertexData> vertices,
                                                     std::size_t rows, int sectors, const Camera& camera,
                                                     int width_px, int height_px);
 
-// Fills moving_tiles of a frame whose lathe and edges are built, and whose prop_tiles are known.
+// Fills in moving_tiles of a frame. Precondition: its lathe, edges and prop_tiles are built.
 void find_moving_tiles(const Scene& scene, const EdgeView& view, BuiltFrame& built);
 
 }  // namespace onggi::render

@@ -24,11 +24,11 @@ float from_axis_2_mm2(vec3 point) {
 InsidePot::InsidePot(const Lathe& lathe, const LatheSamples& samples, vec3 eye_mm)
     : samples_(&samples),
       eye_mm_(eye_mm) {
-    // What is drawn are few rings and chords of their circles; the rim is rounded.
+    // The drawn pot has few rings and chords instead of circles, and a rounded rim.
     constexpr float kDrawnMm = 1.5F;
     slack_mm_ = largest_offset_mm(lathe) + kDrawnMm;
     rim_mm_ = lathe.cut ? 0.0F : std::max(samples.height_mm - lathe.edge_rounding_mm - kDrawnMm, 0.0F);
-    // The outline is a line between two samples; a ray may pass just above one of them.
+    // The outline is interpolated between two samples; a ray may pass just above one of them.
     const std::size_t at = samples.at(rim_mm_);
     const std::size_t below = at > 0 ? at - 1 : 0;
     outside_2_mm2_ = square(std::max(samples.outer_mm[at], samples.outer_mm[below]) + slack_mm_);
@@ -56,12 +56,12 @@ std::vector<vec4> face_planes(const PropMesh& mesh) {
 
 std::vector<std::uint8_t> faces_towards(const PlacedMesh& placed, vec3 eye_mm) {
     const vec3 eye(glm::inverse(placed.place) * vec4(eye_mm, 1.0F));
-    // A mirrored face is seen from what was its back.
+    // A mirror transform turns back faces into front faces.
     const float side = glm::determinant(mat3(placed.place)) < 0.0F ? -1.0F : 1.0F;
     std::vector<std::uint8_t> towards(placed.planes.size());
     std::transform(placed.planes.begin(), placed.planes.end(), towards.begin(), [&](const vec4& plane) {
         const vec3 normal(plane);
-        // Of one that is seen edge on the device finds out.
+        // Keep nearly edge-on faces; the rasteriser culls them exactly.
         constexpr float kEdgeOnMm = 0.01F;
         const float towards_eye = side * (glm::dot(normal, eye) - plane.w);
         const bool looks_away =
@@ -89,7 +89,7 @@ namespace {
 
 using Place = std::array<float, 3>;
 
-// How far a chord may lie from the outline it stands for.
+// Maximum distance of a chord from the silhouette it replaces.
 constexpr float kChordPx = 0.15F;
 
 float from_chord_px(vec2 a, vec2 b, vec2 point) {
@@ -99,7 +99,7 @@ float from_chord_px(vec2 a, vec2 b, vec2 point) {
     return glm::length(to - along * std::clamp(glm::dot(to, along) / square, 0.0F, 1.0F));
 }
 
-// A line through the picture as few pieces of an outline, which pass all of its points closely enough.
+// Simplifies a polyline to few segments that pass all its points closely enough.
 void add_chords(std::span<const vec4> points, std::vector<OutlinePiece>& edges) {
     std::size_t from = 0;
     for (std::size_t to = 1; to < points.size(); ++to) {
@@ -116,7 +116,7 @@ void add_chords(std::span<const vec4> points, std::vector<OutlinePiece>& edges) 
 }  // namespace
 
 std::vector<MeshEdge> mesh_edges(const PropMesh& mesh) {
-    // A corner is there several times where normals or colours differ on its sides.
+    // A vertex appears several times if normals or colours differ between its faces.
     std::map<Place, std::uint32_t> corners;
     const auto corner_at = [&](std::uint32_t number) {
         const vec3& at = mesh.vertices[number].position_mm;
@@ -146,7 +146,7 @@ void add_prop_edges(const PlacedMesh& placed, std::span<const std::uint8_t> towa
     const auto place_of = [&](std::uint32_t corner) {
         return vec3(placed.place * vec4(placed.mesh.vertices[corner].position_mm, 1.0F));
     };
-    // Of each corner the outline's edges there, of which a line goes on along one.
+    // The silhouette edges that meet at each vertex (two at most): polylines are chained through them.
     constexpr std::uint32_t kNone = ~0U;
     std::vector<const MeshEdge*> outline;
     std::vector<std::array<std::uint32_t, 2>> at_corner(placed.mesh.vertices.size(), {kNone, kNone});
@@ -166,7 +166,7 @@ void add_prop_edges(const PlacedMesh& placed, std::span<const std::uint8_t> towa
     std::vector<vec4> line;
     for (std::uint32_t start = 0; start < outline.size(); ++start) {
         if (is_done[start] != 0) continue;
-        // As far as it goes one way; what lies the other way is a line of its own.
+        // Follows the silhouette in one direction; the other direction becomes a polyline of its own.
         std::uint32_t corner = outline[start]->corners[0];
         const auto next_at = [&](std::uint32_t at) {
             for (const std::uint32_t next : at_corner[at]) {

@@ -1,5 +1,5 @@
-// What of hands and tools the processor draws in a frame: those of their faces that can be seen, which a GPU
-// finds by itself, and their outlines. Main thread.
+// Selects the visible faces and the silhouettes of hands and tools for the CPU backend; a GPU culls by
+// itself. Main thread.
 #pragma once
 
 #include <array>
@@ -17,71 +17,70 @@
 
 namespace onggi::render {
 
-// Which triangles of hands and tools are drawn, where the processor is the device and pays for each vertex
-// and each triangle: those that look at the eye, and of them not those that are inside the pot for sure.
-// What the picture shows is the same. mm.
+// Culling for a software device, which pays for each vertex and each triangle: keeps triangles that face the
+// eye, except those certainly inside the pot. The picture does not change. mm.
 
-// What is inside the pot and cannot be seen through its mouth. A ray from there to the eye that has left the
-// pot's outline before it is as high as the rim has passed the wall.
+// Occlusion test for points inside the pot that cannot be seen through its mouth: the ray to the eye leaves
+// the pot's outline below the height of the rim, so it passes through the wall.
 class InsidePot {
   public:
-    // Nothing, of a lathe that is cut open. The samples, which are the lathe's, must outlive it.
+    // Hides nothing for a lathe that is cut open. `samples`, the lathe's, must outlive this object.
     InsidePot(const Lathe& lathe, const LatheSamples& samples, vec3 eye_mm);
     [[nodiscard]] bool hides(vec3 point_mm) const;
 
   private:
     const LatheSamples* samples_;
     vec3 eye_mm_;
-    float slack_mm_;       // of the outline, by which dents and a throw off the centre move it
+    float slack_mm_;       // maximum displacement of the outline by dents and an off-centre throw
     float rim_mm_;         // a little below the top; 0: hides nothing
-    float outside_2_mm2_;  // at that height, from the axis, squared
+    float outside_2_mm2_;  // squared radius of the outside at that height
 };
 
-// A triangle's plane in its mesh's own frame: the normal outwards, not of unit length, and how far along it
-// the triangle lies. One a triangle, in the order of the indices.
+// Returns a triangle's plane in its mesh's frame: the outward normal, not of unit length, and the plane's
+// offset along it. One per triangle, in the order of the indices.
 [[nodiscard]] std::vector<vec4> face_planes(const PropMesh& mesh);
 
-// A mesh where a prop has it.
+// A mesh with the transform of its prop.
 struct PlacedMesh {
     const PropMesh& mesh;
     std::span<const vec4> planes;
     const mat4& place;
 };
-// One entry a triangle: whether it looks at the eye, or is seen edge on.
+// Returns for each triangle whether it faces the eye or is edge-on.
 [[nodiscard]] std::vector<std::uint8_t> faces_towards(const PlacedMesh& placed, vec3 eye_mm);
-// Appends the indices of the triangles to draw, of those that look at the eye. `pot` may be null: there is
-// none.
+// Appends the indices of the triangles to draw, chosen from those that face the eye. `pot` may be null: no
+// pot.
 void choose_prop_faces(const PlacedMesh& placed, std::span<const std::uint8_t> towards_eye,
                        const InsidePot* pot, std::vector<std::uint32_t>& indices);
 
-// The outlines of hands and tools: see lathe_edges.h. mm, pixels.
+// The silhouettes of hands and tools, see lathe_edges.h. mm, pixels.
 
-// Where two triangles of a mesh meet, wherever their corners are in its lists; or where one ends.
+// An edge between two triangles, found by their vertices' positions; or a border of one triangle.
 struct MeshEdge {
     std::array<std::uint32_t, 2> corners{};
     std::array<std::uint32_t, 2>
-        faces{};  // numbers of triangles; the second is the first where there is none
+        faces{};  // indices of the triangles; the second equals the first where there is one only
 };
-// Once a mesh. Where more than two triangles meet, the first two do.
+// Run once per mesh. If more than two triangles share an edge, the first two count.
 [[nodiscard]] std::vector<MeshEdge> mesh_edges(const PropMesh& mesh);
 
-// `towards_eye`: see faces_towards(). Appends the edges between a triangle that looks at the eye and one that
-// looks away, and the borders of what looks at it, but for what is inside the pot (null: there is none).
-// Other hidden ones are there too: the depth test knows.
+// `towards_eye`: see faces_towards(). Appends the edges between triangles that face the eye and triangles
+// that face away, and the borders of those that face it, except those inside the pot (null: no pot). Other
+// hidden edges are included: the depth test rejects them.
 void add_prop_edges(const PlacedMesh& placed, std::span<const std::uint8_t> towards_eye,
                     std::span<const MeshEdge> mesh_edges, const InsidePot* pot, const EdgeView& view,
                     std::vector<OutlinePiece>& edges);
 
 class PropModels {
   public:
-    // Chooses faces, unless hidden ones are asked for, and appends outlines, where they are smoothed, to the
-    // frame's. `built` must be this frame's. The first time with a library takes some ms.
+    // Chooses faces (unless desc.draws_hidden_faces) and appends silhouettes (if they are smoothed) to the
+    // frame's. `built` must be this frame's. The first call with a library takes some ms.
     void choose(const Scene& scene, const RendererDesc& desc, const EdgeView& view, BuiltFrame& built);
 
-    // Of all props, one after another; empty where none are chosen.
+    // The chosen indices of all props, back to back; empty if nothing was chosen.
     [[nodiscard]] std::span<const std::uint32_t> chosen_indices() const { return chosen_indices_; }
-    // Calls with each prop, the number of each of its meshes, and the indices of the triangles to draw of
-    // that: some of the chosen ones, or all of the mesh's own.
+    // Calls `visit` with each prop, the number of each of its meshes, and the indices of the triangles to
+    // draw: the chosen ones, or all of the mesh's.
     template <typename Visit>
     void for_parts(const Scene& scene, Visit visit) const {
         std::size_t number = 0;
@@ -98,7 +97,7 @@ class PropModels {
     }
 
   private:
-    // Of a mesh: the planes of its faces, see face_planes(), and its edges.
+    // Precomputed for a mesh: the planes of its faces, see face_planes(), and its edges.
     struct Known {
         std::vector<vec4> planes;
         std::vector<MeshEdge> edges;
@@ -108,13 +107,13 @@ class PropModels {
         std::size_t count = 0;
     };
     void learn(const std::shared_ptr<const PropLibrary>& library);
-    // One a mesh; empty for a model that the library does not have.
+    // One entry per mesh; empty for a model that is not in the library.
     [[nodiscard]] std::span<const Known> known_of(std::size_t model) const;
 
     std::shared_ptr<const PropLibrary> library_;
     std::vector<std::vector<Known>> known_;
     std::vector<std::uint32_t> chosen_indices_;
-    std::vector<Chosen> chosen_;  // of each mesh of each prop; empty: not chosen
+    std::vector<Chosen> chosen_;  // for each mesh of each prop; empty: not chosen
 };
 
 }  // namespace onggi::render

@@ -8,14 +8,14 @@
 namespace onggi::render {
 namespace {
 
-// Down the light, along the ground; any direction will do when the light stands straight above.
+// Horizontal direction of the shadow; arbitrary when the light is vertical.
 vec2 shadow_direction(vec3 towards_light) {
     const vec2 flat(-towards_light.x, -towards_light.z);
     const float length = glm::length(flat);
     return length > 1e-4F ? flat / length : vec2(1.0F, 0.0F);
 }
 
-// How far a thing one mm high casts its shadow.
+// Length of the shadow of a thing one mm high.
 float shadow_length(vec3 towards_light) {
     return glm::length(vec2(towards_light.x, towards_light.z)) / std::max(towards_light.y, 0.05F);
 }
@@ -25,7 +25,7 @@ float widest_radius(const Lathe& lathe) {
     return *std::max_element(lathe.radii_mm.begin(), lathe.radii_mm.end()) + largest_offset_mm(lathe);
 }
 
-// Of a ring; of the one after the last: the top.
+// Bottom of a ring. The index after the last ring returns the top.
 float bottom_of(const Lathe& lathe, std::size_t ring) {
     const bool stacked = lathe.top_mm.size() == lathe.radii_mm.size();
     if (ring == 0 || lathe.radii_mm.empty()) return 0.0F;

@@ -1,5 +1,5 @@
-// Where the moving things' shadow lies: the map from the world to the shadow mask; and where in the picture
-// they are. Any thread; pure functions. mm, pixels.
+// The shadow mask's region of the world, and the pixels where moving things can be seen. Any thread; pure
+// functions. mm, pixels.
 #pragma once
 
 #include <span>
@@ -11,10 +11,10 @@
 
 namespace onggi::render {
 
-// The mask covers a rectangle of y = 0 that begins behind the axis, seen from the light, and runs down the
-// light as far as the tallest caster's shadow.
+// The mask covers a rectangle of y = 0. It begins behind the axis, as seen from the light, and extends along
+// the light to the end of the tallest caster's shadow.
 struct MaskPlacement {
-    vec4 u;  // dot(xyz, p) + w: where p, slid along the light onto y = 0, lies in the mask
+    vec4 u;  // dot(xyz, p) + w: mask coordinate of p projected along the light onto y = 0
     vec4 v;
     vec2 origin;  // xz of u = v = 0
     vec2 axis_u;  // xz
@@ -22,11 +22,11 @@ struct MaskPlacement {
 };
 [[nodiscard]] MaskPlacement place_mask(const ShadowRegion& region, const DirectionalLight& light);
 
-// All pixels in which boxes of the world can be seen, one more all round.
+// The pixels in which the boxes can be seen, with a margin of one pixel.
 [[nodiscard]] PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_px,
                                   int height_px);
 
-// Boxes about what moves: the lathe; the spheres and the props.
+// Bounding boxes of moving things: the lathe; a sphere; all spheres and props.
 [[nodiscard]] Box lathe_box(const Lathe& lathe);
 [[nodiscard]] Box sphere_box(const Sphere& sphere);
 [[nodiscard]] std::vector<Box> boxes_beside_lathe(const Scene& scene);

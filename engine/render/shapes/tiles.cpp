@@ -3,7 +3,7 @@
 namespace onggi::render {
 namespace {
 
-// std::floor is a call to a library where a processor's oldest instructions must do.
+// std::floor is a library call on the oldest supported instruction set.
 glm::ivec2 floored(vec2 at) {
     const glm::ivec2 whole(at);
     return whole - glm::ivec2(glm::lessThan(at, vec2(whole)));
@@ -12,8 +12,8 @@ glm::ivec2 floored(vec2 at) {
 }  // namespace
 
 PixelRect rect_about(vec2 low, vec2 high) {
-    if (!(low.x <= high.x && low.y <= high.y)) return {};  // no numbers
-    // Far outside of any picture a float has no place in an int.
+    if (!(low.x <= high.x && low.y <= high.y)) return {};  // NaN
+    // Far outside of any picture a float does not fit into an int.
     constexpr float kFarPx = 1e6F;
     const glm::ivec2 from = floored(glm::clamp(low, -kFarPx, kFarPx));
     const glm::ivec2 to = -floored(-glm::clamp(high, -kFarPx, kFarPx));
@@ -46,7 +46,7 @@ void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
             const int width = std::min(static_cast<int>(at) * kTileWidthPx, grid.width_px) - x;
             rects.push_back({x, y, width, height});
         }
-        // A row of tiles that is as the one above makes its rectangles longer.
+        // A row of tiles equal to the row above extends the rectangles of that row.
         const std::size_t here = rects.size() - first;
         const bool is_as_above =
             here > 0 && here == first - above &&

@@ -11,7 +11,7 @@
 
 namespace onggi::render {
 
-// Pixels, clamped to the picture; empty when width or height is 0.
+// A rectangle of pixels, clipped to the picture; empty if width or height is 0.
 struct PixelRect {
     int x = 0;
     int y = 0;
@@ -24,7 +24,7 @@ struct PixelRect {
 constexpr int kTileWidthPx = 32;
 constexpr int kTileHeightPx = 8;
 
-// How a picture is laid out in tiles, row by row; those at the right and at the bottom may be cut off.
+// The picture's tiles, row by row; tiles at the right and bottom borders may be partial.
 struct TileGrid {
     int width_px = 0;
     int height_px = 0;
@@ -38,7 +38,8 @@ struct TileGrid {
 // The pixels that a box with these corners, in pixels, touches.
 [[nodiscard]] PixelRect rect_about(vec2 low, vec2 high);
 
-// Calls with the number of each tile that a rectangle touches, part of which may lie outside the picture.
+// Calls `visit` with the number of each tile that the rectangle touches. The rectangle may extend beyond the
+// picture.
 template <typename Visit>
 void for_tiles(const TileGrid& grid, const PixelRect& rect, Visit visit) {
     if (rect.width <= 0 || rect.height <= 0) return;
@@ -54,17 +55,17 @@ void for_tiles(const TileGrid& grid, const PixelRect& rect, Visit visit) {
 
 // What a frame draws over a tile.
 constexpr std::uint8_t kNothingMoves = 0;
-constexpr std::uint8_t kMoves = 1;    // something, in parts of it
-constexpr std::uint8_t kCovered = 2;  // something over all of it: nobody sees what lies under that
+constexpr std::uint8_t kMoves = 1;    // something moves in parts of it
+constexpr std::uint8_t kCovered = 2;  // moving things cover all of it: what is under them is not visible
 
-// Wants the tiles that a rectangle touches.
+// Marks the tiles that the rectangle touches.
 void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted);
 
-// Rectangles, none over another, that are together the wanted tiles (one entry a tile, 0 or not).
+// Computes disjoint rectangles that together cover the marked tiles (one entry per tile, 0 or 1).
 void rects_of_tiles(const TileGrid& grid, std::span<const std::uint8_t> wanted,
                     std::vector<PixelRect>& rects);
 
-// One rectangle of a picture, whose rows are this wide, into the same place of another.
+// Copies a rectangle to the same place of another picture; both are width_px wide.
 template <typename Pixel>
 void copy_rect(std::span<const Pixel> from, const PixelRect& rect, std::size_t width_px,
                std::span<Pixel> into) {

@@ -153,7 +153,7 @@ void OverlayPass::record_uploads(const VulkanFrame& frame) {
         at += bytes_of(*upload.painting);
     }
     vk::barrier(commands, atlas_, vk::state::kCopyTarget, vk::state::kSampled);
-    kept_hash_ = 0;  // what lies in the atlas has changed under the same list
+    kept_hash_ = 0;  // the atlas has changed, so the same list may look different
 }
 
 void OverlayPass::draw_list(const VulkanFrame& frame, VkImageView view, bool keep_what_is_there) const {

@@ -1,4 +1,4 @@
-// Has the device draw the overlay after the scene: two pipelines, one texture, one vertex buffer. Main
+// Draws the overlay on the device after the scene: two pipelines, one texture, one vertex buffer. Main
 // thread.
 #pragma once
 
@@ -14,11 +14,12 @@ namespace onggi::render {
 class OverlayPass {
   public:
     Result<void> create(const VulkanFrame& frame);
-    // Makes room for what the overlay brings and fills the buffers. The device is idle. Null: no overlay.
+    // Allocates memory for the overlay and fills the buffers. Null: no overlay. The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Overlay* overlay);
-    // Copies new pictures into the atlas.
+    // Records copies of new pictures into the atlas.
     void record_uploads(const VulkanFrame& frame);
-    // The target is laid out as colour, as the scene left it; or in any way when nothing has been drawn.
+    // `after_scene`: the scene was drawn and the target is in the colour layout; else its contents are
+    // undefined.
     void record(const VulkanFrame& frame, const vk::TargetImage& target, bool after_scene);
 
   private:
@@ -37,7 +38,7 @@ class OverlayPass {
     vk::Buffer staging_;
     vk::Buffer vertices_;
     vk::Buffer indices_;
-    vk::Image kept_;  // the last covering overlay, drawn
+    vk::Image kept_;  // the last covering overlay, as drawn
     std::uint64_t kept_hash_ = 0;
     const Overlay* overlay_ = nullptr;  // of this frame
     std::uint64_t hash_ = 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr VkFormat kBackgroundFormat = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr std::size_t kTexelBytes = 4;
-// What a frame uploads of a photograph that is not needed yet: all at once would be a frame that is late.
+// Upload per frame for a photograph that is not needed yet; uploading it all at once would delay the frame.
 constexpr std::size_t kStripBytes = std::size_t{2} << 20;
 
 void bind_background(const VulkanFrame& frame, const vk::Image& key, const vk::Image& ambient) {
@@ -37,7 +37,7 @@ Result<vk::Image> create_picture(const VulkanFrame& frame, const asset::Image& p
          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
 }
 
-// Rows of a picture, from the first on; the image lies as they left it until its last one is there.
+// Copies rows of a picture. The image stays in the copy layout from its first rows to its last.
 void copy_rows(VkCommandBuffer commands, const vk::Buffer& strip, const vk::Image& image, int first,
                int rows) {
     const auto height = static_cast<int>(image.extent().height);
@@ -181,7 +181,7 @@ void ShadowPass::record(const VulkanFrame& frame) {
     has_mask_ = true;
 }
 
-// maxTexelBufferElements is at least so many on every device.
+// Every device has a maxTexelBufferElements of at least 65536.
 static_assert(shaders::kProfileTexels <= 65536);
 
 Result<void> LathePass::create(const VulkanFrame& frame) {
@@ -231,7 +231,8 @@ Result<void> LathePass::create(const VulkanFrame& frame) {
         vk::write_buffer(frame.device, frame.set(), static_cast<std::uint32_t>(place.binding),
                          VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place.buffer.handle());
     }
-    // Until there are marks: what is bound must be there, though nothing reads it.
+    // Until there are marks, another buffer fills the slot: a bound slot needs a buffer, even if no shader
+    // reads it.
     vk::write_buffer(frame.device, frame.set(), shaders::kBindMarks, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                      rows_.buffer.handle());
     auto normals =
@@ -264,7 +265,7 @@ Result<void> LathePass::upload_streaks(const VulkanFrame& frame) {
     });
 }
 
-// A room of their own as soon as there are some: most pots have none. No frame is in flight here.
+// Most pots have no marks, so the buffer is allocated on first use. No frame is in flight here.
 Result<void> LathePass::upload_marks(const VulkanFrame& frame) {
     const LatheMarks* const marks = frame.built.marks;
     if (marks == nullptr || marks->revision == marks_revision_) return {};
@@ -338,7 +339,7 @@ constexpr std::array kAttributes{
     VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(PropMesh::Vertex, tone)}};
 
 shaders::PropDraw prop_draw(const Prop& prop, const PropMesh& mesh) {
-    const mat4 rows = glm::transpose(prop.place);  // a column of the transposed is a row
+    const mat4 rows = glm::transpose(prop.place);  // a column of the transposed matrix is a row
     return {.row_x = rows[0],
             .row_y = rows[1],
             .row_z = rows[2],
@@ -415,7 +416,7 @@ Result<void> ViewFade::fit(const VulkanFrame& frame, const Scene& scene) {
     const VkExtent2D have = kept_.extent();
     const bool fits = have.width == frame.extent.width && have.height == frame.extent.height;
     shows_ = scene.fade_in.has_value() && has_ && fits;
-    // What is still read is not drawn into: a view that is wanted meanwhile waits.
+    // The kept image is not overwritten while it is read: the next view waits until the fade has ended.
     keeps_ = scene.next_view.has_value() && !scene.fade_in;
     has_ = shows_;
     if (!keeps_ || fits) return {};
@@ -466,7 +467,7 @@ Result<void> VulkanBackend::create() {
     const vk::Image& mask = frame_.images.mask;
     vk::write_image(frame_.device, frame_.set(), shaders::kBindMask, mask.view(),
                     frame_.pipelines.clamped.get());
-    // What is bound must be laid out, though not every scene has it drawn or read.
+    // A bound image must have a layout, even if the scene neither draws nor reads it.
     auto laid_out = frame_.device.run_once(
         [&](VkCommandBuffer once) { vk::barrier(once, mask, vk::state::kUndefined, vk::state::kSampled); });
     if (!laid_out) return laid_out;
@@ -545,7 +546,7 @@ void VulkanBackend::record(const Scene& scene, const vk::TargetImage& target) {
         colour = {.view = images.multisampled.view(), .resolve = view};
     }
     begin_pass(commands, frame_.extent, {colour}, {.view = images.depth.view()});
-    // Front to back, so that what is hidden is not shaded.
+    // Front to back, to reduce overdraw.
     frame_.enter("lathe");
     lathe_.draw(frame_);
     frame_.enter("hands and tools");

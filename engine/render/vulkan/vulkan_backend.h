@@ -1,5 +1,5 @@
-// The picture as GPUs draw it, and as screenshots are drawn everywhere: everything by the device in every
-// frame. Main thread.
+// The backend for GPUs, and for screenshots on any device: the device draws everything in every frame. Main
+// thread.
 #pragma once
 
 #include <cstddef>
@@ -17,34 +17,34 @@
 
 namespace onggi::render {
 
-// The photographs of the room on the device, those that are shown and those that may be next.
+// The room's photographs on the device: those that are shown and those that may be next.
 class BackgroundPass {
   public:
-    // Binds something to every slot that a shader might read before there is a background.
+    // Binds a placeholder to each slot that a shader might read before there is a background.
     static void bind_placeholders(const VulkanFrame& frame);
 
-    // The scene's background to where it is used, unless it is there, and some rows of what may be seen soon.
-    // The device is idle.
+    // Uploads the scene's background completely if it is missing, binds it, and uploads one strip of a
+    // background that may be shown soon. The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
-    // All of it is on the device.
+    // Whether all of it is on the device.
     [[nodiscard]] bool has(const Background* background) const;
 
   private:
     struct Resident {
-        std::shared_ptr<const Background> background;  // held, so that no other can have its address
+        std::shared_ptr<const Background> background;  // keeps its address from being reused
         vk::Image key{};
         vk::Image ambient{};
-        int rows = 0;  // that are here: first those of the one, then of the other
+        int rows = 0;  // uploaded so far: first those of `key`, then those of `ambient`
 
         [[nodiscard]] bool is_whole() const { return rows == 2 * background->height_px; }
     };
-    // The next strip of it, some rows.
+    // Uploads the next strip of rows.
     Result<void> upload_strip(const VulkanFrame& frame, Resident& resident);
-    // The one of that background, perhaps still without a row.
+    // Returns the resident of that background; creates an empty one if there is none.
     Resident& begin(std::shared_ptr<const Background> background);
-    // What the scene does not name goes, and out of every slot before that: lavapipe counts references in
-    // whatever is bound, drawn from or not.
+    // Releases backgrounds that the scene no longer names, after unbinding them: lavapipe counts references
+    // to whatever is bound, even if nothing is drawn with it.
     void let_go_of_others(const VulkanFrame& frame, const Scene& scene);
 
     std::vector<std::unique_ptr<Resident>> residents_;
@@ -52,23 +52,22 @@ class BackgroundPass {
     vk::Buffer strip_{};
 };
 
-// The background: what stands still, drawn into every frame.
+// The static background, drawn into every frame.
 class RoomPass {
   public:
-    // Once, with the pipelines and images of fixed size there.
+    // Call once, after the pipelines and fixed-size images are created.
     static void create(const VulkanFrame& frame) { BackgroundPass::bind_placeholders(frame); }
-    // The still life of the scene and its backgrounds onto the device, if they are others. The device is
-    // idle.
+    // Uploads the scene's still life and backgrounds if they have changed. The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
-    // The still life's shadow map, where it is another than the one that is there.
+    // Draws the still life's shadow map if it has changed.
     void record(const VulkanFrame& frame, const Scene& scene);
-    // Meshes and backdrop inside the caller's pass; front to back, so after what stands before them.
+    // Draws meshes and backdrop inside the caller's pass. Call it after drawing what stands in front of them.
     void draw(const VulkanFrame& frame, const Scene& scene) const;
 
     [[nodiscard]] const StillBounds& bounds() const { return still_.bounds(); }
 
-    // What a view of this background would be drawn from is on the device; null: it needs nothing.
+    // Whether everything that a view of this background needs is on the device. Null: it needs nothing.
     [[nodiscard]] bool has(const Background* background) const {
         return background == nullptr || background_.has(background);
     }
@@ -76,38 +75,38 @@ class RoomPass {
   private:
     BackgroundPass background_;
     StillMeshes still_;
-    std::optional<mat4> mapped_;  // as the key light saw the still life when its map was drawn
+    std::optional<mat4> mapped_;  // key light's view-projection at the time of the map's drawing
 };
 
-// The shadow that moving things cast on what stands still: a small mask, drawn when they change.
+// The shadow of moving things on the still life: a small mask, drawn when they change.
 class ShadowPass {
   public:
-    // Decides whether the mask has to be drawn again, and notes it in the stats.
+    // Decides whether the mask must be drawn again, and notes it in the stats.
     void update(VulkanFrame& frame, const Scene& scene);
-    // The mask, if update() asked for it.
+    // Draws the mask if update() decided so.
     void record(const VulkanFrame& frame);
 
   private:
-    std::uint64_t drawn_ = 0;  // hash of what the mask shows
+    std::uint64_t drawn_ = 0;  // hash of the scene that the mask shows
     bool has_mask_ = false;
 };
 
-// The lathe, drawn by the device from its rings, with what it needs there.
+// Draws the lathe on the device, from its rings.
 class LathePass {
   public:
     Result<void> create(const VulkanFrame& frame);
-    // What has changed since the frame before, which has left the device. Errors: no memory for the marks,
-    // where there are some.
+    // Uploads what has changed since the previous frame, which the device has finished. Errors: no memory for
+    // the marks.
     Result<void> upload(const VulkanFrame& frame);
 
-    // The lathe, inside the caller's pass.
+    // Draws the lathe inside the caller's pass.
     void draw(const VulkanFrame& frame) const;
 
   private:
     Result<void> upload_marks(const VulkanFrame& frame);
     static Result<void> upload_streaks(const VulkanFrame& frame);
 
-    // A buffer, and what was written to it: the host does not read it back, where that is slow.
+    // A buffer and a host copy of its contents: comparing with the copy avoids slow reads from device memory.
     struct Kept {
         vk::Buffer buffer;
         std::vector<std::byte> there;
@@ -121,20 +120,21 @@ class LathePass {
     vk::BufferView normal_texels_;
     Kept indices_;
     vk::Buffer marks_;
-    std::uint64_t marks_revision_ = 0;  // that it holds, 0: none
+    std::uint64_t marks_revision_ = 0;  // revision of the marks in marks_; 0: no marks
 };
 
-// Hands and tools, drawn by the device.
+// Draws hands and tools on the device.
 class PropPass {
   public:
     Result<void> create(const VulkanFrame& frame);
-    // The library of the scene onto the device, if it is another one. The device is idle.
+    // Uploads the scene's library if it is another one. The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
-    // The scene's, inside the caller's pass; those of a model that the library does not have are left out.
+    // Draws the scene's props inside the caller's pass. Props with a model that is not in the library are
+    // skipped.
     void draw(const VulkanFrame& frame, const Scene& scene) const;
 
   private:
-    // Where a mesh lies in the buffers.
+    // Where a mesh is in the buffers.
     struct Range {
         std::uint32_t first_index = 0;
         std::uint32_t index_count = 0;
@@ -143,32 +143,32 @@ class PropPass {
 
     vk::Pipeline pipeline_;
     MeshBuffers buffers_;
-    std::vector<std::vector<Range>> ranges_;  // of each mesh of each model
+    std::vector<std::vector<Range>> ranges_;  // by model, then by mesh
     std::shared_ptr<const PropLibrary> uploaded_;
 };
 
-// The last picture of a view that the camera is cut from, laid over the first of the next.
+// Fades over a cut: lays the last picture of the previous view over the first pictures of the next.
 class ViewFade {
   public:
-    // Binds something to the slot, which must not be empty.
+    // Binds a placeholder; the slot must not be empty.
     static void bind_placeholder(const VulkanFrame& frame);
 
-    // Once a frame, before it is recorded. The device is idle.
+    // Call once a frame, before recording. The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
-    // Where this frame's picture of the scene is to be drawn, laid out as colour, because it may be the last
-    // of its view; null: nowhere.
+    // The image to draw this frame's scene into, in the colour layout, because the frame may be the last of
+    // its view. Null: the frame is not kept.
     [[nodiscard]] const vk::Image* keeps() const { return keeps_ ? &kept_ : nullptr; }
-    // It was, and was last used so.
+    // Marks the picture as kept; `used` is the image's last use in this frame.
     void keep(VkCommandBuffer commands, const vk::ImageState& used);
-    // What is left of the view before, inside the caller's pass.
+    // Draws the rest of the previous view inside the caller's pass.
     void draw(const VulkanFrame& frame) const;
 
   private:
     vk::Image kept_{};
-    bool keeps_ = false;  // this frame's
-    bool shows_ = false;  // the one that was kept
-    bool has_ = false;    // there is one
+    bool keeps_ = false;  // this frame's picture
+    bool shows_ = false;  // the kept picture
+    bool has_ = false;    // a picture is kept
 };
 
 class VulkanBackend : public RenderBackend {
@@ -184,10 +184,10 @@ class VulkanBackend : public RenderBackend {
     Result<void> fit_size(VkExtent2D target);
     Result<void> upload(const Scene& scene);
     void record(const Scene& scene, const vk::TargetImage& target);
-    // Where the scene's picture is drawn if not into the target, over which it is then stretched: it is
-    // smaller, or may be wanted again. Else null.
+    // The image to draw the scene into before it is stretched over the target, because it is smaller or must
+    // be kept. Null: the scene is drawn directly into the target.
     [[nodiscard]] const vk::Image* picture_apart() const;
-    // A picture that was just drawn, over the target.
+    // Blits a picture that was just drawn over the target.
     void stretch(const vk::Image& picture, const vk::TargetImage& target) const;
 
     VulkanFrame frame_;

@@ -90,7 +90,7 @@ Result<void> create_samplers(const vk::Device& device, VulkanPipelines& pipeline
     return {};
 }
 
-// The lathe. From one that draws into the picture.
+// The lathe's pipelines, derived from one that draws into the picture.
 void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc,
                           const vk::PipelineDesc& into_picture, VulkanPipelines& pipelines) {
     constexpr std::uint32_t kNoSphereIsNear = 0;
@@ -130,9 +130,9 @@ void make_lathe_pipelines(PipelineMaker& maker, const RendererDesc& desc,
     maker.make(pipelines.lathe_marks, marks);
 }
 
-// Those that any scene may show, and the still life's own colours for where there is no background; as far as
-// they are not there yet. A section is cut and a pot is drawn upon in the middle
-// of a visit, and then there is no time to compile.
+// Creates missing pipelines: those that any scene may need, and on request those for the still life's own
+// colours. Pipelines for cuts and marks are created up front, because both begin in the middle of a visit,
+// when there is no time to compile.
 Result<void> make_pipelines(const FrameContext& frame, bool needs_own_colours, VulkanPipelines& pipelines) {
     const RendererDesc& desc = frame.desc;
     const std::array picture_formats{desc.colour_format};

@@ -1,4 +1,4 @@
-// What the Vulkan backend's passes share in a frame, besides what every frame has. Main thread. Pixels.
+// State of a frame that the Vulkan backend's passes share, in addition to FrameContext. Main thread. Pixels.
 #pragma once
 
 #include "engine/core/result.h"
@@ -9,8 +9,8 @@
 
 namespace onggi::render {
 
-// The images that the Vulkan backend draws into besides its target. Those of the picture's size are made
-// again when it changes.
+// Images that the Vulkan backend draws into besides its target. Those of the picture's size are re-created
+// when it changes.
 
 constexpr VkFormat kMaskFormat = VK_FORMAT_R8G8_UNORM;
 
@@ -18,36 +18,37 @@ struct VulkanImages {
     // Of fixed size.
     vk::Image detail;
     vk::Image mask;
-    // Of the scene's picture's size.
+    // Of the size of the scene's picture.
     vk::Image depth;
     vk::Image multisampled;  // with samples > 1
-    vk::Image smaller;       // where it is not as large as the target
+    vk::Image smaller;       // if the scene's picture is smaller than the target
 };
 
 Result<void> create_fixed_images(const vk::Device& device, const RendererDesc& desc, VulkanImages& images);
 Result<void> create_sized_images(const vk::Device& device, const RendererDesc& desc, VkExtent2D extent,
                                  VulkanImages& images);
 
-// The pipelines and samplers that the Vulkan backend makes once from its description.
+// Pipelines and samplers that the Vulkan backend creates once, from its settings.
 struct VulkanPipelines {
     vk::Sampler clamped;
     vk::Sampler repeated;
-    vk::Pipeline backdrop;  // this and the next without a background
+    vk::Pipeline backdrop;  // `backdrop` and `still`: scenes without a background
     vk::Pipeline still;
-    vk::Pipeline background;  // instead of the backdrop, and of the still life's colours
+    vk::Pipeline background;  // instead of the backdrop and the still life's colours
     vk::Pipeline background_surface;
     vk::Pipeline view_fade;
     vk::Pipeline mask;
-    vk::Pipeline lathe;               // where no moving sphere's shadow falls
-    vk::Pipeline lathe_near_spheres;  // where one may
-    vk::Pipeline lathe_load;          // the same with its load shown
-    vk::Pipeline lathe_marks;         // with what is painted on it, where something is
-    vk::Pipeline lathe_section;       // the faces of a cut, where there is one
+    vk::Pipeline lathe;               // where no sphere's shadow falls
+    vk::Pipeline lathe_near_spheres;  // where a sphere's shadow may fall
+    vk::Pipeline lathe_load;          // like lathe_near_spheres, with the load shown
+    vk::Pipeline lathe_marks;         // with marks
+    vk::Pipeline lathe_section;       // the faces of a cut
 };
 
-// All but those that not every scene needs: a pipeline takes 2 MB of a software driver's memory.
+// Creates the pipelines that every scene may need. The others are left out, because a pipeline takes 2 MB of
+// a software driver's memory.
 Result<void> create_pipelines(const FrameContext& frame, VulkanPipelines& pipelines);
-// Those that this scene needs besides, once.
+// Adds the pipelines that this scene needs besides, once.
 Result<void> fit_pipelines(const FrameContext& frame, const Scene& scene, VulkanPipelines& pipelines);
 
 struct VulkanFrame : FrameContext {
