@@ -8,7 +8,7 @@
 namespace onggi::clay::studio {
 namespace {
 
-constexpr double kLargestGive = 0.02;  // of a ring's clay that may come or go in one step
+constexpr double kLargestGive = 0.02;  // fraction of a ring's clay that may move in one step
 constexpr double kGiveReachMm = 30.0;
 
 }  // namespace
@@ -97,8 +97,8 @@ Changed share_out(Rings& rings, std::vector<double>& weight, double y, double fr
         }
     }
     if (left == 0.0) return {from, near.end};
-    // What is over: the hollow clay stands higher or lower by the same fraction everywhere; all of the clay,
-    // where there is little of it.
+    // Distributes the remainder: the hollow clay rises or sinks by the same fraction everywhere; all of the
+    // clay if little of it is hollow.
     constexpr double kMostOfHollow = 0.05;
     const auto sum_from = [&](int ring) {
         double sum = 0.0;
