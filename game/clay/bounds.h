@@ -1,4 +1,4 @@
-// Numbers that somebody else chose, held to their bounds. Any thread; not for the tick.
+// Range checks for numbers from outside the program. Any thread; not for the tick.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ struct Bound {
     double most;
 };
 
-// Error: the first that is out of its bounds, or no number.
+// Returns an error that names the first value that is out of its bounds or NaN.
 inline Result<void> check_bounds(std::string_view what, std::span<const Bound> bounds) {
     for (const Bound& bound : bounds) {
         if (!(bound.value >= bound.least && bound.value <= bound.most)) {

@@ -1,9 +1,8 @@
-// Written once, for as many elements side by side as a register takes: four on any processor, eight with
-// AVX2.
+// The kernel is one template, compiled for four elements at a time (any processor) and for eight (AVX2).
 //
-// It works in two passes over a few blocks at a time. The first is one long chain through a root and a
-// division; the processor overlaps these chains from block to block, but only as long as nothing else stands
-// in its queues. Measured: a tenth less time than one pass with 2000 elements, a quarter less with 200000.
+// It makes two passes over a few blocks at a time. The first pass is one long dependency chain through a
+// square root and a division. The processor overlaps these chains across blocks only while nothing else fills
+// its queues. Measured against one pass: a tenth less time with 2000 elements, a quarter less with 200000.
 #include "game/clay/contact_kernel.h"
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 
 #include "engine/math/wide_vectors.h"
 
-// No vector leaves this file by value, see engine/math/float8.h.
+// No vector leaves this file by value; see engine/math/float8.h.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace onggi::clay {
@@ -22,18 +21,18 @@ namespace {
 template <std::size_t kWide>
 struct Register {
     using Reals [[gnu::vector_size(kWide * sizeof(float))]] = float;
-    using Ints [[gnu::vector_size(kWide * sizeof(int))]] = int;  // of a comparison: all bits or none
+    using Ints [[gnu::vector_size(kWide * sizeof(int))]] = int;  // mask of a comparison: all bits set or none
 
     // The tool's sphere at the height of these elements.
     struct Sphere {
         Reals dy;   // y_i - h1
-        Reals rc;   // r1 cos(theta); not a number off the sphere
-        Reals sag;  // r1 - rc, without the cancellation
+        Reals rc;   // r1 cos(theta); NaN beyond the sphere
+        Reals sag;  // r1 - rc, computed without cancellation
     };
-    // What Eq. (1) finds and Eq. (2) makes of them.
+    // An element's values: found by Eq. (1), changed by Eq. (2).
     struct Elements {
         Reals radius;  // R
-        Reals carry;   // what rounding R left over, exactly
+        Reals carry;   // exact rounding error of R
         Reals depth;   // d1
     };
 };
@@ -47,7 +46,7 @@ template <typename Reals>
     std::memcpy(into, &numbers, sizeof numbers);
 }
 
-// k: the elements, numbered from the nearest one: small numbers, exact as floats.
+// k numbers the elements from the nearest one: the numbers are small, so they are exact as floats.
 template <typename Ints, typename Sphere>
 [[gnu::always_inline]] inline void find_sphere(const ContactQuery& query, const Ints& k, Sphere& found) {
     const float r1 = query.tool_radius_mm;
@@ -59,15 +58,14 @@ template <typename Ints, typename Sphere>
     found.sag = found.dy * found.dy / (r1 + found.rc);
 }
 
-// Eq. (1), the proximity with its sign turned. Written as there, r3 - (rc + R), it would lose five digits:
-// three numbers near 60 to tell a depth of 0.01.
+// Eq. (1), the proximity with its sign turned. The paper's form, r3 - (rc + R), would lose five digits: it
+// subtracts numbers near 60 to find a depth of 0.01.
 template <typename Reals, typename Elements>
 [[gnu::always_inline]] inline void find_depth(const ContactQuery& query, const Reals& sag, Elements& found) {
     found.depth = ((found.radius - query.reach_mm) + (found.carry - query.reach_rest_mm)) - sag;
 }
 
-// Eq. (2), with the rounding error carried on to the next tick. An element that comes down to R_min stays
-// there.
+// Eq. (2). The rounding error is carried over to the next tick. An element that reaches R_min stays there.
 template <bool kFloorInReach, typename Elements>
 [[gnu::always_inline]] inline void deform(const ContactQuery& query, const Elements& before,
                                           Elements& after) {
@@ -87,10 +85,10 @@ template <bool kFloorInReach, typename Elements>
     }
 }
 
-// Whether any element may come down to R_min in this tick. One in contact is left with R' >= R - depth =
-// r3 - rc >= r3 - r1, so a tool further out than that needs no look at the floor.
+// Whether any element may reach R_min in this tick. An element in contact keeps R' >= R - depth = r3 - rc >=
+// r3 - r1, so a tool farther out than R_min + r1 needs no check against the floor.
 bool is_floor_in_reach(const ContactQuery& query) {
-    constexpr float kSlackMm = 1e-3F;  // far more than all rounding
+    constexpr float kSlackMm = 1e-3F;  // far more than the sum of all rounding errors
     return query.reach_mm < query.minimum_radius_mm + kSlackMm;
 }
 
@@ -100,22 +98,22 @@ template <std::size_t kWide, bool kFloorInReach>
     using Ints = typename Register<kWide>::Ints;
     using Sphere = typename Register<kWide>::Sphere;
     using Elements = typename Register<kWide>::Elements;
-    constexpr std::size_t kParts = kLanes / kWide;  // that a block of all lanes is made of
+    constexpr std::size_t kParts = kLanes / kWide;  // registers that make up a block of all lanes
     static_assert(kLanes % kWide == 0);
     constexpr int kStep = kWide;
     constexpr int kChunk = 16 * kLanes;
-    const ContactQuery query = asked;  // which no store into the clay can change
+    const ContactQuery query = asked;  // a copy that no store into the clay can alias
     Ints own{};
     for (int i = 0; i < kStep; ++i)
         own[i] = i;
 
-    std::array<Sphere, 16 * kParts> spheres;  // what the first pass leaves to the second
+    std::array<Sphere, 16 * kParts> spheres;  // results of the first pass for the second
     Reals widths[kParts]{};                   // NOLINT: std::array drops their alignment
     Reals heights[kParts]{};                  // NOLINT
     Ints contacts{};
     Ints first = Ints{} + query.end;
     Ints last = Ints{} - 1;
-    const int start = query.first - query.first % kLanes;  // of the block in which that is
+    const int start = query.first - query.first % kLanes;  // of the block that contains `first`
     Ints element = own + start;
     Ints from_nearest = element - query.nearest;
     for (int chunk = start; chunk < query.end; chunk += kChunk) {
@@ -137,10 +135,10 @@ template <std::size_t kWide, bool kFloorInReach>
                 find_depth(query, sphere->sag, found);
                 const Ints touching =
                     (found.depth > 0.0F) & (element > query.first - 1) & (element < query.end);
-                contacts -= touching;  // one that touches is -1
+                contacts -= touching;  // a lane in contact is -1
                 const Ints here = touching ? element : Ints{} + query.end;
                 first = here < first ? here : first;
-                last = touching ? element : last;  // elements only rise
+                last = touching ? element : last;  // element indices only rise
 
                 if (query.deform) {
                     Elements left;
@@ -150,7 +148,7 @@ template <std::size_t kWide, bool kFloorInReach>
                     found.depth = left.depth;
                 }
 
-                // Eq. (4) and the sum of Eq. (5), both before its common factors.
+                // Eq. (4) and the sum of Eq. (5), both before their common factors.
                 widths[part] += touching ? found.depth * sphere->rc : Reals{};
                 heights[part] += touching ? found.depth * sphere->dy : Reals{};
             }

@@ -6,7 +6,8 @@
 namespace onggi::clay {
 namespace {
 
-// ln 2 and pi/2 in two parts: the first has zeros in its low bits, so that a whole multiple of it is exact.
+// ln 2 and pi/2, each as a sum of two parts. The low bits of the first part are zero, so that an integer
+// multiple of it is exact.
 constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 constexpr double kHalfPiHigh = 0x1.921fb544p+0;
@@ -16,7 +17,7 @@ constexpr double kSqrt2 = 0x1.6a09e667f3bcdp+0;
 constexpr std::uint64_t kMantissaMask = (std::uint64_t{1} << 52) - 1;
 constexpr int kExponentBias = 1023;
 
-// The whole number nearest to x. Precondition: |x| < 2^62.
+// The integer nearest to x. Precondition: |x| < 2^62.
 std::int64_t nearest_whole(double x) {
     return static_cast<std::int64_t>(x < 0.0 ? x - 0.5 : x + 0.5);
 }
@@ -63,7 +64,7 @@ double power(double base, double exponent) noexcept {
     constexpr double kSmallestExponential = -700.0;
     if (!(base >= kSmallestNormal)) return 0.0;
     if (base >= 1.0) return 1.0;
-    if (exponent == 1.0) return base;  // the paper's own rate: exactly its equation
+    if (exponent == 1.0) return base;  // the paper's own rate must follow its equation exactly
     const double x = exponent * natural_log(base);
     return x > kSmallestExponential ? exponential(x) : 0.0;
 }
@@ -94,8 +95,8 @@ Rotation rotation_by(double angle_rad) noexcept {
 }
 
 double angle_of(double cosine, double sine) noexcept {
-    // The smaller over the larger coordinate, q in [0, 1], brought to |z| <= tan(pi/16) about one of three
-    // angles whose tangents are known; then the series of arctan.
+    // q is the smaller over the larger coordinate, in [0, 1]. It is reduced to |z| <= tan(pi/16) about one of
+    // three angles with known tangents; then the series of arctan applies.
     constexpr double kHalfPi = kHalfPiHigh + kHalfPiLow;
     constexpr double kTanEighthPi = 0x1.a827999fcef32p-2;
     const double c = cosine < 0.0 ? -cosine : cosine;

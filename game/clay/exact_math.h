@@ -1,11 +1,12 @@
-// Power, logarithm, exponential, sine, cosine and angle from + - x / only. The tick may not ask libm: its
-// last bits change with the processor's fused multiply-add, and a recording would no longer replay. Within
-// 1e-12 of libm, tested. Any thread; no allocation, fit for the tick.
+// Power, logarithm, exponential, sine, cosine and angle from + - x / only. The tick may not call libm: its
+// last bits depend on the processor's fused multiply-add, and a recording would no longer replay. Tested to
+// be within 1e-12 of libm. Any thread; no allocation, fit for the tick.
 #pragma once
 
 namespace onggi::clay {
 
-// base^exponent for base in (0, 1] and exponent from 0.1 to 10. Below the range of base: 0; above: 1.
+// base^exponent for base in (0, 1] and exponent from 0.1 to 10. Returns 0 for a smaller base and 1 for a
+// larger one.
 [[nodiscard]] double power(double base, double exponent) noexcept;
 
 // Natural logarithm. Precondition: x is a normal number above zero.
@@ -17,7 +18,7 @@ namespace onggi::clay {
 // The angle of a direction, 0 <= angle < 2 pi rad; 0 for (0, 0). The length does not matter.
 [[nodiscard]] double angle_of(double cosine, double sine) noexcept;
 
-// A turn as the unit vector it takes +X to.
+// A rotation as the unit vector that +X is turned to.
 struct Rotation {
     double cosine = 1.0;
     double sine = 0.0;

@@ -18,11 +18,11 @@ namespace {
 
 constexpr double kPaperRateHz = 1000.0;
 
-// Nearer to the axis than this, x^2 + z^2 is no longer a normal number and e_r has no direction.
+// Nearer to the axis than this, x^2 + z^2 is subnormal and e_r has no direction.
 constexpr double kOnAxisMm = 1e-150;
 
-// How far beyond the largest radius an element is still given to the kernel. Far more than all rounding in
-// the kernel together, and far less than an element is wide.
+// Elements this far beyond the largest radius still go to the kernel. Far more than the sum of the kernel's
+// rounding errors, and far less than an element's width.
 constexpr double kReachSlackMm = 1e-4;
 
 std::size_t padded(int element_count) {
@@ -30,7 +30,7 @@ std::size_t padded(int element_count) {
     return static_cast<std::size_t>(blocks) * kLanes;
 }
 
-// The elements [first, end); none if they are equal.
+// The elements [first, end); empty if both are equal.
 struct Elements {
     int first = 0;
     int end = 0;
@@ -44,12 +44,13 @@ struct Stack {
     [[nodiscard]] int clamped(int i) const { return std::clamp(i, 0, count); }
 };
 
-// The elements that the sphere may touch, found without visiting any: the height test |y_i - h1| <= r1 of
-// section IV.A, and, where the tool's centre is outside all clay, how much of the sphere is inside it at all.
+// The elements that the sphere may touch, computed without a loop over them. Applies the height test |y_i -
+// h1| <= r1 of section IV.A. Where the tool's centre is outside all clay, also bounds the part of the sphere
+// that is inside it.
 Elements reachable(const Stack& stack, double h1, double r1, double r3, double largest_radius_mm) {
     const double pitch = stack.element_height_mm;
     const double margin = r1 + 2.0 * pitch;
-    if (h1 < -margin || h1 > stack.count * pitch + margin) return {};  // so that the casts below are safe
+    if (h1 < -margin || h1 > stack.count * pitch + margin) return {};  // makes the casts below safe
 
     // Contact needs rc_i > r3 - R_i, and R_i is at most the largest radius.
     const double needed_half_width = r3 - (largest_radius_mm + kReachSlackMm);
@@ -61,7 +62,7 @@ Elements reachable(const Stack& stack, double h1, double r1, double r3, double l
         return {stack.clamped(first), stack.clamped(end)};
     }
 
-    // The tool's centre may be inside the clay: there the height test decides contact, so it is made exactly.
+    // The tool's centre may be inside the clay. There the height test decides contact, so it must be exact.
     int first = stack.clamped(static_cast<int>((h1 - r1) / pitch - 0.5) - 1);
     int end = stack.clamped(static_cast<int>((h1 + r1) / pitch - 0.5) + 3);
     while (first < end && h1 - stack.centre_mm(first) > r1)
@@ -71,7 +72,7 @@ Elements reachable(const Stack& stack, double h1, double r1, double r3, double l
     return {first, end};
 }
 
-// The eight lanes, added in pairs: the same order in every build.
+// Sums the eight lanes in pairs, in the same order in every build.
 double sum_of(const std::array<float, kLanes>& lanes) {
     const auto lane = [&](std::size_t i) { return static_cast<double>(lanes[i]); };
     return ((lane(0) + lane(4)) + (lane(2) + lane(6))) + ((lane(1) + lane(5)) + (lane(3) + lane(7)));
@@ -82,7 +83,7 @@ bool is_somewhere(const dvec3& position_mm) {
     return near(position_mm.x) && near(position_mm.y) && near(position_mm.z);
 }
 
-// The start state: this head, then N radii, then N carries, each a 32-bit float.
+// Start state: this header, then N radii, then N carries, each a 32-bit float.
 constexpr std::uint32_t kStateTag = 0x314c4350;  // "PCL1"
 constexpr std::size_t kHeadBytes = 4 + 4 + 8 + 3 * 8 + 2 * 8 + 4;
 
@@ -144,7 +145,7 @@ void PaperClay::use_kernel(KernelVariant variant) {
     kernel_ = variant;
 }
 
-// Eq. (2)'s 1/(c1 r1) at the rate f. Tool and rate seldom change, so the last answer is kept.
+// Eq. (2)'s 1/(c1 r1) at the rate f. Tool and rate seldom change, so the last result is cached.
 double PaperClay::deformation_fraction(double tool_radius_mm, const PaperParameters& parameters) noexcept {
     const double c1_r1 = parameters.softness_c1_per_mm * tool_radius_mm;
     if (c1_r1 != fraction_of_c1_r1_ || parameters.rate_hz != fraction_of_rate_hz_) {
@@ -215,12 +216,12 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
     forces.stiffness_n = radial_unit_ * (scale * sum_of(sums.depth_times_half_width));
     forces.stiffness_n.y = -scale * sum_of(sums.depth_times_height);
 
-    // Eq. (6). From zero, so that a tool at rest feels 0 and not -0.
+    // Eq. (6). Subtracted from zero, so that a tool at rest feels 0 and not -0.
     forces.viscosity_n = dvec3(0.0) - v1 * parameters.viscosity_c2_n_s_per_mm;
 
-    // Eq. (7): (p3 - p2)/|p3 - p2| is -e_r, and -e_r x e_Y points the way the surface turns. As printed it
-    // does not ask how hard the tool presses: all of it is there at the first touch, a kick, which a hand is
-    // spared (game/haptic/device_force.h).
+    // Eq. (7): (p3 - p2)/|p3 - p2| is -e_r, and -e_r x e_Y points the way the surface turns. The printed
+    // equation does not depend on how hard the tool presses: the full friction acts at the first touch. A
+    // device spares the hand this kick (game/haptic/device_force.h).
     if (tool.wheel_turning) {
         const double size_n = parameters.friction_c3_n_s_per_mm * parameters.wheel_speed_rad_s * r3;
         forces.friction_n = {size_n * radial_unit_.z, 0.0, 0.0 - size_n * radial_unit_.x};

@@ -1,6 +1,6 @@
-// The paper's clay: a stack of thin cylinders that a spherical tool presses smaller while the wheel turns.
-// Any one thread at a time; the tick allocates nothing, calls nothing outside this room and cannot fail.
-// Units: mm, N, s, rad. Frame: +Y up along the wheel axis, origin at the centre of the wheel head.
+// The paper's clay: a stack of thin cylinders whose radii a spherical tool reduces while the wheel turns. Any
+// one thread at a time; the tick allocates nothing, calls nothing outside this room and cannot fail. Units:
+// mm, N, s, rad. Frame: +Y up along the wheel axis, origin at the centre of the wheel head.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@ namespace onggi::clay {
 constexpr int kMinElements = 100;
 constexpr int kMaxElements = 200000;
 
-// The tool radii the equations are used with. Outside them the tick takes the nearest.
+// The tool radii that the equations are used with. The tick clamps others to this range.
 constexpr double kSmallestToolMm = 2.0;
 constexpr double kLargestToolMm = 40.0;
 
-// Beyond this no tool and no clay is meant: it is damage, or a device that lost its senses.
+// No valid tool or clay lies beyond this: larger values mean damage or a broken device.
 constexpr double kFarthestMm = 1e6;
-// The least height of a lump: its elements can be numbered exactly as floats, however many they are.
+// The least height of a lump. It lets every element be numbered exactly as a float, up to kMaxElements.
 constexpr double kLeastHeightMm = 1.0;
 
-// The lump before anyone has touched it.
+// A fresh lump.
 struct PaperLump {
     int element_count = 2000;  // N, kMinElements to kMaxElements
     double height_mm = 200.0;  // H
     double radius_mm = 60.0;   // R_0
 };
 
-// Constants of the equations, with the paper's values where it gives them. Set them only after check().
+// Constants of the equations, with the paper's values where it has them. Set them only after check().
 struct PaperParameters {
     double rate_hz = 1000.0;                        // f, the tick rate
     double softness_c1_per_mm = 10.0;               // c1 of Eq. (2); c1 r1 > 1 is enforced
@@ -45,28 +45,28 @@ struct PaperParameters {
     double minimum_radius_mm = 2.0;                 // R_min, the floor of Eq. (2)
 };
 
-// Refuses what the equations cannot be ticked with: a number that is not finite, a rate outside 100 to
-// 10000 Hz, a c1 with which the smallest tool would have c1 r1 <= 1. The message names the parameter.
+// Refuses parameters that the equations cannot use: a number that is not finite, a rate outside 100 to 10000
+// Hz, a c1 with which the smallest tool would have c1 r1 <= 1. The message names the parameter.
 Result<void> check(const PaperParameters& parameters);
 
-// What the tick is told of the hand. A position that is not finite, or farther than kFarthestMm, counts as no
-// contact and is not remembered.
+// The hand in one tick. A position that is not finite, or farther than kFarthestMm, counts as no contact and
+// is not remembered.
 struct ToolInput {
     dvec3 position_mm{0.0};      // p2, centre of the tool's sphere (the haptic interface point)
     double radius_mm = 10.0;     // r1
     bool wheel_turning = false;  // the paper's stylus button
 };
 
-// What the clay does to the tool in one tick.
+// The clay's action on the tool in one tick.
 struct ContactForces {
-    int contacts = 0;                       // n of Eq. (5): elements in contact
-    dvec3 stiffness_n{0.0};                 // F_s, Eq. (5)
-    dvec3 viscosity_n{0.0};                 // F_v, Eq. (6)
-    dvec3 friction_n{0.0};                  // F_f, Eq. (7)
-    int first_touched = 0;                  // the elements Eq. (2) changed lie in
-    int touched_count = 0;                  // [first_touched, first_touched + touched_count); 0: none did
-    double local_stiffness_n_per_mm = 0.0;  // how much F_s grows with the depth at most; for devices
-    double contact_low_mm = 0.0;            // the elements in contact lie between these heights; for pictures
+    int contacts = 0;        // n of Eq. (5): elements in contact
+    dvec3 stiffness_n{0.0};  // F_s, Eq. (5)
+    dvec3 viscosity_n{0.0};  // F_v, Eq. (6)
+    dvec3 friction_n{0.0};   // F_f, Eq. (7)
+    int first_touched = 0;   // the elements that Eq. (2) changed lie in
+    int touched_count = 0;   // [first_touched, first_touched + touched_count); count 0: no change
+    double local_stiffness_n_per_mm = 0.0;  // upper bound of dF_s/d(depth); for devices
+    double contact_low_mm = 0.0;            // heights between which all elements in contact lie; for pictures
     double contact_high_mm = 0.0;
 
     [[nodiscard]] dvec3 total_n() const;  // F, Eq. (3)
@@ -75,7 +75,7 @@ struct ContactForces {
 // The cylindrical element method of G. Han, J. Kim and S. Choi, "Virtual Pottery Modeling with Force Feedback
 // Using Cylindrical Element Method": sections IV (elements, collision, deformation) and V (forces).
 //
-// A tick goes in the paper's order, section III.B: position, collision Eq. (1), deformation Eq. (2),
+// A tick follows the paper's order, section III.B: position, collision Eq. (1), deformation Eq. (2),
 // stiffness Eq. (4) and (5), viscosity Eq. (6), friction Eq. (7), their sum Eq. (3).
 //
 //   symbol        here                       meaning
@@ -91,30 +91,30 @@ struct ContactForces {
 //   c1, c2, c3, K fields of PaperParameters
 //   n             contacts, and in Eq. (7) the axis +Y
 //
-// Differs: Eq. (2) as printed removes the fraction 1/(c1 r1) of the depth a tick: a faster rate, softer clay.
-//   The fraction taken here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the same clay
-//   at every other rate.
+// Differs: Eq. (2) as printed removes the fraction 1/(c1 r1) of the depth a tick, so a faster rate would make
+//   softer clay. The fraction here is 1 - (1 - 1/(c1 r1))^(1000 Hz / f): the paper's at its 1 kHz, and the
+//   same clay at every other rate.
 // Differs: Eq. (2) stops at R_min, so that no element vanishes.
 // Differs: p1 of Eq. (4) lies on the tool, not on the element. Both agree at first touch; on the element the
 //   direction divides by zero at r3 = R_i and pulls inward beyond it.
-// Differs: what a device gets of Eq. (6) and Eq. (7) is made fit for a hand (game/haptic/device_force.h): v1
-//   comes from a window of ticks, and friction is scaled in with the normal force, because as printed it
-//   kicks at the first touch. What this class gives, and what is recorded, is as printed.
-// Differs: every element is not visited. Elements the sphere cannot reach are left out by arithmetic on their
-//   index; the result is the same as if they had been tested.
-// Differs: on the axis, where e_r has no direction, the last one is kept; +X before there was any.
+// Differs: a device gets Eq. (6) and Eq. (7) in a form fit for a hand (game/haptic/device_force.h): v1 comes
+//   from a window of ticks, and friction is scaled in with the normal force, because as printed it kicks at
+//   the first touch. This class returns the forces as printed, and recordings hold them as printed.
+// Differs: the tick does not loop over every element. Index arithmetic leaves out those that the sphere
+//   cannot reach; the result is the same as if they had been tested.
+// Differs: on the axis, where e_r has no direction, the last direction is kept; +X before the first one.
 class PaperClay {
   public:
-    // Precondition: count within its limits; height kLeastHeightMm to kFarthestMm; radius above zero, at most
-    // kFarthestMm.
+    // Precondition: element count within its limits; height kLeastHeightMm to kFarthestMm; radius above zero,
+    // up to kFarthestMm.
     explicit PaperClay(const PaperLump& lump = {});
 
     [[nodiscard]] int element_count() const { return element_count_; }
     [[nodiscard]] double height_mm() const { return height_mm_; }
     [[nodiscard]] double element_height_mm() const { return height_mm_ / element_count_; }
-    // R_i, bottom first, element_count() of them.
+    // R_i, bottom first; element_count() values.
     [[nodiscard]] std::span<const float> radii_mm() const;
-    // For a snapshot. Precondition: out holds element_count().
+    // For a snapshot. Precondition: out.size() == element_count().
     void copy_radii_mm(std::span<float> out) const;
     // Sets the radii of the elements first, first + 1, ... Precondition: they exist; all finite and above
     // zero.
@@ -126,35 +126,36 @@ class PaperClay {
     // One step of 1/f. Precondition: check(parameters) holds.
     ContactForces tick(const ToolInput& tool, const PaperParameters& parameters) noexcept;
 
-    // Of all that a later tick depends on, for replay checks. No allocation.
+    // Hash of everything a later tick depends on, for replay checks. No allocation.
     [[nodiscard]] std::uint64_t state_hash() const;
-    // The same as bytes, little-endian, with which a recording starts; and back. Refuses a wrong size, a
-    // count out of its limits and a number that is not finite. kMaxStartStateBytes bounds what a reader need
-    // hold.
+    // The same state as little-endian bytes, with which a recording starts, and its reader. The reader
+    // refuses a wrong size, a count out of its limits and a number that is not finite. kMaxStartStateBytes
+    // bounds a reader's buffer.
     [[nodiscard]] std::vector<std::byte> start_state() const;
     static Result<PaperClay> from_start_state(std::span<const std::byte> bytes);
 
-    // All kernels give the same bits; the fastest this processor has is chosen at construction. For tests.
+    // For tests. All kernels compute the same bits; the constructor chooses the fastest that this processor
+    // supports.
     void use_kernel(KernelVariant variant);
     [[nodiscard]] KernelVariant kernel() const { return kernel_; }
 
   private:
     double deformation_fraction(double tool_radius_mm, const PaperParameters& parameters) noexcept;
     void update_largest_radius();
-    // Visits every number of the state but the clay's size, in one order.
+    // Visits every number of the state except the clay's size, in a fixed order.
     template <typename Self, typename Visitor>
     static void visit_state(Self& self, Visitor& visitor);
 
     int element_count_ = 0;
     double height_mm_ = 0.0;
     AlignedFloats radii_mm_;  // R_i rounded to float; padded to whole blocks of eight
-    AlignedFloats carry_mm_;  // what the rounding left over, so that steps below half an ulp add up
+    AlignedFloats carry_mm_;  // rounding errors of R_i, so that steps below half an ulp add up
     dvec3 previous_position_mm_{0.0};
-    bool has_previous_ = false;         // false before the first tick: v1 = 0 there
+    bool has_previous_ = false;         // false before the first tick, which has v1 = 0
     dvec3 radial_unit_{1.0, 0.0, 0.0};  // e_r
-    float largest_radius_mm_ = 0.0F;    // no element is larger: radii only shrink
+    float largest_radius_mm_ = 0.0F;    // upper bound of all radii: they only shrink
     KernelVariant kernel_;
-    // The last fraction of Eq. (2) and what it was worked out from. A memory, not a state: never hashed.
+    // Cache of the last fraction of Eq. (2) and its inputs. Not state: never hashed.
     double fraction_of_c1_r1_ = 0.0;
     double fraction_of_rate_hz_ = 0.0;
     double fraction_ = 0.0;

@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kPage = 4096 / sizeof(float);
 
-// Zeros of the system's: large ones are pages that exist only once they are written.
+// Zeroed memory from the system. Pages of a large block take memory only when they are written.
 float* zeros(std::size_t count) {
     void* const memory = std::calloc(std::max<std::size_t>(count, 1), sizeof(float));
     if (memory == nullptr) throw std::bad_alloc();
     return static_cast<float*>(memory);
 }
 
-// By every bit: a minus before a nought is copied too.
+// Compares bits, so that -0 is copied too.
 bool is_zero(std::span<const float> floats) {
     return std::all_of(floats.begin(), floats.end(),
                        [](float value) { return std::bit_cast<std::uint32_t>(value) == 0; });
@@ -30,7 +30,7 @@ bool is_zero(std::span<const float> floats) {
 
 SparseFloats::SparseFloats(std::size_t count) : size_(count), floats_(zeros(count)) {}
 
-// Its own floats are zeros still: reading them would be for nothing, and not free on every system.
+// The new floats are still zero. They are not read: reading a fresh page is not free on every system.
 SparseFloats::SparseFloats(const SparseFloats& other) : SparseFloats(other.size_) {
     for (std::size_t at = 0; at < size_; at += kPage) {
         const std::span<const float> from(other.data() + at, std::min(kPage, size_ - at));

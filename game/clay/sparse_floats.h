@@ -1,6 +1,5 @@
-// A long row of floats most of which stay 0: what was never written takes no memory, and a copy writes only
-// where there is something else than 0. Allocates when it is made or copied, never later. Any one thread at a
-// time.
+// A long array of floats most of which stay 0. Pages that were never written take no memory, and a copy skips
+// pages that are 0 on both sides. Allocates when it is made or copied, never later. Any one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +20,7 @@ class SparseFloats {
     [[nodiscard]] const float* data() const { return floats_.get(); }
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    // Takes the memory for all of it now, so that no write has to. The values stay.
+    // Commits all pages now, so that no later write has to. The values stay.
     void take_memory() noexcept;
 
   private:

@@ -1,4 +1,4 @@
-// A clay's state walked number by number: hashed, written or read by the one list of what it is made of. Any
+// Visitors that hash, write or read a clay's state number by number, all by one list of its members. Any
 // thread; hashing allocates nothing.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace onggi::clay {
 
-// Takes every number of a state as words.
+// Hashes every number of a state.
 class StateHasher {
   public:
     void number(const double& value) { hash_.add(value); }
@@ -32,7 +32,7 @@ class StateHasher {
     StateHash hash_;
 };
 
-// Little-endian; yes and no as a word of 1 or 0.
+// Writes little-endian; a bool is a word of 1 or 0.
 class StateWriter {
   public:
     void number(const double& value) { little_endian::put(bytes_, value); }
@@ -52,7 +52,8 @@ class StateWriter {
     std::vector<std::byte> bytes_;
 };
 
-// Reading past the end gives zeros and is remembered; so is a yes or no that is neither.
+// Reads zeros past the end, and remembers that (is_short()). Also remembers the first bool that was neither 0
+// nor 1.
 class StateReader {
   public:
     explicit StateReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -73,10 +74,10 @@ class StateReader {
             number(value);
     }
     [[nodiscard]] bool is_short() const { return short_; }
-    // The first word that should have been yes or no.
+    // The first word read for a bool that was neither 0 nor 1.
     [[nodiscard]] std::optional<std::uint32_t> strange() const { return strange_; }
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
-    // Of all that was asked for, whether it was there or not.
+    // Bytes that all reads together needed, past the end included.
     [[nodiscard]] std::size_t asked() const { return asked_; }
 
   private:
@@ -98,14 +99,14 @@ class StateReader {
     std::optional<std::uint32_t> strange_;
 };
 
-// A number, a word of an enumeration, or a vector by its coordinates.
+// Visits a number, an enumeration as a word, or a vector by its coordinates.
 template <typename Visitor, typename T>
 void visit_one(Visitor& visitor, T& value) {
     if constexpr (std::is_enum_v<T>) {
         int number = static_cast<int>(value);
         visitor.number(number);
         if constexpr (!std::is_const_v<T>) {
-            // A word larger than the enumeration's own bits must not pass for one that fits them.
+            // A word too large for the enumeration's type must not alias a valid value.
             constexpr int kUnknown = 0xff;
             value = static_cast<T>(number);
             if (static_cast<int>(value) != number) value = static_cast<T>(kUnknown);

@@ -1,5 +1,5 @@
-// Where the wheel stands, as a unit vector that each tick turns a little: no angle grows without bound, and
-// no sine is asked of libm. One thread at a time; fit for the tick.
+// The wheel's angle as a unit vector that each tick rotates a little: no angle grows without bound, and no
+// libm sine is needed. One thread at a time; fit for the tick.
 #pragma once
 
 #include "game/clay/exact_math.h"
@@ -14,7 +14,7 @@ class WheelAngle {
 
     // Turns by step_rad, counter-clockwise seen from above.
     void turn(double step_rad) noexcept {
-        if (step_rad != step_rad_) {  // the step is the same tick after tick while the speed is
+        if (step_rad != step_rad_) {  // the step stays the same while the speed does
             step_rad_ = step_rad;
             step_ = rotation_by(step_rad);
         }
@@ -30,7 +30,7 @@ class WheelAngle {
 
   private:
     Rotation heading_;
-    Rotation step_;  // remembers rotation_by(step_rad_); not a state
+    Rotation step_;  // caches rotation_by(step_rad_); not state
     double step_rad_ = 0.0;
 };
 

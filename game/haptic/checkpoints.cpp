@@ -57,8 +57,7 @@ std::vector<std::byte> Checkpoints::unpacked(std::size_t which) const {
     return bytes;
 }
 
-// Takes the one away that is missed least: the one between the two that are closest. The first and the last
-// stay.
+// Removes the checkpoint between its two closest neighbours, until all fit. The first and the last stay.
 void Checkpoints::thin_out() {
     while (bytes() > most_bytes_ && kept_.size() > 2) {
         std::size_t least_missed = 1;
@@ -70,7 +69,7 @@ void Checkpoints::thin_out() {
     }
 }
 
-// What was told from it is told from the one before it then.
+// If the next checkpoint is a difference from this one, packs it again as a difference from the one before.
 void Checkpoints::take_away(std::size_t which) {
     const std::size_t next = which + 1;
     if (kept_[next].step != 0) {
@@ -86,8 +85,8 @@ void Checkpoints::take_away(std::size_t which) {
     join_rows(which);
 }
 
-// One that stands by itself takes several times the room: where its row and the one before have become short
-// enough for one, they are one.
+// A checkpoint that stands alone takes several times the space of a difference, so two neighbouring rows are
+// merged once they fit kLongestRow.
 void Checkpoints::join_rows(std::size_t which) {
     while (which < kept_.size() && kept_[which].step != 0)
         ++which;

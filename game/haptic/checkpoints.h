@@ -1,6 +1,6 @@
-// States of a lump as bytes, a tick each, in a room that does not grow with the visit: every one is kept as
-// what differs from the one before, and where the room is full they thin out. What comes out is what was put
-// in, to the bit. One thread that is not the haptic one; allocates.
+// Checkpoints of a lump's state as bytes, one a tick number, in bounded memory: each is stored as a
+// difference from the one before, and they thin out when the bound is reached. Reads return the exact bytes.
+// One thread that is not the haptic one; allocates.
 #pragma once
 
 #include <cstddef>
@@ -13,34 +13,35 @@ namespace onggi::haptic {
 
 class Checkpoints {
   public:
-    // The newest and the first are kept, whatever the room.
+    // The newest and the first checkpoint are kept even beyond that bound.
     explicit Checkpoints(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-    // Precondition: a later tick than the newest's.
+    // Precondition: tick is later than the newest one.
     void keep(std::uint64_t tick, std::vector<std::byte> bytes);
-    // Takes away those behind that tick. Precondition: the first is not.
+    // Removes the checkpoints after that tick. Precondition: the first is not after it.
     void forget_after(std::uint64_t tick);
     void clear();
 
-    // The tick of the last one at that tick or before it. Precondition of both: the first is not behind it.
+    // Tick of the last checkpoint at or before that tick. Precondition of both functions: the first is not
+    // after it.
     [[nodiscard]] std::uint64_t tick_before(std::uint64_t tick) const { return kept_[before(tick)].tick; }
-    // Its bytes. Unpacks kLongestRow of them at most.
+    // Its bytes. Unpacks up to kLongestRow checkpoints.
     [[nodiscard]] std::vector<std::byte> bytes_before(std::uint64_t tick) const {
         return bytes_of(before(tick));
     }
     [[nodiscard]] std::uint64_t newest_tick() const { return kept_.back().tick; }
 
     [[nodiscard]] std::size_t count() const { return kept_.size(); }
-    // All the room they take.
+    // Memory of all checkpoints.
     [[nodiscard]] std::size_t bytes() const { return packed_bytes_ + newest_.size(); }
 
   private:
-    // In a row: one that stands by itself, and those that each say how they differ from the one before.
+    // A row is one checkpoint in full and up to kLongestRow - 1 differences, each from the one before.
     static constexpr std::size_t kLongestRow = 8;
     struct Kept {
         std::uint64_t tick = 0;
         record::PackedBytes packed;
-        std::size_t step = 0;  // its place in its row
+        std::size_t step = 0;  // place in its row; 0: in full
     };
 
     [[nodiscard]] std::size_t before(std::uint64_t tick) const;
@@ -54,7 +55,7 @@ class Checkpoints {
 
     std::size_t most_bytes_;
     std::vector<Kept> kept_;         // ascending
-    std::vector<std::byte> newest_;  // the last of them as it is, for the next to be told from
+    std::vector<std::byte> newest_;  // the last checkpoint unpacked, the reference of the next difference
     std::size_t packed_bytes_ = 0;
 };
 

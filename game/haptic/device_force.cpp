@@ -13,7 +13,7 @@ namespace {
 
 using haptics::DeviceCapabilities;
 
-// Slip, leather and stone: whatever it is, it is shown no stiffer than feels hard.
+// The stiffest that any clay is rendered: this already feels hard.
 constexpr double kStiffEnoughNPerMm = 1.0;
 
 Error nothing_is_stable(const DeviceCapabilities& device, double rate_hz) {
@@ -22,11 +22,10 @@ Error nothing_is_stable(const DeviceCapabilities& device, double rate_hz) {
                     device.name, haptics::loop_of(device, rate_hz).rate_hz));
 }
 
-// Its walls are its own; what is told over its bus is bound to what is stable there.
+// The device's own walls need no bound; forces sent over its bus are bounded to what is stable there.
 Result<void> fit_to_walls(HapticParameters& parameters, const DeviceCapabilities& device,
                           double viscosity_n_s_per_mm) {
-    // A spring that is asked for more force than it is stiff would have to be moved after the hand, and that
-    // goes over the bus.
+    // A spring with a force beyond its stiffness would have to be moved with the hand over the bus.
     parameters.feel.most_stiffness_n_per_mm = device.max_stiffness_n_per_mm;
     if (device.wire_rate_hz <= 0.0) return {};
     const double most =
@@ -35,7 +34,7 @@ Result<void> fit_to_walls(HapticParameters& parameters, const DeviceCapabilities
     return most > 0.0 ? Result<void>() : nothing_is_stable(device, parameters.rate_hz());
 }
 
-// As stiff as is stable, and softer where the clay's viscosity is borne by softer clay only.
+// Uses the largest stable stiffness, and a smaller one where the clay's viscosity requires it.
 Result<void> fit_studio(HapticParameters& parameters, const DeviceCapabilities& device) {
     constexpr double kSofter = 0.9;
     constexpr double kSoftestNPerMm = 0.01;
@@ -73,7 +72,7 @@ DeviceForce device_force(const clay::ContactForces& forces, const dvec3& velocit
     const double shown_n_per_mm = forces.local_stiffness_n_per_mm * fraction;
     if (feel.most_wire_stiffness_n_per_mm > 0.0 && shown_n_per_mm > feel.most_wire_stiffness_n_per_mm) {
         const double wire = feel.most_wire_stiffness_n_per_mm / shown_n_per_mm;
-        // Along the wall it is the device's own friction.
+        // Along the wall normal the device's own spring acts, so this axis is not reduced.
         const dvec3 of_axes(shows_wall ? 1.0 : wire, wire, 1.0);
         force.wanted_n *= of_axes;
         force.driven_n *= of_axes;

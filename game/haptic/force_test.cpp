@@ -17,7 +17,7 @@ dvec3 test_force_n(double time_s) noexcept {
     if (!(time_s >= 0.0) || time_s >= kTestPushes * kTestPushS) return force_n;
     const int push = std::min(static_cast<int>(time_s / kTestPushS), kTestPushes - 1);
     const double fraction = std::clamp(time_s / kTestPushS - push, 0.0, 1.0);
-    // 1 in the middle, 0 with no slope at both ends.
+    // 1 in the middle, 0 with zero slope at both ends.
     const double hill = 4.0 * fraction * (1.0 - fraction);
     force_n[kAxes[static_cast<std::size_t>(push)]] = kTestForceN * hill * hill;
     return force_n;

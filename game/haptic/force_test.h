@@ -1,6 +1,6 @@
-// The staff's test of a hand: small pushes along each axis in turn, known beforehand, which go through the
-// whole safety chain like any force, and what the hand answered. Counted in ticks, so that the same ticks
-// give the same forces. Haptic thread; allocates nothing. mm, N, s.
+// The staff's test of a hand: small known pushes along each axis in turn, which pass the whole safety chain
+// like any force, and the hand's response. Counted in ticks, so that the same ticks have the same forces.
+// Haptic thread; allocates nothing. mm, N, s.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +11,32 @@
 
 namespace onggi::haptic {
 
-// Felt by any hand, and below what any device may give for ever.
+// Strong enough to feel in any hand, and below the continuous force of every device.
 constexpr double kTestForceN = 0.6;
 constexpr double kTestPushS = 0.4;  // along each of the three axes
 constexpr int kTestPushes = 3;      // up, right, towards the visitor
-// The force comes back through its ramp first, where nobody was at the wheel.
+// Waits this long for the force to come back through its ramp, as after an idle time.
 constexpr double kTestWaitsS = 3.0;
 
 struct ForceTestReport {
     enum class Stage : std::uint8_t {
         kNone,
-        kWaits,  // until the whole force is there
+        kWaits,  // for the full force
         kPushes,
         kDone,
-        kNobody,  // the force did not come: the hand says that nobody holds it
-        kBroken,  // by a fault, a stop, another hand that took the tool, or a fresh lump
+        kNobody,  // the force did not come back: the hand reports that no person holds it
+        kBroken,  // aborted: a fault, a stop, another hand that took the tool, or a fresh lump
     };
     Stage stage = Stage::kNone;
-    std::size_t hand = 0;  // of HapticDevice::capabilities_of_hands()
-    dvec3 given_n{0.0};    // the largest of each push that the safety chain let through
-    dvec3 moved_mm{0.0};   // how far the tool went along with each
+    std::size_t hand = 0;  // index in HapticDevice::capabilities_of_hands()
+    dvec3 given_n{0.0};    // largest force of each push that passed the safety chain
+    dvec3 moved_mm{0.0};   // the tool's travel along each push
 
     friend bool operator==(const ForceTestReport&, const ForceTestReport&) = default;
 };
 
-// What is asked of the hand, so long after the first push began: up, right, towards the visitor, each from
-// nothing to kTestForceN and back without a corner. Zero before and after.
+// The wanted force at time_s after the first push began: up, right, towards the visitor, each from 0 to
+// kTestForceN and back without a corner. Zero before and after.
 [[nodiscard]] dvec3 test_force_n(double time_s) noexcept;
 
 class ForceTest {
@@ -47,18 +47,18 @@ class ForceTest {
         return report_.stage == ForceTestReport::Stage::kWaits ||
                report_.stage == ForceTestReport::Stage::kPushes;
     }
-    // Once a tick, before the chain: what to add to the clay's force. `hand` has the tool now.
+    // Once a tick, before the safety chain. Returns the force to add to the clay's. `hand` has the tool now.
     [[nodiscard]] dvec3 step(const haptics::SafetyState& safety, std::size_t hand, double dt_s) noexcept;
-    // And after it: where the tool was in this tick, and what the chain let through.
+    // Once a tick, after the chain: the tool's position in this tick, and the force that passed the chain.
     void see(const dvec3& position_mm, const dvec3& given_n) noexcept;
     [[nodiscard]] const ForceTestReport& report() const noexcept { return report_; }
 
   private:
     ForceTestReport report_;
-    std::uint64_t ticks_ = 0;  // in this stage
-    int push_ = -1;            // which is on; -1: none yet
+    std::uint64_t ticks_ = 0;  // ticks of this stage
+    int push_ = -1;            // the current push; -1 before the first
     int seen_push_ = -1;
-    dvec3 from_mm_{0.0};  // the tool when that one began
+    dvec3 from_mm_{0.0};  // the tool's place when that push began
 };
 
 }  // namespace onggi::haptic

@@ -51,7 +51,7 @@ void History::add_played(const haptics::ToolState& tool) {
     if (whole_) follow_tick(tool, nullptr);
 }
 
-// Where no force was recorded, the one worked out here is the same by every bit.
+// Without a recorded force, the force computed here is bit-identical.
 void History::follow_tick(const haptics::ToolState& tool, const dvec3* force_n) {
     const TickResult result = tick(now_, tool, start_.parameters);
     keep_input(tool, force_n != nullptr ? *force_n : result.forces.total_n());
@@ -111,7 +111,7 @@ std::optional<std::uint64_t> History::before_last_move() const {
 Result<HapticState> History::state_at(std::uint64_t tick) const {
     assert(tick >= first_tick() && tick <= now_.ticks);
     auto start = start_from_bytes(checkpoints_.bytes_before(tick), start_.parameters.rate_hz());
-    // Bytes of our own that are refused are a bug, not a state of the world.
+    // If our own bytes are refused, that is a bug, not an input error.
     if (!start) throw std::runtime_error(start.error().message);
     HapticState state = std::move(start->state);
     InputLog::Reader inputs(inputs_, static_cast<std::size_t>(state.ticks - first_tick()));

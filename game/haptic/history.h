@@ -1,7 +1,6 @@
-// All that was done to a lump, kept so that any of it can be taken back. It follows the haptic loop by its
-// records: every tick is worked out again here, off the tick, so that it always holds the very clay that is
-// on the wheel, and now and then a checkpoint of it. To go back is to replay from the checkpoint before. One
-// thread that is not the haptic one; allocates.
+// The full history of a lump, kept for undo. It follows the haptic loop by its records: it repeats every tick
+// off the haptic thread, so that it always holds the exact clay on the wheel, and takes a checkpoint now and
+// then. Going back is a replay from the checkpoint before. One thread that is not the haptic one; allocates.
 #pragma once
 
 #include <cstddef>
@@ -22,18 +21,18 @@
 namespace onggi::haptic {
 
 struct HistoryOptions {
-    double checkpoint_s = 1.0;                        // of simulated time between checkpoints, at most
-    std::uint64_t checkpoint_ticks = 3000;            // likewise: what is undone is worked out again
-    double pause_s = 0.25;                            // a hand off the clay for longer has ended its move
-    std::size_t most_bytes = std::size_t{10} << 20U;  // of checkpoints, packed; beyond it they thin out
-    std::filesystem::path aside{};  // a folder for what is seldom read again; empty: it stays in memory
+    double checkpoint_s = 1.0;                        // largest simulated time between checkpoints
+    std::uint64_t checkpoint_ticks = 3000;            // likewise in ticks; bounds the replay of an undo
+    double pause_s = 0.25;                            // a hand off the clay for longer ends its move
+    std::size_t most_bytes = std::size_t{10} << 20U;  // of packed checkpoints; beyond it they thin out
+    std::filesystem::path aside{};                    // folder for rarely read blocks; empty: memory only
 };
 
-// What a visitor would call one thing done: from touching the clay with a tool on one side of it to letting
-// go; or one cut of the wire. Ticks since the lump was fresh.
+// One action as a visitor sees it: from touching the clay with a tool on one side to letting go, or one cut
+// of the wire. Ticks since the lump was fresh.
 struct Move {
     std::uint64_t first_tick = 0;
-    std::uint64_t end_tick = 0;  // behind the last; the newest move may still grow
+    std::uint64_t end_tick = 0;  // one past the last; the newest move may still grow
     haptics::ToolKind tool = haptics::ToolKind::kHand;
     clay::studio::Side side = clay::studio::Side::kFree;
     bool is_cut = false;
@@ -43,54 +42,54 @@ class History {
   public:
     History(const HapticState& start, const HapticParameters& parameters, const HistoryOptions& options = {});
 
-    // The next record of the loop that began with that start. One that says kFreshLump begins anew; one that
-    // says kStatePut goes back to its tick first, so what was put has to come from state_at().
+    // Adds the next record of the loop that began with the given start. kFreshLump restarts the history;
+    // kStatePut first goes back to the record's tick, so the state that was put must come from state_at().
     void add(const TickRecord& record);
-    // One tick more that is played back from a session which began with the same start.
+    // Adds one tick played back from a session with the same start.
     void add_played(const haptics::ToolState& tool);
 
-    // False once a record was missing, or was not given back: then the clay here is not the one on the wheel,
-    // until a fresh lump.
+    // False once a record was lost or could not be read back. Until the next fresh lump, the clay here may
+    // then differ from the one on the wheel.
     [[nodiscard]] bool is_whole() const { return whole_; }
-    // The clay as it was after the last record.
+    // The clay after the last record.
     [[nodiscard]] const HapticState& state() const { return now_; }
     // Ticks since the lump was fresh.
     [[nodiscard]] std::uint64_t ticks() const { return now_.ticks; }
     [[nodiscard]] std::span<const Move> moves() const { return moves_; }
 
-    // Those that the start had behind it.
+    // The start's own tick count.
     [[nodiscard]] std::uint64_t first_tick() const { return start_.state.ticks; }
 
-    // The state before that tick. Precondition: between the start's ticks and ticks(). An error where the
-    // disk does not give back what was put aside.
+    // The state before that tick. Precondition: first_tick() <= tick <= ticks(). Error if the disk does not
+    // return the stored blocks.
     [[nodiscard]] Result<HapticState> state_at(std::uint64_t tick) const;
-    // How many ticks that works out again: what it costs, a few microseconds each.
+    // The number of ticks that state_at() replays: its cost, a few microseconds each.
     [[nodiscard]] std::uint64_t ticks_to_replay(std::uint64_t tick) const {
         return tick - checkpoints_.tick_before(tick);
     }
-    // Where to go back to so that the last move is undone; none where nothing was done.
+    // The tick to go back to in order to undo the last move; empty without a move.
     [[nodiscard]] std::optional<std::uint64_t> before_last_move() const;
 
-    // Nobody will go back any more, or seldom: the states between the start and now are let go, and what they
-    // were is worked out from the start.
+    // Frees the checkpoints between start and now, when going back is over or rare. state_at() then replays
+    // from the start.
     void let_go_of_states();
 
-    // All up to now as a session, written at once: no tick is worked out again.
-    // supplement: what was done to the pot since, see record::SessionWriter.
+    // Writes the whole history as a session at once; no tick is replayed. supplement: later changes of the
+    // pot, see record::SessionWriter.
     [[nodiscard]] Result<void> save(const std::filesystem::path& place,
                                     std::span<const std::byte> supplement = {}) const;
-    // Only what came of it, as a session of no ticks that begins there: for a history that is not whole.
+    // Writes only the present state, as a session without ticks: for a history that is not whole.
     [[nodiscard]] Result<void> save_outcome(const std::filesystem::path& place,
                                             std::span<const std::byte> supplement = {}) const;
-    // All up to now while it goes on: a session that begins as this history does, for write_on() to fill.
+    // Begins a session with this history's start while the history grows; write_on() fills it.
     [[nodiscard]] Result<record::SessionWriter> begin_session(
         const std::filesystem::path& place, files::Beside beside,
         std::span<const std::byte> supplement = {}) const;
-    // Adds what was done since the writer's last tick, at most so many ticks. Precondition: lineage() is what
-    // it was at begin_session().
+    // Adds up to most_ticks ticks since the writer's last one. Precondition: lineage() is unchanged since
+    // begin_session().
     [[nodiscard]] Result<void> write_on(record::SessionWriter& writer, std::size_t most_ticks) const;
-    // How often the clay did not just go on: a fresh lump, a state put back. What was written of a history
-    // before is no part of it any more.
+    // Counts the breaks in the history: a fresh lump, a state put back. Sessions written before a break are
+    // no longer part of it.
     [[nodiscard]] std::uint64_t lineage() const { return lineage_; }
 
     // For a display and for tests.
@@ -109,7 +108,7 @@ class History {
     Start start_;
     HistoryOptions options_;
     HapticState now_;
-    InputLog inputs_;  // of tick first_tick() + index
+    InputLog inputs_;  // index i is tick first_tick() + i
     std::vector<haptics::ToolState> settings_;
     std::vector<std::uint64_t> block_hashes_;  // after each full block of the session that save() writes
     Checkpoints checkpoints_;                  // the first is the start
@@ -118,17 +117,17 @@ class History {
     bool whole_ = true;
 };
 
-// What is kept of a fault: the whole lump's history up to it, as a session. `onggi replay` works the fault
-// out again to the bit, so that a report is its own test. The thread that holds the history; writes a file.
+// Saves a fault: the lump's whole history up to it, as a session. `onggi replay` reproduces the fault to the
+// bit, so that a report is its own test. Runs on the thread that holds the history; writes a file.
 class FaultReport {
   public:
-    // At most so many in the folder: a loose cable must not fill a disk.
+    // Largest number of reports in the folder: a loose cable must not fill a disk.
     static constexpr int kMost = 20;
 
     explicit FaultReport(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // After the history has got the record. Gives the file where a fault begins with it, a person's stop
-    // among them; nothing otherwise. Errors: the folder or the file cannot be written.
+    // Call after the history got the record. Returns the file if a fault begins with this record (a person's
+    // stop included); empty otherwise. Errors: the folder or the file cannot be written.
     [[nodiscard]] Result<std::optional<std::filesystem::path>> look(const TickRecord& record,
                                                                     const History& history);
 

@@ -8,8 +8,8 @@
 namespace onggi::haptic {
 namespace {
 
-// Eight words a tick; what is kept is how each differs from that word of the ticks before: a mask of the
-// words that do, and for each of those a mask of its bytes that are not zero, and those bytes.
+// Each tick is eight words. Stored is each word's XOR with its prediction from the ticks before: a mask of
+// the words that differ, and for each of those a mask of its non-zero bytes, and those bytes.
 constexpr std::size_t kWords = 8;
 using Words = std::array<std::uint64_t, kWords>;
 
@@ -33,8 +33,7 @@ LoggedInput input_of(const Words& words) {
             .force_check = static_cast<std::uint32_t>(words[7])};
 }
 
-// A straight line goes on by the same difference: the number whose bits, read as one, stand as far from the
-// last as the last from the one before.
+// Linear prediction on the bits: the same difference as between the last two values.
 std::uint64_t expected(std::uint64_t last, std::uint64_t before) {
     return last + (last - before);
 }

@@ -12,11 +12,11 @@
 namespace onggi::haptic {
 namespace {
 
-// What a device besides the force may show of the clay: how stiff and how thick it is where it is touched,
-// how near it is to giving way, how fast it turns. Fit for the tick. mm, N, rad/s.
+// The clay's state for a device's other displays: stiffness and thickness at the touch, load, wheel speed.
+// Fit for the tick. mm, N, rad/s.
 constexpr double kKpaPerNMm2 = 1000.0;
 
-// Of the tick that has just been.
+// From the last tick.
 haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
                             const HapticParameters& parameters) noexcept {
     haptics::WorkFelt felt{.touches = result.forces.contacts > 0,
@@ -35,7 +35,7 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
     const int ring = rings.ring_at(state.tool.position_mm.y);
     if (!rings.is_hollow(ring)) return felt;
     felt.wall_mm = rings.wall_mm(ring);
-    // The force with which a wall of that thickness bends aside: the studio clay's own limit (force.h).
+    // The force at which a wall of that thickness bends aside: the studio clay's own limit (force.h).
     const double strength_n_mm2 =
         static_cast<double>(rings.strength_kpa[static_cast<std::size_t>(ring)]) / kKpaPerNMm2;
     felt.most_force_n = 2.0 * std::numbers::pi * strength_n_mm2 * felt.wall_mm * felt.wall_mm;
@@ -43,11 +43,11 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
 }
 
 constexpr std::size_t kCommandCapacity = 256;
-// A machine that slept for a night has missed more than anybody need count.
+// Bound of one tick's late count, as after a machine's night in sleep.
 constexpr std::uint64_t kMostLate = 1'000'000;
 constexpr std::size_t kStateCapacity = 4;
 
-// Room for as many hashes as there is for records.
+// As many hashes as fit to the records.
 std::size_t hash_capacity(const HapticJobOptions& options) {
     return options.record_capacity / record::kHashInterval + 2;
 }
@@ -184,7 +184,7 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
         hold_to(fits_[hand_]);
         haptics::restart_ramp(state_.safety);
     }
-    // Whoever tests the force is there.
+    // While a force test runs, a person is at the hand.
     const bool alone = (nobody_is_there_ && !force_test_.runs()) || watchdog_.picture_stands_still();
     if (alone && fits_[hand_].has_motors) device.signs.hand_is_there = false;
     device.test_force_n = force_test_.step(state_.safety, hand_, parameters_.dt_s());
@@ -211,7 +211,7 @@ bool HapticWork::put(std::unique_ptr<HapticState> state, std::uint64_t run) {
     state->take_memory();
     free_old_states();
     if (!states_.try_push({state.get(), run})) return false;
-    static_cast<void>(state.release());  // the ring has it
+    static_cast<void>(state.release());  // the ring owns it now
     return true;
 }
 
@@ -233,7 +233,7 @@ void HapticWork::put_on_states() noexcept {
             state_was_put_ = true;
             ++states_put_;
         }
-        // There is room: put() frees what is here before it sends more than fits.
+        // The ring has room: put() frees old states before it sends more than fit.
         static_cast<void>(old_states_.try_push(put.state));
     }
 }
@@ -268,7 +268,7 @@ void HapticWork::publish(const TickResult& result) noexcept {
     snapshots_.publish();
     PotCopy& copy = pots_.writing();
     if (!pot_copier_.step(copy.pot, state_, parameters_.dt_s())) return;
-    // Another lump or state begins the copy anew, so that a whole one is of what is on the wheel now.
+    // A fresh lump or a put state restarts the copy, so a finished copy shows the present clay.
     copy.stamp = {.tick = state_.ticks, .run = run_, .states_put = states_put_};
     pots_.publish();
 }
@@ -292,7 +292,7 @@ void HapticJob::stop() noexcept {
     job_.stop();
     watchdog_thread_.stop();
     if (!std::exchange(device_is_open_, false)) return;
-    // The haptic thread is gone: this one speaks for it, once.
+    // The haptic thread has ended: this thread may use the device once more.
     work_.device().write(dvec3(0.0));
     work_.device().close();
 }

@@ -1,5 +1,5 @@
-// The haptic loop at work: clay, wheel, device and safety on a thread of their own, and the hand-offs to the
-// others. Every method belongs to the main thread unless it says otherwise.
+// The running haptic loop: clay, wheel, device and safety on a thread of their own, and the hand-offs to
+// other threads. Every method belongs to the main thread unless it says otherwise.
 #pragma once
 
 #include <atomic>
@@ -24,22 +24,22 @@ namespace onggi::haptic {
 
 struct HapticJobOptions {
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
-    // No spinning while the hand that has the tool has no motors: nobody feels when exactly a tick begins,
-    // and at 4 kHz it takes two fifths of a core.
+    // Does not spin while the hand that has the tool has no motors: without force a tick's exact start cannot
+    // be felt, and spinning takes two fifths of a core at 4 kHz.
     bool spares_the_core = false;
     jobs::RealTimeRequest real_time{};
     jobs::RealTimePolicy policy = jobs::RealTimePolicy::kIgnore;
-    std::uint64_t run_ticks = 0;  // how long a lump lasts, e.g. a gesture's ticks; 0: until told otherwise
-    bool repeat = false;          // after run_ticks: again on a fresh lump, or the end
+    std::uint64_t run_ticks = 0;  // ticks of a lump, e.g. of a gesture; 0: unbounded
+    bool repeat = false;          // after run_ticks: restart on a fresh lump instead of ending
     std::uint64_t end_periods =
-        0;  // the end after so many periods of the clock, skipped ones counted; 0: none
+        0;  // number of periods of the clock until the job ends, skipped ones included; 0: unbounded
     std::size_t record_capacity = std::size_t{1} << 14U;  // tick records; 4 s at 4 kHz
 };
 
-// What one period does, without the thread: the job runs it, and tests run it on a virtual clock.
+// The work of one period, without the thread: the job runs it, and tests run it on a virtual clock.
 class HapticWork final : public jobs::PeriodicWork {
   public:
-    // `start` is the lump, also of every restart. The parameters' rate is the loop's.
+    // `start` is the lump of the start and of every restart. The loop runs at the parameters' rate.
     HapticWork(HapticState start, const HapticParameters& parameters,
                std::unique_ptr<haptics::HapticDevice> device, const HapticJobOptions& options);
     ~HapticWork() override;
@@ -52,44 +52,44 @@ class HapticWork final : public jobs::PeriodicWork {
         return !options_.spares_the_core || fits_[hand_].is_felt;
     }
 
-    // The other side of each hand-off: the one thread that is not the haptic one.
-    // The newest snapshot; it stays as it is until the next call.
-    // Its pot is the newest whole one, and lives as long.
+    // The consumer's side of each hand-off, on the one thread that is not the haptic one.
+    // The newest snapshot; unchanged until the next call. Its pot is the newest finished copy and lives as
+    // long.
     [[nodiscard]] const Snapshot& newest_snapshot() noexcept;
-    // False when the ring is full, which some hundred commands in one period take.
+    // Returns false if the ring is full, which takes some hundred commands in one period.
     [[nodiscard]] bool send(Command command) noexcept { return commands_.try_push(command); }
-    // Any thread, wait-free: no force from the next tick on, until kRearmForce.
+    // Any thread, wait-free: switches the force off from the next tick on, until kRearmForce.
     void stop_force() noexcept { stop_asked_.store(true, std::memory_order_relaxed); }
     // Puts another state of the same lump on the wheel, as from History::state_at(): clay, wheel, tool and
-    // ticks, not the device's safety. It takes effect before the next tick, whose record says kStatePut. The
-    // haptic thread swaps it in and gives the old one back, so that nothing is copied or freed there. It is
-    // of that run: where another lump has come on the wheel meanwhile, it is let go. False when too many are
-    // on their way. Precondition: the same clay as the start's, of the same size.
+    // ticks, not the device's safety. It takes effect before the next tick, whose record has kStatePut. The
+    // haptic thread swaps it in and hands the old one back, so that it neither copies nor frees. The state
+    // belongs to that run: it is dropped if another lump has come on the wheel meanwhile. Returns false if
+    // too many states are queued. Precondition: the same clay as the start's, of the same size.
     [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run);
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return records_.try_pop(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return hashes_.try_pop(hash); }
 
-    // While the haptic thread does not run.
+    // Only while the haptic thread does not run.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
     [[nodiscard]] std::uint64_t runs() const noexcept { return run_ + 1; }
-    // Ticks whose record or hash found its ring full. A recording with any is not whole.
+    // Ticks whose record or hash found its ring full. If there are any, the recording is incomplete.
     [[nodiscard]] std::uint64_t dropped_records() const noexcept { return dropped_records_; }
     [[nodiscard]] haptics::HapticDevice& device() noexcept { return *device_; }
     // Runs on a thread of its own while the job does.
     [[nodiscard]] haptics::Watchdog& watchdog() noexcept { return watchdog_; }
-    // Whether the first hand can be shown this clay (fit_to_device).
+    // Whether the first hand can render this clay (fit_to_device).
     [[nodiscard]] const Result<void>& fits() const noexcept { return fits_.front().fits; }
-    // Why others get no force, a line each.
+    // Why other hands get no force, a line each.
     [[nodiscard]] std::vector<std::string> refusals() const;
 
   private:
-    // Since the lump was put on; a start state may have been ticked before.
+    // Ticks since the lump was put on; a start state may have ticks of its own.
     [[nodiscard]] std::uint64_t ticks_of_run() const noexcept { return state_.ticks - start_.ticks; }
     [[nodiscard]] bool run_is_over() const noexcept {
         return options_.run_ticks != 0 && ticks_of_run() >= options_.run_ticks;
     }
     void apply_commands() noexcept;
-    // What the loop, the device and the watchdog know that the clay need not.
+    // Data for the tick that comes from the loop, the device and the watchdog.
     [[nodiscard]] DeviceTick device_tick(const jobs::Period& period) noexcept;
     void put_on_fresh_lump() noexcept;
     void put_on_states() noexcept;
@@ -98,20 +98,20 @@ class HapticWork final : public jobs::PeriodicWork {
     void publish(const TickResult& result) noexcept;
 
     const HapticState start_;
-    // What each hand may be shown; one that cannot be shown this clay gets no force.
+    // Each hand's limits; a hand that cannot render this clay gets no force.
     struct Fit {
         haptics::SafetyLimits safety;
         DeviceFeel feel;
-        double step_mm = 0.0;     // of its encoder
-        bool has_motors = false;  // a picture of a tool frightens nobody
-        bool is_felt = false;     // its motors push
+        double step_mm = 0.0;     // resolution of its encoder
+        bool has_motors = false;  // without motors, no presence is needed
+        bool is_felt = false;     // its motors exert a force
         Result<void> fits;
     };
     [[nodiscard]] static std::vector<Fit> fits_for(const haptics::HapticDevice& device,
                                                    const HapticParameters& parameters, bool is_paper);
     void hold_to(const Fit& fit) noexcept;
 
-    HapticParameters parameters_;  // its limits are those of the hand that has the tool
+    HapticParameters parameters_;  // with the limits of the hand that has the tool
     const HapticJobOptions options_;
     std::unique_ptr<haptics::HapticDevice> device_;
     const std::vector<Fit> fits_;
@@ -138,8 +138,8 @@ class HapticWork final : public jobs::PeriodicWork {
         HapticState* state = nullptr;  // owned while it is in the ring
         std::uint64_t run = 0;
     };
-    jobs::SpscRing<OfRun> states_;             // to put on
-    jobs::SpscRing<HapticState*> old_states_;  // to free
+    jobs::SpscRing<OfRun> states_;             // to be put on
+    jobs::SpscRing<HapticState*> old_states_;  // to be freed
     jobs::SpscRing<TickRecord> records_;
     jobs::SpscRing<BlockHash> hashes_;
     jobs::TripleBuffer<Snapshot> snapshots_;
@@ -156,19 +156,20 @@ class HapticJob {
     HapticJob(const HapticJob&) = delete;
     HapticJob& operator=(const HapticJob&) = delete;
 
-    // Opens the device and starts the thread, and the watchdog over it. Errors: kBadInput, the clay cannot be
-    // shown stably on this device at this rate (fit_to_device); the device's; see FixedRateJob::start.
+    // Opens the device and starts the thread and its watchdog. Errors: kBadInput if the clay cannot be
+    // rendered stably on this device at this rate (fit_to_device); the device's errors; see
+    // FixedRateJob::start.
     Result<void> start();
-    // Joins the threads, takes the force away and closes the device. Harmless when it does not run.
+    // Joins the threads, takes the force away and closes the device. No effect if it does not run.
     void stop() noexcept;
     // Why a hand other than the first gets no force, a line each.
     [[nodiscard]] std::vector<std::string> refusals() const { return work_.refusals(); }
-    // Any thread, a stop key's or a signal's among them; wait-free.
+    // Any thread, including those of a stop key or a signal; wait-free.
     void stop_force() noexcept { work_.stop_force(); }
-    // Any thread: the loop has come to its end by itself, or was stopped.
+    // Any thread: the loop ended by itself or was stopped.
     [[nodiscard]] bool finished() const noexcept { return job_.finished(); }
 
-    // Once a frame; who does not ask for two seconds is taken to hang, and the force goes.
+    // Call once a frame. After two seconds without a call the picture counts as hung, and the force goes.
     [[nodiscard]] const Snapshot& newest_snapshot() noexcept {
         work_.watchdog().picture_is_alive();
         return work_.newest_snapshot();
@@ -177,7 +178,7 @@ class HapticJob {
     [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run) {
         return work_.put(std::move(state), run);
     }
-    // The thread that records: this one or another, but always the same.
+    // For the recording thread: this one or another, but always the same.
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return work_.take_record(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return work_.take_hash(hash); }
 

@@ -7,12 +7,12 @@
 namespace onggi::haptic {
 namespace {
 
-// How long the copy of a studio pot takes: two a frame at 60 Hz.
+// Duration of a copy of a studio pot: two a frame at 60 Hz.
 constexpr double kCopyS = 1.0 / 120.0;
 
 constexpr std::size_t kDents = static_cast<std::size_t>(kDentRows) * pot::kDentSectors;
 
-// Column by column, so that the compiler makes vectors of it. No column grows beyond what it has room for.
+// Column by column, so that the loops vectorise. No column grows beyond its capacity.
 void copy_rings(pot::Pot& pot, const clay::studio::Rings& rings) noexcept {
     const auto count = static_cast<std::size_t>(rings.count);
     for (auto* column :
@@ -38,7 +38,7 @@ void copy_rings(pot::Pot& pot, const clay::studio::Rings& rings) noexcept {
     }
 }
 
-// The mean of the residuals that lie in one sector of the map.
+// Averages the residuals in each sector of the map.
 void copy_dent_row(std::span<const float> row, float* out) {
     const std::size_t sectors = row.size();
     for (std::size_t s = 0; s < pot::kDentSectors; ++s) {
@@ -61,7 +61,7 @@ bool PotCopier::step(pot::Pot& pot, const HapticState& state, double dt_s) noexc
         pot.height_mm = paper.height_mm();
         return true;
     }
-    // The clay's dearer ticks are the even ones at a fast rate (studio_clay.h): the copy keeps to the others.
+    // At fast rates the clay's even ticks are the expensive ones (studio_clay.h): the copy uses the odd ones.
     const bool takes_turns = dt_s <= 0.5e-3;
     if (takes_turns && state.ticks % 2 == 0) return false;
     const double part = std::min((takes_turns ? 2.0 : 1.0) * dt_s / kCopyS, 1.0);
@@ -77,7 +77,7 @@ bool PotCopier::step(pot::Pot& pot, const HapticState& state, double dt_s) noexc
 }
 
 void PotCopier::copy_dents(pot::Pot& pot, const clay::StudioClay& clay, int most) noexcept {
-    pot.dents_mm.resize(kDents);  // a copy of round clay has cleared it
+    pot.dents_mm.resize(kDents);  // the last copy may have cleared it, for round clay
     for (int k = 0; k < most && dent_row_ < kDentRows; ++k, ++dent_row_) {
         float* out = pot.dents_mm.data() + static_cast<std::size_t>(dent_row_) * pot::kDentSectors;
         const double y_mm = (dent_row_ + 0.5) / kDentRows * clay.height_mm();

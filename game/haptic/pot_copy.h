@@ -1,5 +1,5 @@
-// How the haptic thread copies the pot out for everybody else without paying for all of it in one tick: the
-// map of dents bit by bit, then the rings.
+// Copies the pot from the haptic thread for all others, spread over several ticks: the dent map in parts,
+// then the rings.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace onggi::haptic {
 
-constexpr int kDentRows = 128;  // of the map of dents that is copied
+constexpr int kDentRows = 128;  // rows of the copied dent map
 
-// When a copy was made, and of what.
+// Time and source of a copy.
 struct PotStamp {
-    std::uint64_t tick = 0;        // when it was finished
-    std::uint64_t run = 0;         // of the lump it is of
-    std::uint64_t states_put = 0;  // on the wheel, when it was begun
+    std::uint64_t tick = 0;        // when the copy was finished
+    std::uint64_t run = 0;         // the lump's run
+    std::uint64_t states_put = 0;  // states put on the wheel before the copy began
 };
 
 struct PotCopy {
@@ -23,15 +23,15 @@ struct PotCopy {
     PotStamp stamp;
 };
 
-// Copies the clay into a pot at a pace of simulated time: the dents, which change slowly, a fraction each
-// tick; the rings in the last of them, because clay that moves meanwhile would leave a step in the wall
-// wherever one tick's fraction met the next. Haptic thread; no allocation.
+// Copies the clay into a pot at a pace of simulated time: a fraction of the dents, which change slowly, each
+// tick; all rings in the last of these ticks, because clay that moves meanwhile would leave a step in the
+// wall between two parts. Haptic thread; no allocation.
 class PotCopier {
   public:
-    // One tick's fraction into `pot`, which comes from pot_of() and must stay the same until it is finished.
-    // True when it is.
+    // Copies one tick's fraction into `pot`, which comes from pot_of() and must stay the same until the copy
+    // is finished. Returns true when it is.
     bool step(pot::Pot& pot, const HapticState& state, double dt_s) noexcept;
-    // Begins anew: another clay is on the wheel.
+    // Restarts the copy: another clay is on the wheel.
     void restart() noexcept { *this = {}; }
 
   private:
@@ -41,7 +41,7 @@ class PotCopier {
     bool dented_ = false;
 };
 
-// A state's pot, whole, with room for as many rings as its clay may come to have.
+// A complete copy of a state's pot, with capacity for all rings that its clay may get.
 [[nodiscard]] pot::Pot pot_of(const HapticState& state);
 
 }  // namespace onggi::haptic

@@ -1,6 +1,6 @@
 // Layout, little-endian. The paper's clay: "HST1"; c1, c2, c3, K turning, K standing, wheel speed, minimum
 // radius; the wheel's cosine and sine; the tool's x, y, z and radius (doubles); its button (32 bits); ticks
-// (64 bits); the clay. The studio's clay: "HST3"; its parameters (doubles, yes and no as 1 and 0); the tool
+// (64 bits); the clay. The studio's clay: "HST3"; its parameters (doubles; flags as 1 and 0); the tool
 // (tool_bytes); ticks (64 bits); the clay, with its wheel.
 #include "game/haptic/start_state.h"
 
@@ -22,7 +22,7 @@ constexpr std::uint32_t kPaperTag = 0x31545348;   // "HST1"
 constexpr std::uint32_t kStudioTag = 0x33545348;  // "HST3"
 constexpr std::size_t kHeadBytes = 4 + (7 + 2 + 4) * 8 + 4 + 8;
 
-// What stands before the paper's clay, in the order of the file; the rate is not among it.
+// Visits the fields before the paper's clay, in the order of the file; the rate is not among them.
 template <typename Visitor, typename Parameters, typename Heading, typename Tool, typename Ticks>
 void visit_head(Visitor& visitor, Parameters& paper, Heading& heading, Tool& tool, Ticks& ticks) {
     clay::visit(visitor, paper.softness_c1_per_mm, paper.viscosity_c2_n_s_per_mm,
@@ -31,7 +31,7 @@ void visit_head(Visitor& visitor, Parameters& paper, Heading& heading, Tool& too
                 heading.cosine, heading.sine, tool.position_mm, tool.radius_mm, tool.wheel_button, ticks);
 }
 
-// The same of the studio's: its parameters alone. Gives the first number that should have been yes or no.
+// The same for the studio's clay: only its parameters. Returns the first flag that was neither 0 nor 1.
 template <typename Visitor, typename Parameters>
 std::optional<double> visit_head(Visitor& visitor, Parameters& clay) {
     auto& wheel = clay.wheel;
@@ -51,7 +51,7 @@ std::optional<double> visit_head(Visitor& visitor, Parameters& clay) {
     }
     return strange;
 }
-constexpr std::size_t kStudioTailBytes = record::kWholeToolBytes + 8;  // between those and the clay
+constexpr std::size_t kStudioTailBytes = record::kWholeToolBytes + 8;  // between the parameters and the clay
 
 Error damaged(std::string_view place, std::string_view expected, std::string_view found) {
     return bad_input(fmt::format("start state, {}: expected {}, found {}", place, expected, found));

@@ -1,5 +1,5 @@
-// What a recording starts from, as bytes: parameters and state of the haptic loop, without the device's
-// safety. The session file holds them unread (engine/record). Any thread but the haptic one: it allocates.
+// The start of a recording as bytes: parameters and state of the haptic loop, without the device's safety.
+// The session file stores them as opaque bytes (engine/record). Any thread but the haptic one: it allocates.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,18 @@ namespace onggi::haptic {
 
 struct Start {
     HapticState state;
-    HapticParameters parameters;  // with the safety limits of the house, which change no clay
+    HapticParameters parameters;  // with the default safety limits, which change no clay
 };
 
-// The same start gives the same bytes everywhere. The tick rate is not among them: the session's header has
-// it.
+// The same start has the same bytes everywhere. The tick rate is not included: the session's header has it.
 [[nodiscard]] std::vector<std::byte> start_state_bytes(const HapticState& state,
                                                        const HapticParameters& parameters);
 
-// The header of a session that begins with it.
+// The header of a session with that start.
 [[nodiscard]] record::SessionHeader session_header(const Start& start);
 
-// The start that those bytes and that rate make. Bad input: a wrong size, parameters that clay::check()
-// refuses, a tool outside its limits, a wheel direction that is no unit vector, a clay its own reader
+// Reads a start from those bytes and that rate. Bad input: a wrong size, parameters that clay::check()
+// refuses, a tool outside its limits, a wheel direction that is not a unit vector, a clay that its own reader
 // refuses.
 [[nodiscard]] Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz);
 

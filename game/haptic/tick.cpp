@@ -10,7 +10,7 @@
 namespace onggi::haptic {
 namespace {
 
-// The clay may not include the devices' room, and neither may be wider than the other.
+// The clay may not include the devices' room, so the equality of both ranges is checked here.
 static_assert(clay::kSmallestToolMm == haptics::kMinToolRadiusMm);
 static_assert(clay::kLargestToolMm == haptics::kMaxToolRadiusMm);
 
@@ -43,7 +43,7 @@ clay::Wire studio_wire(haptics::WorkCommand command) noexcept {
 
 void tick_paper(clay::PaperClay& clay, HapticState& state, const haptics::ToolState& tool,
                 const HapticParameters& parameters, TickResult& result) noexcept {
-    // It hears of neither sides nor tools, and what it does not hear is not recorded.
+    // The paper's clay has neither sides nor tools, so they are not recorded.
     state.tool = plain_tool(haptics::within_limits(tool, state.tool));
     if (state.tool.wheel_button) state.wheel.turn(parameters.paper.wheel_speed_rad_s * parameters.dt_s());
     result.forces = clay.tick({.position_mm = state.tool.position_mm,
@@ -52,7 +52,7 @@ void tick_paper(clay::PaperClay& clay, HapticState& state, const haptics::ToolSt
                               parameters.paper);
 }
 
-// There no hand is on any side of a wall.
+// Lifts both hands over the rim, where they are on no side of a wall.
 void lift_over(haptics::ToolState& tool, double height_mm) noexcept {
     constexpr double kClearMm = 1.0;
     const auto over_mm = [&](double radius_mm) { return height_mm + radius_mm + kClearMm; };
@@ -75,7 +75,8 @@ void tick_studio(clay::StudioClay& clay, HapticState& state, const haptics::Tool
     result.grip = forces.grip;
 }
 
-// What goes to the device. The gate judges what it really said, not what the clay was told.
+// The force for the device. The safety chain uses the device's own position, not the position that the clay
+// got.
 dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
                     const DeviceTick& device, const clay::ContactForces& forces) noexcept {
     const double dt_s = device.dt_s > 0.0 ? device.dt_s : parameters.dt_s();

@@ -1,5 +1,5 @@
-// What the numbers of a tool and of a command mean on this wheel, and their words in a gesture's table. The
-// engine passes them on and knows none of them. The numbers are in files: never renumber.
+// The meaning of tool and command numbers on this wheel, and their words in a gesture's table. The engine
+// passes them on without knowing them. The numbers are in files: never renumber.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ constexpr haptics::ToolKind kSponge{2};
 constexpr haptics::ToolKind kTrimmer{3};
 constexpr std::array<std::string_view, haptics::kToolKinds> kToolWords{"hand", "rib", "sponge", "trimmer"};
 
-// What the wire is pulled for; one pull cuts once.
+// Cuts of the wire; one pull cuts once.
 constexpr haptics::WorkCommand kCutRim{1};
 constexpr haptics::WorkCommand kCutOff{2};
 constexpr std::array<std::string_view, haptics::kWorkCommands> kWireWords{"none", "rim", "off"};

@@ -1,5 +1,5 @@
-// Reads the backgrounds of another shape of picture beside the frame: decoding a pair of photographs takes as
-// long as some frames. Main thread, except where it says otherwise.
+// Loads the backgrounds for another aspect ratio in the background: decoding a pair of photographs takes as
+// long as several frames. Main thread, except where it says otherwise.
 #pragma once
 
 #include <atomic>
@@ -19,28 +19,27 @@ class BackgroundLoader final : private jobs::IoWork {
     BackgroundLoader() = default;
     ~BackgroundLoader() override { thread_.stop(); }
 
-    // What came of a request: the backgrounds by their camera's name, and a line for each that could not be
-    // read.
+    // Result of a request: the backgrounds by camera name, and one line for each that could not be read.
     struct Loaded {
         std::vector<std::pair<std::string, std::shared_ptr<const render::Background>>> backgrounds;
         std::vector<std::string> lacks;
     };
 
-    // Begins to read the backgrounds of these cameras of the workshop's, on a thread of its own that lasts as
-    // long as that. Error: kFailed when no thread can be made. Precondition: not busy.
+    // Starts to read the backgrounds of these workshop cameras, on a thread of its own. Error: kFailed if no
+    // thread can be started. Precondition: not busy.
     Result<void> load(std::shared_ptr<const Workshop> workshop, std::vector<BackgroundCamera> cameras);
     [[nodiscard]] bool busy() const { return thread_.running(); }
-    // Once all of them have been read, or refused; then it is no longer busy.
+    // Returns the result once every background was read or refused; then busy() is false. Empty before that.
     [[nodiscard]] std::optional<Loaded> take();
 
   private:
-    // The loader's thread.
+    // Runs on the loader's thread.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override {}
 
     std::shared_ptr<const Workshop> workshop_;
     std::vector<BackgroundCamera> cameras_;
-    // The loader's thread's, until it says that it is done.
+    // Owned by the loader's thread until done_ is set.
     std::size_t next_ = 0;
     Loaded loaded_;
     std::atomic<bool> done_{false};

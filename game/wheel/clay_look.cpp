@@ -5,14 +5,14 @@
 namespace onggi::wheel {
 namespace {
 
-// By eye, against photographs of the three bodies; raw, the colour is that of the clay without its water.
+// Chosen by eye against photographs of the three bodies. raw is the colour of the clay without its water.
 struct BodyLook {
     vec3 raw;
-    vec3 bone_dry;  // dust lies on it
+    vec3 bone_dry;  // with dust on it
     vec3 bisque;
-    vec3 glazed;      // under the body's own glaze: celadon on stoneware and porcelain, clear on earthenware
+    vec3 glazed;      // with the body's usual glaze: celadon on stoneware and porcelain, clear on earthenware
     float streaks;    // slip is as fine as the body
-    float soft_edge;  // porcelain lets light in
+    float soft_edge;  // porcelain is translucent
 };
 
 const BodyLook& look_of(clay::ClayBody body) {

@@ -1,4 +1,4 @@
-// What clay looks like: bodies from wet to glazed, as materials. Any thread; pure functions. Linear light.
+// Materials of clay bodies from wet to glazed. Any thread; pure functions. Linear light.
 #pragma once
 
 #include "engine/render/scene.h"
@@ -6,14 +6,14 @@
 
 namespace onggi::wheel {
 
-// The body at its stage. Wet: with the water and the film it has where a snapshot does not say.
+// The body at its stage. Wet: with default water and film, for a pot without values of its own.
 [[nodiscard]] render::LatheMaterial clay_material(clay::ClayBody body, clay::Firing stage);
 
-// How dark water makes clay of that liquidity index, 0 dry to 1: leather-hard clay at the plastic limit is
-// still damp.
+// How much water of that liquidity index darkens clay, 0 (dry) to 1: leather-hard clay at the plastic limit
+// is still damp.
 [[nodiscard]] float darkness_of(float liquidity);
 
-// Of a wall that has been cut: fresh clay, paler than its skin.
+// Colour of a cut wall: fresh clay, paler than its surface.
 [[nodiscard]] vec3 section_colour(const render::LatheMaterial& material);
 
 }  // namespace onggi::wheel

@@ -1,4 +1,4 @@
-// What the entities of the wheel's scene are made of. Plain data; main thread. mm, rad, linear light.
+// Components of the wheel scene's entities. Plain data; main thread. mm, rad, linear light.
 #pragma once
 
 #include <cmath>
@@ -18,14 +18,14 @@
 
 namespace onggi::wheel {
 
-// One number on its way to a goal: a spring that is damped just so that it never swings past.
+// A number that moves to a goal: a critically damped spring, which never overshoots.
 struct Settling {
     double value = 0.0;
-    double speed = 0.0;  // a second
+    double speed = 0.0;  // per second
 
     friend bool operator==(const Settling&, const Settling&) = default;
 };
-// After dt_s seconds; exact for any step. After 5 / rate_per_s about 96 % of the way is done.
+// The value after dt_s seconds; exact for any step. After 5 / rate_per_s about 96 % of the way is done.
 [[nodiscard]] inline Settling settled(const Settling& now, double goal, double rate_per_s, double dt_s) {
     // x'' = -2 r x' - r^2 x about the goal, solved: (x0 + (v0 + r x0) t) exp(-r t).
     const double away = now.value - goal;
@@ -35,7 +35,7 @@ struct Settling {
             .speed = (now.speed - rate_per_s * push * dt_s) * decay};
 }
 
-// Where an entity is.
+// Position of an entity.
 struct Transform {
     dvec3 position_mm{0.0};
 };
@@ -46,49 +46,49 @@ struct Wheel {
     bool turning = false;
 };
 
-// The clay on the wheel, while a frame is put together, and how it is to be shown.
+// The clay on the wheel during one frame, and how to show it.
 struct Clay {
-    const pot::Pot* pot = nullptr;  // as WheelView has it
+    const pot::Pot* pot = nullptr;  // from WheelView
     render::LatheMaterial material{};
-    std::vector<float> wetness{};  // of each ring: how much its water darkens it
+    std::vector<float> wetness{};  // how much water darkens each ring
     bool shows_load = false;
-    const render::LatheMarks* marks = nullptr;  // as WheelView has them
+    const render::LatheMarks* marks = nullptr;  // from WheelView
     bool is_cut_open = false;                   // towards the camera
     float edge_rounding_mm = 0.0F;
 };
 
-// A hand and what it holds: shown as the ball that touches, or as hand and tool.
+// A hand and its tool: drawn as the contact ball, or as hand and tool.
 struct Tool {
     ToolSight sight{};
     ToolPose pose{};
     bool as_ball = true;
 };
 
-// What fell from a trimmer.
+// A trimmer's shavings.
 struct Shaved {
     Shavings shavings{};
 };
 
-// What is not in the photographs of the bench because it can be taken from it.
+// Tools on the bench that the photographs do not show, because they can be taken from it.
 struct OnBench {
     bool rib = false;
 };
 
-// The wire that cuts the pot off, or its rim.
+// The wire that cuts off the pot or its rim.
 struct Wire {
     bool shown = false;
     double height_mm = 0.0;
 };
 
-// What tools look like; see load_tool_models(). Of the ball alone: all are balls.
+// Models of the tools; see load_tool_models(). With the ball alone, all tools are drawn as balls.
 struct ToolShelf {
     std::shared_ptr<const render::PropLibrary> library;
 
     [[nodiscard]] bool has_tools() const { return library->size() > 1; }
 };
 
-// Frames the wheel so that `height_mm` of it fill the picture's height, or `width_mm` its width, whichever
-// shows more.
+// Frames the wheel so that `height_mm` fill the picture's height or `width_mm` its width, whichever shows
+// more.
 struct CameraRig {
     dvec3 target_mm{0.0};
     double distance_mm = 900.0;
@@ -98,7 +98,7 @@ struct CameraRig {
     double width_mm = 330.0;
 };
 
-// Where the camera of a background stands, and how much of the background it shows.
+// The camera of a background, and the shown part of the background.
 struct ViewPlace {
     std::string camera;
     Framing framing{};
@@ -106,44 +106,44 @@ struct ViewPlace {
     friend bool operator==(const ViewPlace&, const ViewPlace&) = default;
 };
 
-// The photographed workshop, beside the rig: while it has a background to show, the camera stands where that
-// was taken. To another it is cut as soon as its picture is ready, which then fades in.
+// The photographed workshop. While it has a background to show, the camera stands where that was taken
+// instead of at the rig. The camera cuts to another view as soon as that picture is ready, and fades it in.
 struct PhotographedRoom {
     std::shared_ptr<const Workshop> workshop;
     View view = View::kThrowing;
     Framing framing{};
-    bool jumps = false;  // with the next frame it is where it is wanted
-    std::map<std::string, std::shared_ptr<const render::Background>> backgrounds{};  // by their camera's name
-    bool moves_less = false;          // who looks on asked for less motion: nothing fades
-    bool sways = false;               // while nobody throws: a little to either side, slowly
-    std::string camera{};             // whose background is shown
-    Framing framed_so{};              // and how
-    std::optional<ViewPlace> next{};  // where it will be cut to
-    bool next_is_ready = false;       // the picture there is made; said once a frame
-    double fade_left_s = 0.0;         // until the view it was cut to is all that is seen
-    int width_px = 0;                 // of the picture they were framed for
+    bool jumps = false;  // cuts to the wanted view in the next frame
+    std::map<std::string, std::shared_ptr<const render::Background>> backgrounds{};  // by camera name
+    bool moves_less = false;          // the visitor prefers less motion: nothing fades
+    bool sways = false;               // sways slowly from side to side while the wheel is idle
+    std::string camera{};             // camera of the shown background
+    Framing framed_so{};              // framing of the shown background
+    std::optional<ViewPlace> next{};  // the next view to cut to
+    bool next_is_ready = false;       // the picture of the next view is ready; reset each frame
+    double fade_left_s = 0.0;         // time left in the fade to the current view
+    int width_px = 0;                 // picture size that the views were framed for
     int height_px = 0;
     Settling sway_fraction{};  // 0 to 1
-    double sway_s = 0.0;       // how long it has swayed
+    double sway_s = 0.0;       // time since the swaying began
 };
 
-// The time of day: 0 the daylight in which one works, 1 the evening in which one looks at what one has made.
+// Time of day: 0 daylight for work, 1 evening for looking at the finished pot.
 struct TimeOfDay {
     double evening = 0.0;  // the goal
     Settling now{};
 };
 
-// One far light, and the light from everywhere else.
+// One distant light, and the light from all other directions.
 struct KeyLight {
     render::DirectionalLight light;
 };
 struct Surroundings {
     render::Environment environment;
-    std::optional<std::array<vec3, 9>> irradiance;  // where it is known better than the environment says
+    std::optional<std::array<vec3, 9>> irradiance;  // if known more precisely than from the environment
     render::Backdrop backdrop;
 };
 
-// A part of what stands still about the wheel.
+// A part of the still life around the wheel.
 struct StillPart {
     std::shared_ptr<const render::Mesh> mesh{};
     render::Material material{};

@@ -1,5 +1,4 @@
-// Where in the picture the room's photograph is put: the design of a screen leaves it more or less room. Any
-// thread; pure.
+// Placement of the room's photograph in the picture: screens leave it more or less room. Any thread; pure.
 #pragma once
 
 #include "engine/math/math.h"
@@ -8,13 +7,13 @@
 namespace onggi::wheel {
 
 struct Framing {
-    dvec2 shift{0.0};   // of the picture, in halves of it, x right and y down
-    double zoom = 1.0;  // of the background about its middle, before it is shifted
+    dvec2 shift{0.0};   // of the picture, in half pictures, x right and y down
+    double zoom = 1.0;  // of the background about its middle, applied before the shift
 
     friend bool operator==(const Framing&, const Framing&) = default;
 };
 
-// A background's camera as the framing asks for it.
+// A background's camera with the framing applied.
 [[nodiscard]] inline render::Camera framed(const render::Camera& camera, const Framing& framing) {
     render::Camera shown = render::zoomed(camera, framing.zoom);
     shown.lens_shift = vec2(framing.shift);

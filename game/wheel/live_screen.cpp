@@ -43,7 +43,7 @@ Result<std::unique_ptr<LiveScreen>> LiveScreen::open(window::Window& window,
     if (!made) return made.error();
     self->instance_ = std::move(*made);
     auto opened = self->make_anew();
-    // Whatever a driver finds fault with at the start, another may not.
+    // A driver may fail where another driver works, so try the other devices.
     while (!opened && opened.error().kind != ErrorKind::kBadInput && self->avoid_device()) {
         self->remarks_.push_back(fmt::format("{}; trying another device", opened.error().message));
         opened = self->make_anew();
@@ -66,7 +66,8 @@ Result<void> LiveScreen::open_device() {
     const std::string request = vk::device_request_of_environment();
     auto chosen = vk::choose_device(*instance_, *made_surface, request, preference());
     if (!chosen && surface_ && chosen.error().kind == ErrorKind::kSystemLacks) {
-        // A device that cannot present may still draw: for the staff, for recording, for whoever looks later.
+        // A device that cannot present may still draw: for the staff, for recordings, for a display attached
+        // later.
         surface_.reset();
         auto unseen = vk::choose_device(*instance_, VK_NULL_HANDLE, request, preference());
         if (!unseen) return unseen.error();
@@ -76,7 +77,7 @@ Result<void> LiveScreen::open_device() {
     }
     if (!chosen) return chosen.error();
     device_index_ = chosen->description.index;
-    // What keeps falling may fall over its driver: of that it asks no more than it must.
+    // A program that keeps crashing may crash in its driver, so it uses as few driver features as possible.
     const auto with_window = options_.is_safe ? vk::Presenting::kImages : vk::Presenting::kImagesInStep;
     auto made = vk::Device::create(*instance_, *chosen, surface_ ? with_window : vk::Presenting::kNone);
     if (!made) return made.error();
@@ -88,13 +89,13 @@ Result<void> LiveScreen::open_device() {
     return {};
 }
 
-// Of a device that is made anew it goes on.
+// Keeps the ladder's step if the same device is reopened.
 void LiveScreen::begin_ladder() {
     if (ladder_of_ == device_index_) return;
     ladder_of_ = device_index_;
     losses_ = 0;
     const vk::DeviceDescription& device = device_->description();
-    // What keeps falling shall not be asked for anything that this device is not made for.
+    // A program that keeps crashing uses only the backend that suits this device.
     const auto choice = options_.is_safe ? render::BackendChoice::kAuto : options_.backend;
     class_ = render::class_for(choice, device_class(device));
     if (choice == render::BackendChoice::kGpu && device.is_cpu())
@@ -113,7 +114,7 @@ void LiveScreen::begin_ladder() {
 
 double LiveScreen::frame_rate_hz() const {
     constexpr double kMostHz = 75.0;
-    constexpr double kMostOnDiscreteGpuHz = 150.0;  // more is not seen, and warms the kiosk
+    constexpr double kMostOnDiscreteGpuHz = 150.0;  // more is not visible, and heats the kiosk
     return jobs::frame_rate_hz(window_->refresh_hz(),
                                class_ == render::DeviceClass::kDiscreteGpu ? kMostOnDiscreteGpuHz : kMostHz);
 }
@@ -122,7 +123,7 @@ std::string LiveScreen::quality_note() const {
     return fmt::format("{}\t{}", render::quality_name(ladder_.step()), device_->description().name);
 }
 
-// False where there is no other that could draw.
+// Avoids the current device. Returns false if no other device can draw.
 bool LiveScreen::avoid_device() {
     const std::vector<int> before = avoided_;
     if (device_index_ < 0) return false;
@@ -163,7 +164,8 @@ Result<void> LiveScreen::make_renderer() {
     return {};
 }
 
-// Everything but the instance. A surface belongs to the window and would survive, but costs nothing to make.
+// Recreates everything but the instance. A surface belongs to the window and would survive, but is cheap to
+// create.
 Result<void> LiveScreen::make_anew() {
     renderer_.reset();
     swapchain_.reset();
@@ -177,23 +179,22 @@ Result<void> LiveScreen::make_anew() {
 
 Result<bool> LiveScreen::mend(const Error& error, const render::Scene& scene,
                               const render::Overlay* overlay) {
-    // What breaks again at once is broken for good.
+    // A failure that comes back at once is permanent.
     constexpr int kSteadyFrames = 60;
     constexpr int kMostInARow = 3;
-    // A device that is lost so often has another in its place, if there is one.
+    // After this many losses another device takes over, if there is one.
     constexpr int kLossesInARow = 2;
     constexpr int kMostLosses = 5;
     Error last = error;
     in_a_row_ = good_frames_ >= kSteadyFrames ? 0 : in_a_row_;
     while (in_a_row_ < kMostInARow) {
-        // Without a device making one failed; trying again may be in time for a driver that restarts.
+        // Without a device, its creation failed; a retry may succeed after the driver restarts.
         const vk::Trouble trouble = device_ ? device_->health().trouble() : vk::Trouble::kLost;
         if (trouble == vk::Trouble::kNone) return last;
         ++in_a_row_;
         good_frames_ = 0;
         std::string remark = last.message;
-        // Where there is no lower step, memory may be found elsewhere, or here once all of ours is given
-        // back.
+        // If there is no lower step, another device may have memory, or this one after all of ours is freed.
         const bool is_too_much = trouble == vk::Trouble::kOutOfMemory && !ladder_.step_down();
         if (trouble == vk::Trouble::kLost) ++losses_;
         const bool fails_often =
@@ -226,7 +227,8 @@ Result<bool> LiveScreen::draw_once(const render::Scene& scene, const render::Ove
 }
 
 #ifdef ONGGI_SHADER_RELOAD
-// Twice a second is as quick as one saves; a shader that does not compile is said, and the picture stays.
+// Polls twice a second, which is as often as an editor saves. A shader that does not compile is reported, and
+// the picture stays.
 Result<void> LiveScreen::follow_edited_shaders() {
     constexpr int kFramesBetween = 30;
     if (++frames_unwatched_ < kFramesBetween) return {};
@@ -257,26 +259,26 @@ Result<bool> LiveScreen::draw(const render::Scene& scene, const render::Overlay*
     auto drawn = draw_once(scene, overlay);
     if (!drawn) return mend(drawn.error(), scene, overlay);
     if (!*drawn) return drawn;
-    // A GPU goes on while the processor waits for it or for its screen.
+    // A GPU keeps working while the processor waits for it or for its screen.
     host_ms_ = class_ == render::DeviceClass::kSoftware
                    ? static_cast<double>(jobs::ThreadClock::now_ns() - began_ns) * 1e-6
                    : renderer_->stats().host_ms;
     ++good_frames_;
-    // The first frames are those for which a software driver compiles, and by the last of these it has all it
-    // needs. What it ran for the ones before is not waited for.
+    // A software driver compiles shaders in the first frames; after the last of these it has all it needs.
+    // Code pages are released at each doubling of the frame count up to then.
     constexpr unsigned kCompiledFrames = 128;
     if (std::has_single_bit(++frames_of_renderer_) && frames_of_renderer_ <= kCompiledFrames) {
         jobs::give_back_code();
         if (frames_of_renderer_ == kCompiledFrames) jobs::give_back_freed_memory();
     }
-    // Another view costs a software core more than a picture at rest, for a moment: no reason to change. Nor
-    // is it one to do better that a screen is shown which covers the scene.
+    // A change of view costs a software core more than a static picture, for a moment, so it must not change
+    // the quality. A screen that covers the scene is no reason to raise the quality.
     const render::FrameStats& stats = renderer_->stats();
     const bool changes_view = scene.next_view || scene.fade_in;
     const bool is_measured = stats.device_ms > 0.0 && stats.device_drew_scene && !changes_view;
     const bool in_view = has_visitor && (overlay == nullptr || !overlay->covers);
     const double drawn_ms = stats.device_ms + host_ms_before;
-    // Patience is of real time: where frames are slow, things still ease as if they were not.
+    // The ladder's times are real time: slow frames do not slow it down.
     const bool has_changed = is_measured ? ladder_.frame(drawn_ms, std::max(dt_s, 1e-3 * drawn_ms), in_view)
                                          : !in_view && ladder_.unseen();
     if (has_changed) {
@@ -297,10 +299,10 @@ Result<void> LiveScreen::wait() {
 
 bool LiveScreen::wait_for_display() {
     if (!swapchain_ || trouble_ || !swapchain_->awaits_showing()) return false;
-    // A display of more frames than are drawn has another beat.
+    // A display that shows more frames than are drawn is no frame clock.
     if (window_->refresh_hz() > frame_rate_hz()) return false;
     if (!beat_.is_asked(jobs::MonotonicClock::now_ns())) return false;
-    constexpr std::uint64_t kMostNs = 100'000'000;  // some frames of the slowest display
+    constexpr std::uint64_t kMostNs = 100'000'000;  // several frames of the slowest display
     const auto shown = swapchain_->wait_until_shown(kMostNs);
     if (!shown && device_->health().trouble() != vk::Trouble::kNone) trouble_ = shown.error();
     if (shown && *shown)

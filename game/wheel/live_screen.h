@@ -1,6 +1,6 @@
-// What a moving picture is drawn on: a window's surface or none, the Vulkan device, the target and the
-// renderer; and what keeps them going when the device is lost, memory runs out or the surface goes. Nothing
-// here knows pots. Main thread.
+// The output of the moving picture: a window's surface or none, the Vulkan device, the target and the
+// renderer; and recovery when the device is lost, memory runs out or the surface goes. Independent of pots.
+// Main thread.
 #pragma once
 
 #include <memory>
@@ -21,37 +21,36 @@
 
 namespace onggi::wheel {
 
-// What the quality ladder asks of a device.
+// The class of a device for the quality ladder.
 [[nodiscard]] render::DeviceClass device_class(const vk::DeviceDescription& device);
 
 struct LiveScreenOptions {
-    window::Size size{1280, 720};  // of an unseen target
+    window::Size size{1280, 720};  // of an offscreen target
     bool validation = false;
-    // Of a program that keeps falling: the lowest quality and never more, and no GPU where anything else
-    // draws.
+    // For a program that keeps crashing: stays at the lowest quality, and uses a GPU only if nothing else can
+    // draw.
     bool is_safe = false;
-    int draw_threads = 1;  // that a software device may use
+    int draw_threads = 1;  // for a software device
     render::BackendChoice backend = render::BackendChoice::kAuto;
-    std::string quality_note{};  // LiveScreen::quality_note() of an earlier one; empty: none
+    std::string quality_note{};  // LiveScreen::quality_note() of an earlier run; empty without one
 };
 
 class LiveScreen {
   public:
-    // The window must outlive it. Where no device presents to the window, it draws unseen, and says so in a
-    // remark.
+    // The window must outlive the screen. If no device can present to the window, the screen draws offscreen
+    // and adds a remark.
     static Result<std::unique_ptr<LiveScreen>> open(window::Window& window, const LiveScreenOptions& options);
     LiveScreen(const LiveScreen&) = delete;
     LiveScreen& operator=(const LiveScreen&) = delete;
 
-    // Draws one frame, dt_s after the one before. What a lost device, a lost surface or want of memory break
-    // is made anew before it returns, on another device where the same one fails again and again; an error is
-    // left when that does not help. has_visitor: somebody is at the wheel, in whose view quality seldom
-    // changes.
+    // Draws one frame, dt_s after the previous one. Recovers from a lost device, a lost surface or lack of
+    // memory before it returns, on another device if the same one keeps failing; returns an error if that
+    // does not help. has_visitor: a person is watching, so quality seldom changes.
     Result<bool> draw(const render::Scene& scene, const render::Overlay* overlay, double dt_s,
                       bool has_visitor = true);
     Result<void> wait();
-    // Until the display has shown the last frame, where it says so and shows as many frames as are drawn: its
-    // beat is the clock to go by. False where it is not, or has not come.
+    // Waits until the display has shown the last frame, if the display reports this and shows as many frames
+    // as are drawn: then it is the frame clock. Returns false if it is not, or on timeout.
     bool wait_for_display();
 
     void resize(window::Size size);
@@ -59,20 +58,20 @@ class LiveScreen {
     [[nodiscard]] const vk::Device& device() const { return *device_; }
     [[nodiscard]] const std::vector<std::string>& messages() const { return instance_->messages(); }
     [[nodiscard]] const render::FrameStats& stats() const { return renderer_->stats(); }
-    // Which part of a frame takes how long: FrameStats::parts, at some per cent of a software device's time.
+    // Measures the parts of a frame (FrameStats::parts); costs some per cent of a software device's time.
     void measure_parts(bool measures) {
         measures_parts_ = measures;
         renderer_->measure_parts(measures);
     }
     [[nodiscard]] render::QualityStep quality() const { return ladder_.step(); }
-    // At which frames suit the display and whoever draws.
+    // The frame rate that suits the display and the device.
     [[nodiscard]] double frame_rate_hz() const;
-    // One line: which device came to draw how well. Whoever keeps it begins there the next time.
+    // One line: the device and the quality it reached. Pass it to the next run to start there.
     [[nodiscard]] std::string quality_note() const;
-    // The last frame; only where it is unseen.
+    // The last frame; offscreen only.
     Result<std::vector<std::uint8_t>> read_back();
 
-    // What happened that somebody should read, a line each, since the last call.
+    // Events since the last call that a person should read, one a line.
     [[nodiscard]] std::vector<std::string> take_remarks();
     [[nodiscard]] int mended() const { return mended_; }
 
@@ -95,31 +94,31 @@ class LiveScreen {
     window::Window* window_;
     LiveScreenOptions options_;
     render::QualityLadder ladder_;
-    render::DeviceClass class_ = render::DeviceClass::kSoftware;  // what the device counts as
-    int device_index_ = -1;                                       // of the device; -1: none yet
-    int ladder_of_ = -1;                                          // the device's the ladder is of
+    render::DeviceClass class_ = render::DeviceClass::kSoftware;  // class for the quality ladder
+    int device_index_ = -1;                                       // index of the device; -1 before the first
+    int ladder_of_ = -1;                                          // index of the ladder's device
     std::vector<int> avoided_;
-    int losses_ = 0;  // of this device
+    int losses_ = 0;  // losses of this device
     std::vector<std::string> remarks_;
     bool measures_parts_ = false;
     int mended_ = 0;
-    int good_frames_ = 0;  // since the last time something was mended
+    int good_frames_ = 0;  // frames since the last recovery
     int in_a_row_ = 0;
     unsigned frames_of_renderer_ = 0;
-    double host_ms_ = 0.0;  // of the last frame: what the processor did for it
+    double host_ms_ = 0.0;  // processor time of the last frame
     jobs::DisplayBeat beat_;
-    render::UploadLedger uploads_;  // of the overlay: a new renderer has an empty texture
-    std::optional<Error> trouble_;  // found while waiting; the next draw mends it
+    render::UploadLedger uploads_;  // of the overlay: a new renderer starts with an empty texture
+    std::optional<Error> trouble_;  // found while waiting; the next draw recovers from it
 #ifdef ONGGI_SHADER_RELOAD
     Result<void> follow_edited_shaders();
     render::ShaderReload shaders_{ONGGI_SHADER_RELOAD};
     int frames_unwatched_ = 0;
 #endif
-    // In the reverse of the order in which Vulkan wants them gone.
+    // Members in the reverse of Vulkan's order of destruction.
     std::unique_ptr<vk::Instance> instance_;
     std::unique_ptr<vk::Surface> surface_;
     std::unique_ptr<vk::Device> device_;
-    std::unique_ptr<vk::Swapchain> swapchain_;  // one of these two
+    std::unique_ptr<vk::Swapchain> swapchain_;  // only one of these two exists
     std::unique_ptr<vk::Offscreen> offscreen_;
     std::unique_ptr<render::Renderer> renderer_;
 };

@@ -14,7 +14,7 @@ namespace onggi::wheel {
 
 struct LiveView::Impl {
     std::unique_ptr<window::Window> window;
-    std::unique_ptr<LiveScreen> screen;  // gone before the window
+    std::unique_ptr<LiveScreen> screen;  // destroyed before the window
     std::unique_ptr<WheelScene> scene;
     std::string workshop_lack;
     std::vector<window::Event> fed;
@@ -22,7 +22,7 @@ struct LiveView::Impl {
     bool may_sway = false;
 
     BackgroundLoader backgrounds;
-    window::Size backgrounds_for{};  // the shape that was last asked for
+    window::Size backgrounds_for{};  // the picture size of the last request
     std::vector<std::string> remarks;
 
     [[nodiscard]] int width() const { return static_cast<int>(screen->extent().width); }
@@ -59,10 +59,10 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     workshop_lack = std::move(opened.lack);
     backgrounds_for = {width(), height()};
 
-    // Looking for a device ran the code of every driver there is.
+    // The search for a device ran code of every driver; release its pages.
     jobs::give_back_code();
-    // Every pipeline is compiled by drawing with it once: a lump with hands needs most of them, and one with
-    // a ball the rest, where a ball will be shown.
+    // Drawing once compiles each pipeline: a lump with hands needs most of them, and one with a ball the
+    // rest, if a ball will be shown.
     pot::Pot lump;
     lump.outer_mm.assign(200, 60.0F);
     lump.height_mm = 200.0;
@@ -82,7 +82,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     return done;
 }
 
-// Another shape of window may want other backgrounds. Until they are read, those that are there show their
+// Another aspect ratio may need other backgrounds. Until they are read, the present ones are cropped to their
 // middle.
 void LiveView::Impl::follow_shape() {
     if (auto loaded = backgrounds.take()) {

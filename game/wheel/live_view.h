@@ -1,5 +1,5 @@
-// The moving picture: a window (or an unseen target of the same size) that shows a pot on its wheel, as fast
-// as it is asked to. It does not pace: the caller owns the clock. Main thread only.
+// The moving picture: a window (or an offscreen target of the same size) that shows a pot on its wheel. It
+// does not pace itself: the caller owns the clock. Main thread only.
 #pragma once
 
 #include <filesystem>
@@ -29,95 +29,95 @@ struct LiveViewOptions {
     bool headless = false;  // draw into memory; no display needed
     bool full_screen = false;
     bool validation = false;
-    bool paper = false;  // the paper's clay will be shown, and its ball with it
+    bool paper = false;  // the paper's clay will be shown, with its ball
     bool plain =
-        false;  // no photographed room, no modelled tools, the lowest quality for good, no GPU if it can be
-    int draw_threads = 1;  // that a software Vulkan device may use: where the quality ladder begins
+        false;  // no photographed room or modelled tools, always lowest quality, a GPU only as a last resort
+    int draw_threads = 1;  // for a software Vulkan device; sets the ladder's first step
     render::BackendChoice backend = render::BackendChoice::kAuto;
-    std::string quality_note{};           // quality_note() of an earlier run; empty: none
-    std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
+    std::string quality_note{};           // quality_note() of an earlier run; empty without one
+    std::filesystem::path workshop = {};  // folder of a photographed room; empty: the installed one
     std::string title = "Onggi";
 };
 
 class LiveView {
   public:
-    // Window, device, pipelines, and one warm-up frame of each, so that the first frame is as quick as any.
-    // System lacks: no display (and not headless), no Vulkan device.
+    // Creates window, device and pipelines, and draws one warm-up frame with each, so that the first frame is
+    // as fast as any. System lacks: no display (and not headless), no Vulkan device.
     static Result<std::unique_ptr<LiveView>> open(const LiveViewOptions& options);
     ~LiveView();
     LiveView(const LiveView&) = delete;
     LiveView& operator=(const LiveView&) = delete;
 
-    // What happened in the window since the last call; when headless, what was fed. Call before draw.
+    // Events of the window since the last call; when headless, the events from feed(). Call before draw.
     [[nodiscard]] std::vector<window::Event> poll_events();
-    // A person at a window that nobody sees, for tests: poll_events() gives it next.
+    // For headless tests: the next poll_events() returns this event.
     void feed(const window::Event& event);
-    // The gamepads of the window system, as they are since then; none when headless.
+    // State of the window system's gamepads at the last poll; empty when headless.
     [[nodiscard]] std::vector<window::Gamepad> gamepads() const;
     [[nodiscard]] bool close_requested() const;
-    // Why the room is not shown but a small still life; empty: it is shown.
+    // Why a small still life is shown instead of the room; empty if the room is shown.
     [[nodiscard]] const std::string& workshop_lack() const;
     void set_title(const std::string& title);
     void set_full_screen(bool full_screen);
 
-    // A device that is lost, a surface that goes and memory that runs out are mended within the call, while
-    // the clay goes on elsewhere. Draws one frame, dt_s after the one before: what moves by itself eases in
-    // time and not in frames. It waits for the one before it to have left the device, and for no clock. True
-    // if a frame was drawn; false while the window is minimised or between two sizes. An overlay is laid over
-    // the scene, or stands in its place.
+    // Draws one frame, dt_s after the previous one; animations follow time, not frames. Recovers within the
+    // call from a lost device, a lost surface or lack of memory, while the clay goes on elsewhere. Waits for
+    // the previous frame to leave the device, and for no clock. Returns true if a frame was drawn; false
+    // while the window is minimised or between two sizes. An overlay is drawn over the scene or instead of
+    // it.
     Result<bool> draw(const WheelView& shown, double dt_s = 1.0 / 60.0,
                       const render::Overlay* overlay = nullptr);
 
-    // The camera goes to another view; it sways slowly while nobody throws; day becomes evening, 0 to 1. Each
-    // takes about a second, and needs the photographed room; without it only the evening is seen. On a
-    // processor, which has no time for a moving camera, it sways nowhere, and is cut to another view some
-    // frames later, which fades in within a quarter of a second.
+    // Camera view, idle swaying, and evening from 0 (day) to 1. Each transition takes about a second and
+    // needs the photographed room; without it only the evening has an effect. On a processor, which has no
+    // time for a moving camera, the camera does not sway, and cuts to another view some frames later, with a
+    // fade of a quarter of a second.
     void look_at(View view);
     void set_framing(const Framing& framing);
     void sway(bool sways);
-    void move_less(bool less);  // for who asked for it: it is cut, and nothing fades
+    void move_less(bool less);  // for visitors who prefer less motion: cuts without fades
     void set_evening(double evening);
-    // The next frame shows the camera where it is wanted: for while something else covers the scene.
+    // The next frame cuts to the wanted view: for use while another screen covers the scene.
     void jump();
 
-    // Until the last frame has left the device: what a frame took is known only then.
+    // Waits until the last frame has left the device; its duration is known only then.
     Result<void> wait();
 
-    // Until the display has shown the last frame; false where it does not say so, and frames go by a clock of
-    // frame_rate_hz().
+    // Waits until the display has shown the last frame. Returns false if the display does not report this;
+    // then pace by frame_rate_hz().
     bool wait_for_display();
 
-    // Where a pointer at this pixel puts the tool: on the upright plane through the wheel's axis that faces
-    // the camera, mm. Nothing when the pixel looks past that plane.
+    // The tool's place for a pointer at this pixel: on the upright plane through the wheel's axis that faces
+    // the camera, mm. Empty if the pixel's ray misses that plane.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px) const;
 
-    // Where a place on the wheel is seen, pixels; nothing behind the eye.
+    // The pixel of a place on the wheel; empty behind the eye.
     [[nodiscard]] std::optional<dvec2> project(const dvec3& place_mm) const;
-    // Where it would be seen from a view framed so; nothing without the photographed room.
+    // The pixel that it would have in a view with that framing; empty without the photographed room.
     [[nodiscard]] std::optional<dvec2> project_framed(View view, const Framing& framing,
                                                       const dvec3& place_mm) const;
-    // The way from that place to the eye, unit length.
+    // Unit vector from that place to the eye.
     [[nodiscard]] dvec3 towards_eye(const dvec3& place_mm) const;
 
-    [[nodiscard]] int width() const;  // of the target now, pixels
+    [[nodiscard]] int width() const;  // current size of the target, pixels
     [[nodiscard]] int height() const;
     [[nodiscard]] const std::string& device_name() const;
     [[nodiscard]] int device_index() const;  // in the loader's order
-    // What happened that somebody should read, a line each, since the last call: a device that was lost and
-    // made anew, a step of quality.
+    // Events since the last call that a person should read, one a line: a device that was lost and reopened,
+    // a step of quality.
     [[nodiscard]] std::vector<std::string> take_remarks();
-    [[nodiscard]] double frame_rate_hz() const;      // at which draw() is best called
+    [[nodiscard]] double frame_rate_hz() const;      // the best rate for draw()
     [[nodiscard]] std::string_view quality() const;  // "one software core"
-    // One line: which device came to draw how well. Whoever keeps it begins there the next time.
+    // One line: the device and the quality it reached. Pass it to the next run to start there.
     [[nodiscard]] std::string quality_note() const;
     [[nodiscard]] const render::FrameStats& frame_stats() const;
-    // Whether frame_stats() names the parts of a frame; costs a software device some per cent.
+    // Whether frame_stats() lists the parts of a frame; costs a software device some per cent.
     void measure_parts(bool measures);
-    // For tests: failures on purpose, and how often something was made anew after one.
+    // For tests: injected failures, and the number of recoveries.
     [[nodiscard]] vk::Health& device_health();
     [[nodiscard]] int mended() const;
 
-    // The last frame drawn, when headless; for tests.
+    // For tests: the last frame, when headless.
     Result<asset::Image> read_back();
 
   private:

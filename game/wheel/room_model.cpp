@@ -17,7 +17,7 @@ namespace onggi::wheel {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{128} << 20;
-// What is larger is a wall or a table: seen from both sides, and too large for the one shadow map.
+// A larger part is a wall or a table: drawn from both sides, and too large for the single shadow map.
 constexpr float kThingMm = 1500.0F;
 
 bool is_wheel(std::string name) {

@@ -1,5 +1,5 @@
-// A room as a glTF model, for where no backgrounds of it were taken: a museum's own, before its backgrounds
-// are made. Any thread but the haptic one; blocks. mm.
+// A room as a glTF model, used while it has no backgrounds: a museum's own room before they are rendered. Any
+// thread but the haptic one; blocks. mm.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@ namespace onggi::wheel {
 
 struct RoomModel {
     std::vector<StillPart> parts;
-    bool has_wheel = false;  // a node's name begins with "wheel"; without one the scene puts its own there
+    bool has_wheel = false;  // a node's name begins with "wheel"; otherwise the scene adds its own wheel
 };
 
-// Metres, +Y up, the origin in the middle of the wheel head's top, as assets/workshop/README.md asks. Drawn
-// in the materials' plain colours. Bad input: no GLB, or a room that is not 1 to 100 m large.
+// Metres, +Y up, the origin in the middle of the wheel head's top, as assets/workshop/README.md specifies.
+// Drawn in the materials' plain colours. Bad input: not a GLB, or a room that is not 1 to 100 m large.
 [[nodiscard]] Result<RoomModel> load_room_model(const std::filesystem::path& file);
 
 }  // namespace onggi::wheel

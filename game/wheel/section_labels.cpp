@@ -12,7 +12,7 @@ namespace {
 
 using ui::Colour;
 
-// By eye, in a picture of 640 x 480; larger ones have all of it larger.
+// Chosen by eye in a picture of 640 x 480; all lengths scale with the picture.
 constexpr float kTextPx = 15.0F;
 constexpr float kLeastTextPx = 9.0F;
 constexpr float kTagHeightPx = 19.0F;
@@ -26,10 +26,10 @@ constexpr Colour kPaper = ui::hex(0xfbf5e8);
 
 constexpr double kBelowRimMm = 3.0;  // a rim is rounded
 constexpr double kAboveFloorMm = 5.0;
-constexpr double kClosestMm = 10.0;  // two walls that are measured
+constexpr double kClosestMm = 10.0;  // least distance of two measured walls
 constexpr std::size_t kMostWalls = 6;
 
-// The hollow rings of a pot by height.
+// The hollow rings of a pot, by height.
 class Wall {
   public:
     explicit Wall(const pot::Pot& pot) : pot_(pot) {
@@ -51,7 +51,7 @@ class Wall {
             return std::abs(middle_mm(a) - y_mm) < std::abs(middle_mm(b) - y_mm);
         });
     }
-    // The ring of which `value` is least, from that height up.
+    // The ring with the least `value`, from that height up.
     template <typename Value>
     [[nodiscard]] std::size_t least(const Value& value, double from_mm = 0.0) const {
         std::size_t best = rings_.back();
@@ -72,7 +72,7 @@ class Wall {
     std::vector<std::size_t> rings_;
 };
 
-// Adds a wall unless one that is measured already is near. Top down.
+// Adds a wall unless another measured one is near. Keeps the order, top down.
 void add_apart(std::vector<SectionMeasure>& walls, const SectionMeasure& wall, double apart_mm) {
     if (walls.size() >= kMostWalls) return;
     for (const SectionMeasure& other : walls) {
@@ -101,7 +101,7 @@ std::vector<SectionMeasure> section_measures(const pot::Pot& pot) {
                                    wall.at(bottom + std::min(kAboveFloorMm, 0.1 * length)),
                                    wall.least(thickness), belly, wall.least(outer, wall.middle_mm(belly))})
         add_apart(walls, wall.measure(ring), apart);
-    // Then half way where the next one is far.
+    // Then add walls half way in the largest gaps.
     while (walls.size() < kMostWalls) {
         std::size_t widest = 0;
         double gap = 0.0;
@@ -127,7 +127,7 @@ std::string words_of(const SectionMeasure& measure) {
 
 namespace {
 
-// From the clay into the picture, through the upright plane of the cut.
+// Maps points of the cut plane to pixels.
 class Section {
   public:
     Section(const pot::Pot& pot, const dvec2& wheel_direction, const render::Camera& camera, int width_px,
@@ -140,7 +140,8 @@ class Section {
           towards_rad_(
               std::atan2(static_cast<double>(camera.eye_mm.x), static_cast<double>(camera.eye_mm.z))) {}
 
-    // A point of the cut by its radius, negative to the left of the axis, before dents and off-centre.
+    // Pixel of a point of the cut, by its radius (negative to the left of the axis), before dents and
+    // off-centre.
     [[nodiscard]] std::optional<vec2> pixel(double radius_mm, double y_mm) const {
         const dvec2 right{std::cos(towards_rad_), -std::sin(towards_rad_)};  // (x, z)
         const dvec2 centre = centre_mm(y_mm);
@@ -161,7 +162,7 @@ class Section {
         const dvec2 turn = wheel_direction_;
         return {own.x * turn.x + own.y * turn.y, own.y * turn.x - own.x * turn.y};
     }
-    // What moves both faces of the wall, which keeps its thickness: see pot::Pot::dents_mm.
+    // The dent moves both faces of the wall, which keeps its thickness: see pot::Pot::dents_mm.
     [[nodiscard]] double dent_mm(bool left, double y_mm) const {
         constexpr std::size_t kSectors = pot::kDentSectors;
         const std::size_t rows = pot_.dents_mm.size() / kSectors;
@@ -186,14 +187,14 @@ class Section {
     double towards_rad_;
 };
 
-// A measure in the picture: the line it was taken along, and where its tag goes.
+// A measure in the picture: its line, and the place of its tag.
 struct Tag {
     std::string words;
     vec2 from{0.0F};
     vec2 to{0.0F};
-    vec2 leader{0.0F};  // where its leader begins
+    vec2 leader{0.0F};  // start of its leader
     bool left = false;
-    float y = 0.0F;  // of its middle
+    float y = 0.0F;  // of the tag's middle
 };
 
 std::optional<Tag> tag_of(const SectionMeasure& measure, const Section& section) {
@@ -209,7 +210,7 @@ std::optional<Tag> tag_of(const SectionMeasure& measure, const Section& section)
     return tag;
 }
 
-// Moves tags, which come from the top down, until none is over another, together no further than they must.
+// Moves tags, ordered from the top down, until none overlaps another, with small total displacement.
 void spread(std::vector<Tag>& tags, float pitch, float lowest) {
     float moved = 0.0F;
     for (std::size_t i = 1; i < tags.size(); ++i) {

@@ -7,12 +7,12 @@ namespace onggi::wheel {
 namespace {
 
 constexpr double kGravityMmS2 = 9810.0;
-// The wheel of assets/workshop/maker/wheel.py: how far the head reaches, and where slip stands in the pan.
+// From assets/workshop/maker/wheel.py: radius of the head, and level of the slip in the pan.
 constexpr double kHeadMm = 147.0;
 constexpr double kSlipMm = -55.8;
 constexpr double kPanMm = 188.0;
-// What lies on the head hardly holds on to it.
-constexpr double kDragged = 0.8;  // of the head's turning
+// Shavings hardly grip the head.
+constexpr double kDragged = 0.8;  // fraction of the head's turning
 constexpr double kSlidesMmS = 60.0;
 constexpr double kHalfThickMm = 3.0;  // of a curl
 
@@ -20,7 +20,7 @@ double out_mm(const dvec3& at_mm) {
     return std::hypot(at_mm.x, at_mm.z);
 }
 
-// Turned about the axis, counter-clockwise from above, and as far out as that.
+// Turns a place about the axis, counter-clockwise from above, and sets its distance from the axis.
 dvec3 carried(const dvec3& at_mm, double turn_rad, double radius_mm) {
     const double angle = std::atan2(-at_mm.z, at_mm.x) + turn_rad;
     return {radius_mm * std::cos(angle), at_mm.y, -radius_mm * std::sin(angle)};
@@ -32,7 +32,7 @@ double Shavings::any(double least, double most) {
     return std::uniform_real_distribution<double>(least, most)(chance_);
 }
 
-// It leaves along the blade: outwards, with some of the wall's own pace.
+// A curl leaves along the blade: outwards, with part of the wall's velocity.
 Shavings::Curl Shavings::cut_off(const ShavingSight& sight) {
     const double side = std::signbit(sight.from_mm.x) ? -1.0 : 1.0;
     const dvec3 wall_mm_s = sight.wheel_speed_rad_s * dvec3(sight.from_mm.z, 0.0, -sight.from_mm.x);
@@ -52,7 +52,7 @@ void Shavings::follow(const ShavingSight& sight, double dt_s, bool moves_less) {
     }
     if (dt_s <= 0.0) return;
     shown_mm3_ = std::min(shown_mm3_, sight.shaved_mm3);
-    // A stall of the picture is no heap of them at once.
+    // After a stalled picture the backlog does not appear as a heap at once.
     shown_mm3_ = std::max(shown_mm3_, sight.shaved_mm3 - static_cast<double>(kMost) * kCurlMm3);
     for (; sight.shaved_mm3 - shown_mm3_ >= kCurlMm3; shown_mm3_ += kCurlMm3) {
         curls_.push_back(cut_off(sight));

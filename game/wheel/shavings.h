@@ -1,6 +1,6 @@
-// What a trimmer cuts off: curls that leave the wall, fall, slide off the turning wheel and lie in the pan.
-// For the eye alone; the ledger of the clay has what was cut. Pure but for its own memory; any thread. mm, s,
-// rad.
+// Shavings of a trimmer: curls that leave the wall, fall, slide off the turning wheel and lie in the pan.
+// Only for the picture; the clay's ledger has the volume that was cut. Pure but for its own memory; any
+// thread. mm, s, rad.
 #pragma once
 
 #include <random>
@@ -11,19 +11,19 @@
 namespace onggi::wheel {
 
 struct ShavingSight {
-    double shaved_mm3 = 0.0;  // since the trimmer was taken up; less than before: it was taken back
-    dvec3 from_mm{0.0};       // where it cuts
+    double shaved_mm3 = 0.0;  // since the trimmer was taken up; a smaller value than before means an undo
+    dvec3 from_mm{0.0};       // place of the cut
     double wheel_speed_rad_s = 0.0;
 };
 
 class Shavings {
   public:
-    static constexpr std::size_t kMost = 32;   // the oldest give way
-    static constexpr double kCurlMm3 = 400.0;  // one is shown for so much clay
+    static constexpr std::size_t kMost = 32;   // the oldest are removed
+    static constexpr double kCurlMm3 = 400.0;  // volume shown as one curl
 
-    // One frame later by dt_s (0: nothing moves, as for a still). Who asked for less motion sees none fly.
+    // Advances by dt_s (0: nothing moves, as for a still). With moves_less no curl flies.
     void follow(const ShavingSight& sight, double dt_s, bool moves_less = false);
-    // Where a curl's model is to be drawn.
+    // Transforms of the curls' models.
     [[nodiscard]] std::vector<mat4> places() const;
 
   private:
@@ -39,11 +39,11 @@ class Shavings {
     };
 
     [[nodiscard]] Curl cut_off(const ShavingSight& sight);
-    // Between those two.
+    // A random number between those two.
     [[nodiscard]] double any(double least, double most);
 
     std::vector<Curl> curls_;  // oldest first
-    double shown_mm3_ = 0.0;   // what curls were made of
+    double shown_mm3_ = 0.0;   // volume already shown as curls
     std::minstd_rand chance_{24};
 };
 

@@ -12,7 +12,8 @@
 namespace onggi::wheel {
 namespace {
 
-// Turns the scene to the view, and says what of the pot's surroundings it shows.
+// Sets the scene's view, and returns the WheelView with hands and wire removed where the view does not show
+// them.
 WheelView set_view(WheelScene& scene, WheelView shown, StillView view) {
     scene.look_at(view == StillView::kLookingIn ? View::kLookingIn : View::kThrowing);
     Clay& clay = scene.registry().get<Clay>(scene.clay());

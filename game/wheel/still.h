@@ -1,5 +1,5 @@
 // One finished picture of a pot on its wheel, drawn without a window: MSAA x4, exact sRGB, the same bytes
-// every time on the same driver. Main thread; makes its own Vulkan device and lets it go again.
+// every time on the same driver. Main thread; creates and releases its own Vulkan device.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,21 @@ namespace onggi::wheel {
 
 constexpr int kBeautySamples = 48;
 
-// What a picture shows.
+// The content of a picture.
 enum class StillView {
     kThrowing,  // pot and hands
     kLookingIn,
-    kPortrait,  // the throwing view without hands: the pot as it will be kept
+    kPortrait,  // the throwing view without hands: the pot to keep
     kCutaway,   // cut open towards the camera, with its section; load shown as a hatch
 };
 
 struct StillOptions {
     StillView view = StillView::kThrowing;
-    std::filesystem::path workshop = {};  // folder of a photographed room; empty: the program's own
+    std::filesystem::path workshop = {};  // folder of a photographed room; empty: the installed one
     bool beauty =
-        false;  // the mean of kBeautySamples pictures: finer edges, shadows as soft as the light is wide
-    // As the live window of a processor shows it, whatever the device: ten times as quick, and coarser:
-    // one sample a pixel, with smoothed outlines.
+        false;  // the mean of kBeautySamples pictures: finer edges, soft shadows from the light's full width
+    // Draws as the live window does on a processor, whatever the device: ten times as fast, and coarser: one
+    // sample a pixel, with smoothed outlines.
     bool quick = false;
     bool validation = false;  // with VK_LAYER_KHRONOS_validation; any message is then an error
 };

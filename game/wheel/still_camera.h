@@ -1,5 +1,4 @@
-// Finished pictures taken one after another: see still.h, whose pictures these are. Main thread; has a Vulkan
-// device of its own.
+// A series of finished pictures as in still.h. Main thread; has a Vulkan device of its own.
 #pragma once
 
 #include <memory>
@@ -8,7 +7,7 @@
 
 namespace onggi::wheel {
 
-// Takes one picture after another, all of one size; what they have in common is made once.
+// Takes pictures of one size, one after another; shared resources are created once.
 class StillCamera {
   public:
     // width and height in pixels, 16 to 8192 each, else bad input. Without a Vulkan device: system lacks.
@@ -18,11 +17,11 @@ class StillCamera {
     StillCamera(const StillCamera&) = delete;
     StillCamera& operator=(const StillCamera&) = delete;
 
-    // The next picture is of another pot: hands are not held as they were in the one before.
+    // Resets the hands' poses, for a picture of another pot.
     void forget();
-    // With validation, a message so far is an error.
+    // With validation, any message so far is an error.
     Result<asset::Image> take(const WheelView& given, StillView view);
-    // Lets the device go, and hears what validation was late to complain of. Nothing can be taken after it.
+    // Releases the device and reports late validation messages. No picture can be taken after it.
     Result<void> close();
 
   private:

@@ -9,11 +9,11 @@
 namespace onggi::wheel {
 namespace {
 
-// An idle wheel's picture drifts a little: nearer, so that nothing from outside the photograph comes in, and
-// from side to side.
+// An idle wheel's picture drifts: slightly closer, so that no area outside the photograph is shown, and from
+// side to side.
 constexpr double kSwayZoom = 0.045;
-constexpr double kSwayShift = 0.04;    // halves of the picture
-constexpr double kSwayRadPerS = 0.21;  // half a minute there and back
+constexpr double kSwayShift = 0.04;    // half pictures
+constexpr double kSwayRadPerS = 0.21;  // half a minute for a period
 
 constexpr double kFadeS = 0.25;
 
@@ -46,13 +46,13 @@ Framing swayed(const PhotographedRoom& room) {
     return framing;
 }
 
-// What is left of a fade a frame later; so little that nobody sees it is nothing.
+// Time left in a fade after a frame; a remainder too short to see counts as 0.
 double fade_left(double left_s, double dt_s) {
     constexpr double kUnseenS = 1e-3;
     return left_s - dt_s > kUnseenS ? left_s - dt_s : 0.0;
 }
 
-// Between two frames it is there, as soon as the picture is: until then it stays.
+// Cuts to another view between two frames, as soon as its picture is ready. The old view stays until then.
 void cut(PhotographedRoom& room, const std::string& camera, double dt_s) {
     room.fade_left_s = fade_left(room.fade_left_s, dt_s);
     if (camera == room.camera && room.framing == room.framed_so) {
@@ -69,7 +69,7 @@ void cut(PhotographedRoom& room, const std::string& camera, double dt_s) {
     room.fade_left_s = room.moves_less ? 0.0 : fade_left(kFadeS, dt_s);
 }
 
-// Among the rings of the pot, the one at this height; heights as the pot has them.
+// The index of the pot's ring at this height.
 std::size_t ring_at(const pot::Pot& pot, double height_mm) {
     const std::size_t count = pot.outer_mm.size();
     if (count == 0) return 0;
@@ -90,7 +90,7 @@ double height_of(const pot::Pot& pot, std::size_t ring) {
     return pot.height_mm * (static_cast<double>(ring) + 1.0) / static_cast<double>(pot.outer_mm.size());
 }
 
-// How much wider a face is a mm higher up, over a span that leaves out the throwing rings.
+// Slope dR/dy of a face, over a span that averages out the throwing rings.
 double lean_at(const pot::Pot& pot, std::span<const float> face, double height_mm) {
     constexpr double kSpanMm = 9.0;
     if (face.empty()) return 0.0;
@@ -111,7 +111,7 @@ ToolSight sight_of(const pot::Pot& pot, const HandView& hand, bool is_assistant)
         .radius_mm = hand.radius_mm,
         .kind = hand.tool,
         .side = hand.side,
-        // Nobody's hand belongs in the kiln, nor to a pot that comes out of it. What is trimmed is dry.
+        // The kiln and its pots show no hand. Trimming works on dry clay, so the trimmer stays.
         .shown = hand.shown && (pot.stage == clay::Firing::kWet || hand.tool == clay::StudioTool::kTrimmer),
         .touching = hand.touching,
         .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.outer_mm, hand.position_mm.y),
@@ -135,7 +135,7 @@ void pass_time_of_day(ecs::Registry& registry, FrameContext& context) {
     registry.each<TimeOfDay>([&](ecs::Entity, TimeOfDay& time) {
         constexpr double kRatePerS = 3.0;
         time.now = settled(time.now, time.evening, kRatePerS, context.dt_s);
-        // A step of the eight bits, and no more layers are drawn for it.
+        // Within one 8-bit step of the goal the level is set exactly, so that no further layers are drawn.
         const bool is_there =
             std::abs(time.now.value - time.evening) < 2e-3 && std::abs(time.now.speed) < 1e-2;
         if (is_there || context.dt_s == 0.0) time.now = {.value = time.evening, .speed = 0.0};
@@ -154,7 +154,7 @@ void extract_light(ecs::Registry& registry, FrameContext& context) {
 }
 
 void extract_still_life(ecs::Registry& registry, FrameContext& context) {
-    // Gathered once: nothing adds to it or moves it, and the renderer keeps what it has uploaded.
+    // Collected once: the still life never changes, and the renderer keeps its uploads.
     if (context.scene.still_life) return;
     auto still_life = std::make_shared<render::StillLife>();
     registry.each<StillPart, Transform>([&](ecs::Entity, const StillPart& part, const Transform& transform) {
@@ -194,7 +194,7 @@ render::LightLevels light_levels(double evening) {
 
 static_assert(pot::kDentSectors == render::kDentSectors, "the lathe draws the pot's map of dents as it is");
 
-// The clay: the pot on the wheel becomes the lathe that is drawn.
+// The clay: converts the pot on the wheel into the lathe to draw.
 
 void receive_clay(ecs::Registry& registry, FrameContext& context) {
     const pot::Pot& pot = *context.shown->pot;
@@ -204,7 +204,7 @@ void receive_clay(ecs::Registry& registry, FrameContext& context) {
         clay.material = own != nullptr ? *own : clay_material(pot.body, pot.stage);
         clay.marks = context.shown->marks;
         clay.wetness.clear();
-        // Dry clay has none, whatever it held when it was thrown.
+        // Dry clay has no water left, whatever it had when it was thrown.
         if (pot.stage != clay::Firing::kWet) return;
         clay.wetness.resize(pot.liquidity.size());
         std::transform(pot.liquidity.begin(), pot.liquidity.end(), clay.wetness.begin(), darkness_of);
@@ -240,7 +240,7 @@ void extract_clay(ecs::Registry& registry, FrameContext& context) {
     });
 }
 
-// The camera: how it comes to another view, and what the scene shows of it.
+// The camera: cuts between views, and the scene's camera.
 
 void move_camera(ecs::Registry& registry, FrameContext& context) {
     registry.each<PhotographedRoom>([&](ecs::Entity, PhotographedRoom& room) {
@@ -277,7 +277,7 @@ void extract_camera(ecs::Registry& registry, FrameContext& context) {
     scene.backgrounds_at_hand.clear();
     registry.each<PhotographedRoom>([&](ecs::Entity, const PhotographedRoom& room) {
         if (room.backgrounds.empty()) {
-            // Modelled, not photographed: from the same places.
+            // A modelled room without photographs is seen from the same cameras.
             const BackgroundCamera* place =
                 room.workshop->camera_for(room.view, context.width_px, context.height_px);
             if (place == nullptr) return;
@@ -321,8 +321,8 @@ ShownBackground shown_background(const PhotographedRoom& room, int width_px, int
 
 render::Camera camera_of(const CameraRig& rig, int width_px, int height_px) {
     const double aspect = static_cast<double>(width_px) / static_cast<double>(height_px);
-    // A narrow picture steps back (in angle, not in place, so that its perspective stays) until the width
-    // fits.
+    // A narrow picture widens its angle until the width fits; the camera stays in place to keep the
+    // perspective.
     const double shown_height_mm = std::max(rig.height_mm, rig.width_mm / aspect);
     const double flat = rig.distance_mm * std::cos(rig.elevation_rad);
     const dvec3 from_target(flat * std::sin(rig.azimuth_rad), rig.distance_mm * std::sin(rig.elevation_rad),
@@ -338,7 +338,7 @@ render::Camera camera_of(const CameraRig& rig, int width_px, int height_px) {
 
 void receive_tools(ecs::Registry& registry, FrameContext& context) {
     const WheelView& shown = *context.shown;
-    // The paper's clay is touched by the paper's ball; the studio's, whose rings have tops, by hands.
+    // The paper's clay is shown with the paper's ball; the studio's clay, whose rings have tops, with hands.
     const bool as_ball = shown.pot->top_mm.empty();
     registry.each<Tool>([&](ecs::Entity, Tool& tool) {
         const bool is_assistant = tool.sight.is_assistant;
@@ -415,7 +415,7 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     });
     registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
         if (!wire.shown) return;
-        // Across the picture, so that it is seen to pass under the pot.
+        // Turned across the picture, so that it visibly passes under the pot.
         constexpr double kAcross = 1.5707963267948966;
         add(ToolModel::kWire, false, placed({0.0, wire.height_mm, 0.0}, kAcross, 0.0));
     });

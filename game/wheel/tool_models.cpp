@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<const char*, kToolModels - 2> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
                                                           "trimmer",    "stick",      "wire"};
-// A tool of more triangles than this would cost a software renderer its frame.
+// A tool with more triangles would use up a software renderer's whole frame.
 constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
                                     .max_vertices = 20'000,
                                     .max_triangles = 20'000,
@@ -32,7 +32,7 @@ render::PropMesh mesh_of(const asset::GltfPart& part, const asset::Material& mat
     constexpr float kMmAMetre = 1000.0F;
     render::PropMesh mesh;
     for (std::size_t i = 0; i < part.mesh.positions_m.size(); ++i) {
-        // Without colours: as it is, clean, in the open.
+        // Defaults without vertex colours: own tone, clean, unoccluded.
         const vec4 wear = part.colours.empty() ? vec4(0.5F, 0.0F, 0.0F, 1.0F) : part.colours[i];
         mesh.vertices.push_back({.position_mm = part.mesh.positions_m[i] * kMmAMetre,
                                  .normal = part.mesh.normals[i],
@@ -48,7 +48,7 @@ render::PropMesh mesh_of(const asset::GltfPart& part, const asset::Material& mat
     return mesh;
 }
 
-// Its image in the plane z = 0: a right hand's tool becomes a left hand's.
+// Mirrors in the plane z = 0: a right hand's tool becomes a left hand's.
 render::PropModel mirrored(render::PropModel model) {
     for (render::PropMesh& mesh : model.meshes) {
         for (render::PropMesh::Vertex& vertex : mesh.vertices) {
@@ -92,13 +92,13 @@ render::PropModel wooden_ball() {
     return model;
 }
 
-// A ribbon of clay coiled twice, both faces of it.
+// A ribbon of clay coiled twice, with both faces.
 render::PropModel curl() {
     constexpr int kSteps = 26;
     constexpr float kTurns = 2.0F;
     constexpr float kWideMm = 5.0F;
     constexpr float kAdvanceMm = 11.0F;  // along the axis, over all turns
-    constexpr float kFirstMm = 4.4F;     // radius, which shrinks
+    constexpr float kFirstMm = 4.4F;     // radius, which decreases
     constexpr float kLastMm = 2.8F;
     render::PropMesh mesh;
     for (const float face : {1.0F, -1.0F}) {

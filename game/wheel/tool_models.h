@@ -1,5 +1,5 @@
-// The hands and tools of assets/tools as models that can be drawn, and the paper's ball. Main thread; read
-// once, while loading.
+// The hands and tools of assets/tools as models to draw, and the paper's ball. Main thread; read once, while
+// loading.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace onggi::wheel {
 
-// Places in the library. Every model touches the clay at its origin, clay on its -X side, up is +Y; those of
-// a right hand lead to the visitor's right, at +Z. The mirrored ones are left hands.
+// Indices in the library. Every model touches the clay at its origin, with the clay on its -X side and +Y up;
+// those of a right hand extend to the visitor's right, at +Z. The mirrored ones are left hands.
 enum class ToolModel : std::size_t {
-    kBall,  // of wood, kBallRadiusMm about its origin
+    kBall,  // wooden, radius kBallRadiusMm about its origin
     kHandOuter,
     kHandInner,
     kRib,
@@ -28,21 +28,21 @@ enum class ToolModel : std::size_t {
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
 constexpr float kBallRadiusMm = 10.0F;
 
-// Where the rib lies on the bench of assets/workshop, which has room for it.
+// Place of the rib on the bench of assets/workshop, which has a gap for it.
 constexpr dvec3 kRibOnBenchMm{268.0, -22.0, -58.0};
 
-// The place of a model, or of its mirror image in z, which a left hand leads.
+// Index of a model, or of its mirror image in z for a left hand.
 [[nodiscard]] constexpr std::size_t library_place(ToolModel model, bool left) {
     return static_cast<std::size_t>(model) + (left ? kToolModels : 0);
 }
 
-// A library of the ball alone, which needs no file.
+// A library with only the ball, which needs no file.
 [[nodiscard]] std::shared_ptr<const render::PropLibrary> ball_alone();
 
-// The ball, and the folder's GLB files. What a read or a file's contents have against it comes back as it is.
+// The ball and the folder's GLB files. Passes on read and format errors.
 Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::filesystem::path& folder);
 
-// Those of the folder that the program brings; system lacks where there is none.
+// The models of the installed folder; system lacks if there is no such folder.
 Result<std::shared_ptr<const render::PropLibrary>> load_tool_models();
 
 }  // namespace onggi::wheel

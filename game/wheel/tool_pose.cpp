@@ -11,31 +11,33 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180.0;
 
-// The hand is where the tool is, within the time that hides a device's steps; it turns at a wrist's pace.
+// Follows the tool within the time that hides a device's steps; turns at a wrist's speed.
 constexpr double kFollowS = 0.012;
 constexpr double kTurnS = 0.10;
-// One that follows a finger on a screen is there as often as the screen tells, and hovers about at leisure.
+// A hand that follows a finger smooths over the screen's report interval, and moves more slowly while it
+// hovers.
 constexpr double kFollowFingerS = 0.03;
 constexpr double kHoverS = 0.09;
-constexpr double kLeapMm = 60.0;  // farther than that it goes, and comes again
+constexpr double kLeapMm = 60.0;  // a longer jump makes the hand go and come back
 constexpr double kLeaveS = 0.06;
 constexpr double kComeS = 0.11;
-constexpr double kGoneMm = 150.0;       // a hand that is not shown draws back so far, then is not drawn
-constexpr double kChangeMm = 45.0;      // and one that changes sides or tools so far, then comes again
-constexpr double kSideChangeMm = 15.0;  // beyond the axis before the other hand takes over
-// A hand needs this much of an opening; below it works with a sponge on a stick, until there is clearly room.
+constexpr double kGoneMm = 150.0;   // a hidden hand moves back this far, then is not drawn
+constexpr double kChangeMm = 45.0;  // a hand that changes sides or tools moves back this far, then returns
+constexpr double kSideChangeMm = 15.0;  // distance beyond the axis before the other hand takes over
+// A hand needs this much of an opening. Below kNarrowMm it uses a sponge on a stick, until there is clearly
+// room.
 constexpr double kNarrowMm = 46.0;
 constexpr double kWideMm = 52.0;
-// Finger tips that hold the rim of what is thrown by a finger need half of it.
+// Finger tips that hold the rim under a guiding finger need half of it.
 constexpr double kTipsMm = 30.0;
-// A tool that the visitor brings to the front of the pot is held from the side, so that it hides nothing.
+// A tool at the front of the pot is held from the side, so that it hides nothing.
 constexpr double kMostToFront = 25.0 * kDegree;
 constexpr double kMostToBack = 60.0 * kDegree;
 constexpr double kMostLean = 30.0 * kDegree;
 constexpr double kFromAbove = 52.0 * kDegree;
 constexpr double kDigs = 78.0 * kDegree;
 constexpr double kFlatOnRim = 24.0 * kDegree;
-// A hand beside a foot has the wheel under it: from there on it may lean no lower than level.
+// A hand beside a foot has the wheel below it, so its lean is limited to level there.
 constexpr double kWheelClearanceMm = 12.0;
 constexpr double kReachMm = 120.0;
 
@@ -43,10 +45,10 @@ double eased(double from, double to, double dt_s, double time_s) {
     return dt_s <= 0.0 ? to : to + (from - to) * std::exp(-dt_s / time_s);
 }
 
-// How far outwards from upright what reaches in from above may lean at most: through the mouth, not the wall.
+// The largest lean outwards from upright for an arm from above: it must pass through the mouth, not the wall.
 double most_lean_through_mouth(const ToolSight& sight, const dvec3& touch) {
     constexpr double kShaftMm = 4.0;
-    constexpr double kAtRimMm = 25.0;  // nearer to it nothing is in the way
+    constexpr double kAtRimMm = 25.0;  // nearer to the rim there is no obstacle
     const double reach_mm = std::hypot(touch.x, touch.z);
     return std::atan2(sight.mouth_radius_mm - kShaftMm - reach_mm, std::max(sight.below_rim_mm, kAtRimMm));
 }
@@ -59,21 +61,21 @@ bool is_inside(clay::studio::Side side) {
     return side == clay::studio::Side::kIn;
 }
 
-// Which way from the axis, level; to the visitor's right where that cannot be said.
+// Horizontal direction from the axis; the visitor's right near the axis.
 dvec2 outwards(const dvec3& at_mm) {
     const dvec2 flat(at_mm.x, at_mm.z);
     const double length = glm::length(flat);
     return length > 1.0 ? flat / length : dvec2(1.0, 0.0);
 }
 
-// Which way from the clay to the hand.
+// Direction from the clay to the hand.
 dvec3 reach_of(const dvec3& at_mm, clay::studio::Side side) {
     if (side == clay::studio::Side::kTop) return {0.0, 1.0, 0.0};
     const dvec2 out = outwards(at_mm);
     return is_inside(side) ? dvec3(-out.x, 0.0, -out.y) : dvec3(out.x, 0.0, out.y);
 }
 
-// Where the parts of a hand are that are thick enough to see their shadow, in its model's frame, mm.
+// Balls for the parts of a hand that are thick enough for a visible shadow, in its model's frame, mm.
 struct Ball {
     vec3 at;
     float radius;
@@ -88,7 +90,7 @@ render::Sphere shadow_of(const Ball& ball, const mat4& place, bool left) {
     return {.centre_mm = vec3(place * vec4(at, 1.0F)), .radius_mm = ball.radius};
 }
 
-// How deep a held thing is between the clay and the finger tips that hold it, mm.
+// Distance between the clay and the finger tips that hold a tool, mm.
 double depth_of(clay::StudioTool kind) {
     switch (kind) {
         case clay::StudioTool::kRib:
@@ -121,7 +123,7 @@ void ToolPose::settle(const ToolSight& sight) {
     const double room_mm = only_tips ? 2.0 * sight.mouth_radius_mm : sight.mouth_radius_mm;
     if (room_mm < kNarrowMm) narrow_ = true;
     if (room_mm > kWideMm) narrow_ = false;
-    // Outside each hand works on its own side of the pot; inside it reaches over to press the other way.
+    // Outside, each hand works on its own side of the pot; inside, it reaches over and presses the other way.
     const double across = is_inside(side_) ? -sight.centre_mm.x : sight.centre_mm.x;
     if (!is_known_ || std::abs(across) > kSideChangeMm) left_ = across < 0.0;
     const bool changed = is_known_ && (kind_ != sight.kind || is_inside(was) != is_inside(side_) ||
@@ -150,8 +152,7 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     const bool from_above = side_ == clay::studio::Side::kTop;
     const dvec3 touch = sight.centre_mm - sight.radius_mm * reach_of(sight.centre_mm, side_);
 
-    // How far round from straight to the side: positive is to the back. The model's own +X leads out of the
-    // clay.
+    // Angle from straight sideways: positive is towards the back. The model's own +X points out of the clay.
     const bool leads_right = !left_;
     const double round = std::atan2(-normal.y, leads_right ? normal.x : -normal.x);
     const double held = std::clamp(round, -kMostToFront, kMostToBack);
@@ -160,19 +161,19 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
     double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
     if (sight.guided && is_inside(side_) && sight.below_rim_mm > 0.0) {
         lean = std::min(lean, most_lean_through_mouth(sight, touch));
-        lowest = -kMostLean;  // what comes from above has no wheel under it
+        lowest = -kMostLean;  // a hand from above has no wheel below it
     }
     const double above = sight.digs ? kDigs : sight.guided ? kFlatOnRim : kFromAbove;
     const double pitch = from_above ? above : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
 
     const double dt = was_known ? dt_s : 0.0;
-    const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes anew comes to where it is wanted
+    const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes back takes its new angles at once
     const double follow_s = !sight.guided ? kFollowS : sight.touching ? kFollowFingerS : kHoverS;
     for (int axis = 0; axis < 3; ++axis)
         touch_mm_[axis] = eased(touch_mm_[axis], touch[axis], dt, follow_s);
     yaw_rad_ = jumps ? yaw : yaw_rad_ + eased(0.0, wrapped(yaw - yaw_rad_), dt, kTurnS);
     pitch_rad_ = jumps ? pitch : eased(pitch_rad_, pitch, dt, kTurnS);
-    // The first sight of a hand in a moving picture is of one that comes.
+    // In a moving picture a new hand comes from away.
     if (!was_known && dt_s > 0.0) away_mm_ = kGoneMm;
     away_mm_ = eased(away_mm_, sight.shown ? 0.0 : 1.1 * kGoneMm, dt_s, kComeS);
     if (sight.shown && away_mm_ < 0.05) away_mm_ = 0.0;
@@ -182,7 +183,7 @@ ToolPicture ToolPose::picture() const {
     ToolPicture picture;
     if (!is_known_ || away_mm_ >= kGoneMm) return picture;
     const bool inside = is_inside(side_);
-    // Along the forearm, the way it came.
+    // Along the forearm, the way the hand came.
     const dvec3 back = inside ? dvec3(0.15, 1.0, 0.0) : dvec3(0.85, 0.15, left_ ? -0.45 : 0.45);
     const mat4 place = placed(touch_mm_, yaw_rad_, pitch_rad_);
     const auto at = [&](double off_mm) {
@@ -204,7 +205,7 @@ ToolPicture ToolPose::picture() const {
     if (kind_ == clay::StudioTool::kRib) show(ToolModel::kRib, 0.0);
     if (kind_ == clay::StudioTool::kSponge) show(ToolModel::kSponge, 0.0);
     if (kind_ == clay::StudioTool::kTrimmer) {
-        // Its model's handle hangs 24 degrees below the level; a potter holds it as much above the wheel.
+        // The model's handle hangs 24 degrees below level; a potter holds it the same angle above the wheel.
         show(ToolModel::kTrimmer, 0.0);
         mat4& held = picture.tools.back().place;
         held = glm::rotate(held, static_cast<float>(48.0 * kDegree), vec3(0.0F, 0.0F, 1.0F));

@@ -18,7 +18,7 @@ bool is_model(const std::filesystem::path& room) {
 Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room, int width_px,
                                               int height_px) {
     std::filesystem::path folder = room;
-    if (room.empty() || is_model(room)) {  // a model comes without light and cameras: ours
+    if (room.empty() || is_model(room)) {  // a model has no light and cameras: use ours
         auto found = files::find_asset("workshop");
         if (!found) return found.error();
         folder = std::move(*found);
@@ -32,7 +32,7 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
         if (!model) return model.error();
         return std::make_unique<WheelScene>(shared, std::move(*model));
     }
-    // A room that has been modelled and not photographed yet.
+    // A room that has a model but no photographs yet.
     std::error_code error;
     const bool has_backgrounds = std::filesystem::exists(folder / "plates", error);
     if (!has_backgrounds && std::filesystem::exists(folder / "room.glb", error)) {

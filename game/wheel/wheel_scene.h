@@ -1,6 +1,6 @@
-// The potter's-wheel scene: its entities, and the frame that comes of them. Wheel, clay, tool, camera, lights
-// and everything that stands about are entities of one registry, and what is drawn comes out of the registry
-// and from nowhere else. Main thread.
+// The potter's-wheel scene: its entities and the frame built from them. Wheel, clay, tool, camera, lights and
+// the still life are entities of one registry, and the drawn scene comes only from this registry. Main
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -20,42 +20,42 @@ namespace onggi::wheel {
 
 class WheelScene {
   public:
-    // With a workshop: the room as its backgrounds show it, as soon as there are some; until then, and
-    // without, the small still life of workshop.h. With a model of the room besides, that is drawn, from the
-    // workshop's cameras and in its light.
+    // With a workshop: the room of its backgrounds once they are added; until then, and without a workshop,
+    // the small still life of workshop.h. With a model of the room: the model, from the workshop's cameras
+    // and in its light.
     explicit WheelScene(std::shared_ptr<const Workshop> workshop = nullptr, RoomModel model = {});
 
-    // Cameras whose backgrounds a picture of this shape wants to show and has not got.
+    // Cameras of a picture of this aspect ratio whose backgrounds are not loaded.
     [[nodiscard]] std::vector<const BackgroundCamera*> missing_backgrounds(int width_px, int height_px);
     void add_background(const std::string& camera_name, std::shared_ptr<const render::Background> background);
-    // Forgets those that a picture of this shape does not show, as far as it has others to show instead.
+    // Drops the backgrounds that a picture of this aspect ratio does not show, if there are others to show.
     void drop_backgrounds_of_other_shapes(int width_px, int height_px);
     [[nodiscard]] bool has_backgrounds();
-    [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null: there is none
-    // The camera is cut to another view when a frame has said that it is ready (see render::FrameStats), and
-    // that fades in.
+    [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null without one
+    // Requests another view. The camera cuts to it once a frame reports it as ready (see render::FrameStats),
+    // and fades it in.
     void look_at(View view);
     void set_framing(const Framing& framing);
     void next_view_is_ready();
-    void move_less(bool less);  // nothing fades
-    void jump();                // with the next frame the camera is where it is wanted: nobody sees it now
-    void sway(bool sways);      // slowly from side to side, while nobody throws
+    void move_less(bool less);  // cuts without fades
+    void jump();                // cuts to the wanted view in the next frame, while the scene is covered
+    void sway(bool sways);      // slowly from side to side, while the wheel is idle
     void set_evening(double evening);  // 0 day to 1 evening, in about a second
 
-    // Runs every system for a picture of this size, dt_s after the one before (0: a still, in which nothing
-    // is on its way). The scene it gives is good until the next call.
+    // Runs every system for a picture of this size, dt_s after the previous one (0: a still, without
+    // animation). The returned scene is valid until the next call.
     const render::Scene& apply(const WheelView& shown, int width_px, int height_px, double dt_s = 0.0);
 
-    // What hands and tools look like from now on; null: balls.
+    // Sets the models of hands and tools; null: balls.
     void set_tools(std::shared_ptr<const render::PropLibrary> library);
-    void forget_hands();             // the next picture shows them as if it were the first
-    [[nodiscard]] bool has_tools();  // else balls stand in for them
+    void forget_hands();             // the next picture poses them as in a first frame
+    [[nodiscard]] bool has_tools();  // otherwise balls are drawn instead
 
-    // Where a pointer at this pixel puts the tool, mm; see LiveView::tool_target_mm.
+    // The tool's place for a pointer at this pixel, mm; see LiveView::tool_target_mm.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px, int width_px, int height_px);
 
-    // Where the camera of a view would show a place if the picture were framed so, pixels; nothing without a
-    // photographed room, or behind the eye.
+    // The pixel of a place in the view's camera with that framing; empty without a photographed room, or
+    // behind the eye.
     [[nodiscard]] std::optional<dvec2> project_framed(View view, const Framing& framing, int width_px,
                                                       int height_px, const dvec3& place_mm);
     // The camera of a picture of this size.
@@ -77,17 +77,17 @@ class WheelScene {
     ecs::Entity camera_;
 };
 
-// A wheel scene with the workshop and the tools that the program brings, ready for its first picture. Main
-// thread; blocks while it reads.
+// A wheel scene with the workshop and the installed tools, ready for its first picture. Main thread; blocks
+// while it reads.
 struct OpenedScene {
     std::unique_ptr<WheelScene> scene;  // never null
-    std::string lack;  // why it shows another room, or balls for tools, instead; empty: it does not
+    std::string lack;  // why it shows another room, or balls for tools; empty without a fault
 };
 
-// `folder`: of a photographed room, or of one that has only been modelled (room.glb), or a GLB file itself,
-// which is then seen in the light and from the cameras of ours; empty: the one that comes with the program.
-// Whatever is wrong with it, a pot can still be thrown: the scene then shows the program's own room, or where
-// that is what is wrong, the small still life, and says why.
+// `folder`: of a photographed room, or of a room that has only a model (room.glb), or a GLB file itself,
+// which is shown in our light and from our cameras; empty: the installed one. An error never prevents
+// throwing: the scene then shows the installed room, or if that is faulty the small still life, and reports
+// why.
 [[nodiscard]] OpenedScene open_scene(const std::filesystem::path& folder, int width_px, int height_px);
 
 }  // namespace onggi::wheel

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSectors = 160;
 
-// The wheel head: a thick disc of cast metal, turned flat, a bright edge. Its top is y = 0.
+// The wheel head: a thick disc of cast metal, turned flat, with a bright edge. Its top is y = 0.
 render::Profile wheel_head() {
     render::Profile profile;
     profile.points = {{0.0F, -26.0F}, {96.0F, -26.0F}};
@@ -48,7 +48,7 @@ render::Profile splash_pan() {
     return profile;
 }
 
-// The bench it all stands on: round, thick, of old wood.
+// The bench under it all: round, thick, of old wood.
 render::Profile bench() {
     render::Profile profile;
     profile.points = {{640.0F, -106.0F}};
@@ -85,8 +85,8 @@ render::DirectionalLight window_sun() {
             .angular_radius_rad = 0.055F};
 }
 
-// A dim warm room: the warm glow of the key's own window, a tall cool window behind on the left, which the
-// metal mirrors and the clay's far edge catches, and a soft reflector in front.
+// A dim warm room: the warm glow of the key's own window, a tall cool window behind on the left, for
+// reflections in the metal and on the clay's far edge, and a soft reflector in front.
 Surroundings evening_studio() {
     Surroundings surroundings;
     render::Environment& environment = surroundings.environment;
@@ -105,7 +105,7 @@ Surroundings evening_studio() {
     return surroundings;
 }
 
-// The wheel of assets/workshop/maker/wheel.py: head, and splash pan with the slip in it.
+// The wheel of assets/workshop/maker/wheel.py: head, and splash pan with slip.
 std::array<render::Profile, 2> photographed_wheel() {
     const render::Profile head{.points = {{0.0F, -22.0F},
                                           {120.0F, -22.0F},
@@ -128,7 +128,7 @@ std::array<render::Profile, 2> photographed_wheel() {
                                          {206.0F, -12.0F},
                                          {202.0F, -44.0F},
                                          {195.0F, -54.0F},
-                                         {192.5F, -55.8F},  // slip stands to here
+                                         {192.5F, -55.8F},  // level of the slip
                                          {0.0F, -55.8F}}};
     return {head, pan};
 }

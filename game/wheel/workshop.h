@@ -1,5 +1,5 @@
-// What stands about the wheel, what it is made of, and how it is lit: the choices that make the picture.
-// Main thread.
+// The still life around the wheel, its materials and its light: the choices that shape the picture. Main
+// thread.
 #pragma once
 
 #include "engine/ecs/registry.h"
@@ -13,11 +13,11 @@ namespace onggi::wheel {
 // file.
 void furnish(ecs::Registry& registry);
 
-// The same for a photographed workshop: its light, and the surfaces on which a pot's shadow can fall. They
-// have no looks of their own: the backgrounds lie on them.
+// The same for a photographed workshop: its light, and the surfaces that catch a pot's shadow. They are not
+// drawn themselves: the backgrounds are projected on them.
 void stand_in(ecs::Registry& registry, const Workshop& workshop);
 
-// A modelled room in the workshop's light, with our wheel if it has none of its own.
+// Adds a modelled room in the workshop's light, with our wheel if it has none of its own.
 void build_room(ecs::Registry& registry, const Workshop& workshop, RoomModel model);
 
 [[nodiscard]] CameraRig throwing_camera();

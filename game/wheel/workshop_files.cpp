@@ -19,20 +19,20 @@
 namespace onggi::wheel {
 namespace {
 
-// Fields of a JSON file, read with their bounds: the first that is wrong is kept as the one line a user
-// reads.
+// Reads fields of a JSON file with bounds, and keeps the first error as one line for the user.
 struct Bounds {
     double least = 0.0;
     double most = 0.0;
 };
 
-// A reader over one file. After the first error every read gives zeros, so that callers ask once at the end.
+// A reader over one file. After the first error every read returns zeros, so that callers check once at the
+// end.
 class JsonFields {
   public:
-    // `file` is what messages call it.
+    // `file` is its name in messages.
     explicit JsonFields(std::string file) : file_(std::move(file)) {}
 
-    // The whole file as an object; an error if it is none.
+    // Parses the whole file as an object; an error if it is not one.
     [[nodiscard]] nlohmann::json parse(std::string_view text);
 
     // `place` is the path to the object, for messages: "cameras.throw_16x9".
@@ -63,7 +63,7 @@ const nlohmann::json& nothing() {
     return value;
 }
 
-// What a message shows of a value: its kind, and itself where that is short.
+// A value in a message: its kind, and its text if that is short.
 std::string shown(const nlohmann::json& value) {
     if (value.is_null()) return "nothing";
     if (value.is_number() || value.is_boolean()) return value.dump();
@@ -166,7 +166,7 @@ std::string shown(const std::filesystem::path& path) {
     return shown_path(path.native());
 }
 
-// A direction of the file, made exactly one long; it has been rounded to a few digits there.
+// Reads a direction and normalises it; the file has only a few digits.
 vec3 unit_vector(JsonFields& fields, const nlohmann::json& in, const std::string& place, const char* name) {
     const vec3 direction = fields.triple(in, place, name, kDirection);
     const float length = glm::length(direction);
@@ -175,7 +175,7 @@ vec3 unit_vector(JsonFields& fields, const nlohmann::json& in, const std::string
     return {0.0F, 1.0F, 0.0F};
 }
 
-// The name becomes a file's: it may lead nowhere but into the backgrounds' folder.
+// The name becomes part of a file name: it must not lead out of the backgrounds' folder.
 bool is_plain_name(const std::string& name) {
     return !name.empty() && name.size() <= 64 &&
            name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
@@ -206,7 +206,7 @@ BackgroundCamera read_camera(JsonFields& fields, const std::string& name, const 
     return background;
 }
 
-// A camera whose photographs are larger than another's, and who is that one in all else.
+// A camera with larger photographs takes all other fields from the camera it names in larger_than.
 nlohmann::json enlarged(JsonFields& fields, const nlohmann::json& cameras, const std::string& name) {
     const nlohmann::json& in = cameras[name];
     const nlohmann::json& smaller = in["larger_than"];
@@ -254,7 +254,7 @@ void read_light(JsonFields& fields, const nlohmann::json& in, Workshop& workshop
     }
 }
 
-// A JPEG as its file has it.
+// The bytes of a JPEG file.
 struct Negative {
     std::string name;
     std::string bytes;
@@ -277,8 +277,8 @@ Result<asset::Image> developed(const Negative& negative, const BackgroundCamera&
     return image;
 }
 
-// The negatives stay, a twentieth of the pictures: a device that is lost gets these again, whatever has
-// become of the files.
+// The compressed bytes stay in memory, a twentieth of the pictures: a lost device is refilled from them,
+// whatever happened to the files.
 Result<std::shared_ptr<render::Photographs>> load_photographs(const std::filesystem::path& folder,
                                                               const BackgroundCamera& camera) {
     auto key = load_negative(folder / (camera.name + kKeyJpeg));
@@ -307,7 +307,7 @@ std::string_view name_of(View view) {
 }
 
 const BackgroundCamera* Workshop::camera_for(View view, int width_px, int height_px) const {
-    // By shape, and of those that have the same by size.
+    // Compares aspect ratios first, then sizes.
     using Distance = std::pair<double, double>;
     const auto apart = [](double a, double b) { return std::abs(std::log(a / b)); };
     const BackgroundCamera* nearest = nullptr;

@@ -125,10 +125,10 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
     const float* const cz = rings.centre_z_mm.data() + first;
     rings.centres_from(y, contact.range, offset);
 
-    // Outside, the clay reaches out to ro + c.e + w and the hand in to r3 - rc; inside it is the other way.
+    // Outside, the clay reaches out to ro + c.e + w and the hand in to r3 - rc; inside, both signs turn.
     const double sign = inside ? -1.0 : 1.0;
     const double reach = sign * hand.distance_mm;
-    const double steady = reach - sign * dot(state.wobble_mm, hand.in_clay);  // of the mean hand: r3 - B.e
+    const double steady = reach - sign * dot(state.wobble_mm, hand.in_clay);  // r3 - B.e, the mean hand
     const double ex = sign * hand.in_clay.x;
     const double ez = sign * hand.in_clay.y;
     const double dy = parameters.yield_depth_mm;

@@ -6,10 +6,10 @@
 namespace onggi::clay::studio {
 namespace {
 
-// Sliding slower than this sticks a little: friction grows with speed up to it.
+// Friction grows with the sliding speed up to this, then saturates.
 constexpr double kStickSpeedMmS = 5.0;
 
-// A ring near its limit is felt as soft from this load index on.
+// A ring near its limit feels soft from this load index on.
 constexpr double kSoftensFrom = 0.7;
 
 double softened_strength_n_mm2(const Rings& rings, int i) {
@@ -28,7 +28,7 @@ double length_of(const dvec3& v) {
     return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-// The middle of the touched directions: sum of d times the tool's normal, in (outward, up).
+// Mean direction of the touched normals, weighted by depth, in (outward, up).
 dvec2 pushed_direction(const Contact& contact, const Hand& hand) {
     double outward = 0.0;
     double up = 0.0;
@@ -43,7 +43,7 @@ dvec2 pushed_direction(const Contact& contact, const Hand& hand) {
     outward /= size;
     up /= size;
     if (hand.side == Side::kIn) {
-        // Clay all around a hand near the axis pushes it both ways.
+        // Near the axis, clay on both sides pushes the hand in opposite directions.
         const double opposite = std::clamp(contact.far_depth_mm / contact.deepest_mm, 0.0, 1.0);
         return {-outward * (1.0 - opposite), up};
     }
@@ -101,7 +101,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
     if (contact.rim_depth_mm > 0.0) {
         const double depth = std::min(contact.rim_depth_mm, kDeepestMm);
         const double chord = 2.0 * std::sqrt(2.0 * r1 * depth);
-        // A rim narrower than the tool's print bears on its own width only.
+        // A rim narrower than the tool's contact area bears only on its own width.
         const double area = std::min(std::numbers::pi * 2.0 * r1 * depth, rings.wall_mm(i) * chord);
         normal.y += parameters.bearing_factor_nc * su * area;
         felt.forces.local_stiffness_n_per_mm = std::max(felt.forces.local_stiffness_n_per_mm, bearing * r1);
@@ -117,7 +117,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
     felt.forces.stiffness_n = normal;
     felt.forces.viscosity_n = dvec3(0.0) - velocity * parameters.viscosity_c2_n_s_per_mm;  // Eq. (6)
 
-    // The surface moves along (e.z, 0, -e.x); what counts is its speed past the hand.
+    // The surface moves along (e.z, 0, -e.x). Friction depends on its speed relative to the hand.
     const dvec3 along{e.y, 0.0, -e.x};
     const dvec3 past = along * (wheel_speed * lever_mm - (velocity.x * along.x + velocity.z * along.z)) -
                        dvec3(0.0, velocity.y, 0.0);

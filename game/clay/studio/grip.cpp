@@ -5,17 +5,17 @@
 namespace onggi::clay::studio {
 namespace {
 
-// A finger farther than this from the clay takes hold of nothing.
+// A finger farther from the clay than this holds nothing.
 constexpr double kAboveMm = 70.0;
 constexpr double kBesideMm = 75.0;
 
-constexpr double kOpensWithin = 0.35;    // of the radius, on solid clay
-constexpr double kAsksWithin = 0.62;     // of the radius: opening or a wall, the first way says
+constexpr double kOpensWithin = 0.35;    // fraction of the radius, on solid clay
+constexpr double kAsksWithin = 0.62;     // fraction of the radius; the first motion decides
 constexpr double kTopZoneMm = 12.0;      // below the top of solid clay
-constexpr double kThickRimMm = 18.0;     // opening goes on while the wall is so thick
-constexpr double kMouthZone = 0.3;       // of the depth, below the rim: there the mouth is meant
-constexpr double kOpensOnWithin = 0.62;  // of the rim's radius
-constexpr double kMouthFraction = 0.85;  // of the mouth: beyond, the wall is meant
+constexpr double kThickRimMm = 18.0;     // opening continues while the rim is thicker than this
+constexpr double kMouthZone = 0.3;       // fraction of the depth below the rim that counts as the mouth
+constexpr double kOpensOnWithin = 0.62;  // fraction of the rim's radius
+constexpr double kMouthFraction = 0.85;  // fraction of the mouth's radius; a touch farther out means the wall
 constexpr double kRimZoneMm = 5.0;
 constexpr double kRimSideMm = 10.0;
 

@@ -9,16 +9,16 @@
 namespace onggi::clay::studio {
 namespace {
 
-// A pointer comes sixty times a second.
+// Smoothing time: a pointer reports only sixty times a second.
 constexpr double kFingerS = 0.025;
 constexpr double kTrailMm = 0.5;
 constexpr double kHandMmS = 260.0;
 constexpr double kErrorSlowsFromMm = 4.0;
 constexpr double kErrorSlowsOverMm = 10.0;
 constexpr double kSlowest = 0.12;
-constexpr double kStillMmS = 12.0;  // a finger slower than this lies still
+constexpr double kStillMmS = 12.0;  // a slower finger counts as lying still
 
-constexpr double kNarrowsTo = 0.7;  // of the radius at the beginning of a touch
+constexpr double kNarrowsTo = 0.7;  // fraction of the radius at landing
 
 double distance(const dvec2& a, const dvec2& b) {
     const dvec2 way = a - b;
@@ -91,7 +91,7 @@ void follow_finger(GripState& state, const dvec2& finger) noexcept {
     };
     const dvec2& end = trail.count > 0 ? last() : state.hand_mm;
     if (distance(state.finger_mm, end) < kTrailMm) return;
-    // More than that behind, the oldest way is left out.
+    // The trail is full: drop its oldest point.
     if (trail.count == GripTrail::kMost) drop_oldest(trail);
     trail.point_mm[static_cast<std::size_t>((trail.first + trail.count) % GripTrail::kMost)] =
         state.finger_mm;
@@ -106,7 +106,7 @@ void walk(GripState& state, double error_mm, double highest_mm) noexcept {
     while (left > 0.0 && trail.count > 0) {
         const dvec2& next = trail.point_mm[static_cast<std::size_t>(trail.first)];
         if (next.y > highest_mm && next.y > state.hand_mm.y) {
-            // The rim is not there yet. Where it comes no higher the hands go on to the side.
+            // The rim is not there yet. If it can rise no higher, the hands move on sideways.
             const dvec2 way = next - state.hand_mm;
             const double part = std::clamp((highest_mm - state.hand_mm.y) / way.y, 0.0, 1.0);
             const double aside = state.is_spent ? way.x : part * way.x;
@@ -137,7 +137,7 @@ double wall_target(const GripState& state, const Rings& rings) noexcept {
     const double fraction = std::clamp(state.hand_mm.y / std::max(top, 1.0), 0.0, 1.0);
     double target = state.hand_mm.x + state.offset_mm - state.rests_mm;
     target = std::max(target, kNarrowsTo * landed_outer(state, fraction));
-    // Who comes down onto the top from above does not mean to press the side in.
+    // A touch that lands on the top does not press the side in.
     if (state.landed_mm.y > state.landed_top_mm - 1.0 && state.landed_mm.x < landed_outer(state, 1.0) - 5.0)
         target = std::max(target, landed_outer(state, fraction));
     return std::min(target, kWidestGripMm);
@@ -156,7 +156,7 @@ void decide(GripState& state, const Rings& rings) noexcept {
     if (state.grip == Grip::kRim &&
         (std::fabs(state.finger_mm.x - state.landed_mm.x) > 6.0 || state.finger_mm.y > rings.top_mm() + 4.0))
         state.grip = Grip::kWall;
-    // Thumbs that come up again past the rim have fingers outside, and pull.
+    // Thumbs that rise past the rim again have fingers outside, and pull.
     if (state.grip == Grip::kOpen && is_hollow(rings) && state.bottom_mm <= kFloorMm + 1.0 &&
         state.finger_mm.y > rings.top_mm() && state.finger_mm.y > state.landed_mm.y) {
         state.grip = Grip::kWall;

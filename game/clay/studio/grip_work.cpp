@@ -15,37 +15,36 @@
 namespace onggi::clay::studio {
 namespace {
 
-// What two skilled hands do to the rings: they carry a wall, open solid clay, pull a rim up and press it
-// down, fair what they have passed. Each gives a ring new radii at its present height; the clay that does not
-// fit there, whole grains of it, passes to walls near by (share_out), so that no move but pulling, opening
-// and pressing down changes how high anything stands.
+// Moves of two skilled hands on the rings: move a wall, open solid clay, pull a rim up or press it down, and
+// smooth the clay behind them. Each sets new radii at a ring's present height; whole grains that do not fit
+// there pass to walls near by (share_out). So only pulling, opening and pressing down change heights.
 
-// A wall that is carried: the outer face moves by step_mm at height_mm, less above and below.
+// Moves a wall: the outer face moves by step_mm at height_mm, less above and below.
 struct Carry {
     double height_mm = 0.0;
     double step_mm = 0.0;
-    double up_mm = 16.0;  // how far the hands reach, (1 - s^2)^2
+    double up_mm = 16.0;  // reach of the hands, with weight (1 - s^2)^2
     double down_mm = 16.0;
-    double foot_least_mm = 28.0;  // bounds of the foot, which may lie beyond them already
+    double foot_least_mm = 28.0;  // bounds of the foot; a foot already beyond them may stay
     double foot_most_mm = 68.0;
 };
 
-// A bore from the rim down to bottom_mm, round below: every ring's inner face follows to it. outward is the
-// fraction of the clay that goes to the outer face; the rest rises.
+// A bore from the rim down to bottom_mm, rounded at the bottom: every ring's inner face moves to it. outward
+// is the fraction of the clay that goes to the outer face; the rest rises.
 struct Bore {
     double bottom_mm = 0.0;
     double radius_mm = 0.0;
     double outward = 0.3;
-    double largest_strain = 0.03;  // of a ring's height
+    double largest_strain = 0.03;  // fraction of a ring's height
 };
 
-constexpr double kSteepest = 1.4;        // |dR/dy| that the hands leave
-constexpr double kSteepestAtFoot = 0.8;  // up to a little over the floor
-constexpr double kWidestSkirt = 0.1;     // there, the other way: wider below
+constexpr double kSteepest = 1.4;        // bound of |dR/dy|
+constexpr double kSteepestAtFoot = 0.8;  // up to a little above the floor
+constexpr double kWidestSkirt = 0.1;     // same zone, opposite sign: wider below
 constexpr double kFootZoneMm = 6.0;
-constexpr double kFairestFootMm = 0.25;  // the same, of a foot that follows the wall above it
-constexpr double kFairestStepMm = 0.1;   // of a slope that is brought back while nothing else moves there
-constexpr int kSlopeReachRings = 24;     // to either side, of a slope
+constexpr double kFairestFootMm = 0.25;  // largest step there, of a foot that follows the wall above it
+constexpr double kFairestStepMm = 0.1;   // largest step of a slope correction while the hands do not move
+constexpr int kSlopeReachRings = 24;     // to either side, for a slope
 
 double middle_mm(const Rings& rings, int i) {
     return 0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]);
@@ -59,11 +58,11 @@ double slope_at(const Rings& rings, int i) {
     return rise > 1e-6 ? (rings.outer_mm[at(high)] - rings.outer_mm[at(low)]) / rise : 0.0;
 }
 
-// New outer faces wanted_mm for rings [low, high): the inner faces follow at the same heights.
+// Sets new outer faces wanted_mm for rings [low, high). The inner faces follow at the same heights.
 Changed take_outer(Rings& rings, GripSpace& space, int low, int high, double y) {
     const int first = rings.first_hollow;
     if (first >= rings.count) {
-        // Solid clay is coned and spreads: rings keep their clay and change in height.
+        // Solid clay is coned and spreads: rings keep their volume and change height.
         for (int i = low; i < high; ++i) {
             rings.outer_mm[at(i)] = space.wanted_mm[at(i)];
             rings.height_mm[at(i)] = ring_height_mm(rings.volume_mm3[at(i)], rings.outer_mm[at(i)], 0.0);
@@ -118,14 +117,14 @@ Changed carry_wall(Rings& rings, GripSpace& space, const Carry& carry) noexcept 
         const double rest = std::max(1.0 - s * s, 0.0);
         wanted[i] = bounded(i, outer[i] + carry.step_mm * rest * rest, centre);
     }
-    // A wall no steeper than hands leave it: from the hand up and down, then from the foot up.
+    // Limit the wall's slope: from the hand up and down, then from the foot up.
     const double foot_zone = std::min(rings.floor_mm(), kFloorMm) + kFootZoneMm;
     const double most = std::max(std::fabs(carry.step_mm), kFairestStepMm);
     const auto follow = [&](int i, int neighbour) {
         const double centre = rings.centre_mm(i);
         const double rise = std::fabs(centre - rings.centre_mm(neighbour));
         const bool at_foot = centre < foot_zone;
-        // A foot spreads less than it leans out.
+        // A foot may lean out more than it may spread below.
         const double leans = (at_foot ? kSteepestAtFoot : kSteepest) * rise;
         const double spreads = (at_foot ? kWidestSkirt : kSteepest) * rise;
         const bool is_above = i > neighbour;
@@ -163,7 +162,7 @@ Changed open_bore(Rings& rings, const Bore& bore) noexcept {
     if (last < 0 || !(bore.bottom_mm < rings.top_mm())) return {};
     const double corner = std::min(bore.radius_mm, kCornerMm);
     int first = rings.count;
-    // Rings rise as they are opened; where they stood when the step began is what counts.
+    // Opening makes the rings rise. All places are those at the start of the step.
     for (int i = last; i >= 0; --i) {
         const double above = rings.centre_mm(i) - bore.bottom_mm;
         if (!(above > 0.0)) break;
@@ -177,7 +176,7 @@ Changed open_bore(Rings& rings, const Bore& bore) noexcept {
             first = i;
             continue;
         }
-        // As fast as the clay can rise: the area shrinks by what does not go outward.
+        // As fast as the clay can rise: the area loses the part that does not go outward.
         const double area = (ro - ri) * (ro + ri);
         const double most = bore.largest_strain * area / (1.0 - bore.outward);
         const double square = std::min(wanted * wanted, ri * ri + most);
@@ -197,7 +196,7 @@ Changed open_bore(Rings& rings, const Bore& bore) noexcept {
     return {first, rings.count};
 }
 
-// Draws the hollow clay up by as much, the thick parts most. Returns how far the rim came.
+// Pulls the hollow clay up by `rise`, thick parts most. Returns the rise of the rim.
 double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strain) noexcept {
     constexpr double kSmoothMm = 4.0;
     const int first = rings.first_hollow;
@@ -242,9 +241,9 @@ double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strai
     return risen;
 }
 
-// Presses the rim down by as much; the wall below it thickens to both sides.
+// Presses the rim down by `sink`; the wall below it thickens to both sides.
 Changed press_down(Rings& rings, double sink) noexcept {
-    constexpr double kZone = 0.8;  // of the depth
+    constexpr double kZone = 0.8;  // fraction of the depth
     const int first = rings.first_hollow;
     if (first >= rings.count || !(sink > 0.0)) return {};
     const double top = rings.top_mm();
@@ -281,8 +280,8 @@ Changed press_down(Rings& rings, double sink) noexcept {
     return {low, rings.count};
 }
 
-// Faces follow their own averages near that height; shares of 4 mm of the middle of the wall and 6 mm of its
-// thickness.
+// Moves the wall near y towards its own averages: by middle_fraction for the middle of the wall (averaged
+// over 4 mm), by thickness_fraction for its thickness (over 6 mm).
 Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_fraction,
                   double thickness_fraction) noexcept {
     constexpr double kReachMm = 22.0;
@@ -331,14 +330,14 @@ Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_fracti
     return together(range, share_out(rings, space.weight, y, free));
 }
 
-// The rim's edge becomes round, as a wet leather leaves it.
+// Rounds the rim's edge, as a wet leather does.
 Changed soften_lip(Rings& rings, GripSpace& space, double fraction) noexcept {
-    constexpr double kEdgeMm = 2.8;  // a lip is no knife
+    constexpr double kEdgeMm = 2.8;  // keeps a lip from getting sharp
     constexpr double kBelowMm = 4.0;
     const int last = rings.count - 1;
     if (last < 0 || !rings.is_hollow(last)) return {};
     const double top = rings.top_mm();
-    // The wall just below the edge says how round it can be.
+    // The wall just below the edge sets the radius of the round.
     const int below = std::max(rings.ring_at(top - kBelowMm), rings.first_hollow);
     const double half = 0.5 * std::min(rings.wall_mm(below), 9.0);
     const double whole = rings.wall_mm(below);
@@ -380,7 +379,7 @@ constexpr double kStrainPerS = 2.0;
 // OPEN.
 constexpr double kThickFloorMm = 12.5;
 
-// What the load leaves of a move that thins or widens.
+// Fraction of a thinning or widening move that the load allows.
 double load_fraction(const GripClimate& climate) {
     return std::clamp((0.85 - climate.load_index) / 0.2, 0.0, 1.0);
 }
@@ -389,7 +388,7 @@ Bore bore_of(const GripState& state) {
     return {.bottom_mm = state.bottom_mm, .radius_mm = state.bore_mm};
 }
 
-// The bottom goes down and, once there, the bore widens. True once both are as far as asked.
+// Lowers the bottom of the bore; once there, widens the bore. Returns true once both are complete.
 bool deepen(GripState& state, const Rings& rings, double down_mm, double widen_mm, double widest_mm) {
     const double floor = std::min(kFloorMm, state.bottom_mm);
     state.bottom_mm = std::max(state.bottom_mm - down_mm, floor);
@@ -408,7 +407,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double down = std::max(state.landed_mm.y - state.finger_mm.y, 0.0);
     const double aside = std::fabs(r - state.landed_mm.x);
     const double solid = outer_face_mm(rings, 0.5 * rings.top_mm());
-    // One and a half times as deep as the finger went, or by itself where it lies still.
+    // One and a half times as deep as the finger went; also sinks by itself under a finger that lies still.
     const double wanted = state.landed_top_mm - 1.5 * down;
     double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
     const bool lies = state.still_s > 0.15;
@@ -430,7 +429,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     return open_bore(rings, bore_of(state));
 }
 
-// Solid clay that is asked for what only hollow clay can do: the other hand goes in.
+// Solid clay that is asked to do what only hollow clay can: the other hand opens it.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
     const double widest = 0.45 * outer_face_mm(rings, 0.5 * rings.top_mm());
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
@@ -482,7 +481,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
                        .foot_most_mm = 68.0 * climate.size});
 }
 
-// A hand that passes the rim upward takes it along.
+// A hand that passes the rim upward pulls it along.
 Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
     const double top = rings.top_mm();
     const double y = state.finger_mm.y;
@@ -515,8 +514,8 @@ double sampled_wall(const Rings& rings) {
     return thinnest;
 }
 
-// Moving up below the rim draws a pot that is thick all over up a little, so that who lifts often gets on.
-// One that is drawn to an outline keeps its height.
+// Moving up below the rim pulls a pot with thick walls up a little, so that repeated lifting has an effect. A
+// pot with thin walls keeps its height.
 Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double climbed_mm,
                    const GripClimate& climate) {
     constexpr double kMostATouchMm = 4.0;
@@ -551,7 +550,7 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     return press_down(rings, sink);
 }
 
-// A floor too thick for a pot is lowered while the hands are at work.
+// Lowers a floor that is too thick for a pot while the hands work.
 Changed lower_floor(Rings& rings, double rate_mm_s) {
     const double floor = rings.floor_mm();
     if (!is_hollow(rings) || floor <= kThickFloorMm) return {};
@@ -591,7 +590,7 @@ Changed second_stage(GripState& state, Rings& rings, GripSpace& space, const Gri
     if (state.grip != Grip::kWall && state.grip != Grip::kInside) return {};
     if (state.opens_by_itself) return {};
     if (state.travel_mm < kStartsAfterMm) {
-        // Resting on the wall presses it in a little, and no more.
+        // Resting on the wall presses it in by a bounded depth.
         hold(state, std::max(state.hand_mm.y - kBehindMm, 0.0),
              std::min(state.hand_mm.y + kBehindMm, rings.top_mm()));
         state.press_mm = 0.3;
@@ -638,7 +637,7 @@ double bearable_twist(const Rings& rings, double y) {
         const double bears = static_cast<double>(rings.strength_kpa[k]) * middle * middle * wall;
         least = bears < least ? bears : least;
     }
-    // su of 2 pi r^2 t; what is equivalent to it by von Mises is the square root of three as much.
+    // su times 2 pi r^2 t; the torque for the same von Mises stress is a factor sqrt(3) less.
     constexpr double kHalf = 0.5;
     return kHalf * least * 2.0 * std::numbers::pi / (std::sqrt(3.0) * kKpaPerNMm2);
 }

@@ -1,7 +1,7 @@
-// The machine behind one finger: it reads a touch, chooses the grip, and lets two skilled hands carry it out
-// on the true clay, step by step of simulated time, so that a replay of the recorded finger is the same to
-// the bit. The wall's outer face goes where the finger goes and never past it; what a move would ruin, it
-// leaves. Haptic thread; no allocation. Units: mm, s.
+// Carries out a finger's touch on the clay: reads the touch, chooses the grip and moves the rings, step by
+// step of simulated time, so that a replay of the recorded finger is bit-exact. The wall's outer face goes
+// where the finger goes and never past it; a move that would ruin the pot is left out. Haptic thread; no
+// allocation. Units: mm, s.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace onggi::clay::studio {
 
-// Work space of the moves, entry i of ring i. Not a state.
+// Work space of the moves, one entry a ring. Not state.
 struct GripSpace {
     explicit GripSpace(int capacity);
 
@@ -21,18 +21,19 @@ struct GripSpace {
     std::vector<double> weight;
 };
 
-// What the hands know besides the clay.
+// Conditions of the clay that scale the hands' moves.
 struct GripClimate {
-    double load_index = 0.0;  // the largest, of the sweep
-    double softness = 1.0;    // 1 for fresh clay: how readily it flows
-    double size = 1.0;        // of the lump, 1 for a kilogram: its cube root
+    double load_index = 0.0;  // the largest of the load sweep
+    double softness = 1.0;    // how readily the clay flows; 1 for fresh clay
+    double size = 1.0;        // cube root of the lump's mass in kilograms
 };
 
-// The torque that half breaks the weakest ring from the wheel up to that height, N mm: a steady potter rubs
-// no harder.
+// Half the torque that breaks the weakest ring from the wheel up to that height, N mm: a steady potter
+// applies no more friction.
 double bearable_twist(const Rings& rings, double y_mm);
 
-// dt_s more of a finger that presses at (x, y). Returns the rings that changed; places are worked out.
+// Advances by dt_s a finger that presses at (x, y). Returns the rings that changed; their places are up to
+// date.
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger_mm,
                   const GripClimate& climate, double dt_s) noexcept;
 

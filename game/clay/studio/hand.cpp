@@ -12,12 +12,12 @@ namespace {
 constexpr double kOnAxisMm = 1e-9;
 constexpr double kRememberedTurns = 1.5;
 
-// What is near enough to the axis to open solid clay there.
+// A hand this near the axis opens solid clay.
 constexpr double kOpensWithinTop = 1.0 / 3.0;
 constexpr double kOpensWithinHand = 0.75;
 
-// A hand at a steady speed is ahead of its slow height by what it goes in kClimbTimeS; less than kTremorMm
-// of it is no climb.
+// A hand at a steady speed is ahead of its filtered height by its way in kClimbTimeS; below kTremorMm this
+// counts as no climb.
 constexpr double kClimbTimeS = 0.15;
 constexpr double kTremorMm = 0.3;
 constexpr double kClimbMm = 1.0;
@@ -114,7 +114,8 @@ Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given, 
     hand.side = state.side;
     hand.distance_mm = distance;
     if (was_outside && state.side == Side::kOut && x * state.direction.x + z * state.direction.y < 0.0) {
-        // It was pushed across the axis from outside: it still pushes the way it came.
+        // The hand was pushed across the axis from outside: it keeps its direction, and its distance turns
+        // negative.
         hand.distance_mm = x * state.direction.x + z * state.direction.y;
     } else if (distance > kOnAxisMm) {
         state.direction = {x / distance, z / distance};

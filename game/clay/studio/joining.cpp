@@ -30,7 +30,7 @@ Result<void> check_has_rim(const Rings& rings, std::string_view which) {
     return {};
 }
 
-// The first ring of the upper pot, from its floor, that stays: where the new mouth will be.
+// Finds the first ring of the upper pot, from its floor, that stays: the new mouth.
 Result<int> first_kept(const Rings& upper, double mouth_mm) {
     int kept = upper.first_hollow;
     while (kept < upper.count && 2.0 * upper.inner_mm[Rings::at(kept)] < mouth_mm)
@@ -46,7 +46,7 @@ double near_seam(double away_mm, double reach_mm) {
     return s < 1.0 ? (1.0 - s * s) * (1.0 - s * s) : 0.0;
 }
 
-// Copies what a ring is, but for its place. The sectors of a ring turned upside down run the other way.
+// Copies a ring's values except its place. The sectors of a ring turned upside down run the other way.
 void copy_ring(Rings& to, int i, const Rings& from, int j, bool turned) {
     const std::size_t a = Rings::at(i);
     const std::size_t b = Rings::at(j);
@@ -68,8 +68,8 @@ void copy_ring(Rings& to, int i, const Rings& from, int j, bool turned) {
         target[s] = source[turned ? from.sectors - 1 - s : s];
 }
 
-// Brings rings [first, end) towards one wall at the seam and presses the ridge out of them. Places are those
-// before, so that the order of the rings does not matter.
+// Blends rings [first, end) towards one wall at the seam and adds the ridge. Uses the places from before, so
+// that the order of the rings does not matter.
 void ease_to_seam(Rings& rings, int first, int end, double seam_mm, double radius_mm, double wall_mm, int rim,
                   const Joining& joining) {
     const double out = radius_mm - mean_radius_mm(rings, rim);
@@ -83,15 +83,15 @@ void ease_to_seam(Rings& rings, int first, int end, double seam_mm, double radiu
         const double half = 0.5 * (rings.wall_mm(i) + thicker * eased) + ridge;
         const double inner = mean - half;
         const double outer = mean + half;
-        // A wall that has no room to be eased stays as it is.
+        // Leave a wall as it is if the blend does not fit.
         if (!(inner > 0.0 && outer <= studio::kWidestMm && 2.0 * half > 0.0)) continue;
         rings.outer_mm[Rings::at(i)] = outer;
         rings.inner_mm[Rings::at(i)] = inner;
     }
 }
 
-// Sets rings [first, end) aside: by all of the shift far above the seam, by half of it at the seam, and not
-// at all far below.
+// Moves rings [first, end) aside: by the full shift far above the seam, by half of it at the seam, by 0 far
+// below.
 void shift_at_seam(Rings& rings, int first, int end, double seam_mm, const Joining& joining) {
     for (int i = first; i < end; ++i) {
         const double above = rings.centre_mm(i) - seam_mm;
@@ -183,7 +183,7 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
     pot.carried_.film = std::max(lower.carried_.film, upper.carried_.film);
     pot.carried_.splits = lower.carried_.splits + upper.carried_.splits;
     pot.carried_.joins = lower.carried_.joins + upper.carried_.joins;
-    // What gave way before is not undone by joining.
+    // Joining does not undo an earlier failure.
     const bool fell = lower.sweep_.failure.cause != studio::Cause::kNone;
     pot.sweep_ = {};
     studio::restart(pot.sweep_, rings);

@@ -13,16 +13,16 @@ namespace {
 // Density times gravity, and density times (rad/s)^2 mm^2, both in kPa: 1e-6 from g/mm^3 mm^2/s^2 to N/mm^2.
 constexpr double kWeightKpaPerMm = kDensityGPerMm3 * kGravityMmS2 * 1e-6 * kKpaPerNMm2;
 constexpr double kSpinKpa = kDensityGPerMm3 * 1e-6 * kKpaPerNMm2;
-constexpr double kSolidDisc = 0.41;  // of a thin ring's hoop stress, in a spinning disc
+constexpr double kSolidDisc = 0.41;  // ratio of the hoop stress in a spinning disc to a thin ring's
 constexpr double kShell = 0.5;
 
-// Strain rate of clay above its limit, and how much of its surroundings goes with it.
+// Strain rate of overloaded clay, and the length of wall that goes with it.
 constexpr double kSlumpS = 0.3;
 constexpr double kFastestSlump = 1.0;  // 1/s
 constexpr double kShortestSlumpMm = 2.0;
-constexpr double kTornAtShear = 1.0;  // rad: a line up the wall lies at 45 degrees
+constexpr double kTornAtShear = 1.0;  // rad: a vertical line on the wall lies at 45 degrees
 
-// Strength and water change slowly: each ring is looked at once in so many rounds.
+// Strength and water change slowly: each ring is refreshed once in this many rounds.
 constexpr std::uint64_t kRefreshRounds = 16;
 
 double slump_length(const Rings& rings, int i) {
@@ -81,7 +81,7 @@ Stress stress_in(const Rings& rings, int i, const Above& above, double wheel_spe
 
 namespace {
 
-// Ring i, going down: its stresses and index, and the part of the average that comes from above.
+// Ring i on the way down: its stresses and index, and the average of slump rates from above.
 void weigh_ring(LoadSweep& sweep, Rings& rings, int i, const LoadInput& input) {
     const double height = rings.centre_mm(i);
     const double twist = height < input.twist_height_mm ? input.twist_n_mm : 0.0;
@@ -105,14 +105,14 @@ void weigh_ring(LoadSweep& sweep, Rings& rings, int i, const LoadInput& input) {
                              equivalent,     su,     input.wheel_speed_rad_s, false};
         }
     }
-    // Levy-Mises: plastic strain goes as the deviator.
+    // Levy-Mises: plastic strain is proportional to the stress deviator.
     const double mean = (stress.axial_kpa() + stress.hoop_kpa()) / 3.0;
     rings.slump_axial[at(i)] =
         static_cast<float>(1.5 * (stress.axial_kpa() - mean) / std::max(equivalent, 1e-9));
     rings.slump_hoop[at(i)] =
         static_cast<float>(1.5 * (stress.hoop_kpa() - mean) / std::max(equivalent, 1e-9));
     rings.slump_rate[at(i)] = static_cast<float>(rate);
-    // Twist turns the ring against the one below.
+    // Twist rotates the ring relative to the one below.
     const double sheared = std::sqrt(3.0) * rate * kSweepS *
                            (std::sqrt(3.0) * std::fabs(stress.twist_kpa) / std::max(equivalent, 1e-9));
     rings.shear[at(i)] += static_cast<float>(sheared);
@@ -129,7 +129,7 @@ void weigh_ring(LoadSweep& sweep, Rings& rings, int i, const LoadInput& input) {
         rings.volume_mm3[at(i)] * (hollow ? 0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]) : 0.0);
 }
 
-// Ring i, going up: the part of the average from below, and the slump itself.
+// Ring i on the way up: the average of slump rates from below, and the slump itself.
 bool slump_ring(LoadSweep& sweep, Rings& rings, int i) {
     const bool hollow = rings.is_hollow(i);
     const auto rate = static_cast<double>(rings.slump_rate[at(i)]);
@@ -137,7 +137,7 @@ bool slump_ring(LoadSweep& sweep, Rings& rings, int i) {
     const double q = rings.height_mm[at(i)] / slump_length(rings, i);
     sweep.running = static_cast<float>((static_cast<double>(sweep.running) + 0.5 * q * rate) / (1.0 + q));
     sweep.last_hollow = hollow;
-    // Down and up take turns, so one slump stands for two rounds.
+    // Rounds down and up alternate, so one slump step covers two rounds.
     const double strain =
         2.0 * kSweepS * (static_cast<double>(sweep.running) + static_cast<double>(rings.slump_above[at(i)]));
     if (!(strain > 1e-9)) return false;
@@ -213,7 +213,7 @@ void after_split(LoadSweep& sweep, int ring) noexcept {
 }
 
 void after_join(LoadSweep& sweep, int lower) noexcept {
-    // A cursor between the two has met one of them: it goes on with the joined ring's neighbour.
+    // A cursor between the two rings has already visited one: it continues with the joined ring's neighbour.
     if (lower + 1 < sweep.next) --sweep.next;
     if (sweep.tear_at > lower) --sweep.tear_at;
 }

@@ -1,7 +1,6 @@
-// What the clay carries, ring by ring, and how it gives way: weight, spin, overhang and twist against twice
-// its strength. A cursor goes from the top down at the pace of simulated time; where a ring carries more than
-// it can, a second one goes up and lets the wall slump. Haptic thread; no allocation. Units: mm, s, kPa, rad,
-// N mm.
+// The load on the clay, ring by ring, and how it fails: weight, spin, overhang and twist against twice its
+// strength. A cursor goes from the top down at the pace of simulated time. If a ring is overloaded, a second
+// pass goes up and lets the wall slump. Haptic thread; no allocation. Units: mm, s, kPa, rad, N mm.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +11,18 @@ namespace onggi::clay::studio {
 
 enum class Cause { kNone, kWeight, kSpin, kOverhang, kTwist };
 
-// The stresses in one ring, kPa; tension above zero, pressure below. They are judged against 2 su, what clay
-// of that undrained strength bears along one axis (Tresca).
-// They are combined after von Mises; MODEL.md says where each law comes from.
+// The stresses in one ring, kPa; tension positive, pressure negative. The limit is 2 su, the load that clay
+// of undrained strength su bears along one axis (Tresca). They are combined after von Mises; MODEL.md states
+// the source of each law.
 //   sz   -rho g (S0 + V/2)/(pi (ro^2 - ri^2)), the weight above; S0 the volume above
 //   sth  rho w^2 ro^2, hoop of the spin (0.41 of it in solid clay), and rho g R T of the slope
 //   sb   3 rho g Le^2/tn, bending by the overhang L = 2 |S1/S0 - R|, held by the shell: 1/Le^2 = 1/L^2 +
 //        1/(0.5 R tn |T|), tn = t/sqrt(1 + T^2); S1 the sum of V R above
 //   tau  Q/(2 pi R^2 t), twist by the hands' friction Q above the ring; 2 Q/(pi ro^3) in solid clay
 struct Stress {
-    double weight_kpa = 0.0;  // sz, below zero
-    double spin_kpa = 0.0;    // the part of sth by the spin
-    double slope_kpa = 0.0;   // the part by the slope
+    double weight_kpa = 0.0;  // sz, negative
+    double spin_kpa = 0.0;    // part of sth from the spin
+    double slope_kpa = 0.0;   // part of sth from the slope
     double bending_kpa = 0.0;
     double twist_kpa = 0.0;
 
@@ -31,10 +30,10 @@ struct Stress {
     [[nodiscard]] double hoop_kpa() const { return spin_kpa + slope_kpa; }
     // sqrt(sz^2 + sth^2 - sz sth + 3 tau^2), after von Mises.
     [[nodiscard]] double equivalent_kpa() const;
-    [[nodiscard]] Cause cause() const;  // the largest of them
+    [[nodiscard]] Cause cause() const;  // the largest stress
 };
 
-// What is above a ring, and what turns it.
+// Sums over the rings above a ring.
 struct Above {
     double volume_mm3 = 0.0;         // S0
     double volume_radius_mm4 = 0.0;  // S1
@@ -52,20 +51,20 @@ struct Failure {
     double stress_kpa = 0.0;
     double strength_kpa = 0.0;
     double wheel_speed_rad_s = 0.0;
-    bool torn = false;  // the wall came off
+    bool torn = false;  // the wall tore off
 };
 
-// The two cursors and what they carry along. Plain state.
+// The sweep's cursor and running sums. Plain state.
 struct LoadSweep {
-    bool goes_up = false;  // a slump is being applied
-    int next = 0;          // going down: the ring after the next one; going up: the next one
-    double credit = 0.0;   // rings the simulated time has paid for
+    bool goes_up = false;  // the pass that applies a slump
+    int next = 0;          // going down: one past the next ring; going up: the next ring
+    double credit = 0.0;   // rings paid for by simulated time
     std::uint64_t round = 0;
     Above above;
-    float running = 0.0F;  // of the average of slump rates, down or up
+    float running = 0.0F;  // running average of slump rates, down or up
     bool last_hollow = false;
-    bool slumps = false;      // some ring of this round
-    double peak_index = 0.0;  // of the round before
+    bool slumps = false;      // some ring of this round slumps
+    double peak_index = 0.0;  // of the previous round
     double peak_height_mm = 0.0;
     Cause peak_cause = Cause::kNone;
     double growing_peak = 0.0;  // of this round
@@ -75,12 +74,12 @@ struct LoadSweep {
     Failure failure;
 };
 
-// A round over all rings takes this long.
+// Duration of a round over all rings.
 constexpr double kSweepS = 0.025;
 
 struct LoadInput {
     double wheel_speed_rad_s = 0.0;
-    double twist_n_mm = 0.0;  // friction of the hands, above whose height nothing is twisted
+    double twist_n_mm = 0.0;  // friction of the hands; rings above twist_height_mm are not twisted
     double twist_height_mm = 0.0;
     double evaporation_g_mm2_s = 0.0;
     double film_time_s = 20.0;
@@ -89,13 +88,13 @@ struct LoadInput {
     double dt_s = 0.001;
 };
 
-// One tick's fraction of the work. Returns the rings whose radii changed.
+// Does one tick's share of the work. Returns the rings whose radii changed.
 Changed sweep_load(LoadSweep& sweep, Rings& rings, const LoadInput& input) noexcept;
 
-// Keeps the cursor at its ring when others come or go.
+// Keep the cursor at its ring when rings are split or joined.
 void after_split(LoadSweep& sweep, int ring) noexcept;
 void after_join(LoadSweep& sweep, int lower_ring) noexcept;
-// Starts over, for a stack that is no longer the same.
+// Starts a new round, for a stack that has changed.
 void restart(LoadSweep& sweep, const Rings& rings) noexcept;
 
 }  // namespace onggi::clay::studio

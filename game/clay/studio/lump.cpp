@@ -11,8 +11,8 @@
 namespace onggi::clay::studio {
 namespace {
 
-// A low dome r^2 = R^2 (1 - 3/5 (y/H)^4) of H = 4/5 R, patted flat on top so that there is something to
-// press: its volume is 22/25 pi R^2 H.
+// A low dome r^2 = R^2 (1 - 3/5 (y/H)^4) of H = 4/5 R, with a flat top that can be pressed. Its volume is
+// 22/25 pi R^2 H.
 constexpr double kHeightPerRadius = 0.8;
 constexpr double kRounding = 0.6;
 constexpr double kFullness = 1.0 - kRounding / 5.0;
@@ -37,7 +37,7 @@ void put_lump(Rings& rings, Ledger& ledger, const StudioLump& lump) {
         const double square = radius * radius * (1.0 - kRounding * y * y * y * y);
         const double outer = std::max(std::sqrt(square), kNarrowestMm);
         const std::size_t at = Rings::at(i);
-        // The foot takes what rounding left over.
+        // The lowest ring takes the rounding remainder.
         const double wanted =
             i > 0 ? on_grid(std::numbers::pi * outer * outer * height / count) : volume - placed;
         rings.volume_mm3[at] = wanted;

@@ -5,7 +5,7 @@
 
 namespace onggi::clay {
 
-// Linear shrinkage from wet to glaze-fired, and what is said of it.
+// The clay body; it sets the linear shrinkage from wet to glaze-fired.
 enum class ClayBody { kStoneware, kPorcelain, kEarthenware };
 
 constexpr double kLeastLumpG = 100.0;
@@ -17,18 +17,18 @@ struct StudioLump {
     double mass_g = 1000.0;  // 100 to 5000
     ClayBody body = ClayBody::kStoneware;
     double liquidity_index = 0.6;  // 0 plastic limit, 1 liquid limit; 0 to 1.2
-    int rings = 2000;              // N, nominal: a pot of 200 mm; 200 to 4000
+    int rings = 2000;              // N, nominal for a pot of 200 mm; 200 to 4000
     int sectors = 256;             // S, a power of two from 16 to 256
     double off_centre_mm = 2.0;    // 0 to 5
 };
 
 namespace studio {
 
-// Puts a fresh lump in place of what is there. Precondition: the lump is within its limits and the rings have
-// its capacity and sectors. No allocation.
+// Replaces the rings by a fresh lump. Precondition: the lump is within its limits and the rings have its
+// capacity and sectors. No allocation.
 void put_lump(Rings& rings, Ledger& ledger, const StudioLump& lump);
 
-// How many rings a lump needs room for.
+// The ring capacity that a lump needs.
 int ring_capacity(const StudioLump& lump);
 
 }  // namespace studio

@@ -9,10 +9,10 @@
 namespace onggi::clay::studio {
 namespace {
 
-// The least that is left of the hollow of a ring.
+// The smallest inner radius that a move leaves to a hollow ring.
 constexpr double kNarrowestHollowMm = 0.05;
 
-// A push smaller than this moves nothing to speak of.
+// Smaller pushes count as 0.
 constexpr double kLeastPushMm = 1e-9;
 
 }  // namespace
@@ -40,14 +40,14 @@ namespace {
 
 struct PushFractions {
     double fraction;
-    double above_floor;  // the hand's height
-    double strain;       // the most in one tick
+    double above_floor;  // height of the hand
+    double strain;       // bound for one tick
     double k0;
     double per_thin_wall;
     double per_carried_wall;
 };
 
-// Straight through, without a branch on a ring, so that several are worked on at once.
+// Branch-free, so that the loop vectorises over rings.
 template <bool kInside>
 [[gnu::always_inline]] inline void push_each(double* __restrict__ outer, double* __restrict__ inner,
                                              double* __restrict__ height, double* __restrict__ field,
@@ -64,7 +64,7 @@ template <bool kInside>
         const double before = height[k];
         const double wall = ro - ri;
         const double lone = 1.0 - met[k];
-        // tie = above/(0.7 t), from 0 to 1, and phi = tie/(1 + q^4), by one division.
+        // tie = above/(0.7 t), clamped to 0 to 1, and phi = tie/(1 + q^4), with one division.
         const double q = wall * per_thin_wall;
         const double stiff = 1.0 + (q * q) * (q * q);
         const double tied = 0.7 * wall;
@@ -76,17 +76,17 @@ template <bool kInside>
         const double wall_fraction = ri > 0.0 ? lone * phi : 0.0;
         field[k] = push[k] * wall_fraction;
 
-        // Clay solid to the axis has no other face: from outside all of it rises. Nor is there room inside a
-        // neck that is all but closed.
+        // Solid clay has no inner face: when pressed from outside, all displaced clay rises. An almost closed
+        // neck has no room inside either.
         double room = 1.0;
         if constexpr (!kInside) room = 0.5 * ri < 1.0 ? 0.5 * ri : 1.0;
-        // What two hands hold between them goes along whole; from a wall much thicker than the hands are
-        // wide, no more than alone.
+        // A wall held by both hands moves whole; a wall much thicker than the hands are wide moves as if held
+        // by one.
         const double c = wall * per_carried_wall;
         const double crosses = k0 + (1.0 - k0) * held[k] / (1.0 + (c * c) * (c * c));
         const double kappa = crosses * lone * (ri > 0.0 ? tie : 1.0) * room;
         const double face = kInside ? (ri > 1.0 ? ri : 1.0) : ro;
-        // As fast as the clay can rise, and no thinner or narrower than it may become.
+        // Bounded by how fast the clay can rise, and by the thinnest wall and narrowest ring.
         const double fastest = strain * wall * (ro + ri) / (2.0 * face * (1.0 - kappa));
         const double thick = wall > kThinnestWallMm ? wall - kThinnestWallMm : 0.0;
         double delta = fraction * push[k] * (1.0 - wall_fraction);
@@ -97,7 +97,7 @@ template <bool kInside>
             delta = delta < narrow ? delta : narrow;
         }
 
-        // The face under the hand, and the square of the other one: kappa of the area crosses over.
+        // The touched face, and the square of the other one: kappa of the area crosses over.
         constexpr double kLeast = kNarrowestHollowMm * kNarrowestHollowMm;
         const double touched = kInside ? ri + delta : ro - delta;
         const double crossed = kappa * delta * (kInside ? touched + ri : touched + ro);
@@ -106,7 +106,7 @@ template <bool kInside>
         const double new_outer = kInside ? far : touched;
         const double new_inner = kInside ? touched : (ri > 0.0 ? far : 0.0);
         const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
-        // Nothing pushed is nothing changed, to the bit.
+        // Without a push the ring keeps its bits.
         const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
         const double moves = delta > 0.0 ? spare : -1.0;
         outer[k] = moves >= 0.0 ? new_outer : ro;
@@ -159,7 +159,7 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     std::fill_n(met, n, 0.0);
     std::fill_n(held, n, 0.0);
     if (other != nullptr) {
-        // Two hands squeeze by what both push; what one pushes beyond the other moves the wall.
+        // The common part of both pushes squeezes the wall; the excess of one moves it.
         const double* const far = face_at(rings, *other).data() + first;
         const double apart = contact.height_mm - other->position_mm.y;
         const double yield = parameters.yield_depth_mm;
@@ -204,18 +204,18 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
 
 namespace {
 
-// How far a press on a rim goes down into a wall: so many times its thickness. Solid clay is pressed whole.
+// Depth of a press on a wall's rim, in wall thicknesses. Solid clay is pressed as a whole.
 constexpr double kPressedWalls = 4.0;
 constexpr double kLeastPressedMm = 12.0;
 
-// Where the area is smaller than the rim's the stress is larger; it counts up to so many times.
+// Stress rises where the area is smaller than the rim's; bounded by this factor.
 constexpr double kMostStress = 4.0;
 
-// Clay that gets flat resists: fully yielding up to the first of the two, not at all from the second on.
-// Flatness of solid clay: its radius to its height, as a cylinder of its volume.
+// Flat clay resists: it yields fully up to the first bound and not at all from the second on. Flatness of
+// solid clay: the ratio of radius to height of a cylinder of its volume.
 constexpr double kSolidYields = 1.5;
 constexpr double kSolidHolds = 2.4;
-// Of a wall: its thickness to the height of what is pressed.
+// Flatness of a wall: the ratio of its thickness to the height of the pressed part.
 constexpr double kWallYields = 0.8;
 constexpr double kWallHolds = 1.8;
 
@@ -238,8 +238,8 @@ Changed press_rim(Rings& rings, const Contact& contact, double fraction,
         return rings.wall_mm(i) * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]);
     };
 
-    // A wall gives way over a zone, fading, solid clay all of it; and what carries on a smaller area gives
-    // way faster, so that no rim grows wider than what it stands on.
+    // A wall yields over a zone with a fading weight, solid clay as a whole. Clay that bears on a smaller
+    // area yields faster, so that no rim grows wider than the clay below it.
     const double rim_area = area_of(last);
     const auto weight_of = [&](int i) {
         const double s = hollow ? (top - rings.centre_mm(i)) / length : 0.0;
@@ -270,7 +270,7 @@ Changed press_rim(Rings& rings, const Contact& contact, double fraction,
         const double ri = rings.inner_mm[at(i)];
         const double shortened = std::min(shortening * weight_of(i), strain);
         const double gained = shortened / (1.0 - shortened) * area_of(i);
-        const double thicker = 0.5 * gained / (ro + ri);  // to both sides, where there is an inner one
+        const double thicker = 0.5 * gained / (ro + ri);  // to both sides, if there is an inner one
         if (hollow && ri - thicker > kNarrowestHollowMm)
             set_radii(rings, i, ro + thicker, ri - thicker, 2.0 * strain);
         else
@@ -285,10 +285,10 @@ Changed smooth_face(Rings& rings, const Contact& contact, const Hand& hand, doub
     const bool inside = hand.side == Side::kIn;
     std::vector<double>& face = inside ? rings.inner_mm : rings.outer_mm;
     const double reach = 1.5 * hand.radius_mm;
-    // The average looks a few lengths beyond the window, so that its edge has no say.
+    // The average extends a few lengths beyond the window, so that its ends have no effect.
     Rings::Range range = rings.rings_between(contact.height_mm - reach - 6.0 * length,
                                              contact.height_mm + reach + 6.0 * length);
-    // Only clay of one kind, and of the kind at the hand.
+    // Average only rings of the kind at the hand (solid or hollow).
     const bool hollow = rings.is_hollow(contact.nearest);
     if (inside && !hollow) return {};
     if (hollow) range.first = std::max(range.first, rings.first_hollow);
@@ -336,7 +336,7 @@ Changed cut_face(Rings& rings, const Contact& contact, const Hand& hand, const s
         if (!(cut > 0.0)) continue;
         const double outer = inside ? ro : ro - cut;
         const double inner = inside ? ri + cut : ri;
-        // The ring keeps its height, to a grain.
+        // The ring keeps its height to within a grain.
         const double kept =
             on_grid(rings.volume_mm3[at(i)] * ((outer - inner) * (outer + inner)) / ((ro - ri) * (ro + ri)));
         if (!(kept > 0.0)) continue;
@@ -351,7 +351,7 @@ Changed cut_face(Rings& rings, const Contact& contact, const Hand& hand, const s
 
 namespace {
 
-// Cuts ring i so that `part` of it, from below, counts as one side. Returns the grains of the upper part.
+// Splits ring i at height y. Returns the volume of its upper part, in whole grains.
 double upper_grains(const Rings& rings, int i, double y) {
     const double part = (y - rings.bottom_mm(i)) / rings.height_mm[at(i)];
     const double volume = rings.volume_mm3[at(i)];

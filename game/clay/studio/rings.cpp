@@ -14,7 +14,7 @@ std::size_t size(int n) {
     return static_cast<std::size_t>(n);
 }
 
-// The columns with one entry a ring, by kind.
+// All columns with one entry a ring, by type.
 constexpr std::array kDoubles{&Rings::volume_mm3, &Rings::outer_mm, &Rings::inner_mm, &Rings::height_mm,
                               &Rings::rise_mm};
 constexpr std::array kFloats{&Rings::centre_x_mm, &Rings::centre_z_mm, &Rings::rough_mm,
@@ -41,17 +41,17 @@ void for_each_pair(Rings& rings, const Rings& other, const Action& action) {
 }
 
 constexpr double kSplitAbove = 1.9;       // of the target height
-constexpr double kJoinBelow = 0.45;       // of the same
-constexpr double kJoinedAtMost = 0.8;     // of the height that would be split again
-constexpr double kSteepestPerWall = 0.2;  // of the wall, by which the halves of a split may differ
-constexpr double kTallestPots = 0.75;     // a pot this many times the nominal rings high still fits
+constexpr double kJoinBelow = 0.45;       // of the target height
+constexpr double kJoinedAtMost = 0.8;     // fraction of the height that would be split again
+constexpr double kSteepestPerWall = 0.2;  // bound of a split's radius step, in wall thicknesses
+constexpr double kTallestPots = 0.75;     // rings of a tall pot at the target height, as a fraction of N
 
 double minmod(double a, double b) {
     if (a * b <= 0.0) return 0.0;
     return std::fabs(a) < std::fabs(b) ? a : b;
 }
 
-// How much a column changes over ring i, from its neighbours of the same kind.
+// The change of a column across ring i, from neighbours of the same kind.
 double change_over(const Rings& rings, const std::vector<double>& column, int i) {
     if (i == 0 || i + 1 >= rings.count) return 0.0;
     if (rings.is_hollow(i - 1) != rings.is_hollow(i) || rings.is_hollow(i + 1) != rings.is_hollow(i))
@@ -61,12 +61,12 @@ double change_over(const Rings& rings, const std::vector<double>& column, int i)
 
 struct Joined {
     double height_mm;
-    double fraction;  // of the lower ring
+    double fraction;  // weight of the lower ring
     double outer_mm;
     double inner_mm;
 };
 
-// Rings i and i + 1 as one: volume and height kept, the middle of the wall at the mean of both.
+// Rings i and i + 1 as one: keeps volume and height; the middle of the wall is the mean of both.
 Joined joined(const Rings& rings, int i) {
     const std::size_t a = at(i);
     const std::size_t b = at(i + 1);
@@ -89,7 +89,7 @@ Joined joined(const Rings& rings, int i) {
 bool can_join(const Rings& rings, int i, double highest_mm) {
     if (i < 0 || i + 1 >= rings.count || rings.is_hollow(i) != rings.is_hollow(i + 1)) return false;
     if (rings.height_mm[at(i)] + rings.height_mm[at(i + 1)] >= highest_mm) return false;
-    // Two rings that differ much, a step, may have no wall in common.
+    // Two very different rings, a step, may have no common wall.
     const Joined one = joined(rings, i);
     return (one.inner_mm > 0.0) == rings.is_hollow(i) && one.outer_mm >= kNarrowestMm &&
            one.outer_mm <= kWidestMm;
@@ -165,7 +165,7 @@ void Rings::place(int first, int end) {
     const int blocks = (count + kBlockRings - 1) / kBlockRings;
     const int first_block = first / kBlockRings;
     const int last_block = std::min(blocks, (end + kBlockRings - 1) / kBlockRings);
-    // Four blocks side by side: each sum waits for its last addition, four of them wait together.
+    // Four blocks side by side: each sum waits for its previous addition, so four sums overlap.
     constexpr int kChains = 4;
     int block = first_block;
     for (; block + kChains <= last_block && (block + kChains) * kBlockRings <= count; block += kChains) {
@@ -217,7 +217,7 @@ void Rings::copy_from(const Rings& other) noexcept {
     });
     std::copy_n(other.free_rows.begin(), size(free_count), free_rows.begin());
     std::copy_n(other.base_mm.begin(), base_mm.size(), base_mm.begin());
-    // The rows of round rings count as zero, whatever they hold.
+    // The rows of round rings count as zero, whatever their contents.
     for (int i = 0; i < count; ++i) {
         if (rough_mm[at(i)] > 0.0F) std::copy_n(other.row_of(i), sectors, row_of(i));
     }
@@ -238,7 +238,7 @@ void Rings::shift(int from, int to) {
 void Rings::duplicate(int i) {
     assert(count < capacity && free_count > 0);
     const std::uint16_t fresh = free_rows[at(--free_count)];
-    shift(i, i + 1);  // ring i stays where it was copied from: both places hold it now
+    shift(i, i + 1);  // ring i keeps its source position: both indices hold a copy now
     row[at(i + 1)] = fresh;
     if (rough_mm[at(i)] > 0.0F) std::copy_n(row_of(i), sectors, row_of(i + 1));
     if (i < first_hollow) ++first_hollow;

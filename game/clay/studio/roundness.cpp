@@ -10,10 +10,10 @@
 namespace onggi::clay::studio {
 namespace {
 
-// Of 256; fewer sectors are wider.
+// Sixteen sectors of 256; fewer sectors are wider.
 constexpr double kWindowTurns = 16.0 / 256.0;
 
-// The row of ring i, cleared if it counted as zero until now.
+// The row of ring i; cleared first if it counted as zero.
 float* open_row(Rings& rings, int i) {
     float* row = rings.row_of(i);
     if (!(rings.rough_mm[at(i)] > 0.0F)) std::fill_n(row, rings.sectors, 0.0F);
@@ -51,7 +51,8 @@ void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int s
     kept.fill(1.0F);
     const int middle = static_cast<int>(place);
     const int width = 2 * reach + 1;
-    // Raised cosine of the distance to the sector's middle, turned on from sector to sector.
+    // Raised cosine of the distance to the sector's middle; the angle advances by a fixed rotation per
+    // sector.
     const double first_s = (middle - reach + 0.5 - place) / half_window;
     const Rotation step = rotation_by(std::numbers::pi / half_window);
     Rotation angle = rotation_by(std::numbers::pi * first_s);
@@ -69,7 +70,7 @@ void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int s
     for (int k = 0; k < contact.range.size(); ++k) {
         const int i = contact.range.first + k;
         if (((i ^ stripe) & (stripes - 1)) != 0 || !(rings.rough_mm[at(i)] > 0.0F)) continue;
-        // A hand on the round rounds the dents as well, though it passes over them: what counts is the
+        // A hand on the mean circle rounds dents too, although it does not touch them: the test uses the
         // circle.
         const double circle = contact.depth_mm[at(k)] - sign * contact.residual_mm[at(k)];
         if (!(circle > 0.0)) continue;
@@ -96,7 +97,7 @@ void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double
         const double rc = contact.half_width_mm[at(k)];
         if (!(contact.depth_mm[at(k)] > yield) || !(rc > 0.1)) continue;
         if (inside && !rings.is_hollow(i)) continue;
-        // The tool's circle of radius rc about r3, near its point nearest the face, as a parabola of the
+        // The tool's circle of radius rc about r3, near its point closest to the face, as a parabola of the
         // angle: outside r3 - rc + a^2 r3 (r3 - rc)/(2 rc), inside r3 + rc - a^2 r3 (r3 + rc)/(2 rc).
         const double r3 = std::fabs(hand.distance_mm);
         const double bend = inside ? r3 * (r3 + rc) / (2.0 * rc) : r3 * std::max(r3 - rc, 0.0) / (2.0 * rc);
@@ -104,7 +105,8 @@ void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double
         float* row = open_row(rings, i);
         const double w_there = contact.has_rough_rows ? sign * contact.residual_mm[at(k)] : 0.0;
         float rough = rings.rough_mm[at(i)];
-        // Away from the hand's own direction until the tool leaves the clay, first one way, then the other.
+        // Walks away from the hand's direction until the tool leaves the clay, first one way, then the other
+        // way.
         for (const int step : {1, -1}) {
             for (int j = step > 0 ? 0 : 1; j <= rings.sectors / 4; ++j) {
                 const double angle = to_middle + step * j * angle_a_sector;
@@ -124,7 +126,7 @@ void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double
 bool tend_row(Rings& rings, int i) noexcept {
     if (!(rings.rough_mm[at(i)] > 0.0F)) return false;
     float* row = rings.row_of(i);
-    // Eight lanes in a fixed order.
+    // Eight lanes, summed in a fixed order.
     std::array<double, 8> lanes{};
     for (int s = 0; s < rings.sectors; s += 8) {
         for (int lane = 0; lane < 8; ++lane)

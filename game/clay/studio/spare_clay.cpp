@@ -8,7 +8,7 @@
 namespace onggi::clay::studio {
 namespace {
 
-constexpr double kLargestGive = 0.02;  // of a ring's clay that may come or go in one step
+constexpr double kLargestGive = 0.02;  // fraction of a ring's clay that may move in one step
 constexpr double kGiveReachMm = 30.0;
 
 // Solid clay rises or sinks as a whole.

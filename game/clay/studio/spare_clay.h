@@ -1,6 +1,5 @@
-// Rings that are given new radii at the height they have, and the clay that this leaves over or asks for:
-// whole grains, which pass to and from walls near by, so that the ledger is exact. Haptic thread; no
-// allocation. Units: mm, mm^3.
+// Reshapes rings at constant height, and moves the surplus or missing clay as whole grains to or from walls
+// near by, so that the ledger stays exact. Haptic thread; no allocation. Units: mm, mm^3.
 #pragma once
 
 #include <vector>
@@ -9,25 +8,25 @@
 
 namespace onggi::clay::studio {
 
-// No wall is drawn thinner: at the floor, and at the rim.
+// Minimum thickness of a drawn wall, at the floor and at the rim.
 constexpr double kThinnestAtFloorMm = 8.0;
 constexpr double kThinnestAtRimMm = 4.6;
 constexpr double kNarrowestBoreMm = 9.0;
-constexpr double kWidestGripMm = 135.0;  // outer radius to which hands carry clay
+constexpr double kWidestGripMm = 135.0;  // largest outer radius to which hands move clay
 
-// The thinnest that a wall is drawn at that height.
+// Minimum thickness of a drawn wall at that height.
 double thinnest_mm(const Rings& rings, double y_mm) noexcept;
 
-// A thick wall is no neck: it keeps a bore that fingers find again.
+// Minimum bore for that wall. A thick wall keeps a wider bore, which fingers can find again.
 double narrowest_bore(double wall_mm) noexcept;
 
-// Takes ring i to those radii at the height it has. Returns the clay that does not fit; less than nothing
-// where clay is missing.
+// Sets the radii of ring i at its present height. Returns the clay that does not fit; negative if clay is
+// missing.
 double reshape(Rings& rings, int i, double outer_mm, double inner_mm) noexcept;
 
-// Clay that came free (above 0) near a height goes into walls near by, or what is missing comes out of thick
-// ones; what they do not bear changes the heights of all hollow clay evenly. weight: work space of one entry
-// a ring. Returns the rings that changed; their places are worked out where heights did.
+// Moves surplus clay (free_mm3 > 0) into walls near y_mm, or takes missing clay out of thick ones. The rest
+// changes the heights of all hollow clay evenly. weight: work space, one entry a ring. Returns the rings that
+// changed; places are updated where heights changed.
 Changed share_out(Rings& rings, std::vector<double>& weight, double y_mm, double free_mm3) noexcept;
 
 }  // namespace onggi::clay::studio

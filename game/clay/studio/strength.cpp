@@ -9,14 +9,14 @@
 namespace onggi::clay::studio {
 namespace {
 
-// Water by mass at which clay turns from plastic to liquid, beyond the plastic limit: the plasticity index of
-// a throwing clay; and the dry fraction of a gram of plastic clay.
+// Plasticity index of a throwing clay: the water by dry mass between its plastic and liquid limits. And the
+// dry fraction of a gram of plastic clay.
 constexpr double kPlasticityIndex = 0.20;
 constexpr double kDryFraction = 0.80;
 
 constexpr double kReferenceKpa = 13.0;
 
-// Of a dripping face: a hundredth of a millimetre of water.
+// Film of a dripping face: 0.01 mm of water.
 constexpr double kFilmGPerMm2 = 1e-5;
 
 }  // namespace
@@ -33,8 +33,7 @@ double flow_time_s(double strength, double flow_time_at_13_kpa_s) {
 double relaxed_fraction(double x) {
     constexpr double kSmall = 0.125;
     if (!(x < kSmall)) return 1.0 - exponential(-x);
-    // x (1 - x/2 (1 - x/3 (1 - ...))): nothing cancels where x is small, as it is in a tick. Next term:
-    // x^10/10!.
+    // x (1 - x/2 (1 - x/3 (1 - ...))): no cancellation for small x, as in a tick. Next term: x^10/10!.
     constexpr double kParts[] = {1.0 / 9, 1.0 / 8, 1.0 / 7, 1.0 / 6, 1.0 / 5, 1.0 / 4, 1.0 / 3, 1.0 / 2, 1.0};
     double series = 1.0;
     for (int k = 0; k < 8; ++k)
@@ -51,18 +50,18 @@ void set_liquidity(Rings& rings, int i, double liquidity_index) {
 
 namespace {
 
-// Grams of water that one unit of LI is, in ring i.
+// Grams of water in ring i per unit of LI.
 double water_of_index_g(const Rings& rings, int i) {
     return rings.volume_mm3[Rings::at(i)] * kDensityGPerMm3 * kDryFraction * kPlasticityIndex;
 }
 
-// Fick's law over the face between ring i and the one above, never past half of what would level them. A
-// fraction of the clay counts as water by LI alone, so what flows is D dLI/dy of it.
+// Fick's law across the face between ring i and the one above, limited to half of the levelling flow. Only LI
+// counts as water, so the flow is D dLI/dy.
 void pass_water_up(Rings& rings, int i, double diffusivity_mm2_s, double elapsed_s) {
     if (i + 1 >= rings.count) return;
     const std::size_t a = Rings::at(i);
     const std::size_t b = Rings::at(i + 1);
-    // The face they share: the narrower of both walls.
+    // Their common face: the overlap of both walls.
     const double outer = std::min(rings.outer_mm[a], rings.outer_mm[b]);
     const double inner = std::max(rings.inner_mm[a], rings.inner_mm[b]);
     if (!(outer > inner)) return;
@@ -84,12 +83,12 @@ void pass_water_up(Rings& rings, int i, double diffusivity_mm2_s, double elapsed
 void refresh_ring(Rings& rings, int i, const WaterPace& pace) {
     const std::size_t at = Rings::at(i);
     pass_water_up(rings, i, pace.diffusivity_mm2_s, pace.elapsed_s);
-    // Faces per volume of a wall 2/t; of solid clay 2/ro, its outer face alone.
+    // Face area per volume: 2/t for a wall; 2/ro for solid clay, which has only its outer face.
     const double faces = rings.is_hollow(i) ? 2.0 / rings.wall_mm(i) : 2.0 / rings.outer_mm[at];
     const double film = static_cast<double>(rings.film[at]);
     const double soaked = film * relaxed_fraction(pace.elapsed_s / pace.film_time_s);
     rings.film[at] = static_cast<float>(film - soaked);
-    // A hand wets one face at a time.
+    // A hand wets only one face.
     const double gained = 0.5 * soaked * kFilmGPerMm2;
     const double lost = pace.evaporation_g_mm2_s * pace.elapsed_s;
     const double change = (gained - lost) * faces / (kDensityGPerMm3 * kDryFraction);

@@ -22,32 +22,31 @@ namespace onggi::clay {
 namespace studio {
 namespace {
 
-// The assist: a second hand for those who have one, held opposite the first across the wall.
+// The assist: a virtual second hand, held opposite the first across the wall.
 
-// The most that an assist squeezes a wall at a time: a fraction of it, and no more than so much.
+// Bounds of the assist's squeeze: a fraction of the wall, and an absolute depth.
 constexpr double kSqueezedFraction = 0.25;
 constexpr double kSqueezedMm = 3.0;
 
-// Whether there is an assist. Solid clay has no other side to hold.
+// Whether the assist applies. Solid clay has no opposite face to hold.
 bool has_assist(const StudioInput& input, const Rings& rings, const Hand& hand) noexcept {
     if (input.has_second || !(input.assist_gap_mm > 0.0) || rings.first_hollow >= rings.count) return false;
     return hand.side == Side::kIn || (hand.side == Side::kOut && hand.position_mm.y > rings.floor_mm());
 }
 
-// The second hand across the wall from the first, which is in that state and touches the clay so.
+// Places the assist across the wall from the first hand, given that hand's state and contact.
 //
-// It rests on the wall without pressing it, and goes where the wall goes: a wall that both hold is carried
-// (moves.h). Only while the first hand climbs does it squeeze, at a time by no more than a fraction of the
-// wall that is there, until the hands' surfaces are least_gap_mm apart; thick walls take several pulls. It
-// answers the first hand: it presses only while that one touches, and less where the floor keeps it from
-// being opposite. work: the assist's own contact, which is yet to be found. Precondition: has_assist();
-// least_gap_mm > 0.
+// The assist rests on the wall without pressing it, and moves with it: a wall held by both moves whole
+// (moves.h). It squeezes only while the first hand climbs, by a bounded fraction of the wall at a time, until
+// the hands' surfaces are least_gap_mm apart; thick walls take several pulls. It presses only while the first
+// hand touches, and less where the floor keeps it from being opposite. work: the assist's own contact, not
+// yet computed. Precondition: has_assist(); least_gap_mm > 0.
 Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, Contact& work,
                const Rings& rings, double least_gap_mm, const StudioParameters& parameters) noexcept {
     Hand second = hand;
     second.is_assist = true;
     second.tool = StudioTool::kHand;
-    const bool outside = hand.side == Side::kIn;  // the assist
+    const bool outside = hand.side == Side::kIn;  // the assist is outside
     const double r1 = hand.radius_mm;
     second.side = outside ? Side::kOut : Side::kIn;
     second.position_mm.y = contact.height_mm;
@@ -121,11 +120,11 @@ using studio::HandState;
 using studio::Rings;
 using studio::Side;
 
-// The scan for rings to split or join: a round, and how many may change a second.
+// The cursor that splits and joins: time of a round, and largest number of changes a second.
 constexpr double kTendS = 0.020;
 constexpr double kChangesPerS = 2000.0;
 
-// A hand farther than this from the clay has let go of it.
+// A hand farther from the clay than this has let go.
 constexpr double kLetGoMm = 3.0;
 
 bool is_finite(const StudioHand& hand) {
@@ -137,7 +136,7 @@ bool are_opposite(Side a, Side b) {
     return (a == Side::kOut && b == Side::kIn) || (a == Side::kIn && b == Side::kOut);
 }
 
-// What was just put on the wheel is the whole lump from now on.
+// Counts the present rings as the whole lump and restarts the load sweep.
 void settle_as_lump(Rings& rings, double volume_mm3, studio::Ledger& ledger, studio::LoadSweep& sweep) {
     rings.find_floor();
     rings.settle(0, rings.count);
@@ -146,7 +145,7 @@ void settle_as_lump(Rings& rings, double volume_mm3, studio::Ledger& ledger, stu
     studio::restart(sweep, rings);
 }
 
-// Fingers touch so much of a wall, above and below their middle.
+// Fingers touch this length of wall above and below their middle.
 constexpr double kPrintMm = 12.0;
 constexpr double kFingersMm = 12.0;
 
@@ -166,7 +165,7 @@ Side side_of(Grip grip) {
     return Side::kFree;
 }
 
-// The hands of a grip as one contact, of the depth that a ball would need to do what they do; print_mm above
+// The hands of a grip as a contact, with the depth that a ball of the same effect would have; print_mm above
 // and below its middle.
 void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double depth_mm,
                        double print_mm = kPrintMm) {
@@ -292,7 +291,7 @@ void StudioClay::use_wire(const StudioInput& input) {
     carried_.wire_was_used = wanted;
 }
 
-// What one hand does to the clay. Contact is known; places are not worked out again here.
+// Applies one hand to the clay. Its contact is known; the caller updates the places.
 Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, const Hand* other, double water,
                         const StudioParameters& parameters) {
     const double dt = parameters.dt_s();
@@ -312,7 +311,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                 changed = studio::press_rim(rings_, contact, fraction, parameters);
             } else {
                 changed = studio::push_rings(rings_, contact, hand, other, fraction, parameters);
-                // Walls take turns with the cursors at 2 kHz and beyond, each for the time of two ticks.
+                // At 2 kHz and faster, walls and cursors use alternate ticks, each with the time step of two.
                 const bool takes_turns = studio::stripes_at(parameters.rate_hz) > 1;
                 if (takes_turns && carried_.stripe % 2 != 0) break;
                 const double wall_dt = takes_turns ? 2.0 * dt : dt;
@@ -334,13 +333,13 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
             if (!(contact.deepest_mm > 0.0)) break;
             const int touched = std::max(contact.range.size(), 1);
             const double water_g = water * parameters.sponge_water_ml_s * dt / touched;
-            constexpr double kFilmS = 0.1;  // chosen: gone within a turn or two
+            constexpr double kFilmS = 0.1;  // chosen: the film is gone within a turn or two
             for (int i = contact.range.first; hand.drinks && i < contact.range.end; ++i)
                 studio::drain_ring(rings_, i, parameters.sponge_water_ml_s * dt / touched,
                                    studio::relaxed_fraction(dt / kFilmS));
             for (int i = contact.range.first; water_g > 0.0 && i < contact.range.end; ++i)
                 studio::wet_ring(rings_, i, water_g);
-            // A wet sponge carries a little clay off as slip.
+            // A wet sponge carries off a little clay as slip.
             const double taken = parameters.slip_mm_s * dt * carried_.film;
             if (taken > 0.0) {
                 for (int k = 0; k < contact.range.size(); ++k)
@@ -356,7 +355,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                                        ledger_.trimmings_mm3);
             break;
     }
-    // The assist goes where the first hand goes: it has no steadiness of its own to lend.
+    // The assist follows the first hand: it does not centre the clay a second time.
     if (!hand.is_assist)
         studio::centre_rings(rings_, contact, state,
                              studio::relaxed_fraction(dt / parameters.centring_time_s),
@@ -368,7 +367,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
     return changed;
 }
 
-// The cursor that splits and joins. True if rings came or went.
+// The cursor that splits and joins. Returns true if it changed the rings.
 bool StudioClay::tend_rings(double dt) {
     if (rings_.count == 0) return false;
     const double target = studio::target_height_mm(rings_, lump_.rings);
@@ -387,7 +386,7 @@ bool StudioClay::tend_rings(double dt) {
         if (did.was_split) {
             studio::after_split(sweep_, did.changed_ring);
             ++carried_.splits;
-            ++carried_.tend_next;  // the halves are as they should be
+            ++carried_.tend_next;  // the halves need no visit
         } else {
             studio::after_join(sweep_, did.changed_ring);
             ++carried_.joins;
@@ -399,7 +398,7 @@ bool StudioClay::tend_rings(double dt) {
     return true;
 }
 
-// The pedal's speed, or less where a forgiving wheel sees the clay near its limit: stress goes as the square
+// The pedal's speed. A forgiving wheel lowers it while the clay is near its limit: stress grows as the square
 // of the speed.
 double StudioClay::allowed_speed(double wanted, const StudioParameters& parameters) const {
     constexpr double kForgivenIndex = 0.8;
@@ -453,7 +452,7 @@ StudioClay::Hands StudioClay::find_hands(const StudioInput& input, const StudioP
                                     input.assist_gap_mm, parameters);
         hands_[1] = hands_[0];
         hands_[1].side = hand[1].side;
-        studio::forget_wobble(hands_[1]);  // it rests on the mean circle
+        studio::forget_wobble(hands_[1]);  // the assist rests on the mean circle
         present[1] = true;
     }
     if (present[1]) studio::find_contact(contacts_[1], rings_, hand[1], hands_[1], parameters);
@@ -480,8 +479,7 @@ void StudioClay::work_hands(const Hands& hands, double water, const StudioParame
     Changed changed{};
     walls_took_turn_ = false;
     for (std::size_t h = 0; h < 2; ++h) {
-        // What flows is the mean circle, which an off-centre ring may bring past a hand that it does not
-        // touch.
+        // The mean circle flows even where an off-centre ring does not touch the hand now.
         if (!present[h] || hand[h].side == Side::kFree) continue;
         const Changed by_hand = act(hands_[h], contacts_[h], hand[h], other[h], water, parameters);
         ContactForces& forces = h == 0 ? result.hand : result.second;
@@ -528,7 +526,7 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
         result.rings_moved = rings_.count != rings_before;
         return result;
     }
-    // Clay that nobody touches and that stands is left as it is, to the bit.
+    // Untouched clay that stands keeps its bits.
     const bool sinks = std::max(sweep_.peak_index, sweep_.growing_peak) >= 1.0;
     const bool tended = (touches || sinks) && tend_rings(cursor_dt);
     const Changed slumped = studio::sweep_load(sweep_, rings_,
@@ -547,7 +545,7 @@ StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& 
     return result;
 }
 
-// Twisted through, the wall comes off in the hands.
+// The twisted wall tears off.
 void StudioClay::tear() {
     if (sweep_.tear_at < rings_.count) {
         const double y = rings_.bottom_mm(sweep_.tear_at);
@@ -558,7 +556,7 @@ void StudioClay::tear() {
     studio::restart(sweep_, rings_);
 }
 
-// The guided hand's part of the tick: grip_work.h on this clay, and what is felt and heard of it.
+// The guided hand's part of the tick: grip_work.h on this clay, and the resulting forces.
 
 studio::GripClimate StudioClay::climate(const StudioParameters& parameters) const {
     constexpr double kFreshKpa = 13.0;
@@ -572,14 +570,14 @@ studio::GripClimate StudioClay::climate(const StudioParameters& parameters) cons
             .size = exponential(natural_log(lump_.mass_g / kKilogram) / 3.0)};
 }
 
-// On a wheel that turns the hands of the grip are at work; on one that stands a finger leaves its print.
+// While the wheel turns, the hands of the grip work; while it stands, a finger leaves a dent.
 Changed StudioClay::guide(const StudioInput& input, const StudioParameters& parameters,
                           StudioForces& result) {
     const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
     if (turning && input.hand.tool != StudioTool::kHand) return guide_tool(input, parameters, result);
-    if (input.hand.tool == StudioTool::kTrimmer) return {};  // it leaves no print
+    if (input.hand.tool == StudioTool::kTrimmer) return {};  // a trimmer leaves no dent
     Changed changed{};
     if (turning) {
         changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
@@ -621,7 +619,7 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
 }
 
 bool StudioClay::lay_tool(const StudioInput& input, StudioForces& result, Hand& hand) {
-    constexpr double kNearMm = 30.0;  // a finger farther out means something else
+    constexpr double kNearMm = 30.0;  // a finger farther out does not mean the tool
     studio::let_go(grip_);
     const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
     result.grip.hand_mm = result.grip.finger_mm = finger;
@@ -652,7 +650,7 @@ void StudioClay::find_tool_contact(Contact& contact, double y_mm, double depth_m
 // A rib or a sponge lies along the outer face at the finger's height, with fingers behind the wall.
 Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters& parameters,
                                StudioForces& result) {
-    constexpr double kDepthMm = 0.8;  // chosen: lies on it, and does not push
+    constexpr double kDepthMm = 0.8;  // chosen: the tool rests without pushing
     constexpr double kDry = 1e-6;
     if (input.hand.tool == StudioTool::kTrimmer) return guide_trimmer(input, parameters, result);
     Hand hand;
@@ -670,10 +668,10 @@ Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters&
     return changed;
 }
 
-// What a guided hand feels, and the wheel of it: no more than the clay bears.
+// Forces on a guided hand and its load on the wheel, limited to bears_n_mm, the torque that the clay bears.
 void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double bears_n_mm,
                              const StudioParameters& parameters, StudioForces& result) {
-    // The other hand holds against it: a wall does not give way as a whole.
+    // The other hand supports the wall: it does not yield as a whole.
     constexpr double kHeld = 1.0;
     const double wet = std::max(carried_.film, static_cast<double>(rings_.film[Rings::at(contact.nearest)]));
     studio::Feel felt =
@@ -692,12 +690,12 @@ void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double be
     result.hand.touched_count = contact.range.size();
 }
 
-// The guided trimmer's part of the tick: a loop that lies on the outer face at the finger's height and shaves
-// off what stands out beyond the finger. The pot is leather hard by then: it is cut and does not give way.
+// The guided trimmer's part of the tick: a loop on the outer face at the finger's height that shaves off the
+// clay beyond the finger. The pot is leather hard by then: the clay is cut and does not yield.
 studio::Changed StudioClay::guide_trimmer(const StudioInput& input, const StudioParameters& parameters,
                                           StudioForces& result) {
-    constexpr double kDeepestMm = 2.0;  // of one shaving
-    constexpr double kOfWheel = 0.2;    // a potter takes no more at once than the wheel bears
+    constexpr double kDeepestMm = 2.0;  // depth of one shaving
+    constexpr double kOfWheel = 0.2;    // fraction of the wheel's torque that a cut may load
     if (!is_leather_hard()) {
         studio::dry_to_leather(rings_);
         studio::restart(sweep_, rings_);
@@ -732,7 +730,7 @@ bool StudioClay::is_leather_hard() const {
                        [](float liquidity) { return liquidity <= kLeather; });
 }
 
-// What a lump and the clay's parameters must be to be taken, and what is said of a pot that gave way.
+// Limits of a lump and of the parameters, and the sentence about a failed pot.
 
 Result<void> check(const StudioLump& lump) {
     const Bound bounds[] = {

@@ -1,4 +1,4 @@
-// The studio clay: clay with an inside, a weight and a temper, thrown on a wheel of its own. Any one thread
+// The studio clay: clay with an inside, a weight and a strength, thrown on a wheel of its own. Any one thread
 // at a time; the tick allocates nothing, calls nothing outside this room and cannot fail. Units: mm, mm^3, N,
 // s, rad, kPa, g. Frame: +Y up along the wheel axis, origin at the centre of the wheel head; the wheel turns
 // counter-clockwise seen from above.
@@ -31,63 +31,63 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
 
 namespace studio {
 
-// A wheel that turns slower than this does not bring the clay round under a hand.
+// Below this speed the wheel counts as standing: a hand dents the clay instead of shaping a turning ring.
 constexpr double kTurningRadS = 0.2;
 
-// Turning a foot: where a pot bears it, and how far a trimmer may go.
+// Trimming a foot: where the pot bears it, and how far a trimmer may cut.
 
-// Chosen: what a potter leaves of a wall, at the least, and of a foot.
+// Chosen: the wall and the foot that a potter leaves at least.
 constexpr double kTrimmedWallMm = 3.0;
 constexpr double kTrimmedFootMm = 15.0;
 
-// Of leather-hard clay: it keeps its shape and can still be cut. At the plastic limit.
+// LI of leather-hard clay, which keeps its shape and can still be cut: the plastic limit.
 constexpr double kLeatherHardLiquidity = 0.0;
 
-// How thick the wall is right above the floor; 0 where nothing is hollow.
+// Wall thickness right above the floor; 0 if the clay is solid.
 double foot_wall_mm(const Rings& rings);
 
-// The outer radius that a careful trimmer leaves ring i: three millimetres of wall across it, and as much
-// round the floor's corner; of what is solid below, a foot.
+// The outer radius that a careful trimmer leaves ring i: three millimetres of wall, measured across it and
+// round the floor's corner; for solid clay below, a foot.
 double least_outer_mm(const Rings& rings, int i) noexcept;
 
-// Dries all of it to leather hard, at once. Clay that is drier stays as it is.
+// Dries all clay to leather hard at once. Drier clay stays unchanged.
 void dry_to_leather(Rings& rings) noexcept;
 
 }  // namespace studio
 
-// What one tick did.
+// Result of one tick.
 struct StudioForces {
-    ContactForces hand;    // of the first hand; touched rings as in the paper's clay
-    ContactForces second;  // of the second one, or of the assist
+    ContactForces hand;    // on the first hand; touched rings as in the paper's clay
+    ContactForces second;  // on the second hand, or on the assist
     double wheel_load_n_mm = 0.0;
     studio::Side side = studio::Side::kFree;
     studio::Side second_side = studio::Side::kFree;
-    bool rings_moved = false;  // rings came or went: every index is new
-    bool has_second = false;   // a second hand or the assist was at work, here:
+    bool rings_moved = false;  // rings were split, joined or removed: all indices changed
+    bool has_second = false;   // a second hand or the assist was active, at this place:
     dvec3 second_position_mm{0.0};
     studio::GripReport grip;  // of a guided hand
 
-    [[nodiscard]] dvec3 total_n() const { return hand.total_n(); }  // what the device in the first hand feels
+    [[nodiscard]] dvec3 total_n() const { return hand.total_n(); }  // for the device in the first hand
 };
 
 // Checks a lump against the limits named at its fields.
 Result<void> check(const StudioLump& lump);
 
-// A pot of N rings that own volume (rings.h), whose heights follow from their radii, thrown by what its hands
-// touch. A tick goes in this order: wheel, hands (hand.h), contact (contact.h), pushes and presses (moves.h),
-// the wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (rings.h),
-// load and slump (load.h), forces (force.h).
+// A pot of N rings that own volume (rings.h); their heights follow from their radii. Hands shape it by touch.
+// A tick runs in this order: wheel, hands (hand.h), contact (contact.h), pushes and presses (moves.h), the
+// wall as a whole (wall_field.h), centring and sectors (roundness.h), places, split and join (rings.h), load
+// and slump (load.h), forces (force.h).
 //
-// Where it departs from the plain form of its laws, and why; MODEL.md beside this file tells the laws.
-// Differs: a lump starts with as many rings as its height asks for at 200 mm/N each and has room for 2 N; N
+// MODEL.md beside this file states the laws. Departures from their plain form:
+// Differs: a lump starts with as many rings as its height needs at 200 mm/N each and has room for 2 N; N
 //   rings of a low dome would be flakes.
 // Differs: a push that would break a bound is shortened to it rather than refused, so that a fast hand moves
-//   the clay as fast as it may instead of not at all. The refusal stays as the last guard.
+//   the clay as fast as it may instead of not at all. The refusal stays as the final check.
 // Differs: sectors do not take part in the flow of the mean circle. A bump passing under the hand would cone
 //   the whole ring, as off-centre clay would.
-// Differs: forces are of the depth before the tick's flow; the flow takes about a hundredth of it.
-// Differs: at 2 kHz and beyond walls give way as a whole in every other tick at most, and load, slump, split
-//   and join are worked at in the ones between, each for the time of both.
+// Differs: forces use the depth before the tick's flow; the flow removes about a hundredth of it.
+// Differs: at 2 kHz and faster, walls yield as a whole in every second tick at most; load, slump, split and
+//   join run in the ticks between, each with the time step of both.
 class StudioClay {
   public:
     // Precondition: check(lump) holds.
@@ -99,13 +99,13 @@ class StudioClay {
     [[nodiscard]] int sector_count() const { return rings_.sectors; }
     [[nodiscard]] double height_mm() const { return rings_.top_mm(); }
     [[nodiscard]] double floor_mm() const { return rings_.floor_mm(); }
-    // Bottom first, ring_count() of each.
+    // Bottom first; ring_count() values each.
     [[nodiscard]] std::span<const double> outer_mm() const { return column(rings_.outer_mm); }
     [[nodiscard]] std::span<const double> inner_mm() const { return column(rings_.inner_mm); }
     [[nodiscard]] double centre_height_mm(int ring) const { return rings_.centre_mm(ring); }
-    // Off-centre of a ring, its x and z in the clay's frame.
+    // Off-centre of a ring, x and z in the clay's frame.
     [[nodiscard]] dvec2 centre_mm(int ring) const;
-    // Residuals of a ring, sector_count() of them, counter-clockwise; empty where the ring is round.
+    // Residuals of a ring, sector_count() values, counter-clockwise; empty if the ring is round.
     [[nodiscard]] std::span<const float> residuals_mm(int ring) const;
     [[nodiscard]] const studio::Rings& rings() const { return rings_; }
 
@@ -113,20 +113,20 @@ class StudioClay {
     [[nodiscard]] double volume_mm3() const { return rings_.on_wheel_mm3(); }
     [[nodiscard]] double ledger_error_mm3() const { return ledger_.error_mm3(volume_mm3()); }
 
-    // The warning: the largest load index of the last round over the clay, where, and by what.
+    // The warning: the largest load index of the last sweep, its height and its cause.
     [[nodiscard]] double load_index() const { return sweep_.peak_index; }
     [[nodiscard]] double load_height_mm() const { return sweep_.peak_height_mm; }
     [[nodiscard]] studio::Cause load_cause() const { return sweep_.peak_cause; }
-    // The first ring that gave way; Cause::kNone while all stand.
+    // The first ring that failed; Cause::kNone while all stand.
     [[nodiscard]] const studio::Failure& failure() const { return sweep_.failure; }
-    // Cut off the wheel: the pot is done, hands no longer move it.
+    // Cut off the wheel: the pot is finished, hands no longer move it.
     [[nodiscard]] bool is_cut_off() const { return carried_.cut_off; }
-    // None of it is softer; a guided trimmer works on no other clay.
+    // Whether all clay is leather hard or drier; a guided trimmer works only on such clay.
     [[nodiscard]] bool is_leather_hard() const;
     // Water on the hands, 0 to 1.
     [[nodiscard]] double film() const { return carried_.film; }
-    // Puts a pot that was cut off on the wheel again, standing, to be thrown on; and one that was not, as if
-    // it had been.
+    // Puts a cut-off pot back on the wheel, standing, so that it can be thrown on. A pot that was not cut off
+    // gets the same state.
     void put_back();
     [[nodiscard]] std::uint64_t splits() const { return carried_.splits; }
     [[nodiscard]] std::uint64_t joins() const { return carried_.joins; }
@@ -134,32 +134,34 @@ class StudioClay {
     [[nodiscard]] const studio::PoweredWheel& wheel() const { return wheel_; }
     void set_wheel_speed(double speed_rad_s) { wheel_.set_speed(speed_rad_s); }
 
-    // Puts a wall in place of the clay: solid of that outer radius up to floor_mm, hollow above. For tests,
-    // demonstrations and benchmarks; the ledger starts anew. Precondition: within the bounds of
-    // studio_parameters.h; the wall's rings fit.
+    // For tests, demonstrations and benchmarks. Replaces the clay by a wall: solid of that outer radius up to
+    // floor_mm, hollow above. The ledger restarts. Precondition: within the bounds of studio_parameters.h;
+    // the wall's rings fit.
     void set_wall(double outer_mm, double wall_mm, double floor_mm, double height_mm, int rings);
-    // New radii for the rings there are, volumes so that every height stays as it is. The same duties.
+    // For the same uses. Sets new radii for the present rings, with volumes that keep every height. Same
+    // preconditions.
     void set_profile(std::span<const double> outer_mm, std::span<const double> inner_mm);
-    // Moves ring centres, for the same. Clay's frame.
+    // For the same uses. Sets all ring centres, in the clay's frame.
     void set_centre(const dvec2& centre_mm);
     void set_liquidity(double liquidity_index);
 
-    // Puts a fresh lump on the wheel; the wheel turns on. No allocation.
+    // Puts a fresh lump on the wheel; the wheel keeps turning. No allocation.
     void restart() noexcept;
-    // Puts the clay of another start on the wheel, which is then that one's too. Precondition: a lump with as
-    // many rings and sectors. No allocation.
+    // Copies the clay and the wheel of another start. Precondition: a lump with as many rings and sectors. No
+    // allocation.
     void restart_from(const StudioClay& start) noexcept;
 
-    // Takes all the memory that this clay may come to need: before a tick has it, so that none is the first
-    // to touch a page. Without it a clay takes what its rings use.
+    // Commits all memory that this clay may need, so that no tick is the first to touch a page. Without this
+    // call a clay takes only what its rings use.
     void take_memory() noexcept { rings_.residual_mm.take_memory(); }
 
     // One step of 1/f. Precondition: check(parameters) holds.
     StudioForces tick(const StudioInput& input, const StudioParameters& parameters) noexcept;
 
-    // Of all that a later tick depends on, for replay checks. No allocation.
+    // Hash of everything a later tick depends on, for replay checks. No allocation.
     [[nodiscard]] std::uint64_t state_hash() const;
-    // The same as bytes, little-endian, and back. Refuses a wrong size and what no tick could have left.
+    // The same state as little-endian bytes, and its reader. The reader refuses a wrong size and any state
+    // that no tick could have left.
     [[nodiscard]] std::vector<std::byte> start_state() const;
     static Result<StudioClay> from_start_state(std::span<const std::byte> bytes);
 
@@ -169,7 +171,7 @@ class StudioClay {
     [[nodiscard]] std::span<const double> column(const std::vector<double>& values) const {
         return {values.data(), static_cast<std::size_t>(rings_.count)};
     }
-    // Visits every number of the state, in one order: for the hash, the bytes out and the bytes in.
+    // Visits every number of the state in a fixed order: for the hash, the writer and the reader.
     template <typename Self, typename Visitor>
     static void visit_state(Self& self, Visitor& visitor);
 
@@ -194,7 +196,8 @@ class StudioClay {
                                StudioForces& result);
     studio::Changed guide_trimmer(const StudioInput& input, const StudioParameters& parameters,
                                   StudioForces& result);
-    // A held tool on the outer face at the finger's height; false: the finger means something else.
+    // Lays a held tool on the outer face at the finger's height. Returns false if the finger is too far from
+    // it.
     bool lay_tool(const StudioInput& input, StudioForces& result, studio::Hand& hand);
     void find_tool_contact(studio::Contact& contact, double y_mm, double depth_mm, double print_mm);
     void feel_guided(const studio::Contact& contact, const studio::Hand& hand, double bears_n_mm,
@@ -214,18 +217,18 @@ class StudioClay {
     studio::LoadSweep sweep_;
     std::array<studio::HandState, 2> hands_;
     studio::GripState grip_;
-    // What else one tick leaves to the next.
+    // The rest of the state that passes from tick to tick.
     struct Carried {
-        double film = 0.0;           // of water on the hands, 0 to 1
-        double tend_credit = 0.0;    // rings to look at that simulated time has paid for
-        double change_credit = 0.0;  // splits and joins, the same
+        double film = 0.0;           // water on the hands, 0 to 1
+        double tend_credit = 0.0;    // ring visits paid for by simulated time
+        double change_credit = 0.0;  // splits and joins, likewise
         int tend_next = 0;
-        int stripe = 0;                // counts ticks round: which rings are rounded, which work is due
+        int stripe = 0;  // cycles with the ticks: selects the rings to round and the work that is due
         double wheel_load_n_mm = 0.0;  // of the last tick
         double load_height_mm = 0.0;
-        bool owes_cursors = false;  // the tick before was the walls' turn
+        bool owes_cursors = false;  // the walls used the previous tick
         bool cut_off = false;
-        bool wire_was_used = false;  // one cut a pull
+        bool wire_was_used = false;  // one cut per pull
         std::uint64_t splits = 0;
         std::uint64_t joins = 0;
     } carried_;
@@ -237,7 +240,7 @@ class StudioClay {
     std::vector<double> scratch_;
 };
 
-// One sentence on why the clay gave way; empty while it stands.
+// One sentence on why the clay failed; empty while it stands.
 std::string sentence(const studio::Failure& failure);
 
 }  // namespace onggi::clay

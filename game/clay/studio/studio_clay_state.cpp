@@ -15,7 +15,7 @@ namespace {
 
 using studio::Rings;
 
-// The start state opens with this and the lump: they say how much more there is.
+// The start state begins with this tag and the lump, which determine its size.
 constexpr std::uint32_t kStateTag = 0x334c4353;  // "SCL3"
 constexpr std::size_t kHeadBytes = 4 + 8 + 4 + 8 + 4 + 4 + 8 + 4;
 
@@ -25,7 +25,7 @@ void visit_lump(Visitor& visitor, Lump& lump) {
           lump.off_centre_mm);
 }
 
-// The trail as what of it is meant, oldest first.
+// Visits the used points of the trail, oldest first.
 template <typename Visitor, typename Grip>
 void visit_grip(Visitor& visitor, Grip& grip) {
     visit(visitor, grip.presses);
@@ -180,7 +180,8 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
     return clay;
 }
 
-// What no tick could have left; empty if all is well. Heights and places are not looked at: they follow.
+// Returns what is wrong with a state that no tick could have left; empty if it is sound. Heights and places
+// are not checked: they are computed later.
 std::string StudioClay::damage_of(const StudioClay& clay) {
     const Rings& rings = clay.rings_;
     for (int i = 0; i < rings.count; ++i) {
@@ -222,7 +223,7 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
         return is_between(static_cast<int>(cause), 0, static_cast<int>(studio::Cause::kTwist));
     };
     const int most = rings.count;
-    // Going down there is always a next ring; going up one may just have been the last.
+    // Going down, the cursor always has a next ring; going up, the last ring may just have been visited.
     if (!is_between(sweep.next, sweep.goes_up || most == 0 ? 0 : 1, most) ||
         !is_between(sweep.credit, 0.0, 1e6) || !is_between(static_cast<double>(sweep.running), 0.0, 1e3) ||
         !is_cause(sweep.peak_cause) || !is_cause(sweep.growing_cause) || !is_cause(sweep.failure.cause) ||

@@ -1,4 +1,4 @@
-// Constants of the studio clay and what the tick is told. Plain values. Units: mm, N, s, rad, kPa, g, ml.
+// Constants of the studio clay and the input of its tick. Plain values. Units: mm, N, s, rad, kPa, g, ml.
 #pragma once
 
 #include "engine/core/result.h"
@@ -14,7 +14,7 @@ constexpr double kThinnestWallMm = 1.5;
 constexpr double kNarrowestMm = 6.0;  // outer radius
 constexpr double kWidestMm = 150.0;   // the wheel head
 constexpr double kTallestMm = 350.0;
-constexpr double kDeepestMm = 10.0;  // a deeper tool flows and feels no more than this
+constexpr double kDeepestMm = 10.0;  // flow and force of a deeper tool stop growing here
 
 constexpr double kDensityGPerMm3 = 1.9e-3;
 constexpr double kGravityMmS2 = 9810.0;
@@ -26,87 +26,87 @@ struct StudioParameters {
     double rate_hz = 1000.0;  // f
 
     // Flow: Eq. (2) with a yield, d <- dy + (d - dy) exp(-dt/tau).
-    double flow_time_s = 0.10;         // tau at the reference strength
-    double yield_depth_mm = 0.25;      // dy
-    double wall_fraction_k0 = 0.5;     // of the clay pushed aside that crosses the wall to its other face
-    double thin_wall_mm = 7.0;         // t0, where a wall gives way as a whole as easily as it is dented
-    double hoop_fraction_chi = 0.5;    // of a wall's hoop strain that goes into thickness
-    double field_length_beta = 2.5;    // L = beta sqrt(R t)
-    double floor_mm = 12.0;            // kept when opening
+    double flow_time_s = 0.10;       // tau at the reference strength
+    double yield_depth_mm = 0.25;    // dy
+    double wall_fraction_k0 = 0.5;   // fraction of the displaced clay that crosses the wall to its other face
+    double thin_wall_mm = 7.0;       // t0, where yielding as a whole is as easy as denting
+    double hoop_fraction_chi = 0.5;  // fraction of a wall's hoop strain that goes into thickness
+    double field_length_beta = 2.5;  // L = beta sqrt(R t)
+    double floor_mm = 12.0;          // kept when opening
     double largest_strain_rate = 8.0;  // of a ring's height, 1/s
 
     double centring_time_s = 1.0;   // tau_c
     double rounding_time_s = 0.25;  // tau_w, of sectors under the tool while the wheel turns
-    double denting_time_s = 0.5;    // of sectors under the tool while it stands
+    double denting_time_s = 0.5;    // of sectors under the tool while the wheel stands
 
     double sponge_length_mm = 0.7;  // lambda
     double rib_length_mm = 1.2;     // a rib is stiffer than a sponge
-    double trim_time_s = 0.05;      // a trimming tool cuts, it does not knead
+    double trim_time_s = 0.05;      // shorter than the flow: a trimming tool cuts, it does not knead
 
     // Strength and water.
-    double sponge_water_ml_s = 0.5;       // what a dripping sponge gives while it touches
-    double slip_mm_s = 0.01;              // what a wet sponge carries off
-    double evaporation_g_mm2_s = 5.6e-8;  // 0.2 kg a square metre and hour
-    double film_time_s = 20.0;            // how long hands stay slippery, and faces wet
-    double diffusivity_mm2_s = 5e-3;  // of water from ring to ring: a millimetre and a half in five minutes
-    bool slumps = true;               // clay that carries more than it can gives way
-    bool forgiving = false;           // the wheel slows by itself before the clay gives way
+    double sponge_water_ml_s = 0.5;       // water from a dripping sponge while it touches
+    double slip_mm_s = 0.01;              // clay carried off by a wet sponge
+    double evaporation_g_mm2_s = 5.6e-8;  // 0.2 kg per square metre and hour
+    double film_time_s = 20.0;            // decay of the film on hands and faces
+    double diffusivity_mm2_s = 5e-3;      // of water from ring to ring: 1.5 mm in five minutes
+    bool slumps = true;                   // overloaded clay gives way
+    bool forgiving = false;               // the wheel slows by itself before the clay fails
 
     // Feel.
     double bearing_factor_nc = 6.0;          // Nc
     double viscosity_c2_n_s_per_mm = 0.002;  // c2 of Eq. (6)
     double friction_dry = 0.5;               // mu
     double friction_wet = 0.2;
-    double largest_force_n = 30.0;  // no hand presses harder
+    double largest_force_n = 30.0;  // bound of every hand's force
 
     studio::WheelParameters wheel;
 
     [[nodiscard]] double dt_s() const { return 1.0 / rate_hz; }
 };
 
-// Refuses what the clay cannot be ticked with; the message names the parameter.
+// Refuses parameters that the tick cannot use; the message names the parameter.
 Result<void> check(const StudioParameters& parameters);
 
 enum class StudioTool {
     kHand,     // pushes: cone, collar, belly, open, widen, pinch, press the rim
-    kRib,      // fairs: the touched face follows its own average, no push
-    kSponge,   // the same over a shorter length; gives water, takes slip
-    kTrimmer,  // cuts: what it reaches goes to the trimmings
+    kRib,      // smooths: the touched face follows its own average, no push
+    kSponge,   // the same over a shorter length; adds water, carries off slip
+    kTrimmer,  // cuts: the clay in reach goes to the trimmings
 };
 
-// Where a hand that reaches the clay wants to be, for a device that knows; see hand.h.
+// The side that a hand means to reach the clay on, for a device that knows it; see hand.h.
 enum class WantedSide { kNone, kOut, kIn, kTop };
 
 struct StudioHand {
     dvec3 position_mm{0.0, 1000.0, 0.0};  // centre of the sphere
-    double radius_mm = 10.0;              // 2 to 40; outside, the nearest
-    double shaft_mm = 0.0;                // inside, of the arm above the ball; 9 for widening
+    double radius_mm = 10.0;              // 2 to 40; clamped
+    double shaft_mm = 0.0;                // hand inside: radius of the arm above the ball; 9 for widening
     WantedSide side = WantedSide::kNone;
     StudioTool tool = StudioTool::kHand;
 };
 
 enum class Wire {
     kNone,
-    kCutRim,  // level, at wire_height_mm: what is above goes to the trimmings
-    kCutOff,  // under the pot, at wire_height_mm: what is below stays on the wheel; the pot is done
+    kCutRim,  // level, at wire_height_mm: the clay above goes to the trimmings
+    kCutOff,  // under the pot, at wire_height_mm: the clay below stays on the wheel; the pot is done
 };
 
-// What one tick is told. Numbers that are not finite count as a hand that is away.
+// Input of one tick. A hand with a number that is not finite counts as absent.
 struct StudioInput {
     StudioHand hand;
     StudioHand second;
     bool has_second = false;
     // The assist: a second hand held opposite the first across the wall. It rests there, and squeezes while
-    // the first hand climbs, until their surfaces are this far apart; see has_assist(). Taken only without a
-    // second hand of one's own; 0: none.
+    // the first hand climbs, until their surfaces are this far apart; see has_assist(). Used only without a
+    // real second hand; 0 switches it off.
     double assist_gap_mm = 0.0;
     double wheel_speed_rad_s = 0.0;  // the pedal
     double water = 0.0;              // of hands or sponge, 0 dry to 1 dripping
     Wire wire = Wire::kNone;
     double wire_height_mm = 0.0;
-    // The first hand's place is a finger's, which skilled hands follow: see grip.h.
+    // The first hand's position is a finger's, which skilled hands follow: see grip.h.
     bool guided = false;
-    bool pressing = true;  // hands that do not press are not in the clay
+    bool pressing = true;  // a hand that does not press is not in the clay
 };
 
 }  // namespace onggi::clay

@@ -12,16 +12,16 @@ constexpr double kSteepest = 3.0;
 constexpr float kSteepestF = 3.0F;
 
 struct FieldFractions {
-    float push;  // u, with the sign of the way the wall goes
+    float push;  // u, signed by the direction of the wall's motion
     float above_floor;
     float per_thin_wall;
     float per_phi;
     float per_length;
     float chi;
-    float room_inside;  // 1 for a wall that goes outward
+    float room_inside;  // 1 for a wall that moves outward
 };
 
-// How the two faces of each ring move. place and mean start kSlopeRings before the first ring.
+// Steps of the two faces of each ring. place and mean start kSlopeRings before the first ring.
 [[gnu::always_inline]] inline void field_steps_each(
     const double* __restrict__ outer, const double* __restrict__ inner, const float* __restrict__ place,
     const float* __restrict__ mean, float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
@@ -34,7 +34,7 @@ struct FieldFractions {
         const float s = y * per_length;
         float rest = 1.0F - s * s;
         rest = rest > 0.0F ? rest : 0.0F;
-        // phi = tie/(1 + q^4) with tie = above/(0.7 t), at most 1, in one division.
+        // phi = tie/(1 + q^4) with tie = above/(0.7 t), at most 1, with one division.
         const float tied = 0.7F * t;
         float above = above_floor + y;
         above = above < tied ? above : tied;
@@ -42,12 +42,12 @@ struct FieldFractions {
         const float q = t * per_thin_wall;
         float phi = above * per_phi / (tied * (1.0F + (q * q) * (q * q)));
         phi = phi < 1.0F ? phi : 1.0F;
-        // A neck that is all but closed has nowhere to go; solid clay has no wall.
+        // An almost closed neck has no room to move; solid clay has no wall.
         float room = 0.5F * ri + room_inside;
         room = room < 1.0F ? room : 1.0F;
         const float here = ri > 0.0F ? push * rest : 0.0F;
         const float d = here * rest * phi * room;
-        // T/(1 + T^2) with T = run/rise, within +-3, in one division too.
+        // T/(1 + T^2) with T = run/rise, clamped to +-3, with one division too.
         float rise = place[k + 2 * kSlopeRings] - place[k];
         rise = rise > 1e-6F ? rise : 1e-6F;
         const float furthest = kSteepestF * rise;
@@ -85,7 +85,7 @@ struct FieldFractions {
     }
 }
 
-// The whole of the field's work on the rings; the same bits whichever runs.
+// Arguments of the field's loop. The plain and the wide variant compute the same bits.
 struct FieldColumns {
     double* outer;
     double* inner;
@@ -126,7 +126,7 @@ double wall_slope(const Rings& rings, int i) noexcept {
     if (highest > i) high = highest;
     if (low == high || rings.is_hollow(low) != hollow || rings.is_hollow(high) != hollow) return 0.0;
     const double rise = rings.centre_mm(high) - rings.centre_mm(low);
-    // Solid clay has its slope at the outer face; half of it is the middle between face and axis.
+    // The slope of solid clay is that of its outer face; half of it is the middle between face and axis.
     const double run = 0.5 * ((rings.outer_mm[at(high)] + rings.inner_mm[at(high)]) -
                               (rings.outer_mm[at(low)] + rings.inner_mm[at(low)]));
     return std::clamp(run / rise, -kSteepest, kSteepest);
@@ -163,8 +163,8 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fract
     range.first = std::max(range.first, rings.first_hollow);
     if (range.size() <= 0) return {};
 
-    // y - y* and R, of the rings of the field and as many beyond as the slope looks, the last one again and
-    // again where there are no more.
+    // y - y* and R of the field's rings, extended by the slope's reach at both ends; the end values are
+    // repeated where the rings end.
     float* const place = contact.place_mm.data();
     float* const mean = contact.mean_mm.data();
     const Rings::Range seen{std::max(range.first - kSlopeRings, rings.first_hollow),

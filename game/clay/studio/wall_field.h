@@ -1,6 +1,5 @@
-// A push on a wall with nothing behind it moves the wall, not only the clay under the finger: one smooth
-// field a hand, of compact reach, so that clay beyond it is untouched to the bit. Haptic thread; no
-// allocation.
+// A push on an unsupported wall moves the wall, not only the clay under the finger: one smooth field a hand,
+// with compact support, so that clay beyond it keeps its bits. Haptic thread; no allocation.
 #pragma once
 
 #include "game/clay/studio/moves.h"
@@ -9,7 +8,7 @@ namespace onggi::clay::studio {
 
 // Moves the hollow rings within L = beta sqrt(R t) of the push that contact.field describes.
 //
-//   u      how far the wall gives at the middle of the push: fraction times the largest x phi
+//   u      how far the wall moves at the middle of the push: fraction times the largest x phi
 //   y*     that middle, the mean of y weighted with (x phi)^2 h
 //   g(s)   (1 - s^2)^2 with s = (y - y*)/L
 //   R      mean radius; R' = R + d with d = u g min(1, phi/phi(y*))
@@ -21,7 +20,7 @@ namespace onggi::clay::studio {
 Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fraction, double dt_s,
                   const StudioParameters& parameters) noexcept;
 
-// dR/dy at ring i over six rings to either side, of the same kind of clay, within +-3.
+// dR/dy at ring i over six rings to either side of the same kind (solid or hollow), clamped to +-3.
 double wall_slope(const Rings& rings, int i) noexcept;
 
 }  // namespace onggi::clay::studio

@@ -7,7 +7,8 @@ namespace onggi::clay::studio {
 void PoweredWheel::step(double wanted_rad_s, double load_n_mm, double dt_s,
                         const WheelParameters& wheel) noexcept {
     constexpr double kNMmPerNM = 1000.0;
-    // Motor and drag are linear in the speed, so an implicit step is one division and stable however stiff.
+    // Motor and drag are linear in the speed, so an implicit step is one division and stable at any
+    // stiffness.
     const double inertia = wheel.inertia_kg_m2 * kNMmPerNM;  // N mm s^2
     const double pulled = (inertia * speed_rad_s_ + dt_s * wheel.pull_n_mm_s * wanted_rad_s) /
                           (inertia + dt_s * (wheel.pull_n_mm_s + wheel.drag_n_mm_s));
