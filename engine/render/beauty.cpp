@@ -5,15 +5,11 @@
 #include <numbers>
 
 #include "engine/math/eight_bits.h"
+#include "engine/math/light.h"
 
 namespace onggi::render {
 namespace {
 
-// IEC 61966-2-1.
-float linear_of(int value) {
-    const float v = static_cast<float>(value) / 255.0F;
-    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
 // The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: any
 // first part of it is spread evenly.
 dvec2 spread(int index, double offset) {
@@ -26,8 +22,7 @@ dvec2 spread(int index, double offset) {
 }  // namespace
 
 std::uint8_t srgb_byte(float light) {
-    const float v = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
-    return eight_bits(v);
+    return eight_bits(srgb_from_linear(light));
 }
 
 Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {
@@ -59,7 +54,7 @@ void Accumulation::add(std::span<const std::uint8_t> rgba) {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> values{};
         for (int value = 0; value < 256; ++value)
-            values[static_cast<std::size_t>(value)] = linear_of(value);
+            values[static_cast<std::size_t>(value)] = linear_from_srgb(static_cast<float>(value) / 255.0F);
         return values;
     }();
     for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {

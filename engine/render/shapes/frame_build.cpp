@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/core/hash.h"
+#include "engine/math/light.h"
 #include "engine/render/shapes/lathe_edges.h"
 #include "shaders/sky.h"
 
@@ -394,7 +395,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
         built.frame.lathe_foot = vec4(0.5F * (foot.x + across.x), 0.5F * (foot.z + across.z), 0.0F, 0.0F);
     const LatheMaterial& material = lathe.material;
     built.lathe.dry = vec4(material.albedo, material.streaks);
-    built.lathe.wet = vec4(wet_albedo(material.albedo, 1.0F), material.soft_edge);
+    built.lathe.wet = vec4(wet_albedo(material.albedo), material.soft_edge);
     // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
     const float film = film_roughness(material);
     const float width = 0.5F * std::tan(scene.key.angular_radius_rad);
@@ -425,11 +426,6 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
 }
 
 }  // namespace
-
-vec3 wet_albedo(vec3 albedo, float wetness) {
-    const float p = 0.66F * std::clamp(wetness, 0.0F, 1.0F);
-    return albedo * (1.0F - p) / (vec3(1.0F) - p * albedo);
-}
 
 float wet_roughness(const LatheMaterial& material) {
     constexpr float kWetSmoothing = 0.72F;

@@ -135,10 +135,6 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
 [[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
 
-// A wet body is darker and more saturated: light that the water throws back into it is filtered once more.
-// J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A), where p is the
-// fraction of diffuse light that water reflects back inside; 0.66 of a body full of it.
-[[nodiscard]] vec3 wet_albedo(vec3 albedo, float wetness);
 // Of the body full of it.
 [[nodiscard]] float wet_roughness(const LatheMaterial& material);
 
