@@ -65,9 +65,9 @@ struct Material {
 // body darkens it, water on it shines; the two are told apart, because a body that has drunk its water is
 // dark and dull.
 struct LatheMaterial {
-    vec3 albedo{0.36F, 0.29F, 0.215F};  // of the dry body; of a glazed one: what is seen through the glaze
-    float roughness = 0.62F;            // GGX, of the dry body
-    float streaks = 0.35F;              // left by the fingers, as a fraction of the albedo
+    vec3 albedo{0.5F};        // of the dry body; of a glazed one: what is seen through the glaze
+    float roughness = 0.62F;  // GGX, of the dry body
+    float streaks = 0.35F;    // left by the fingers, as a fraction of the albedo
     float soft_edge = 0.14F;  // how far round the edge of the lit side light scatters, as a cosine: 0 to 0.5
     float wetness = 0.0F;     // water in the body, 0 to 1, where the lathe does not say it ring by ring
     float film = 0.0F;        // water on it, likewise
