@@ -15,6 +15,7 @@
 
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
+#include "engine/math/dents.h"
 #include "engine/math/math.h"
 #include "engine/render/camera.h"
 #include "engine/render/prop.h"
@@ -76,8 +77,6 @@ struct LatheMaterial {
 
     friend bool operator==(const LatheMaterial&, const LatheMaterial&) = default;
 };
-
-constexpr int kDentSectors = 64;  // of Lathe::dents_mm
 
 // A place of a lathe's outside that was painted on.
 struct LatheMark {

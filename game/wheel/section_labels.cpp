@@ -163,7 +163,7 @@ class Section {
     }
     // What moves both faces of the wall, which keeps its thickness: see pot::Pot::dents_mm.
     [[nodiscard]] double dent_mm(bool left, double y_mm) const {
-        constexpr std::size_t kSectors = pot::kDentSectors;
+        constexpr std::size_t kSectors = kDentSectors;
         const std::size_t rows = pot_.dents_mm.size() / kSectors;
         if (rows == 0 || !(pot_.height_mm > 0.0)) return 0.0;
         constexpr double kTurn = 2.0 * std::numbers::pi;

@@ -192,8 +192,6 @@ render::LightLevels light_levels(double evening) {
             .key = 1.0F + (kEveningKey - 1.0F) * fraction};
 }
 
-static_assert(pot::kDentSectors == render::kDentSectors, "the lathe draws the pot's map of dents as it is");
-
 // The clay: the pot on the wheel becomes the lathe that is drawn.
 
 void receive_clay(ecs::Registry& registry, FrameContext& context) {
