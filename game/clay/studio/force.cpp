@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clay/studio/load.h"
+
 namespace onggi::clay::studio {
 namespace {
 
 // Sliding slower than this sticks a little: friction grows with speed up to it.
 constexpr double kStickSpeedMmS = 5.0;
 
-// A ring near its limit is felt as soft from this load index on.
-constexpr double kSoftensFrom = 0.7;
-
 double softened_strength_n_mm2(const Rings& rings, int i) {
     const auto su = static_cast<double>(rings.strength_kpa[Rings::at(i)]);
     const double beyond = std::clamp(
-        (static_cast<double>(rings.load_index[Rings::at(i)]) - kSoftensFrom) / (1.0 - kSoftensFrom), 0.0,
+        (static_cast<double>(rings.load_index[Rings::at(i)]) - kSoftensAtLoad) / (1.0 - kSoftensAtLoad), 0.0,
         1.0);
     return su * (1.0 - 0.5 * beyond) / kKpaPerNMm2;
 }

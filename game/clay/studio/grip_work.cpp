@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "game/clay/studio/load.h"
 #include "game/clay/studio/grip_touch.h"
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/rings.h"
@@ -382,7 +383,7 @@ constexpr double kThickFloorMm = 12.5;
 
 // What the load leaves of a move that thins or widens.
 double load_fraction(const GripClimate& climate) {
-    return std::clamp((0.85 - climate.load_index) / 0.2, 0.0, 1.0);
+    return std::clamp((kGuardedLoad - climate.load_index) / kGuardWidth, 0.0, 1.0);
 }
 
 Bore bore_of(const GripState& state) {

@@ -402,11 +402,10 @@ bool StudioClay::tend_rings(double dt) {
 // The pedal's speed, or less where a forgiving wheel sees the clay near its limit: stress goes as the square
 // of the speed.
 double StudioClay::allowed_speed(double wanted, const StudioParameters& parameters) const {
-    constexpr double kForgivenIndex = 0.8;
     const double pedal = std::isfinite(wanted) ? std::clamp(wanted, 0.0, studio::kFastestWheelRadS) : 0.0;
     const double index = std::max(sweep_.peak_index, sweep_.growing_peak);
-    if (!parameters.forgiving || index <= kForgivenIndex) return pedal;
-    return std::min(pedal, wheel_.speed_rad_s() * std::sqrt(kForgivenIndex / index));
+    if (!parameters.forgiving || index <= studio::kForgivenLoad) return pedal;
+    return std::min(pedal, wheel_.speed_rad_s() * std::sqrt(studio::kForgivenLoad / index));
 }
 
 ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, const Hand& hand,
