@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/math/eight_bits.h"
 #include "engine/math/light.h"
@@ -32,7 +31,7 @@ Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) 
 
     // Evenly over the disc that the light shows; what is left of its softness is what one sample stands for.
     const dvec2 on_light = spread(index, 0.25);
-    const double angle = 2.0 * std::numbers::pi * on_light.x;
+    const double angle = kTurn * on_light.x;
     const double off = std::sqrt(on_light.y) * std::tan(double{scene.key.angular_radius_rad});
     const dvec3 l(scene.key.towards_light);
     const dvec3 side =

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <vector>
 
 #include "engine/ui/path.h"
 
 namespace onggi::ui {
 namespace {
-
-constexpr double kHalfTurn = std::numbers::pi;
 
 void rounded_rect(cairo_t* cairo, const Rect& rect, float radius) {
     const double r = std::min({radius, 0.5F * rect.width, 0.5F * rect.height});
@@ -20,10 +17,10 @@ void rounded_rect(cairo_t* cairo, const Rect& rect, float radius) {
     const double top = double{rect.y} + r;
     const double bottom = double{rect.bottom()} - r;
     cairo_new_sub_path(cairo);
-    cairo_arc(cairo, right, top, r, -0.5 * kHalfTurn, 0.0);
-    cairo_arc(cairo, right, bottom, r, 0.0, 0.5 * kHalfTurn);
-    cairo_arc(cairo, left, bottom, r, 0.5 * kHalfTurn, kHalfTurn);
-    cairo_arc(cairo, left, top, r, kHalfTurn, 1.5 * kHalfTurn);
+    cairo_arc(cairo, right, top, r, -0.5 * kPi, 0.0);
+    cairo_arc(cairo, right, bottom, r, 0.0, 0.5 * kPi);
+    cairo_arc(cairo, left, bottom, r, 0.5 * kPi, kPi);
+    cairo_arc(cairo, left, top, r, kPi, 1.5 * kPi);
     cairo_close_path(cairo);
 }
 
@@ -167,7 +164,7 @@ void draw(cairo_t* cairo, const Ellipse& ellipse) {
     cairo_translate(cairo, double{centre.x}, double{centre.y});
     cairo_scale(cairo, 0.5 * double{ellipse.rect.width}, 0.5 * double{ellipse.rect.height});
     cairo_new_sub_path(cairo);
-    cairo_arc(cairo, 0.0, 0.0, 1.0, 0.0, 2.0 * kHalfTurn);
+    cairo_arc(cairo, 0.0, 0.0, 1.0, 0.0, kTurn);
     cairo_restore(cairo);
     set_fill(cairo, ellipse.fill, ellipse.rect);
     cairo_fill(cairo);

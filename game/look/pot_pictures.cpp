@@ -243,8 +243,7 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
         }
         const float open = outline.open(sub[kSubRows / 2].row);
         for (int x = 0; x < kPictureSide; ++x) {
-            const float angle =
-                2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F) / kPictureSide;
+            const float angle = kTurnF * (static_cast<float>(x) + 0.5F) / kPictureSide;
             Surface mean{.colour = vec3(0.0F), .roughness = 0.0F, .coat = 0.0F};
             vec3 normal(0.0F);
             for (const BakedRow& baked : sub) {

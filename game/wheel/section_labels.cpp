@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace onggi::wheel {
@@ -166,9 +165,8 @@ class Section {
         constexpr std::size_t kSectors = kDentSectors;
         const std::size_t rows = pot_.dents_mm.size() / kSectors;
         if (rows == 0 || !(pot_.height_mm > 0.0)) return 0.0;
-        constexpr double kTurn = 2.0 * std::numbers::pi;
         const double turned = std::atan2(wheel_direction_.y, wheel_direction_.x);
-        const double turns = (towards_rad_ + (left ? std::numbers::pi : 0.0) - turned) / kTurn;
+        const double turns = (towards_rad_ + (left ? kPi : 0.0) - turned) / kTurn;
         const auto place = [](double fraction, std::size_t count) {
             const double at = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count);
             return std::min(static_cast<std::size_t>(at), count - 1);

@@ -414,7 +414,7 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
         if (!wire.shown) return;
         // Across the picture, so that it is seen to pass under the pot.
-        constexpr double kAcross = 1.5707963267948966;
+        constexpr double kAcross = 0.5 * kPi;
         add(ToolModel::kWire, false, placed({0.0, wire.height_mm, 0.0}, kAcross, 0.0));
     });
 }

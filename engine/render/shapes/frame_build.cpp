@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/core/hash.h"
 #include "engine/math/light.h"
@@ -59,12 +58,10 @@ std::size_t add_section(const LatheMeshInput& input, int sectors,
 
 namespace {
 
-constexpr float kHalfTurn = std::numbers::pi_v<float>;
-
 // A chord of a circle lies off it by r (1 - cos(half its angle)).
 float angle_of_chord(float radius_px, float error_px) {
     // Light is interpolated between the vertices too, which bears no more.
-    constexpr float kWidest = 18.0F * kHalfTurn / 180.0F;
+    constexpr float kWidest = 18.0F * kPiF / 180.0F;
     const float cosine = 1.0F - error_px / std::max(radius_px, 1e-3F);
     return cosine > 0.0F ? std::min(2.0F * std::acos(cosine), kWidest) : kWidest;
 }
@@ -85,8 +82,8 @@ float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
 
 std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
     // A lathe's own sectors run the other way, counter-clockwise.
-    const float start = lathe.cut ? kHalfTurn - lathe.cut->towards_rad : 0.0F;
-    const float sweep = lathe.cut ? kHalfTurn : 2.0F * kHalfTurn;
+    const float start = lathe.cut ? kPiF - lathe.cut->towards_rad : 0.0F;
+    const float sweep = lathe.cut ? kPiF : kTurnF;
     std::vector<float> angles;
     angles.reserve(static_cast<std::size_t>(sectors) + 1);
     for (int i = 0; i <= sectors; ++i)
@@ -97,7 +94,7 @@ std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
 std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budget) {
     // The sum of the density up to each of some angles, over half a turn.
     constexpr std::size_t kSteps = 180;
-    constexpr float kStep = kHalfTurn / static_cast<float>(kSteps);
+    constexpr float kStep = kPiF / static_cast<float>(kSteps);
     std::array<float, kSteps + 1> sum{};
     for (std::size_t i = 0; i < kSteps; ++i)
         sum[i + 1] = sum[i] + kStep * density(seen, (static_cast<float>(i) + 0.5F) * kStep, budget.error_px);
@@ -120,7 +117,7 @@ std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budge
     for (const float angle : to_side)
         angles.push_back(seen.azimuth_rad + angle);
     for (int i = half; i-- > 0;)
-        angles.push_back(seen.azimuth_rad + 2.0F * kHalfTurn - to_side[static_cast<std::size_t>(i)]);
+        angles.push_back(seen.azimuth_rad + kTurnF - to_side[static_cast<std::size_t>(i)]);
     return angles;
 }
 
@@ -229,8 +226,7 @@ std::array<vec3, 9> sky_irradiance(const Environment& environment) {
         const float y = 1.0F - (static_cast<float>(row) + 0.5F) * 2.0F / kRows;
         const float across = std::sqrt(1.0F - y * y);
         for (int column = 0; column < kColumns; ++column) {
-            const float angle =
-                (static_cast<float>(column) + 0.5F) * 2.0F * std::numbers::pi_v<float> / kColumns;
+            const float angle = (static_cast<float>(column) + 0.5F) * kTurnF / kColumns;
             const vec3 d(across * std::cos(angle), y, across * std::sin(angle));
             const std::array<float, 9> basis{0.282095F,
                                              0.488603F * d.y,
@@ -247,7 +243,7 @@ std::array<vec3, 9> sky_irradiance(const Environment& environment) {
         }
     }
     // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the basis' own constants.
-    constexpr float kCell = 4.0F * std::numbers::pi_v<float> / (kRows * kColumns);
+    constexpr float kCell = 4.0F * kPiF / (kRows * kColumns);
     constexpr std::array<float, 9> kFold{0.282095F,         0.488603F * 2 / 3, 0.488603F * 2 / 3,
                                          0.488603F * 2 / 3, 1.092548F / 4,     1.092548F / 4,
                                          0.315392F / 4,     1.092548F / 4,     0.546274F / 4};
@@ -322,7 +318,7 @@ void build_scene(const Scene& scene, const StillBounds& still, int width_px, int
 // How far the streaks' texture has turned, in its own widths: two of it go round.
 float streak_turn(vec2 turn) {
     const float angle = std::atan2(turn.y, turn.x);
-    return angle / std::numbers::pi_v<float>;
+    return angle / kPiF;
 }
 
 std::vector<float> sectors_of(const Scene& scene, const RendererDesc& desc, float px_per_mm,

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
-#include "game/clay/studio/load.h"
 #include "game/clay/studio/grip_touch.h"
+#include "game/clay/studio/load.h"
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/rings.h"
 #include "game/clay/studio/spare_clay.h"
@@ -232,7 +231,7 @@ double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strai
         const double strain = std::min(per_weight * weight[i], largest_strain);
         if (!(strain > 0.0)) continue;
         const double outer = rings.outer_mm[at(i)];
-        const double area = rings.volume_mm3[at(i)] / (std::numbers::pi * height * (1.0 + strain));
+        const double area = rings.volume_mm3[at(i)] / (kPi * height * (1.0 + strain));
         const double inner = std::sqrt(std::max(outer * outer - area, 0.0));
         if (!(inner > rings.inner_mm[at(i)]) || outer - inner < kThinnestWallMm) continue;
         rings.inner_mm[at(i)] = inner;
@@ -641,7 +640,7 @@ double bearable_twist(const Rings& rings, double y) {
     }
     // su of 2 pi r^2 t; what is equivalent to it by von Mises is the square root of three as much.
     constexpr double kHalf = 0.5;
-    return kHalf * least * 2.0 * std::numbers::pi / (std::sqrt(3.0) * kKpaPerNMm2);
+    return kHalf * least * kTurn / (std::sqrt(3.0) * kKpaPerNMm2);
 }
 
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,

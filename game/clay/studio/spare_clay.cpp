@@ -29,7 +29,7 @@ double narrowest_bore(double wall) noexcept {
 double reshape(Rings& rings, int i, double outer, double inner) noexcept {
     const double height = rings.height_mm[at(i)];
     const double before = rings.volume_mm3[at(i)];
-    const double volume = on_grid(std::numbers::pi * height * ((outer - inner) * (outer + inner)));
+    const double volume = on_grid(kPi * height * ((outer - inner) * (outer + inner)));
     if (!(volume > 0.0)) return 0.0;
     rings.outer_mm[at(i)] = outer;
     rings.inner_mm[at(i)] = inner;
@@ -87,7 +87,7 @@ Changed share_out(Rings& rings, std::vector<double>& weight, double y, double fr
             const double taken = std::min(part, std::fabs(left));
             const double signed_part = gives ? taken : -taken;
             const double outer = rings.outer_mm[at(i)];
-            const double area = (volume + signed_part) / (std::numbers::pi * rings.height_mm[at(i)]);
+            const double area = (volume + signed_part) / (kPi * rings.height_mm[at(i)]);
             const double square = outer * outer - area;
             if (!(square > 0.25)) continue;
             rings.volume_mm3[at(i)] = volume + signed_part;

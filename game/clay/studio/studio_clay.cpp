@@ -232,8 +232,8 @@ void StudioClay::set_wall(double outer, double wall, double floor, double height
         const double ring = height / count;
         rings_.outer_mm[at] = outer;
         rings_.inner_mm[at] = (i + 0.5) * ring < floor ? 0.0 : outer - wall;
-        rings_.volume_mm3[at] = studio::on_grid(std::numbers::pi * ring * (outer - rings_.inner_mm[at]) *
-                                                (outer + rings_.inner_mm[at]));
+        rings_.volume_mm3[at] =
+            studio::on_grid(kPi * ring * (outer - rings_.inner_mm[at]) * (outer + rings_.inner_mm[at]));
         volume += rings_.volume_mm3[at];
         studio::set_liquidity(rings_, i, liquidity);
     }
@@ -249,8 +249,8 @@ void StudioClay::set_profile(std::span<const double> outer, std::span<const doub
         const std::size_t at = Rings::at(i);
         rings_.outer_mm[at] = outer[at];
         rings_.inner_mm[at] = inner[at];
-        rings_.volume_mm3[at] = studio::on_grid(std::numbers::pi * rings_.height_mm[at] *
-                                                (outer[at] - inner[at]) * (outer[at] + inner[at]));
+        rings_.volume_mm3[at] =
+            studio::on_grid(kPi * rings_.height_mm[at] * (outer[at] - inner[at]) * (outer[at] + inner[at]));
         volume += rings_.volume_mm3[at];
     }
     settle_as_lump(rings_, volume, ledger_, sweep_);

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/ui/painter.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"
-#include "game/clay/studio/load.h"
 #include "game/app/kiosk/presentation/exhibits.h"
+#include "game/clay/studio/load.h"
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/finish/glaze.h"
@@ -34,8 +33,7 @@ double volume_mm3(const pot::Pot& shape) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
         const double top_mm = tops.empty() ? below_mm + even_mm : double{tops[i]};
         const double bore_mm = inner.empty() ? 0.0 : double{inner[i]};
-        volume += std::numbers::pi * (double{outer[i]} * double{outer[i]} - bore_mm * bore_mm) *
-                  (top_mm - below_mm);
+        volume += kPi * (double{outer[i]} * double{outer[i]} - bore_mm * bore_mm) * (top_mm - below_mm);
         below_mm = top_mm;
     }
     return volume;
